@@ -1,0 +1,36 @@
+# Sourced by samples/run.sh and tests/run.sh: installs the Debian packages that are missing.
+# Does nothing, and asks nothing of the network, when all of them are there.
+
+limn_build_packages=(
+    g++ cmake ninja-build
+    libvulkan-dev mesa-vulkan-drivers                        # the device: lavapipe where no GPU is
+    glslang-dev spirv-tools libspirv-cross-c-shared-dev      # shaders
+    libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
+)
+limn_test_packages=(
+    libgtest-dev libgmock-dev libbenchmark-dev vulkan-validationlayers
+)
+
+limn_install_missing() {
+    local missing=() package
+    for package in "$@"; do
+        if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+            missing+=("$package")
+        fi
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            echo "limn needs these Debian packages: ${missing[*]}" >&2
+            echo "Install them as root, or install sudo, then run this again." >&2
+            exit 3
+        fi
+        as_root=(sudo)
+    fi
+    echo "Installing Debian packages: ${missing[*]}" >&2
+    "${as_root[@]}" apt-get update -qq
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}

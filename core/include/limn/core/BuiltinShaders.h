@@ -1,0 +1,22 @@
+#pragma once
+
+#include <limn/core/Shader.h>
+#include <limn/core/Texture.h>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// limn's own shaders: "Universal Render Pipeline/Lit", "Universal Render Pipeline/Unlit",
+/// "Hidden/Universal/CoreBlit". Null for any other name.
+std::shared_ptr<const Shader> FindBuiltinShader(std::string_view name,
+                                                const std::shared_ptr<ShaderCompiler>& compiler);
+std::vector<std::string_view> BuiltinShaderNames();
+
+/// A 1x1 texture of a ShaderLab default name ("white", "black", "gray", "bump", "red"; any case);
+/// gray for any other. Unity: texture defaults of ShaderLab properties.
+std::shared_ptr<const Texture> DefaultTexture(std::string_view name);
+
+} // namespace limn

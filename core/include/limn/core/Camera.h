@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <limn/core/Color.h>
+#include <limn/core/LayerMask.h>
+#include <limn/core/Transform.h>
+#include <optional>
+
+namespace limn
+{
+
+/// Unity: UnityEngine.CameraClearFlags. There is no skybox: Skybox and Depth clear like SolidColor.
+enum class CameraClearFlags
+{
+    Skybox = 1,
+    SolidColor = 2,
+    Depth = 3,
+    Nothing = 4
+};
+
+/// Unity: UnityEngine.Camera with URP's additional data (2022.3).
+struct Camera
+{
+    Transform transform;
+    bool orthographic = false;
+    float orthographicSize = 5.0f; ///< half the picture's height, metres
+    float fieldOfView = 60.0f;     ///< vertical, degrees, (0, 180)
+    float nearClipPlane = 0.3f;    ///< metres, > 0 for perspective
+    float farClipPlane = 1000.0f;  ///< metres, > nearClipPlane
+    CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
+    Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
+    LayerMask cullingMask = LayerMask::Everything();
+    bool allowHDR = true; ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
+    LayerMask volumeLayerMask{1};           ///< layers whose volumes apply
+    std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position
+
+    /// World to view space: right-handed, looking along -z. Unity: Camera.worldToCameraMatrix.
+    glm::mat4 worldToCameraMatrix() const;
+
+    /// View to clip space: y up, z from w at the near plane to 0 at the far one. Computed in double
+    /// precision: exact to float rounding for any near and far.
+    /// @param aspect  width / height
+    /// @throws ContractError naming the field, if one is outside its range or not finite
+    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix) on a reversed-Z device
+    glm::mat4 gpuProjectionMatrix(float aspect) const;
+};
+
+} // namespace limn

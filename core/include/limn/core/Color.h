@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <glm/vec4.hpp>
+
+namespace limn
+{
+
+/// Red, green, blue, alpha, each nominally 0...1 (HDR: above). What a person writes is sRGB; what a
+/// shader computes with is linear; which of the two a Color is, its owner says.
+/// Unity: UnityEngine.Color (2022.3).
+struct Color
+{
+    float r = 0.0f;
+    float g = 0.0f;
+    float b = 0.0f;
+    float a = 1.0f;
+
+    static const Color white;
+    static const Color black;
+    static const Color clear; ///< (0, 0, 0, 0)
+    static const Color red;
+    static const Color green;
+
+    /// This sRGB colour as linear RGB; alpha is kept. Above 1 the curve goes on as a 2.2 power, as
+    /// Unity's does. Unity: Color.linear.
+    Color linear() const { return {ToLinear(r), ToLinear(g), ToLinear(b), a}; }
+
+    glm::vec4 vector() const { return {r, g, b, a}; }
+
+    bool operator==(const Color&) const = default;
+
+private:
+    static float ToLinear(float s)
+    {
+        if (s <= 0.04045f)
+        {
+            return s / 12.92f;
+        }
+        return s <= 1.0f ? std::pow((s + 0.055f) / 1.055f, 2.4f) : std::pow(s, 2.2f);
+    }
+};
+
+inline constexpr Color Color::white{1.0f, 1.0f, 1.0f, 1.0f};
+inline constexpr Color Color::black{0.0f, 0.0f, 0.0f, 1.0f};
+inline constexpr Color Color::clear{0.0f, 0.0f, 0.0f, 0.0f};
+inline constexpr Color Color::red{1.0f, 0.0f, 0.0f, 1.0f};
+inline constexpr Color Color::green{0.0f, 1.0f, 0.0f, 1.0f};
+
+} // namespace limn

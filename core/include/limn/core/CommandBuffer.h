@@ -1,0 +1,102 @@
+#pragma once
+
+#include <limn/core/FrameCommands.h>
+#include <limn/core/Material.h>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace limn
+{
+
+/// A draw as recorded: the material is looked at when the buffer is executed.
+struct RecordedDraw
+{
+    std::shared_ptr<const Mesh> mesh; ///< null = procedural
+    int subMesh = 0;
+    std::uint32_t vertexCount = 0; ///< procedural
+    glm::mat4 matrix{1.0f};
+    std::shared_ptr<const Material> material;
+    int shaderPass = 0;
+    MaterialPropertyBlock properties;
+};
+
+struct SetGlobalCommand
+{
+    ShaderPropertyId id;
+    ShaderPropertyValue value;
+};
+
+using RecordedCommand =
+    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand>;
+
+/// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
+/// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
+class CommandBuffer
+{
+public:
+    /// @param depth  empty: the colour has no depth beside it
+    /// @throws ContractError if both are empty, or if sizes or sample counts differ
+    void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
+    void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
+    /// @param depth  1 = far on every device
+    void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
+                           int stencil = 0);
+    /// Until the next SetRenderTarget, which sets the whole target.
+    void SetViewport(const ViewportRect& rect);
+
+    /// @throws ContractError if mesh or material is null, or there is no such sub-mesh or pass
+    void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
+                  std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
+                  const MaterialPropertyBlock& properties = {});
+    /// Triangles without vertex buffers: the shader sees SV_VertexID only.
+    void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
+                        int shaderPass, int vertexCount,
+                        const MaterialPropertyBlock& properties = {});
+
+    void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
+    void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
+    void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value); }
+    void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
+    void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
+    {
+        SetGlobal(id, std::shared_ptr<const Texture>(value.rt()));
+    }
+
+    void BeginSample(std::string_view name);
+    void EndSample();
+
+    /// Forgets what was recorded.
+    void Clear() { m_Commands.clear(); }
+
+    const std::vector<RecordedCommand>& commands() const { return m_Commands; }
+
+private:
+    void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
+
+    std::vector<RecordedCommand> m_Commands;
+};
+
+/// Gives out empty command buffers. Unity: UnityEngine.Rendering.CommandBufferPool.
+namespace CommandBufferPool
+{
+
+/// Returns the buffer to the pool when it goes.
+struct Recycle
+{
+    void operator()(CommandBuffer* buffer) const noexcept;
+};
+using Pooled = std::unique_ptr<CommandBuffer, Recycle>;
+
+Pooled Get();
+/// Gives `buffer` back before its scope ends; it is null afterwards.
+inline void Release(Pooled& buffer)
+{
+    buffer.reset();
+}
+
+} // namespace CommandBufferPool
+
+} // namespace limn

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <limn/core/FrameCommands.h>
+
+namespace limn
+{
+
+/// What a texture is being used for; the device maps it to layout, stage and access.
+enum class TextureUsage
+{
+    Undefined, ///< contents are worthless
+    ColorAttachment,
+    DepthStencilAttachment,
+    ShaderRead, ///< sampled in vertex or fragment stage
+    CopySource
+};
+
+/// Before the pass: the texture goes from one use to another and everything written is visible.
+struct TextureBarrier
+{
+    std::shared_ptr<const Texture> texture;
+    TextureUsage before = TextureUsage::Undefined;
+    TextureUsage after = TextureUsage::Undefined;
+
+    bool operator==(const TextureBarrier&) const = default;
+};
+
+enum class LoadOp
+{
+    Load,
+    Clear,
+    DontCare
+};
+enum class StoreOp
+{
+    Store,
+    DontCare
+};
+
+struct ColorAttachment
+{
+    std::shared_ptr<const RenderTexture> texture;
+    LoadOp load = LoadOp::Load;
+    StoreOp store = StoreOp::Store;
+    Color clearColor; ///< linear
+
+    bool operator==(const ColorAttachment&) const = default;
+};
+
+struct DepthAttachment
+{
+    std::shared_ptr<const RenderTexture> texture;
+    LoadOp load = LoadOp::Load;
+    StoreOp store = StoreOp::Store;
+    LoadOp stencilLoad = LoadOp::Load;
+    StoreOp stencilStore = StoreOp::Store;
+    float clearDepth = 1.0f; ///< 1 = far, see ClearCommand
+    int clearStencil = 0;
+
+    bool operator==(const DepthAttachment&) const = default;
+};
+
+/// Inside a pass only these remain of the recorded commands.
+using PassCommand =
+    std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand, EndSampleCommand>;
+
+/// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering.
+struct CompiledRenderPass
+{
+    std::string name; ///< the innermost sample it began in, or ""
+    std::vector<TextureBarrier> barriers;
+    std::vector<ColorAttachment> colors;
+    std::optional<DepthAttachment> depth;
+    int width = 0;
+    int height = 0;
+    std::vector<PassCommand> commands;
+};
+
+/// A frame ready to run: the device adds nothing to it and leaves nothing out.
+struct CompiledFrame
+{
+    std::vector<CompiledRenderPass> passes;
+    std::vector<TextureBarrier> finalBarriers; ///< after the last pass: outputs → CopySource
+    std::vector<std::byte> uniformData;
+    std::vector<PerDrawData> perDraw;
+};
+
+} // namespace limn

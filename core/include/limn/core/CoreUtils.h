@@ -1,0 +1,43 @@
+#pragma once
+
+#include <limn/core/CommandBuffer.h>
+
+namespace limn
+{
+
+/// Unity: UnityEngine.Rendering.CoreUtils (core 14).
+namespace CoreUtils
+{
+
+/// Binds a target and clears what `clearFlag` names; depth clears to far, stencil to 0.
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
+                     ClearFlag clearFlag = ClearFlag::None,
+                     const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& depth,
+                     ClearFlag clearFlag = ClearFlag::None,
+                     const Color& clearColor = Color::clear);
+
+/// A material for a pass of one's own.
+/// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
+std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
+
+} // namespace CoreUtils
+
+/// Unity: UnityEngine.Rendering.Blitter (core 14).
+namespace Blitter
+{
+
+/// Draws one triangle over the whole of `destination`, its contents kept where the pass blends,
+/// with `source` as _BlitTexture (and its size as _BlitTexture_TexelSize) and _BlitScaleBias
+/// (1, 1, 0, 0). No depth is bound: tests against depth or stencil pass.
+/// @throws ContractError if a handle is empty or both are the same texture
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       std::shared_ptr<const Material> material, int passIndex);
+
+/// The same on the target that is bound already.
+void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex);
+
+} // namespace Blitter
+
+} // namespace limn

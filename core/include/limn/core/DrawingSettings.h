@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limn/core/ShaderId.h>
+#include <limn/core/SortingSettings.h>
+#include <memory>
+#include <vector>
+
+namespace limn
+{
+
+class Material;
+
+/// How a DrawRenderers call draws what passed its filter: for each tag in turn, the first pass of
+/// the object's shader with that LightMode; a pass without LightMode counts as SRPDefaultUnlit.
+/// Unity: UnityEngine.Rendering.DrawingSettings (2022.3).
+struct DrawingSettings
+{
+    static constexpr int maxShaderPasses = 16;
+
+    std::vector<ShaderTagId> shaderTagIds; ///< at most maxShaderPasses
+    SortingSettings sortingSettings;
+
+    /// Draws everything with this pass of this material instead of the object's own; the object's
+    /// material is still what is filtered and what must have a pass of one of the tags.
+    std::shared_ptr<const Material> overrideMaterial;
+    int overrideMaterialPassIndex = 0;
+
+    /// @throws ContractError outside 0...15
+    void SetShaderPassName(int index, ShaderTagId tag);
+};
+
+} // namespace limn

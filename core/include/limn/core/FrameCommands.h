@@ -1,0 +1,138 @@
+#pragma once
+
+#include <limn/core/Color.h>
+#include <limn/core/Mesh.h>
+#include <limn/core/PipelineState.h>
+#include <limn/core/RTHandle.h>
+#include <limn/shaderlab/CompiledPass.h>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace limn
+{
+
+/// What of a target is cleared; bit flags, values Unity's. Unity: UnityEngine.Rendering.ClearFlag.
+enum class ClearFlag
+{
+    None = 0,
+    Color = 1,
+    Depth = 2,
+    Stencil = 4,
+    ColorStencil = 5,
+    DepthStencil = 6,
+    All = 7
+};
+constexpr ClearFlag operator|(ClearFlag a, ClearFlag b)
+{
+    return static_cast<ClearFlag>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator&(ClearFlag a, ClearFlag b)
+{
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
+/// A rectangle of target texels, from the top left.
+struct ViewportRect
+{
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    bool operator==(const ViewportRect&) const = default;
+};
+
+/// A run of bytes of FrameCommands::uniformData, bound to one uniform buffer.
+struct UniformSlice
+{
+    std::uint32_t binding = 0;
+    std::uint32_t offset = 0; ///< a multiple of 256
+    std::uint32_t size = 0;
+
+    bool operator==(const UniformSlice&) const = default;
+};
+
+struct TextureSlot
+{
+    std::uint32_t binding = 0;
+    std::shared_ptr<const Texture> texture; ///< never null
+    std::optional<SamplerState> sampler;    ///< set where texture and sampler are one descriptor
+
+    bool operator==(const TextureSlot&) const = default;
+};
+
+struct SamplerSlot
+{
+    std::uint32_t binding = 0;
+    SamplerState state;
+
+    bool operator==(const SamplerSlot&) const = default;
+};
+
+/// Everything bound by one draw; draws of equal material and globals share one.
+struct DrawBindings
+{
+    std::vector<UniformSlice> uniforms;
+    std::vector<TextureSlot> textures;
+    std::vector<SamplerSlot> samplers;
+    std::optional<std::uint32_t> perDrawBinding; ///< where limn_PerDraw is bound, if it is read
+
+    bool operator==(const DrawBindings&) const = default;
+};
+
+struct DrawCommand
+{
+    std::shared_ptr<const CompiledPass> pass;
+    std::shared_ptr<const DrawBindings> bindings;
+    PipelineState state;
+    std::shared_ptr<const Mesh> mesh; ///< null = no vertex buffers, SV_VertexID only
+    int subMesh = 0;
+    std::uint32_t vertexCount = 0;   ///< without a mesh
+    std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
+    std::uint32_t instanceCount = 1;
+};
+
+/// Later draws go here, over the whole target.
+struct SetRenderTargetCommand
+{
+    std::vector<std::shared_ptr<const RenderTexture>> colors; ///< may be empty with a depth
+    std::shared_ptr<const RenderTexture> depth;               ///< may be null
+};
+
+/// Clears the bound target, or the viewport's part of it where one is set.
+struct ClearCommand
+{
+    ClearFlag flags = ClearFlag::None;
+    Color color;        ///< linear
+    float depth = 1.0f; ///< 1 = far whatever the device's depth direction is, as Unity writes it
+    int stencil = 0;
+};
+
+struct SetViewportCommand
+{
+    ViewportRect rect;
+};
+
+/// Opens or closes a named group of commands, for captures, timings and dumps.
+struct BeginSampleCommand
+{
+    std::string name;
+};
+struct EndSampleCommand
+{
+};
+
+using FrameCommand = std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand,
+                                  DrawCommand, BeginSampleCommand, EndSampleCommand>;
+
+/// All that a frame recorded, in order, with nothing left to look up: plain data.
+struct FrameCommands
+{
+    std::vector<FrameCommand> commands;
+    std::vector<std::byte> uniformData;
+    std::vector<PerDrawData> perDraw;
+};
+
+} // namespace limn

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <limn/core/CompiledFrame.h>
+#include <limn/core/Image.h>
+
+namespace limn
+{
+
+/// How long one pass of a frame took on the device.
+struct PassTiming
+{
+    std::string name;
+    double milliseconds = 0.0;
+};
+
+/// Runs compiled frames. VulkanDevice draws; RecordingDevice keeps what it was given.
+class GraphicsDevice
+{
+public:
+    virtual ~GraphicsDevice() = default;
+
+    /// Starts the frame; returns without waiting for it. Frames run in the order given.
+    virtual void Execute(const CompiledFrame& frame) = 0;
+
+    /// The texels of a texture that was an output of the last frame; waits for it.
+    /// @throws ContractError if it was not
+    virtual Image ReadBack(const RenderTexture& texture) = 0;
+
+    /// Times of the passes of the last finished frame, in order; empty where nothing is measured.
+    virtual std::vector<PassTiming> LastFrameTimings() = 0;
+};
+
+} // namespace limn

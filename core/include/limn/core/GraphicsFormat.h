@@ -1,0 +1,71 @@
+#pragma once
+
+namespace limn
+{
+
+/// Texel formats; values are Unity's. Unity: UnityEngine.Experimental.Rendering.GraphicsFormat.
+enum class GraphicsFormat
+{
+    None = 0,
+    R8G8B8A8_SRGB = 4,
+    R8_UNorm = 5,
+    R8G8B8A8_UNorm = 8,
+    R8G8B8A8_SNorm = 12,
+    R16_SFloat = 45,
+    R16G16_SFloat = 46,
+    R16G16B16A16_SFloat = 48,
+    R32_SFloat = 49,
+    R32G32_SFloat = 50,
+    R32G32B32A32_SFloat = 52,
+    B10G11R11_UFloatPack32 = 74,
+    D32_SFloat = 93,
+    D32_SFloat_S8_UInt = 94
+};
+
+/// The older names, as render features still write them. Unity: UnityEngine.RenderTextureFormat.
+enum class RenderTextureFormat
+{
+    ARGB32 = 0,
+    Depth = 1,
+    ARGBHalf = 2,
+    ARGBFloat = 11,
+    RGFloat = 12,
+    RGHalf = 13,
+    RFloat = 14,
+    RHalf = 15,
+    R8 = 16,
+    RGB111110Float = 22
+};
+
+enum class FilterMode
+{
+    Point = 0,
+    Bilinear = 1,
+    Trilinear = 2
+};
+
+enum class TextureWrapMode
+{
+    Repeat = 0,
+    Clamp = 1,
+    Mirror = 2,
+    MirrorOnce = 3
+};
+
+/// The format an older name stands for; ARGB32 is sRGB-encoded only where `sRGB` says so, Depth is
+/// D32_SFloat.
+GraphicsFormat ToGraphicsFormat(RenderTextureFormat format, bool sRGB = false);
+
+/// Bytes of one texel in memory; D32_SFloat_S8_UInt takes 8.
+/// @throws ContractError for None
+int BytesPerTexel(GraphicsFormat format);
+
+constexpr bool IsDepthFormat(GraphicsFormat format)
+{
+    return format == GraphicsFormat::D32_SFloat || format == GraphicsFormat::D32_SFloat_S8_UInt;
+}
+
+/// Unity's spelling, e.g. "R8_UNorm".
+const char* ToString(GraphicsFormat format);
+
+} // namespace limn

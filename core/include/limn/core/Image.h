@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limn/core/GraphicsFormat.h>
+#include <vector>
+
+namespace limn
+{
+
+/// Texels on the CPU: `height` rows of `width` texels, row 0 at the top, tightly packed.
+struct Image
+{
+    int width = 0;
+    int height = 0;
+    GraphicsFormat format = GraphicsFormat::None;
+    std::vector<std::byte> texels;
+
+    bool operator==(const Image&) const = default;
+};
+
+/// Writes an R8G8B8A8 (SRGB or UNorm) or R8_UNorm image as PNG. The file appears whole or not at
+/// all; one that was there before stays where that fails.
+/// @throws AssetError naming the path and the system's reason, if it cannot be written
+/// @throws ContractError for any other format, or if size and texels do not fit each other
+void WritePng(const std::filesystem::path& path, const Image& image);
+
+/// Reads a PNG of any kind as R8G8B8A8_SRGB.
+/// @throws AssetError if the file is missing or is no PNG
+Image ReadPng(const std::filesystem::path& path);
+
+} // namespace limn

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <limn/core/MaterialPropertyBlock.h>
+#include <limn/core/PipelineState.h>
+#include <limn/core/Shader.h>
+#include <memory>
+#include <string>
+
+namespace limn
+{
+
+/// A shader with values for its properties, the defaults of its Properties block to begin with.
+/// Values of names that the shader does not have are kept and do nothing, as in Unity.
+/// Unity: UnityEngine.Material (2022.3).
+class Material
+{
+public:
+    /// @throws ContractError if shader is null
+    explicit Material(std::shared_ptr<const Shader> shader, std::string name = {});
+
+    std::uint64_t id() const { return m_Id; } ///< unique in the process
+    const std::string& name() const { return m_Name; }
+    const std::shared_ptr<const Shader>& shader() const { return m_Shader; }
+    int passCount() const { return m_Shader->passCount(); }
+    int FindPass(std::string_view passName) const { return m_Shader->FindPassByName(passName); }
+
+    void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
+    void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
+    void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
+    /// @param value  sRGB; linear for the shader, unless the property is declared [HDR]: those are
+    ///               linear already
+    void SetColor(ShaderPropertyId id, const Color& value);
+    void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
+    void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
+    {
+        Set(id, std::move(value));
+    }
+    const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
+
+    /// The queue filtering and sorting go by: the shader's unless set here.
+    int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }
+    /// @param queue  0...5000, or -1 for the shader's
+    /// @throws ContractError outside these
+    void SetRenderQueue(int queue);
+
+    /// Grows with every change; tells users of resolved values when to resolve again.
+    std::uint64_t version() const { return m_Version; }
+
+private:
+    void Set(ShaderPropertyId id, ShaderPropertyValue value);
+
+    std::uint64_t m_Id;
+    std::string m_Name;
+    std::shared_ptr<const Shader> m_Shader;
+    MaterialPropertyBlock m_Values;
+    int m_RenderQueue = -1;
+    std::uint64_t m_Version = 0;
+};
+
+/// A pass's state with the material's values in place of its property references; a name the
+/// material lacks is looked up in `globals`.
+/// @throws ContractError naming material, pass and property, if a value is missing or is no member
+///         of the enum
+PipelineState ResolveState(const RenderState& state, const Material& material,
+                           const MaterialPropertyBlock& globals);
+
+} // namespace limn

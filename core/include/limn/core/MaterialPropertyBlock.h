@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <limn/core/Color.h>
+#include <limn/core/ShaderId.h>
+#include <limn/core/Texture.h>
+#include <memory>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+namespace limn
+{
+
+/// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
+using ShaderPropertyValue = std::variant<float, int, glm::vec4, Color, glm::mat4,
+                                         std::vector<glm::vec4>, std::shared_ptr<const Texture>>;
+
+/// Shader property values by name. Draws look values up in the block of the draw, then in the
+/// material, then in the globals. Unity: UnityEngine.MaterialPropertyBlock (2022.3).
+class MaterialPropertyBlock
+{
+public:
+    void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
+    void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
+    void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
+    void SetColor(ShaderPropertyId id, const Color& value) { Set(id, value); } ///< sRGB
+    void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
+    void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
+    void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> v) { Set(id, std::move(v)); }
+    void Set(ShaderPropertyId id, ShaderPropertyValue value) { m_Values[id] = std::move(value); }
+
+    /// The value, or null if none was set.
+    const ShaderPropertyValue* Find(ShaderPropertyId id) const
+    {
+        const auto it = m_Values.find(id);
+        return it == m_Values.end() ? nullptr : &it->second;
+    }
+
+    void Clear() { m_Values.clear(); }
+    bool isEmpty() const { return m_Values.empty(); }
+
+private:
+    std::unordered_map<ShaderPropertyId, ShaderPropertyValue> m_Values;
+};
+
+} // namespace limn

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// An axis-aligned box. Unity: UnityEngine.Bounds.
+struct Bounds
+{
+    glm::vec3 center{0.0f};
+    glm::vec3 extents{0.0f}; ///< half the size
+
+    bool operator==(const Bounds&) const = default;
+};
+
+/// The triangles of one material slot: a run of the index list.
+struct SubMesh
+{
+    std::uint32_t indexStart = 0;
+    std::uint32_t indexCount = 0;
+
+    bool operator==(const SubMesh&) const = default;
+};
+
+/// The arrays a mesh is made from. Each but `vertices` may be empty; otherwise it has one element a
+/// vertex. Left-handed, metres, clockwise triangles face the viewer. A tangent's w is +-1, so that
+/// cross(normal, tangent.xyz) * w points up in the picture (to smaller v), as normal maps want.
+struct MeshData
+{
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::vec3> normals;       ///< unit length
+    std::vector<glm::vec4> tangents;      ///< xyz unit length, towards larger u
+    std::vector<glm::vec4> colors;        ///< linear RGBA
+    std::vector<glm::vec2> uv;            ///< v = 0 at the top row of the texture
+    std::vector<std::uint32_t> triangles; ///< three vertex indices a triangle
+    std::vector<SubMesh> subMeshes;       ///< empty = one over all of `triangles`
+};
+
+/// Immutable geometry; the device uploads it when a frame first draws it.
+/// Unity: UnityEngine.Mesh (2022.3).
+class Mesh
+{
+public:
+    /// @throws ContractError with every problem, a line each, naming the mesh: there is no vertex,
+    ///         an array's length differs from vertices', an index is out of range, a count of
+    ///         indices is no multiple of three, a sub-mesh leaves the list, a number is not finite
+    Mesh(std::string name, MeshData data);
+
+    /// Unique in the process.
+    std::uint64_t id() const
+    {
+        return m_Id;
+    }
+    const std::string& name() const
+    {
+        return m_Name;
+    }
+    const MeshData& data() const
+    {
+        return m_Data;
+    }
+    int subMeshCount() const
+    {
+        return static_cast<int>(m_Data.subMeshes.size());
+    }
+    const SubMesh& subMesh(int index) const
+    {
+        return m_Data.subMeshes.at(static_cast<std::size_t>(index));
+    }
+    /// In object space.
+    const Bounds& bounds() const
+    {
+        return m_Bounds;
+    }
+
+private:
+    std::uint64_t m_Id;
+    std::string m_Name;
+    MeshData m_Data;
+    Bounds m_Bounds;
+};
+
+} // namespace limn

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <limn/shaderlab/RenderState.h>
+
+namespace limn
+{
+
+struct TargetBlend
+{
+    bool enabled = false;
+    BlendMode srcColor = BlendMode::One;
+    BlendMode dstColor = BlendMode::Zero;
+    BlendMode srcAlpha = BlendMode::One;
+    BlendMode dstAlpha = BlendMode::Zero;
+    BlendOp colorOp = BlendOp::Add;
+    BlendOp alphaOp = BlendOp::Add;
+    int writeMask = ColorWriteMask::All;
+
+    bool operator==(const TargetBlend&) const = default;
+};
+
+struct StencilFace
+{
+    CompareFunction compare = CompareFunction::Always;
+    StencilOp pass = StencilOp::Keep;
+    StencilOp fail = StencilOp::Keep;
+    StencilOp zFail = StencilOp::Keep;
+
+    bool operator==(const StencilFace&) const = default;
+};
+
+/// A pass's RenderState with every `[_Property]` replaced by the material's value: what a draw
+/// really uses. Depth compares are Unity's (nearer = Less); the device turns them for reversed Z.
+struct PipelineState
+{
+    CullMode cull = CullMode::Back;
+    bool frontFaceFlipped = false; ///< the transform mirrors: counter-clockwise faces front
+    CompareFunction zTest = CompareFunction::LessEqual; ///< Disabled = no depth test and no write
+    bool zWrite = true;
+    bool zClip = true;
+    float offsetFactor = 0.0f; ///< positive = farther, as in Unity
+    float offsetUnits = 0.0f;
+    bool alphaToMask = false;
+    std::array<TargetBlend, 8> targets;
+    bool stencilEnabled = false;
+    int stencilReference = 0;
+    int stencilReadMask = 255;
+    int stencilWriteMask = 255;
+    StencilFace stencilFront;
+    StencilFace stencilBack;
+
+    bool operator==(const PipelineState&) const = default;
+};
+
+} // namespace limn

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <limn/core/CommandBuffer.h>
+#include <string>
+
+namespace limn
+{
+
+/// A name for a group of GPU work. Unity: UnityEngine.Rendering.ProfilingSampler (core 14).
+class ProfilingSampler
+{
+public:
+    explicit ProfilingSampler(std::string name) : m_Name(std::move(name)) {}
+    const std::string& name() const { return m_Name; }
+
+private:
+    std::string m_Name;
+};
+
+/// Names everything that `cmd` records while the scope lives. The group may be executed in parts:
+/// the end is recorded into the same buffer.
+/// Unity: UnityEngine.Rendering.ProfilingScope (core 14).
+class ProfilingScope
+{
+public:
+    ProfilingScope(CommandBuffer& cmd, const ProfilingSampler& sampler) : m_Cmd(cmd)
+    {
+        m_Cmd.BeginSample(sampler.name());
+    }
+    ~ProfilingScope() { m_Cmd.EndSample(); }
+    ProfilingScope(const ProfilingScope&) = delete;
+    ProfilingScope& operator=(const ProfilingScope&) = delete;
+
+private:
+    CommandBuffer& m_Cmd;
+};
+
+} // namespace limn

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <limn/core/GraphicsDevice.h>
+
+namespace limn
+{
+
+/// A device that draws nothing and keeps every frame it was given: for tests without Vulkan.
+class RecordingDevice final : public GraphicsDevice
+{
+public:
+    void Execute(const CompiledFrame& frame) override { m_Frames.push_back(frame); }
+    /// @throws ContractError always: nothing was drawn
+    Image ReadBack(const RenderTexture& texture) override;
+    std::vector<PassTiming> LastFrameTimings() override { return {}; }
+
+    const std::vector<CompiledFrame>& frames() const { return m_Frames; }
+
+private:
+    std::vector<CompiledFrame> m_Frames;
+};
+
+} // namespace limn

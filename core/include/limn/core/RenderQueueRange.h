@@ -1,0 +1,66 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+#include <string>
+
+namespace limn
+{
+
+/// Unity: UnityEngine.Rendering.RenderQueue.
+enum class RenderQueue
+{
+    Background = 1000,
+    Geometry = 2000,
+    AlphaTest = 2450,
+    GeometryLast = 2500, ///< the last queue that counts as opaque
+    Transparent = 3000,
+    Overlay = 4000
+};
+
+/// Material render queues from lower to upper bound, both included.
+/// Unity: UnityEngine.Rendering.RenderQueueRange (2022.3).
+class RenderQueueRange
+{
+public:
+    static constexpr int minimumBound = 0;
+    static constexpr int maximumBound = 5000;
+
+    static const RenderQueueRange all;         ///< 0...5000
+    static const RenderQueueRange opaque;      ///< 0...2500
+    static const RenderQueueRange transparent; ///< 2501...5000
+
+    /// @throws ContractError if a bound is outside 0...5000
+    constexpr RenderQueueRange(int lowerBound, int upperBound)
+        : m_LowerBound(Checked(lowerBound)), m_UpperBound(Checked(upperBound))
+    {
+    }
+
+    constexpr int lowerBound() const { return m_LowerBound; }
+    constexpr int upperBound() const { return m_UpperBound; }
+    constexpr bool Contains(int queue) const
+    {
+        return queue >= m_LowerBound && queue <= m_UpperBound;
+    }
+
+    constexpr bool operator==(const RenderQueueRange&) const = default;
+
+private:
+    static constexpr int Checked(int bound)
+    {
+        if (bound < minimumBound || bound > maximumBound)
+        {
+            throw ContractError("render queue bound " + std::to_string(bound) +
+                                " is outside 0...5000");
+        }
+        return bound;
+    }
+
+    int m_LowerBound;
+    int m_UpperBound;
+};
+
+inline constexpr RenderQueueRange RenderQueueRange::all{0, 5000};
+inline constexpr RenderQueueRange RenderQueueRange::opaque{0, 2500};
+inline constexpr RenderQueueRange RenderQueueRange::transparent{2501, 5000};
+
+} // namespace limn

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <limn/core/Texture.h>
+
+namespace limn
+{
+
+/// Unity: UnityEngine.RenderTextureDescriptor (2022.3), the fields that limn honours.
+struct RenderTextureDescriptor
+{
+    int width = 0;  ///< texels
+    int height = 0; ///< texels
+    /// Of the colour. A depth format makes a depth texture, too (Unity refuses it here).
+    GraphicsFormat graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
+    /// 0, 16, 24 or 32. Not 0 = a depth texture whose graphicsFormat is ignored, as RTHandles do:
+    /// D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in Unity only 16 has no stencil.
+    int depthBufferBits = 0;
+    int msaaSamples = 1; ///< 1, 2, 4 or 8
+
+    RenderTextureDescriptor() = default;
+    RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)
+        : width(w), height(h), graphicsFormat(format), depthBufferBits(depthBits)
+    {
+    }
+
+    /// Unity: the property colorFormat.
+    void SetColorFormat(RenderTextureFormat format)
+    {
+        graphicsFormat = ToGraphicsFormat(format);
+    }
+
+    bool operator==(const RenderTextureDescriptor&) const = default;
+};
+
+/// A texture that passes draw into. Contents are undefined until the first draw or clear.
+/// Unity: UnityEngine.RenderTexture.
+class RenderTexture final : public Texture
+{
+public:
+    /// @throws ContractError naming the texture, if the size is not positive, the format is None,
+    ///         or depthBufferBits or msaaSamples is none of the numbers that the descriptor names
+    RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
+                  SamplerState sampler = {}, bool transient = false);
+
+    const RenderTextureDescriptor& descriptor() const
+    {
+        return m_Descriptor;
+    }
+
+    /// Nobody looks at the contents after the frame: what no later command of the frame reads need
+    /// not be stored.
+    bool isTransient() const
+    {
+        return m_Transient;
+    }
+
+private:
+    RenderTextureDescriptor m_Descriptor;
+    bool m_Transient;
+};
+
+} // namespace limn

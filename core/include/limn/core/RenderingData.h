@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limn/core/Camera.h>
+#include <limn/core/Culling.h>
+#include <limn/core/RTHandle.h>
+#include <limn/core/RenderReport.h>
+#include <limn/core/Scene.h>
+
+namespace limn
+{
+
+class ScriptableRenderer;
+class VolumeStack;
+
+/// Unity: UnityEngine.Rendering.Universal.CameraData (URP 14).
+struct CameraData
+{
+    const Camera* camera = nullptr; ///< never null during rendering
+    /// The camera's target: pixel size, colour format, 32 depth bits. A pass that wants a plain
+    /// colour texture sets depthBufferBits to 0, as in Unity.
+    RenderTextureDescriptor cameraTargetDescriptor;
+    ScriptableRenderer* renderer = nullptr; ///< never null during rendering
+    SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
+    glm::mat4 viewMatrix{1.0f};
+    glm::mat4 gpuProjectionMatrix{1.0f};
+};
+
+/// What passes and features get to see of the frame; valid during the camera's rendering only.
+/// Unity: UnityEngine.Rendering.Universal.RenderingData (URP 14).
+struct RenderingData
+{
+    CameraData cameraData;
+    CullingResults cullResults;
+    /// The blended volumes, where a feature reads its component; may be null. (Unity:
+    /// VolumeManager.instance.stack; limn has no singletons.)
+    const VolumeStack* volumeStack = nullptr;
+    /// Where to say why something is not drawn; never null during rendering.
+    RenderReport* report = nullptr;
+};
+
+} // namespace limn

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <limn/core/Color.h>
+#include <limn/core/LayerMask.h>
+#include <limn/core/Material.h>
+#include <limn/core/Mesh.h>
+#include <limn/core/Transform.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// Draws a mesh, sub-mesh i with material i. More materials than sub-meshes: the last sub-mesh is
+/// drawn once for each further one. Unity: UnityEngine.MeshRenderer with its MeshFilter (2022.3).
+struct MeshRenderer
+{
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<std::shared_ptr<const Material>> sharedMaterials;
+    RenderingLayerMask renderingLayerMask{1}; ///< a new renderer is in rendering layer 0 only
+    bool enabled = true;
+};
+
+/// Unity: UnityEngine.GameObject (2022.3).
+struct GameObject
+{
+    std::string name;
+    int layer = 0; ///< 0...31
+    bool activeSelf = true;
+    Transform transform;
+    std::optional<MeshRenderer> renderer;
+};
+
+/// A light infinitely far away. Unity: UnityEngine.Light of type Directional (2022.3).
+struct DirectionalLight
+{
+    glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< world, the way the light travels; unit length
+    Color color;                            ///< sRGB
+    float intensity = 1.0f;                 ///< multiplies the linear colour
+};
+
+/// What there is to draw. Objects keep their address, so that transforms can be parents.
+class Scene
+{
+public:
+    DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
+    Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f}; ///< sRGB; the same from all sides
+
+    /// A new object at the end of the list; the reference holds as long as the scene.
+    GameObject& Add(std::string name);
+
+    const std::vector<std::unique_ptr<GameObject>>& objects() const { return m_Objects; }
+
+    /// The first object of this name, or null.
+    GameObject* Find(std::string_view name);
+
+private:
+    std::vector<std::unique_ptr<GameObject>> m_Objects;
+};
+
+} // namespace limn

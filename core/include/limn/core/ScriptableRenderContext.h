@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limn/core/CommandBuffer.h>
+#include <limn/core/Culling.h>
+#include <limn/core/RenderReport.h>
+
+namespace limn
+{
+
+/// Turns what passes record into the frame's list of commands, with materials, globals and
+/// LightMode tags looked up: the list is plain data.
+/// Unity: UnityEngine.Rendering.ScriptableRenderContext (2022.3).
+class ScriptableRenderContext
+{
+public:
+    explicit ScriptableRenderContext(RenderReport& report);
+    ~ScriptableRenderContext();
+    ScriptableRenderContext(const ScriptableRenderContext&) = delete;
+    ScriptableRenderContext& operator=(const ScriptableRenderContext&) = delete;
+
+    /// Appends the buffer's commands; the buffer may be cleared and used again afterwards.
+    /// @throws AssetError if a shader pass does not compile
+    void ExecuteCommandBuffer(const CommandBuffer& commandBuffer);
+
+    /// Appends draws of what passes the filter into the target that is bound, and counts in the
+    /// report what became of every item.
+    /// @throws AssetError if a shader pass does not compile
+    void DrawRenderers(const CullingResults& cullingResults, const DrawingSettings& drawingSettings,
+                       const FilteringSettings& filteringSettings);
+
+    /// Whose calls these are, for the report.
+    void SetPassName(std::string name) { m_PassName = std::move(name); }
+
+    /// Everything so far; the context is empty afterwards.
+    FrameCommands TakeCommands();
+
+private:
+    class Resolver;
+
+    RenderReport& m_Report;
+    std::string m_PassName;
+    FrameCommands m_Frame;
+    MaterialPropertyBlock m_Globals;
+    std::unique_ptr<Resolver> m_Resolver;
+};
+
+} // namespace limn

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <limn/core/ProfilingScope.h>
+#include <limn/core/RenderPassEvent.h>
+#include <limn/core/RenderingData.h>
+#include <limn/core/ScriptableRenderContext.h>
+#include <span>
+
+namespace limn
+{
+
+/// One step of a frame: derive, set renderPassEvent, record in Execute.
+/// Unity: UnityEngine.Rendering.Universal.ScriptableRenderPass (URP 14).
+class ScriptableRenderPass
+{
+public:
+    ScriptableRenderPass() = default;
+    virtual ~ScriptableRenderPass() = default;
+    ScriptableRenderPass(const ScriptableRenderPass&) = delete;
+    ScriptableRenderPass& operator=(const ScriptableRenderPass&) = delete;
+
+    RenderPassEvent renderPassEvent = RenderPassEvent::AfterRenderingOpaques;
+
+    /// What reports, captures and timings call the pass.
+    ProfilingSampler profilingSampler{"Unnamed_ScriptableRenderPass"};
+
+    /// Once a camera, before any pass executes, in the order of enqueueing: make textures here.
+    virtual void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData);
+    /// Once a camera, after all OnCameraSetup, in the order of execution.
+    virtual void Configure(CommandBuffer& cmd, const RenderTextureDescriptor& cameraTextureDescriptor);
+    /// The pass's work. Its targets are bound and cleared already.
+    virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
+    /// Once a camera, after all passes have executed.
+    virtual void OnCameraCleanup(CommandBuffer& cmd);
+
+    ScriptableRenderPassInput input() const { return m_Input; }
+    bool overrideCameraTarget() const { return m_OverrideCameraTarget; }
+    const RTHandle& colorAttachmentHandle() const { return m_Color; }
+    const RTHandle& depthAttachmentHandle() const { return m_Depth; }
+    ClearFlag clearFlag() const { return m_ClearFlag; }
+    const Color& clearColor() const { return m_ClearColor; }
+
+protected:
+    /// Draw into these instead of the camera's targets, until ResetTarget. Without `depth` there is
+    /// none: the camera's is not used.
+    void ConfigureTarget(const RTHandle& color, const RTHandle& depth = {});
+    /// Clear on binding. On the first binding of the camera's colour its background colour wins.
+    void ConfigureClear(ClearFlag clearFlag, const Color& clearColor);
+    /// Overwrites what was asked before (it does not add). Call it before the renderer's set-up
+    /// reads it: in AddRenderPasses or earlier.
+    void ConfigureInput(ScriptableRenderPassInput passInput) { m_Input = passInput; }
+    void ResetTarget();
+
+    /// Draw with these LightMode tags, sorted by these criteria from the current camera.
+    /// @throws ContractError if `tags` is empty or longer than 16
+    DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> tags,
+                                          const RenderingData& renderingData,
+                                          SortingCriteria sortingCriteria) const;
+    DrawingSettings CreateDrawingSettings(ShaderTagId tag, const RenderingData& renderingData,
+                                          SortingCriteria sortingCriteria) const;
+
+private:
+    ScriptableRenderPassInput m_Input = ScriptableRenderPassInput::None;
+    bool m_OverrideCameraTarget = false;
+    RTHandle m_Color;
+    RTHandle m_Depth;
+    ClearFlag m_ClearFlag = ClearFlag::None;
+    Color m_ClearColor = Color::black;
+};
+
+} // namespace limn

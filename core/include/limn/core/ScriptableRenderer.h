@@ -1,0 +1,68 @@
+#pragma once
+
+#include <limn/core/ScriptableRenderPass.h>
+#include <limn/core/ScriptableRendererFeature.h>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace limn
+{
+
+/// Runs features and passes for one camera after the other, in URP's order of calls:
+/// AddRenderPasses of all features, Setup, SetupRenderPasses of all features, OnCameraSetup of all
+/// passes as enqueued, Configure of all passes as sorted, Execute of all, OnCameraCleanup of all.
+/// Unity: UnityEngine.Rendering.Universal.ScriptableRenderer (URP 14).
+class ScriptableRenderer
+{
+public:
+    ScriptableRenderer() = default;
+    virtual ~ScriptableRenderer() = default;
+    ScriptableRenderer(const ScriptableRenderer&) = delete;
+    ScriptableRenderer& operator=(const ScriptableRenderer&) = delete;
+
+    /// Adds a feature behind the others and calls its Create.
+    ScriptableRendererFeature& AddFeature(std::unique_ptr<ScriptableRendererFeature> feature);
+    const std::vector<std::unique_ptr<ScriptableRendererFeature>>& rendererFeatures() const
+    {
+        return m_Features;
+    }
+
+    /// Appends a pass to this camera's queue; the same pass twice runs twice. Passes run in the
+    /// order of their events, equal events in the order of enqueueing, features' before built-in.
+    /// @param pass  kept until the camera is done
+    void EnqueuePass(ScriptableRenderPass& pass) { m_Queue.push_back(&pass); }
+
+    /// What the camera draws into. @throws ContractError outside rendering: as in Unity they exist
+    /// from SetupRenderPasses and OnCameraSetup on, not in AddRenderPasses.
+    const RTHandle& cameraColorTargetHandle() const;
+    const RTHandle& cameraDepthTargetHandle() const;
+
+    /// Steps 8 to 10 of a camera: features add passes, everything runs, the queue is empty again.
+    /// If something throws, the queue is empty as well.
+    void RenderCamera(ScriptableRenderContext& context, RenderingData& renderingData);
+
+protected:
+    /// Makes the camera's targets (ConfigureCameraTarget) and enqueues built-in passes.
+    virtual void Setup(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
+    void ConfigureCameraTarget(RTHandle color, RTHandle depth);
+
+private:
+    void AddRenderPasses(RenderingData& renderingData);
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData,
+                 std::span<ScriptableRenderPass* const> featurePasses);
+    void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
+                           RenderingData& renderingData);
+    void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass,
+                     const Camera& camera);
+
+    std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
+    std::vector<ScriptableRenderPass*> m_Queue;
+    RTHandle m_CameraColor;
+    RTHandle m_CameraDepth;
+    bool m_Executing = false;
+    bool m_FirstColor = true;
+    bool m_FirstDepth = true;
+};
+
+} // namespace limn

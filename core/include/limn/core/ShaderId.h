@@ -1,0 +1,48 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+namespace detail
+{
+
+/// The number of a name, the same for equal names over the whole process; any thread.
+std::uint32_t InternName(std::string_view name);
+const std::string& InternedName(std::uint32_t id);
+
+template <typename Tag>
+struct NameId
+{
+    std::uint32_t value = 0; ///< 0 = the empty name
+
+    constexpr NameId() = default;
+    explicit NameId(std::string_view name) : value(InternName(name)) {}
+
+    const std::string& name() const { return InternedName(value); }
+    auto operator<=>(const NameId&) const = default;
+};
+
+struct PropertyTag;
+struct ShaderTag;
+
+} // namespace detail
+
+/// A shader property's name as a number, for keeping in a static. Unity: Shader.PropertyToID.
+using ShaderPropertyId = detail::NameId<detail::PropertyTag>;
+
+/// The name of a ShaderLab tag's value, above all of LightMode. Unity: UnityEngine.Rendering.ShaderTagId.
+using ShaderTagId = detail::NameId<detail::ShaderTag>;
+
+} // namespace limn
+
+template <typename Tag>
+struct std::hash<limn::detail::NameId<Tag>>
+{
+    std::size_t operator()(limn::detail::NameId<Tag> id) const noexcept { return id.value; }
+};

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace limn
+{
+
+/// Euler angles in degrees as a rotation: about z, then x, then y, world axes.
+/// Unity: Quaternion.Euler.
+glm::quat EulerToRotation(const glm::vec3& degrees);
+
+/// The rotation that looks along `forward` with `up` upwards; both need not be unit length.
+/// @throws ContractError if forward is zero. Unity: Quaternion.LookRotation.
+glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up = {0.0f, 1.0f, 0.0f});
+
+/// Position, rotation and scale in the parent's space, or in the world's without one.
+/// Unity: UnityEngine.Transform (2022.3).
+struct Transform
+{
+    glm::vec3 localPosition{0.0f};        ///< metres
+    glm::quat localRotation{1, 0, 0, 0};  ///< w, x, y, z
+    glm::vec3 localScale{1.0f};
+    const Transform* parent = nullptr;    ///< must outlive this
+
+    glm::mat4 localToParentMatrix() const;
+    glm::mat4 localToWorldMatrix() const;
+    glm::vec3 position() const; ///< world
+    glm::vec3 forward() const;  ///< world, +z of this transform, unit length
+};
+
+} // namespace limn

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <limn/core/FrameCompiler.h>
+#include <limn/core/GraphicsDevice.h>
+#include <limn/core/UniversalRenderer.h>
+
+namespace limn
+{
+
+/// What to render once.
+struct RenderRequest
+{
+    const Scene* scene = nullptr;   ///< never null
+    const Camera* camera = nullptr; ///< never null
+    int width = 0;                  ///< pixels, > 0
+    int height = 0;                 ///< pixels, > 0
+    float time = 0.0f;              ///< seconds, what _Time shows
+    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; may be null
+    std::vector<RTHandle> alsoReadBack; ///< further textures to keep readable after the frame
+};
+
+/// What rendering gave.
+struct RenderResult
+{
+    RTHandle output;     ///< R8G8B8A8_SRGB; read it back with GraphicsDevice::ReadBack
+    RenderReport report;
+    CompiledFrame frame; ///< as the device ran it
+};
+
+/// Renders cameras on a device. Keep one for as long as its device: textures and their state stay
+/// between frames. Unity: UnityEngine.Rendering.Universal.UniversalRenderPipeline (URP 14).
+class UniversalRenderPipeline
+{
+public:
+    /// @param device  must outlive this
+    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(device) {}
+
+    /// Culls, lets the renderer record, compiles the frame and starts it on the device.
+    /// @throws ContractError, AssetError (a shader), VulkanError
+    RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);
+
+private:
+    GraphicsDevice& m_Device;
+    FrameCompiler m_FrameCompiler;
+    RTHandle m_Output;
+};
+
+} // namespace limn

@@ -1,0 +1,46 @@
+Shader "Hidden/Universal/CoreBlit"
+{
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" }
+        Cull Off
+        ZTest Always
+        ZWrite Off
+
+        Pass // _BlitTexture over the whole target, nearest texel
+        {
+            Name "Nearest"
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyNearest
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            half4 CopyNearest(Varyings input) : SV_Target
+            {
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0);
+            }
+            ENDHLSL
+        }
+
+        Pass // the same, bilinear
+        {
+            Name "Bilinear"
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyBilinear
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            half4 CopyBilinear(Varyings input) : SV_Target
+            {
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, 0);
+            }
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,90 @@
+// One directional light with half-Lambert wrap, a Blinn-Phong highlight and a two-sided ambient:
+// enough to read shapes by. URP's physically based Lit is not imitated.
+Shader "Universal Render Pipeline/Lit"
+{
+    Properties
+    {
+        [MainTexture] _BaseMap ("Texture", 2D) = "white" {}
+        [MainColor] _BaseColor ("Color", Color) = (1, 1, 1, 1)
+        _Smoothness ("Smoothness", Range(0, 1)) = 0.3
+        [HDR] _EmissionColor ("Emission", Color) = (0, 0, 0, 1)
+        _SrcBlend ("Source factor", Float) = 1
+        _DstBlend ("Destination factor", Float) = 0
+        _ZWrite ("Depth write", Float) = 1
+        _Cull ("Culled faces", Float) = 2
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" "RenderPipeline" = "UniversalPipeline" }
+
+        Pass
+        {
+            Name "ForwardLit"
+            Tags { "LightMode" = "UniversalForward" }
+            Blend [_SrcBlend] [_DstBlend]
+            ZWrite [_ZWrite]
+            Cull [_Cull]
+
+            HLSLPROGRAM
+            #pragma vertex LitVertex
+            #pragma fragment LitFragment
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+
+            TEXTURE2D(_BaseMap);
+            SAMPLER(sampler_BaseMap);
+
+            CBUFFER_START(UnityPerMaterial)
+            float4 _BaseMap_ST;
+            half4 _BaseColor;
+            half4 _EmissionColor;
+            half _Smoothness;
+            CBUFFER_END
+
+            struct Attributes
+            {
+                float4 positionOS : POSITION;
+                float3 normalOS : NORMAL;
+                float2 uv : TEXCOORD0;
+            };
+            struct Varyings
+            {
+                float4 positionCS : SV_POSITION;
+                float2 uv : TEXCOORD0;
+                float3 normalWS : TEXCOORD1;
+                float3 viewDirWS : TEXCOORD2;
+            };
+
+            Varyings LitVertex(Attributes input)
+            {
+                Varyings output;
+                float3 positionWS = TransformObjectToWorld(input.positionOS.xyz);
+                output.positionCS = TransformWorldToHClip(positionWS);
+                output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
+                output.normalWS = TransformObjectToWorldNormal(input.normalOS);
+                output.viewDirWS = GetWorldSpaceViewDir(positionWS);
+                return output;
+            }
+
+            half4 LitFragment(Varyings input) : SV_Target
+            {
+                half4 albedo = SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
+                float3 normal = SafeNormalize(input.normalWS);
+                float3 view = SafeNormalize(input.viewDirWS);
+                Light light = GetMainLight();
+
+                half wrapped = dot(normal, light.direction) * 0.5 + 0.5;
+                half3 ambient = SampleSH(normal) * (0.75 + 0.25 * normal.y);
+                half3 color = albedo.rgb * (light.color * wrapped * wrapped + ambient);
+
+                float3 halfway = SafeNormalize(light.direction + view);
+                half exponent = exp2(10.0 * _Smoothness + 1.0);
+                half highlight = pow(saturate(dot(normal, halfway)), exponent) * _Smoothness;
+                color += light.color * highlight * 0.25 + _EmissionColor.rgb;
+                return half4(color, albedo.a);
+            }
+            ENDHLSL
+        }
+    }
+}

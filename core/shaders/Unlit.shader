@@ -1,0 +1,64 @@
+Shader "Universal Render Pipeline/Unlit"
+{
+    Properties
+    {
+        [MainTexture] _BaseMap ("Texture", 2D) = "white" {}
+        [MainColor] _BaseColor ("Color", Color) = (1, 1, 1, 1)
+        _SrcBlend ("Source factor", Float) = 1
+        _DstBlend ("Destination factor", Float) = 0
+        _ZWrite ("Depth write", Float) = 1
+        _Cull ("Culled faces", Float) = 2
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" "RenderPipeline" = "UniversalPipeline" }
+
+        Pass
+        {
+            Name "Unlit"
+            Tags { "LightMode" = "UniversalForwardOnly" }
+            Blend [_SrcBlend] [_DstBlend]
+            ZWrite [_ZWrite]
+            Cull [_Cull]
+
+            HLSLPROGRAM
+            #pragma vertex UnlitVertex
+            #pragma fragment UnlitFragment
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+
+            TEXTURE2D(_BaseMap);
+            SAMPLER(sampler_BaseMap);
+
+            CBUFFER_START(UnityPerMaterial)
+            float4 _BaseMap_ST;
+            half4 _BaseColor;
+            CBUFFER_END
+
+            struct Attributes
+            {
+                float4 positionOS : POSITION;
+                float2 uv : TEXCOORD0;
+            };
+            struct Varyings
+            {
+                float4 positionCS : SV_POSITION;
+                float2 uv : TEXCOORD0;
+            };
+
+            Varyings UnlitVertex(Attributes input)
+            {
+                Varyings output;
+                output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
+                output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
+                return output;
+            }
+
+            half4 UnlitFragment(Varyings input) : SV_Target
+            {
+                return SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
+            }
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,96 @@
+#include "CameraUniforms.h"
+
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace limn
+{
+
+namespace
+{
+
+void Vector(CommandBuffer& cmd, const char* name, const glm::vec4& value)
+{
+    cmd.SetGlobalVector(ShaderPropertyId(name), value);
+}
+
+void Matrix(CommandBuffer& cmd, const char* name, const glm::mat4& value)
+{
+    cmd.SetGlobalMatrix(ShaderPropertyId(name), value);
+}
+
+glm::mat4 Inverse(const glm::mat4& matrix)
+{
+    return glm::mat4(glm::inverse(glm::dmat4(matrix)));
+}
+
+/// For Linear01Depth and LinearEyeDepth on a reversed-Z device (urp.md §5.4).
+glm::vec4 ZBufferParams(double n, double f)
+{
+    return glm::vec4(f / n - 1.0, 1.0, 1.0 / n - 1.0 / f, 1.0 / f);
+}
+
+void SetMatrices(CommandBuffer& cmd, const CameraData& data)
+{
+    const glm::mat4& view = data.viewMatrix;
+    const glm::mat4& projection = data.gpuProjectionMatrix;
+    const glm::mat4 viewProjection = glm::mat4(glm::dmat4(projection) * glm::dmat4(view));
+    Matrix(cmd, "unity_MatrixV", view);
+    Matrix(cmd, "unity_MatrixInvV", Inverse(view));
+    Matrix(cmd, "glstate_matrix_projection", projection);
+    Matrix(cmd, "unity_MatrixInvP", Inverse(projection));
+    Matrix(cmd, "unity_MatrixVP", viewProjection);
+    Matrix(cmd, "unity_MatrixInvVP", Inverse(viewProjection));
+    glm::mat4 zForward(1.0f);
+    zForward[2][2] = -1.0f;
+    Matrix(cmd, "unity_WorldToCamera", zForward * view);
+    Matrix(cmd, "unity_CameraToWorld", Inverse(zForward * view));
+    Matrix(cmd, "unity_CameraProjection", projection);
+    Matrix(cmd, "unity_CameraInvProjection", Inverse(projection));
+}
+
+} // namespace
+
+void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
+{
+    const Camera& camera = *data.camera;
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    const auto w = static_cast<float>(data.cameraTargetDescriptor.width);
+    const auto h = static_cast<float>(data.cameraTargetDescriptor.height);
+    SetMatrices(cmd, data);
+    Vector(cmd, "_WorldSpaceCameraPos", glm::vec4(camera.transform.position(), 0.0f));
+    Vector(cmd, "_ProjectionParams", glm::vec4(1.0, n, f, 1.0 / f));
+    Vector(cmd, "_ScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, "_ScaledScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, "_ScreenSize", {w, h, 1.0f / w, 1.0f / h});
+    Vector(cmd, "_ZBufferParams", ZBufferParams(n, f));
+    Vector(cmd, "unity_OrthoParams",
+           {camera.orthographicSize * w / h, camera.orthographicSize, 0.0f,
+            camera.orthographic ? 1.0f : 0.0f});
+    // Row 0 is the top of the picture in every target, so nothing has to be turned.
+    Vector(cmd, "_ScaleBiasRt", {-1.0f, 1.0f, -1.0f, 1.0f});
+    Vector(cmd, "_GlobalMipBias", {0.0f, 1.0f, 0.0f, 0.0f});
+}
+
+void SetTimeUniforms(CommandBuffer& cmd, float t)
+{
+    const auto sines = [&](float (*function)(float))
+    { return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t)); };
+    Vector(cmd, "_Time", {t / 20, t, t * 2, t * 3});
+    Vector(cmd, "_SinTime", sines([](float x) { return std::sin(x); }));
+    Vector(cmd, "_CosTime", sines([](float x) { return std::cos(x); }));
+    Vector(cmd, "_TimeParameters", {t, std::sin(t), std::cos(t), 0.0f});
+    Vector(cmd, "unity_DeltaTime", {0.0f, 0.0f, 0.0f, 0.0f});
+}
+
+void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
+{
+    const DirectionalLight& light = scene.mainLight;
+    Vector(cmd, "_MainLightPosition", glm::vec4(-light.direction, 0.0f));
+    Vector(cmd, "_MainLightColor",
+           glm::vec4(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f));
+    Vector(cmd, "unity_AmbientSky", scene.ambientLight.linear().vector());
+}
+
+} // namespace limn

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <limn/core/RenderingData.h>
+#include <limn/core/ScriptableRenderContext.h>
+
+namespace limn
+{
+
+/// Sets what the ShaderLibrary expects of a camera: matrices, position, sizes, depth parameters.
+/// @source Unity: ScriptableRenderer.SetPerCameraShaderVariables (URP 14)
+void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
+
+/// _Time and its relatives. @param seconds  since the beginning
+void SetTimeUniforms(CommandBuffer& cmd, float seconds);
+
+/// The main light and the ambient colour, linear.
+void SetLightUniforms(CommandBuffer& cmd, const Scene& scene);
+
+} // namespace limn

@@ -1,0 +1,176 @@
+#include <limn/core/CommandBuffer.h>
+
+namespace limn
+{
+
+namespace
+{
+
+void ExpectSameSize(const RenderTexture& first, const RenderTexture& other)
+{
+    if (first.width() != other.width() || first.height() != other.height() ||
+        first.descriptor().msaaSamples != other.descriptor().msaaSamples)
+    {
+        const auto text = [](const RenderTexture& t)
+        {
+            return "'" + t.name() + "' is " + std::to_string(t.width()) + "x" +
+                   std::to_string(t.height()) + " with " +
+                   std::to_string(t.descriptor().msaaSamples) + " samples";
+        };
+        throw ContractError("SetRenderTarget: all targets must have one size and sample count, but " +
+                            text(first) + " and " + text(other));
+    }
+}
+
+void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass)
+{
+    if (!material)
+    {
+        throw ContractError("a draw needs a material, but it is null");
+    }
+    if (shaderPass < 0 || shaderPass >= material->passCount())
+    {
+        throw ContractError("material '" + material->name() + "': shader '" +
+                            material->shader()->name() + "' has no pass " +
+                            std::to_string(shaderPass) + "; it has " +
+                            std::to_string(material->passCount()));
+    }
+}
+
+} // namespace
+
+void CommandBuffer::SetRenderTarget(const RTHandle& color, const RTHandle& depth)
+{
+    SetRenderTarget(std::span(&color, color ? 1u : 0u), depth);
+}
+
+void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth)
+{
+    SetRenderTargetCommand command;
+    command.depth = depth.rt();
+    for (const RTHandle& color : colors)
+    {
+        if (!color)
+        {
+            throw ContractError("SetRenderTarget: a colour target is an empty handle");
+        }
+        command.colors.push_back(color.rt());
+    }
+    const RenderTexture* first = command.colors.empty() ? command.depth.get()
+                                                        : command.colors.front().get();
+    if (first == nullptr)
+    {
+        throw ContractError("SetRenderTarget: both colour and depth are empty handles");
+    }
+    for (const auto& color : command.colors)
+    {
+        ExpectSameSize(*first, *color);
+    }
+    if (command.depth)
+    {
+        ExpectSameSize(*first, *command.depth);
+    }
+    m_Commands.emplace_back(std::move(command));
+}
+
+void CommandBuffer::ClearRenderTarget(ClearFlag flags, const Color& color, float depth, int stencil)
+{
+    m_Commands.emplace_back(ClearCommand{flags, color, depth, stencil});
+}
+
+void CommandBuffer::SetViewport(const ViewportRect& rect)
+{
+    m_Commands.emplace_back(SetViewportCommand{rect});
+}
+
+void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
+                             std::shared_ptr<const Material> material, int subMesh, int shaderPass,
+                             const MaterialPropertyBlock& properties)
+{
+    ExpectDrawable(material, shaderPass);
+    if (!mesh)
+    {
+        throw ContractError("DrawMesh needs a mesh, but it is null");
+    }
+    if (subMesh < 0 || subMesh >= mesh->subMeshCount())
+    {
+        throw ContractError("mesh '" + mesh->name() + "' has no sub-mesh " +
+                            std::to_string(subMesh) + "; it has " +
+                            std::to_string(mesh->subMeshCount()));
+    }
+    m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, matrix, std::move(material),
+                                         shaderPass, properties});
+}
+
+void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
+                                   std::shared_ptr<const Material> material, int shaderPass,
+                                   int vertexCount, const MaterialPropertyBlock& properties)
+{
+    ExpectDrawable(material, shaderPass);
+    if (vertexCount < 0)
+    {
+        throw ContractError("DrawProcedural: the vertex count " + std::to_string(vertexCount) +
+                            " is negative");
+    }
+    m_Commands.emplace_back(RecordedDraw{nullptr, 0, static_cast<std::uint32_t>(vertexCount),
+                                         matrix, std::move(material), shaderPass, properties});
+}
+
+void CommandBuffer::BeginSample(std::string_view name)
+{
+    m_Commands.emplace_back(BeginSampleCommand{std::string(name)});
+}
+
+void CommandBuffer::EndSample()
+{
+    m_Commands.emplace_back(EndSampleCommand{});
+}
+
+void CommandBuffer::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
+{
+    m_Commands.emplace_back(SetGlobalCommand{id, std::move(value)});
+}
+
+namespace CommandBufferPool
+{
+
+namespace
+{
+
+std::vector<std::unique_ptr<CommandBuffer>>& FreeBuffers()
+{
+    thread_local std::vector<std::unique_ptr<CommandBuffer>> buffers;
+    return buffers;
+}
+
+constexpr std::size_t k_MostKept = 16;
+
+} // namespace
+
+void Recycle::operator()(CommandBuffer* buffer) const noexcept
+{
+    std::unique_ptr<CommandBuffer> owned(buffer);
+    auto& free = FreeBuffers();
+    if (free.size() < free.capacity())
+    {
+        owned->Clear();
+        free.push_back(std::move(owned));
+    }
+}
+
+Pooled Get()
+{
+    auto& free = FreeBuffers();
+    free.reserve(k_MostKept);
+    if (free.empty())
+    {
+        return Pooled(new CommandBuffer);
+    }
+    Pooled buffer(free.back().release());
+    free.pop_back();
+    return buffer;
+}
+
+} // namespace CommandBufferPool
+
+} // namespace limn

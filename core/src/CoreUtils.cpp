@@ -1,0 +1,76 @@
+#include <limn/core/CoreUtils.h>
+
+namespace limn
+{
+
+namespace
+{
+
+const ShaderPropertyId _BlitTexture{"_BlitTexture"};
+const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
+constexpr int k_TriangleVertices = 3;
+
+} // namespace
+
+namespace CoreUtils
+{
+
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, ClearFlag clearFlag,
+                     const Color& clearColor)
+{
+    SetRenderTarget(cmd, color, RTHandle(), clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& depth,
+                     ClearFlag clearFlag, const Color& clearColor)
+{
+    cmd.SetRenderTarget(color, depth);
+    if (clearFlag != ClearFlag::None)
+    {
+        cmd.ClearRenderTarget(clearFlag, clearColor);
+    }
+}
+
+std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader)
+{
+    if (!shader)
+    {
+        throw ContractError("CreateEngineMaterial: no shader is assigned");
+    }
+    return std::make_shared<Material>(std::move(shader));
+}
+
+} // namespace CoreUtils
+
+namespace Blitter
+{
+
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       std::shared_ptr<const Material> material, int passIndex)
+{
+    if (source && source == destination)
+    {
+        throw ContractError("BlitCameraTexture: '" + source.rt()->name() +
+                            "' is both source and destination");
+    }
+    CoreUtils::SetRenderTarget(cmd, destination);
+    BlitTexture(cmd, source, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f), std::move(material), passIndex);
+}
+
+void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex)
+{
+    if (!source)
+    {
+        throw ContractError("BlitTexture: the source is an empty handle");
+    }
+    MaterialPropertyBlock properties;
+    properties.SetTexture(_BlitTexture, source.rt());
+    properties.SetVector(_BlitScaleBias, scaleBias);
+    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
+                       properties);
+}
+
+} // namespace Blitter
+
+} // namespace limn

@@ -1,0 +1,192 @@
+#include "DrawResolver.h"
+
+#include "UniformWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limn/core/BuiltinShaders.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::uint32_t k_UniformAlignment = 256; // the most any device asks for
+
+std::string Lower(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+/// The texture of a property, or the default its Properties entry names, or gray.
+std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const PropertySources& sources)
+{
+    if (const ShaderPropertyValue* value = sources.Find(id))
+    {
+        const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
+        if (texture == nullptr)
+        {
+            throw ContractError("material '" + sources.material->name() + "': property '" +
+                                id.name() + "' is a texture in the shader but is set to a number");
+        }
+        if (*texture)
+        {
+            return *texture;
+        }
+    }
+    for (const ShaderProperty& property : sources.material->shader()->document().properties)
+    {
+        if (property.name == id.name())
+        {
+            return DefaultTexture(property.defaultTexture);
+        }
+    }
+    return DefaultTexture("gray");
+}
+
+/// A sampler whose name says what it does ("sampler_LinearClamp", "my_point_repeat_sampler"), or
+/// the sampler of the texture that it is named after ("sampler_MainTex" → _MainTex).
+SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
+{
+    const std::string lower = Lower(binding.name);
+    const auto has = [&](std::string_view word) { return lower.find(word) != std::string::npos; };
+    const bool filtered = has("point") || has("linear");
+    const bool wrapped = has("clamp") || has("repeat") || has("mirror");
+    SamplerState state;
+    if (filtered && wrapped)
+    {
+        state.filterMode = has("point")       ? FilterMode::Point
+                           : has("trilinear") ? FilterMode::Trilinear
+                                              : FilterMode::Bilinear;
+        state.wrapModeU = has("clamp")        ? TextureWrapMode::Clamp
+                          : has("mirroronce") ? TextureWrapMode::MirrorOnce
+                          : has("mirror")     ? TextureWrapMode::Mirror
+                                              : TextureWrapMode::Repeat;
+        state.wrapModeV = state.wrapModeU;
+    }
+    else if (lower.starts_with("sampler"))
+    {
+        state = TextureOf(ShaderPropertyId(binding.name.substr(7)), sources)->sampler();
+    }
+    state.comparison = binding.comparison;
+    return state;
+}
+
+std::vector<TextureSlot> TextureSlots(const PropertyLayout& layout,
+                                      const std::vector<ShaderPropertyId>& ids,
+                                      const PropertySources& sources)
+{
+    std::vector<TextureSlot> slots;
+    for (std::size_t i = 0; i < layout.textures.size(); ++i)
+    {
+        const TextureBinding& binding = layout.textures[i];
+        if (binding.dimension != TextureDimension::Tex2D || binding.multisampled)
+        {
+            throw ContractError("material '" + sources.material->name() + "': '" + binding.name +
+                                "' is no plain 2D texture; other kinds cannot be bound yet");
+        }
+        TextureSlot slot{binding.binding, TextureOf(ids[i], sources), std::nullopt};
+        if (binding.combinedSampler)
+        {
+            slot.sampler = slot.texture->sampler();
+        }
+        slots.push_back(std::move(slot));
+    }
+    return slots;
+}
+
+} // namespace
+
+const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = block != nullptr ? block->Find(id) : nullptr;
+    if (value == nullptr)
+    {
+        value = material->Find(id);
+    }
+    return value != nullptr ? value : globals->Find(id);
+}
+
+std::shared_ptr<const DrawBindings> DrawResolver::Resolve(
+    const std::shared_ptr<const CompiledPass>& pass, const PropertySources& sources,
+    std::uint64_t globalsVersion, std::vector<std::byte>& uniformData)
+{
+    const PassIds& ids = IdsOf(pass);
+    if (sources.block != nullptr && !sources.block->isEmpty())
+    {
+        return Build(ids, sources, uniformData);
+    }
+    const SharedKey key{pass.get(), sources.material->id(), sources.material->version(),
+                        globalsVersion};
+    std::shared_ptr<const DrawBindings>& shared = m_Shared[key];
+    if (!shared)
+    {
+        shared = Build(ids, sources, uniformData);
+    }
+    return shared;
+}
+
+const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const CompiledPass>& pass)
+{
+    PassIds& ids = m_Ids[pass.get()];
+    if (!ids.pass)
+    {
+        ids.pass = pass;
+        for (const UniformBuffer& buffer : pass->layout.buffers)
+        {
+            auto& members = ids.members.emplace_back();
+            for (const UniformMember& member : buffer.members)
+            {
+                members.emplace_back(member.name);
+            }
+        }
+        for (const TextureBinding& texture : pass->layout.textures)
+        {
+            ids.textures.emplace_back(texture.name);
+        }
+    }
+    return ids;
+}
+
+std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
+                                                        const PropertySources& sources,
+                                                        std::vector<std::byte>& uniformData) const
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    auto bindings = std::make_shared<DrawBindings>();
+    for (std::size_t b = 0; b < layout.buffers.size(); ++b)
+    {
+        const UniformBuffer& buffer = layout.buffers[b];
+        const std::size_t offset =
+            (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
+        uniformData.resize(offset + buffer.size);
+        const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
+        for (std::size_t m = 0; m < buffer.members.size(); ++m)
+        {
+            WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
+        }
+        bindings->uniforms.push_back(
+            {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
+    }
+    bindings->textures = TextureSlots(layout, ids.textures, sources);
+    for (const SamplerBinding& sampler : layout.samplers)
+    {
+        bindings->samplers.push_back({sampler.binding, SamplerOf(sampler, sources)});
+    }
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        if (buffer.name != "limn_PerDraw")
+        {
+            throw ContractError("material '" + sources.material->name() + "': structured buffer '" +
+                                buffer.name + "' cannot be bound yet");
+        }
+        bindings->perDrawBinding = buffer.binding;
+    }
+    return bindings;
+}
+
+} // namespace limn

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limn/core/FrameCommands.h>
+#include <limn/core/Material.h>
+#include <map>
+#include <unordered_map>
+
+namespace limn
+{
+
+/// Where a draw's property values come from, first to last.
+struct PropertySources
+{
+    const MaterialPropertyBlock* block = nullptr; ///< may be null
+    const Material* material = nullptr;           ///< never null
+    const MaterialPropertyBlock* globals = nullptr; ///< never null
+
+    const ShaderPropertyValue* Find(ShaderPropertyId id) const;
+};
+
+/// Turns property values into the bytes and slots a compiled pass binds. One frame long.
+class DrawResolver
+{
+public:
+    /// The bindings of a draw; equal ones of draws without a block of their own are shared.
+    /// @param globalsVersion  changes whenever `sources.globals` does
+    std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const CompiledPass>& pass,
+                                                const PropertySources& sources,
+                                                std::uint64_t globalsVersion,
+                                                std::vector<std::byte>& uniformData);
+
+private:
+    /// The names of a layout as ids, worked out once a pass.
+    struct PassIds
+    {
+        std::shared_ptr<const CompiledPass> pass; ///< keeps the key's address taken
+        std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
+        std::vector<ShaderPropertyId> textures;
+    };
+    const PassIds& IdsOf(const std::shared_ptr<const CompiledPass>& pass);
+    std::shared_ptr<const DrawBindings> Build(const PassIds& ids, const PropertySources& sources,
+                                              std::vector<std::byte>& uniformData) const;
+
+    struct SharedKey
+    {
+        const CompiledPass* pass;
+        std::uint64_t materialId;
+        std::uint64_t materialVersion;
+        std::uint64_t globalsVersion;
+        auto operator<=>(const SharedKey&) const = default;
+    };
+    std::unordered_map<const CompiledPass*, PassIds> m_Ids;
+    std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
+};
+
+} // namespace limn

@@ -1,0 +1,22 @@
+#include <limn/core/DrawingSettings.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+void DrawingSettings::SetShaderPassName(int index, ShaderTagId tag)
+{
+    if (index < 0 || index >= maxShaderPasses)
+    {
+        throw ContractError("shader pass name index " + std::to_string(index) +
+                            " is outside 0...15");
+    }
+    const auto slot = static_cast<std::size_t>(index);
+    if (shaderTagIds.size() <= slot)
+    {
+        shaderTagIds.resize(slot + 1);
+    }
+    shaderTagIds[slot] = tag;
+}
+
+} // namespace limn

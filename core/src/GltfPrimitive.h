@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <limn/core/Mesh.h>
+
+namespace tinygltf
+{
+class Model;
+struct Primitive;
+} // namespace tinygltf
+
+namespace limn
+{
+
+/// The triangles of one primitive, without sub-meshes and still in glTF's space; empty for points
+/// and lines. Normals are always there.
+/// @throws GltfProblem
+MeshData ReadGltfPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive);
+
+/// Moves `part` by `matrix`; a matrix that mirrors also turns the triangles and the bitangents.
+void TransformPart(MeshData& part, const glm::dmat4& matrix);
+
+} // namespace limn

@@ -1,0 +1,74 @@
+#include <limn/core/Judge.h>
+#include <limn/core/Shader.h>
+#include <numeric>
+
+namespace limn
+{
+
+const char* ToString(FilterVerdict verdict)
+{
+    switch (verdict)
+    {
+    case FilterVerdict::Drawn:
+        return "drawn";
+    case FilterVerdict::QueueOutOfRange:
+        return "render queue";
+    case FilterVerdict::LayerMaskMiss:
+        return "layer mask";
+    case FilterVerdict::RenderingLayerMaskMiss:
+        return "rendering layer mask";
+    case FilterVerdict::NoMatchingPass:
+        return "no pass with a wanted LightMode";
+    }
+    return "?";
+}
+
+FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,
+                    const DrawingSettings& drawing)
+{
+    const FilterVerdict masks = JudgeMasks(item, filtering);
+    if (masks != FilterVerdict::Drawn)
+    {
+        return masks;
+    }
+    for (const ShaderTagId tag : drawing.shaderTagIds)
+    {
+        if (item.shader->FindPassByLightMode(tag) >= 0)
+        {
+            return FilterVerdict::Drawn;
+        }
+    }
+    return FilterVerdict::NoMatchingPass;
+}
+
+std::string Describe(const FilterCounts& counts, const FilteringSettings& filtering)
+{
+    const int total = std::accumulate(counts.begin(), counts.end(), 0);
+    std::string text = std::to_string(counts[0]) + " of " + std::to_string(total) +
+                       (total == 1 ? " renderer drawn" : " renderers drawn");
+    const char* separator = ": ";
+    for (std::size_t i = 1; i < counts.size(); ++i)
+    {
+        if (counts[i] != 0)
+        {
+            text += separator + std::to_string(counts[i]) + ' ' +
+                    ToString(static_cast<FilterVerdict>(i));
+            separator = ", ";
+        }
+    }
+    if (total == 0)
+    {
+        text += ": the camera sees no renderer at all";
+    }
+    if (filtering.layerMask == LayerMask::Nothing())
+    {
+        text += "; the filter's layerMask is 0 (Nothing)";
+    }
+    if (filtering.renderingLayerMask == RenderingLayerMask::Nothing())
+    {
+        text += "; the filter's renderingLayerMask is 0 (Nothing)";
+    }
+    return text;
+}
+
+} // namespace limn

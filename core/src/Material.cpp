@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <atomic>
+#include <limn/core/Material.h>
+#include <limn/core/RenderQueueRange.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::uint64_t NextId()
+{
+    static std::atomic<std::uint64_t> next{1};
+    return next++;
+}
+
+const ShaderProperty* FindProperty(const Shader& shader, const std::string& name)
+{
+    const auto& properties = shader.document().properties;
+    const auto it = std::find_if(properties.begin(), properties.end(),
+                                 [&](const ShaderProperty& p) { return p.name == name; });
+    return it == properties.end() ? nullptr : &*it;
+}
+
+} // namespace
+
+Material::Material(std::shared_ptr<const Shader> shader, std::string name)
+    : m_Id(NextId()), m_Name(std::move(name)), m_Shader(std::move(shader))
+{
+    if (!m_Shader)
+    {
+        throw ContractError("a material needs a shader, but it is null");
+    }
+    if (m_Name.empty())
+    {
+        m_Name = m_Shader->name();
+    }
+    for (const ShaderProperty& property : m_Shader->document().properties)
+    {
+        const ShaderPropertyId id(property.name);
+        const auto& v = property.defaultValue;
+        switch (property.type)
+        {
+        case ShaderPropertyType::Float:
+        case ShaderPropertyType::Range:
+        case ShaderPropertyType::Int:
+            SetFloat(id, v[0]);
+            break;
+        case ShaderPropertyType::Integer:
+            SetInt(id, static_cast<int>(v[0]));
+            break;
+        case ShaderPropertyType::Color:
+            SetColor(id, Color{v[0], v[1], v[2], v[3]});
+            break;
+        case ShaderPropertyType::Vector:
+            SetVector(id, {v[0], v[1], v[2], v[3]});
+            break;
+        case ShaderPropertyType::Texture:
+            break; // a texture that was never set is looked up by its default name
+        }
+    }
+}
+
+void Material::SetColor(ShaderPropertyId id, const Color& value)
+{
+    const ShaderProperty* property = FindProperty(*m_Shader, id.name());
+    if (property != nullptr && property->HasAttribute("HDR"))
+    {
+        Set(id, value.vector());
+        return;
+    }
+    Set(id, value);
+}
+
+void Material::SetRenderQueue(int queue)
+{
+    if (queue < -1 || queue > RenderQueueRange::maximumBound)
+    {
+        throw ContractError("material '" + m_Name + "': render queue " + std::to_string(queue) +
+                            " is outside 0...5000");
+    }
+    m_RenderQueue = queue;
+    ++m_Version;
+}
+
+void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
+{
+    m_Values.Set(id, std::move(value));
+    ++m_Version;
+}
+
+} // namespace limn

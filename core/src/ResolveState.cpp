@@ -1,0 +1,147 @@
+#include <cmath>
+#include <limn/core/Material.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Reads the properties that a pass's state refers to.
+class StateReader
+{
+public:
+    StateReader(const Material& material, const MaterialPropertyBlock& globals)
+        : m_Material(material), m_Globals(globals)
+    {
+    }
+
+    template <typename Enum>
+    Enum Read(const StateValue<Enum>& value, const char* command, int lowest, int highest) const
+    {
+        if (value.property.empty())
+        {
+            return value.value;
+        }
+        const double number = std::round(Number(value.property, command));
+        if (!(number >= lowest && number <= highest))
+        {
+            Fail(value.property, command,
+                 "is " + Text(number) + ", which is outside " + std::to_string(lowest) + "..." +
+                     std::to_string(highest));
+        }
+        return static_cast<Enum>(static_cast<int>(number));
+    }
+
+    bool Read(const StateValue<bool>& value, const char* command) const
+    {
+        return value.property.empty() ? value.value : Number(value.property, command) != 0.0;
+    }
+
+    float Read(const StateValue<float>& value, const char* command) const
+    {
+        return value.property.empty() ? value.value
+                                      : static_cast<float>(Number(value.property, command));
+    }
+
+private:
+    double Number(const std::string& property, const char* command) const
+    {
+        const ShaderPropertyId id(property);
+        const ShaderPropertyValue* value = m_Material.Find(id);
+        if (value == nullptr)
+        {
+            value = m_Globals.Find(id);
+        }
+        if (value == nullptr)
+        {
+            Fail(property, command, "is set neither in the material nor globally");
+        }
+        if (const float* number = std::get_if<float>(value))
+        {
+            return *number;
+        }
+        if (const int* number = std::get_if<int>(value))
+        {
+            return *number;
+        }
+        Fail(property, command, "is no number");
+    }
+
+    [[noreturn]] void Fail(const std::string& property, const char* command,
+                           const std::string& what) const
+    {
+        throw ContractError("material '" + m_Material.name() + "', shader '" +
+                            m_Material.shader()->name() + "': " + command + " [" + property +
+                            "]: the property " + what);
+    }
+
+    static std::string Text(double number)
+    {
+        return number == std::floor(number) && std::abs(number) < 1e9
+                   ? std::to_string(static_cast<long long>(number))
+                   : std::to_string(number);
+    }
+
+    const Material& m_Material;
+    const MaterialPropertyBlock& m_Globals;
+};
+
+constexpr int k_MaxBlendMode = static_cast<int>(BlendMode::OneMinusSrcAlpha);
+constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::Max);
+constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
+constexpr int k_MaxStencilOp = static_cast<int>(StencilOp::DecrementWrap);
+
+TargetBlend ResolveBlend(const RenderTargetBlendState& state, const StateReader& reader)
+{
+    TargetBlend result;
+    result.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
+    result.srcColor = reader.Read(state.srcColor, "Blend", 0, k_MaxBlendMode);
+    result.dstColor = reader.Read(state.dstColor, "Blend", 0, k_MaxBlendMode);
+    result.srcAlpha = reader.Read(state.srcAlpha, "Blend", 0, k_MaxBlendMode);
+    result.dstAlpha = reader.Read(state.dstAlpha, "Blend", 0, k_MaxBlendMode);
+    result.colorOp = reader.Read(state.colorOp, "BlendOp", 0, k_MaxBlendOp);
+    result.alphaOp = reader.Read(state.alphaOp, "BlendOp", 0, k_MaxBlendOp);
+    result.enabled = state.enabled;
+    return result;
+}
+
+StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader)
+{
+    return {reader.Read(state.compare, "Comp", 0, k_MaxCompare),
+            reader.Read(state.pass, "Pass", 0, k_MaxStencilOp),
+            reader.Read(state.fail, "Fail", 0, k_MaxStencilOp),
+            reader.Read(state.zFail, "ZFail", 0, k_MaxStencilOp)};
+}
+
+} // namespace
+
+PipelineState ResolveState(const RenderState& state, const Material& material,
+                           const MaterialPropertyBlock& globals)
+{
+    const StateReader reader(material, globals);
+    PipelineState result;
+    result.cull = reader.Read(state.cull, "Cull", 0, static_cast<int>(CullMode::Back));
+    result.zTest = reader.Read(state.zTest, "ZTest", 0, k_MaxCompare);
+    result.zWrite = reader.Read(state.zWrite, "ZWrite");
+    result.zClip = reader.Read(state.zClip, "ZClip");
+    result.offsetFactor = reader.Read(state.offsetFactor, "Offset");
+    result.offsetUnits = reader.Read(state.offsetUnits, "Offset");
+    result.alphaToMask = reader.Read(state.alphaToMask, "AlphaToMask");
+    for (std::size_t i = 0; i < result.targets.size(); ++i)
+    {
+        result.targets[i] = ResolveBlend(state.targets[i], reader);
+    }
+    result.stencilEnabled = state.stencil.enabled;
+    if (state.stencil.enabled)
+    {
+        result.stencilReference = reader.Read(state.stencil.reference, "Ref", 0, 255);
+        result.stencilReadMask = reader.Read(state.stencil.readMask, "ReadMask", 0, 255);
+        result.stencilWriteMask = reader.Read(state.stencil.writeMask, "WriteMask", 0, 255);
+        result.stencilFront = ResolveFace(state.stencil.front, reader);
+        result.stencilBack = ResolveFace(state.stencil.back, reader);
+    }
+    return result;
+}
+
+} // namespace limn

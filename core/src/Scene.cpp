@@ -1,0 +1,21 @@
+#include <algorithm>
+#include <limn/core/Scene.h>
+
+namespace limn
+{
+
+GameObject& Scene::Add(std::string name)
+{
+    m_Objects.push_back(std::make_unique<GameObject>());
+    m_Objects.back()->name = std::move(name);
+    return *m_Objects.back();
+}
+
+GameObject* Scene::Find(std::string_view name)
+{
+    const auto it = std::find_if(m_Objects.begin(), m_Objects.end(),
+                                 [&](const auto& object) { return object->name == name; });
+    return it == m_Objects.end() ? nullptr : it->get();
+}
+
+} // namespace limn

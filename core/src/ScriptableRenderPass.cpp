@@ -1,0 +1,64 @@
+#include <limn/core/ScriptableRenderPass.h>
+
+namespace limn
+{
+
+void ScriptableRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&)
+{
+}
+
+void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescriptor&)
+{
+}
+
+void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&)
+{
+}
+
+void ScriptableRenderPass::ConfigureTarget(const RTHandle& color, const RTHandle& depth)
+{
+    m_OverrideCameraTarget = true;
+    m_Color = color;
+    m_Depth = depth;
+}
+
+void ScriptableRenderPass::ConfigureClear(ClearFlag clearFlag, const Color& clearColor)
+{
+    m_ClearFlag = clearFlag;
+    m_ClearColor = clearColor;
+}
+
+void ScriptableRenderPass::ResetTarget()
+{
+    m_OverrideCameraTarget = false;
+    m_Color.Release();
+    m_Depth.Release();
+}
+
+DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const ShaderTagId> tags,
+                                                            const RenderingData& renderingData,
+                                                            SortingCriteria sortingCriteria) const
+{
+    if (tags.empty() || tags.size() > DrawingSettings::maxShaderPasses)
+    {
+        throw ContractError("CreateDrawingSettings: " + std::to_string(tags.size()) +
+                            " LightMode tags; give 1 to 16");
+    }
+    const Camera& camera = *renderingData.cameraData.camera;
+    DrawingSettings settings;
+    settings.shaderTagIds.assign(tags.begin(), tags.end());
+    settings.sortingSettings = {sortingCriteria, camera.transform.position(),
+                                camera.transform.forward(),
+                                camera.orthographic ? DistanceMetric::Orthographic
+                                                    : DistanceMetric::Perspective};
+    return settings;
+}
+
+DrawingSettings ScriptableRenderPass::CreateDrawingSettings(ShaderTagId tag,
+                                                            const RenderingData& renderingData,
+                                                            SortingCriteria sortingCriteria) const
+{
+    return CreateDrawingSettings(std::span(&tag, 1), renderingData, sortingCriteria);
+}
+
+} // namespace limn

@@ -1,0 +1,72 @@
+#include "CameraUniforms.h"
+
+#include <limn/core/UniversalRenderPipeline.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr const char* k_OutputName = "limn_Output";
+
+RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer& renderer,
+                                RenderReport& report)
+{
+    const Camera& camera = *request.camera;
+    const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
+    RenderingData data;
+    data.cameraData.camera = &camera;
+    data.cameraData.cameraTargetDescriptor = {
+        request.width, request.height,
+        camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32};
+    data.cameraData.renderer = &renderer;
+    data.cameraData.viewMatrix = camera.worldToCameraMatrix();
+    data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
+    data.cullResults = Cull(*request.scene, camera, aspect);
+    data.volumeStack = request.volumeStack;
+    data.report = &report;
+    return data;
+}
+
+} // namespace
+
+RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
+                                                         const RenderRequest& request)
+{
+    if (request.scene == nullptr || request.camera == nullptr)
+    {
+        throw ContractError("RenderSingleCamera: scene and camera must be given");
+    }
+    if (request.width <= 0 || request.height <= 0)
+    {
+        throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
+                            "x" + std::to_string(request.height) +
+                            "; both must be greater than 0");
+    }
+    RenderResult result;
+    RenderingUtils::ReAllocateIfNeeded(
+        m_Output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB},
+        FilterMode::Point, TextureWrapMode::Clamp, k_OutputName);
+    renderer.SetOutput(m_Output);
+    result.output = m_Output;
+
+    RenderingData renderingData = MakeRenderingData(request, renderer, result.report);
+    ScriptableRenderContext context(result.report);
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    SetTimeUniforms(*cmd, request.time);
+    SetLightUniforms(*cmd, *request.scene);
+    context.ExecuteCommandBuffer(*cmd);
+    renderer.RenderCamera(context, renderingData);
+
+    std::vector<std::shared_ptr<const RenderTexture>> outputs{m_Output.rt()};
+    for (const RTHandle& handle : request.alsoReadBack)
+    {
+        outputs.push_back(handle.rt());
+    }
+    result.frame = m_FrameCompiler.Compile(context.TakeCommands(), outputs);
+    m_Device.Execute(result.frame);
+    return result;
+}
+
+} // namespace limn

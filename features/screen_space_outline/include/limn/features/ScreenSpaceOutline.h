@@ -1,0 +1,25 @@
+#pragma once
+
+#include <limn/volume/BoolParameter.h>
+#include <limn/volume/ColorParameter.h>
+#include <limn/volume/FloatParameter.h>
+#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/VolumeComponent.h>
+
+namespace limn
+{
+
+/// Colour and width of the screen-space outline, as volumes set them.
+/// @source nscTechArt/URP-Screen-Space-Outline, ScreenSpaceOutline.cs (Unity 2022.3)
+class ScreenSpaceOutline final : public VolumeComponent, public IPostProcessComponent
+{
+public:
+    BoolParameter m_Enable{this, "m_Enable", false};
+    ColorParameter m_OutlineColor{this, "m_OutlineColor", Color::white}; ///< sRGB; added to the picture
+    ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f}; ///< pixels
+
+    bool IsActive() const override { return m_Enable.value(); }
+    bool IsTileCompatible() const override { return false; }
+};
+
+} // namespace limn

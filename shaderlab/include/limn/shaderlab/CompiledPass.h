@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// Which stages of a pass use a resource; bit flags.
+enum class ShaderStage : std::uint8_t
+{
+    None = 0,
+    Vertex = 1,
+    Fragment = 2,
+    Both = 3
+};
+constexpr ShaderStage operator|(ShaderStage a, ShaderStage b)
+{
+    return static_cast<ShaderStage>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator&(ShaderStage a, ShaderStage b)
+{
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
+enum class UniformType
+{
+    Float, ///< 32-bit; `components` 1...4
+    Int,
+    UInt,
+    Matrix4x4 ///< column-major, columns 16 bytes apart
+};
+
+/// A value in a uniform buffer.
+struct UniformMember
+{
+    std::string name;
+    UniformType type = UniformType::Float;
+    int components = 1;     ///< of the vector; 4 for Matrix4x4
+    std::uint32_t offset = 0; ///< bytes from the start of the buffer
+    std::uint32_t size = 0;   ///< bytes, arrays included
+    int arraySize = 0;      ///< 0 = not an array
+    std::uint32_t arrayStride = 0;
+
+    bool operator==(const UniformMember&) const = default;
+};
+
+struct UniformBuffer
+{
+    std::string name; ///< as in HLSL; "$Global" for loose uniforms
+    ShaderStage stages = ShaderStage::None;
+    std::uint32_t binding = 0;
+    std::uint32_t size = 0; ///< bytes
+    std::vector<UniformMember> members;
+
+    bool operator==(const UniformBuffer&) const = default;
+};
+
+enum class TextureDimension
+{
+    Tex2D = 2,
+    Tex3D = 3,
+    Cube = 4,
+    Tex2DArray = 5,
+    CubeArray = 6
+};
+
+struct TextureBinding
+{
+    std::string name;
+    ShaderStage stages = ShaderStage::None;
+    std::uint32_t binding = 0;
+    TextureDimension dimension = TextureDimension::Tex2D;
+    bool multisampled = false;
+    bool combinedSampler = false; ///< sampler2D: one descriptor holds texture and sampler
+
+    bool operator==(const TextureBinding&) const = default;
+};
+
+struct SamplerBinding
+{
+    std::string name; ///< e.g. "sampler_LinearClamp" (state in the name) or "sampler_MainTex"
+    ShaderStage stages = ShaderStage::None;
+    std::uint32_t binding = 0;
+    bool comparison = false;
+
+    bool operator==(const SamplerBinding&) const = default;
+};
+
+/// A read-only structured buffer.
+struct StorageBufferBinding
+{
+    std::string name; ///< "limn_PerDraw" is the per-draw array, see PerDrawData
+    ShaderStage stages = ShaderStage::None;
+    std::uint32_t binding = 0;
+    std::uint32_t stride = 0; ///< bytes of one element
+
+    bool operator==(const StorageBufferBinding&) const = default;
+};
+
+/// A vertex attribute that the vertex function reads.
+struct VertexInput
+{
+    std::string semantic; ///< upper case with index: "POSITION", "NORMAL", "TANGENT", "COLOR",
+                          ///< "TEXCOORD0" ... "TEXCOORD7"
+    std::uint32_t location = 0;
+    UniformType type = UniformType::Float;
+    int components = 4;
+
+    bool operator==(const VertexInput&) const = default;
+};
+
+/// What the two stages of a pass read, with every descriptor in set 0. Bindings are unique over
+/// both stages; equal named resources of both stages share one. A `$Global` of each stage is a
+/// buffer of its own where the two differ.
+struct PropertyLayout
+{
+    std::vector<UniformBuffer> buffers;
+    std::vector<TextureBinding> textures;
+    std::vector<SamplerBinding> samplers;
+    std::vector<StorageBufferBinding> storageBuffers;
+    std::vector<VertexInput> vertexInputs;
+    int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
+
+    bool operator==(const PropertyLayout&) const = default;
+};
+
+/// A pass compiled for one keyword set: SPIR-V 1.3 of both stages (entry point "main") and its layout.
+struct CompiledPass
+{
+    std::vector<std::uint32_t> vertexSpirv;
+    std::vector<std::uint32_t> fragmentSpirv;
+    PropertyLayout layout;
+
+    bool operator==(const CompiledPass&) const = default;
+};
+
+/// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
+/// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
+/// Vertex functions find their element by SV_InstanceID (which counts from the draw's first
+/// instance), fragment functions by the push constant at offset 0 (uint, the first instance).
+struct PerDrawData
+{
+    float objectToWorld[16];          ///< column-major
+    float worldToObject[16];          ///< column-major
+    float worldTransformParams[4];    ///< w = -1 where the determinant is negative, else 1
+    std::uint32_t renderingLayer[4];  ///< x = the renderer's rendering layer bits
+};
+static_assert(sizeof(PerDrawData) == 160);
+
+} // namespace limn

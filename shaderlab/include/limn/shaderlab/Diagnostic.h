@@ -1,0 +1,70 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// A place in a text file. Lines and columns count from 1; 0 means "no particular place".
+struct SourceLocation
+{
+    int line = 0;
+    int column = 0; ///< in bytes
+
+    bool operator==(const SourceLocation&) const = default;
+};
+
+enum class Severity
+{
+    Error,
+    Warning,
+    Note
+};
+
+/// One thing to say about a file a person wrote.
+struct Diagnostic
+{
+    Severity severity = Severity::Error;
+    std::string file;
+    SourceLocation location;
+    std::string message; ///< "subject: what is wrong; what would be right", without the place
+
+    bool operator==(const Diagnostic&) const = default;
+};
+
+/// `file:line:col: error: message`, the form compilers use; a place of 0 is left out.
+std::string ToString(const Diagnostic& diagnostic);
+
+/// A file a person wrote cannot be used. Holds everything found in that file, not only the first
+/// problem; what() is all of it, one diagnostic a line.
+class AssetError : public std::runtime_error
+{
+public:
+    explicit AssetError(std::vector<Diagnostic> diagnostics);
+    AssetError(std::string file, SourceLocation location, std::string message);
+
+    const std::vector<Diagnostic>& diagnostics() const { return m_Diagnostics; }
+
+private:
+    std::vector<Diagnostic> m_Diagnostics;
+};
+
+/// A caller broke a documented precondition: a mistake in the program, not in its input.
+class ContractError : public std::logic_error
+{
+public:
+    using std::logic_error::logic_error;
+};
+
+/// The known name closest to `name` by edit distance (case-insensitive), or "" if none is near
+/// enough to be what was meant (distance at most a third of the length, at least 1).
+std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
+
+/// "'outlneWidth'; did you mean 'outlineWidth'? (known: a, b, c)" for messages about unknown names;
+/// the question is left out where nothing is near.
+std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known);
+
+} // namespace limn

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+enum class ProgramLanguage
+{
+    Hlsl, ///< HLSLPROGRAM: includes nothing by itself
+    Cg    ///< CGPROGRAM: HLSLSupport.cginc and UnityShaderVariables.cginc come first
+};
+
+/// Program text as it stands in the file, from behind the opening keyword to the closing one.
+struct SourceChunk
+{
+    std::string text;
+    int firstLine = 1; ///< line of the file that `text` starts in
+
+    bool operator==(const SourceChunk&) const = default;
+};
+
+/// One `#pragma multi_compile…`, `shader_feature…` line: exactly one of `keywords` is on at a time.
+struct KeywordSet
+{
+    SourceLocation location;
+    std::string directive;             ///< as written, e.g. "shader_feature_local_fragment"
+    std::vector<std::string> keywords; ///< "" = no keyword; the first entry is the default
+    ShaderStage stages = ShaderStage::Both;
+    bool isLocal = false;
+    bool isFeature = false; ///< shader_feature: built only where a material asks for it
+
+    bool operator==(const KeywordSet&) const = default;
+};
+
+/// A function name from `#pragma vertex` or `#pragma fragment`; "" = no such pragma.
+struct EntryPoint
+{
+    std::string name;
+    SourceLocation location;
+
+    bool operator==(const EntryPoint&) const = default;
+};
+
+/// A pragma that is kept but has no field of its own, e.g. {"instancing_options", "renderinglayer"}.
+struct ProgramPragma
+{
+    SourceLocation location;
+    std::string name;
+    std::string arguments;
+
+    bool operator==(const ProgramPragma&) const = default;
+};
+
+/// Everything needed to compile the program of a pass: the include blocks in scope, then its own.
+struct PassProgram
+{
+    std::string file; ///< path of the .shader file; relative includes start from its folder
+    SourceLocation location;
+    ProgramLanguage language = ProgramLanguage::Hlsl;
+    std::vector<SourceChunk> chunks;
+    EntryPoint vertex;
+    EntryPoint fragment;
+    int target = 25; ///< `#pragma target` times ten
+    std::vector<KeywordSet> keywordSets;
+    std::vector<ProgramPragma> pragmas;
+
+    bool operator==(const PassProgram&) const = default;
+};
+
+} // namespace limn

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace limn
+{
+
+// Values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), since materials carry them as numbers.
+
+enum class CompareFunction
+{
+    Disabled = 0,
+    Never = 1,
+    Less = 2,
+    Equal = 3,
+    LessEqual = 4,
+    Greater = 5,
+    NotEqual = 6,
+    GreaterEqual = 7,
+    Always = 8
+};
+
+enum class StencilOp
+{
+    Keep = 0,
+    Zero = 1,
+    Replace = 2,
+    IncrementSaturate = 3,
+    DecrementSaturate = 4,
+    Invert = 5,
+    IncrementWrap = 6,
+    DecrementWrap = 7
+};
+
+enum class BlendMode
+{
+    Zero = 0,
+    One = 1,
+    DstColor = 2,
+    SrcColor = 3,
+    OneMinusDstColor = 4,
+    SrcAlpha = 5,
+    OneMinusSrcColor = 6,
+    DstAlpha = 7,
+    OneMinusDstAlpha = 8,
+    SrcAlphaSaturate = 9,
+    OneMinusSrcAlpha = 10
+};
+
+/// Only the five operations every device has; Unity's logical and advanced ones (5...35) are parsed
+/// and refused.
+enum class BlendOp
+{
+    Add = 0,
+    Subtract = 1,
+    ReverseSubtract = 2,
+    Min = 3,
+    Max = 4
+};
+
+enum class CullMode
+{
+    Off = 0,
+    Front = 1,
+    Back = 2
+};
+
+/// Bits of ColorMask: red is the high bit, as in Unity.
+namespace ColorWriteMask
+{
+inline constexpr int Alpha = 1;
+inline constexpr int Blue = 2;
+inline constexpr int Green = 4;
+inline constexpr int Red = 8;
+inline constexpr int All = 15;
+} // namespace ColorWriteMask
+
+/// A value of a fixed-function command: written out, or taken from a material property at draw
+/// time (`Cull [_Cull]`; Unity's enum integers, rounded).
+template <typename T>
+struct StateValue
+{
+    T value{};
+    std::string property; ///< "" = `value` holds
+
+    StateValue() = default;
+    StateValue(T v) : value(v) {}
+    static StateValue FromProperty(std::string name)
+    {
+        StateValue result;
+        result.property = std::move(name);
+        return result;
+    }
+    bool operator==(const StateValue&) const = default;
+};
+
+struct StencilFaceState
+{
+    StateValue<CompareFunction> compare = CompareFunction::Always;
+    StateValue<StencilOp> pass = StencilOp::Keep;
+    StateValue<StencilOp> fail = StencilOp::Keep;
+    StateValue<StencilOp> zFail = StencilOp::Keep;
+
+    bool operator==(const StencilFaceState&) const = default;
+};
+
+struct StencilState
+{
+    bool enabled = false; ///< the pass has a Stencil block
+    StateValue<int> reference = 0;
+    StateValue<int> readMask = 255;
+    StateValue<int> writeMask = 255;
+    StencilFaceState front;
+    StencilFaceState back;
+
+    bool operator==(const StencilState&) const = default;
+};
+
+struct RenderTargetBlendState
+{
+    bool enabled = false; ///< `Blend` names factors; Off otherwise
+    StateValue<BlendMode> srcColor = BlendMode::One;
+    StateValue<BlendMode> dstColor = BlendMode::Zero;
+    StateValue<BlendMode> srcAlpha = BlendMode::One;
+    StateValue<BlendMode> dstAlpha = BlendMode::Zero;
+    StateValue<BlendOp> colorOp = BlendOp::Add;
+    StateValue<BlendOp> alphaOp = BlendOp::Add;
+    StateValue<int> writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
+
+    bool operator==(const RenderTargetBlendState&) const = default;
+};
+
+/// The fixed state of a ShaderLab pass; the defaults are ShaderLab's.
+/// Unity: the render-state commands of ShaderLab (2022.3).
+struct RenderState
+{
+    StateValue<CullMode> cull = CullMode::Back;
+    StateValue<CompareFunction> zTest = CompareFunction::LessEqual;
+    StateValue<bool> zWrite = true;
+    StateValue<bool> zClip = true;
+    StateValue<float> offsetFactor = 0.0f;
+    StateValue<float> offsetUnits = 0.0f;
+    StateValue<bool> alphaToMask = false;
+    StateValue<bool> conservative = false;
+    std::array<RenderTargetBlendState, 8> targets;
+    bool separateBlend = false; ///< some command named a target index: targets differ
+    StencilState stencil;
+
+    bool operator==(const RenderState&) const = default;
+};
+
+} // namespace limn

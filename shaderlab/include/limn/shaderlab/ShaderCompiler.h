@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/PassProgram.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace limn
+{
+
+struct ShaderCompilerOptions
+{
+    /// Where compiled passes are kept; created on first use; empty = nowhere. Entries are found by
+    /// content, so the folder may be shared, copied or deleted at any time.
+    std::filesystem::path cacheFolder;
+    /// Folders searched before limn's own ShaderLibrary: "com.unity.render-pipelines.core" → DIR.
+    std::map<std::string, std::filesystem::path> packages;
+    /// Folder that "Assets/…" includes start from; empty = the working directory.
+    std::filesystem::path projectRoot;
+};
+
+/// Turns the HLSL of a pass into SPIR-V and its layout. All members may be called from several
+/// threads at once.
+class ShaderCompiler
+{
+public:
+    explicit ShaderCompiler(ShaderCompilerOptions options = {});
+    ~ShaderCompiler();
+    ShaderCompiler(const ShaderCompiler&) = delete;
+    ShaderCompiler& operator=(const ShaderCompiler&) = delete;
+
+    /// Compiles a pass for one set of keywords, or takes the result of an equal earlier call from
+    /// the cache folder. Results are not kept in memory: callers hold on to what they use.
+    ///
+    /// @param keywords  those that are on, in any order; each becomes a macro of value 1
+    /// @throws AssetError with every message of the compiler at the line of the .shader file, or of
+    ///         the included file, that causes it
+    std::shared_ptr<const CompiledPass> Compile(const PassProgram& program,
+                                                std::span<const std::string> keywords = {});
+
+    struct Statistics
+    {
+        int compiled = 0;        ///< calls that ran the HLSL compiler
+        int loadedFromCache = 0; ///< calls answered from the cache folder
+    };
+    Statistics statistics() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_State;
+};
+
+} // namespace limn
