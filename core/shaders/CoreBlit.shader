@@ -42,5 +42,24 @@ Shader "Hidden/Universal/CoreBlit"
             }
             ENDHLSL
         }
+
+        Pass // to the output: the camera's alpha is no one's business there
+        {
+            Name "Final"
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyOpaque
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            half4 CopyOpaque(Varyings input) : SV_Target
+            {
+                half4 color = SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0);
+                return half4(color.rgb, 1);
+            }
+            ENDHLSL
+        }
     }
 }

@@ -10,6 +10,8 @@ Shader "Universal Render Pipeline/Lit"
         [HDR] _EmissionColor ("Emission", Color) = (0, 0, 0, 1)
         _SrcBlend ("Source factor", Float) = 1
         _DstBlend ("Destination factor", Float) = 0
+        _SrcBlendAlpha ("Source factor of alpha", Float) = 1
+        _DstBlendAlpha ("Destination factor of alpha", Float) = 0
         _ZWrite ("Depth write", Float) = 1
         _Cull ("Culled faces", Float) = 2
     }
@@ -21,7 +23,7 @@ Shader "Universal Render Pipeline/Lit"
         {
             Name "ForwardLit"
             Tags { "LightMode" = "UniversalForward" }
-            Blend [_SrcBlend] [_DstBlend]
+            Blend [_SrcBlend] [_DstBlend], [_SrcBlendAlpha] [_DstBlendAlpha]
             ZWrite [_ZWrite]
             Cull [_Cull]
 

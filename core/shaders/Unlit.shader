@@ -6,6 +6,8 @@ Shader "Universal Render Pipeline/Unlit"
         [MainColor] _BaseColor ("Color", Color) = (1, 1, 1, 1)
         _SrcBlend ("Source factor", Float) = 1
         _DstBlend ("Destination factor", Float) = 0
+        _SrcBlendAlpha ("Source factor of alpha", Float) = 1
+        _DstBlendAlpha ("Destination factor of alpha", Float) = 0
         _ZWrite ("Depth write", Float) = 1
         _Cull ("Culled faces", Float) = 2
     }
@@ -17,7 +19,7 @@ Shader "Universal Render Pipeline/Unlit"
         {
             Name "Unlit"
             Tags { "LightMode" = "UniversalForwardOnly" }
-            Blend [_SrcBlend] [_DstBlend]
+            Blend [_SrcBlend] [_DstBlend], [_SrcBlendAlpha] [_DstBlendAlpha]
             ZWrite [_ZWrite]
             Cull [_Cull]
 

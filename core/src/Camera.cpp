@@ -24,17 +24,14 @@ glm::mat4 Camera::worldToCameraMatrix() const
 {
     // Rotation and position only, as in Unity: a camera's scale does not matter.
     const glm::vec3 position = transform.position();
-    const glm::vec3 forward = transform.forward();
-    const glm::mat3 world(transform.localToWorldMatrix());
-    const glm::vec3 right = glm::normalize(glm::cross(world[1], forward));
-    const glm::vec3 up = glm::cross(forward, right);
+    const glm::mat3 axes = glm::mat3_cast(transform.rotation());
     glm::mat4 view(1.0f);
     for (int axis = 0; axis < 3; ++axis)
     {
-        view[axis] = glm::vec4(right[axis], up[axis], -forward[axis], 0.0f);
+        view[axis] = glm::vec4(axes[0][axis], axes[1][axis], -axes[2][axis], 0.0f);
     }
-    view[3] = glm::vec4(-glm::dot(right, position), -glm::dot(up, position),
-                        glm::dot(forward, position), 1.0f);
+    view[3] = glm::vec4(-glm::dot(axes[0], position), -glm::dot(axes[1], position),
+                        glm::dot(axes[2], position), 1.0f);
     return view;
 }
 
@@ -43,11 +40,18 @@ glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
     const double n = nearClipPlane;
     const double f = farClipPlane;
     Expect(aspect > 0.0f, "aspect", aspect, "greater than 0");
+    if (orthographic)
+    {
+        Expect(std::isfinite(n), "nearClipPlane", n, "finite");
+    }
+    else
+    {
+        Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
+    }
     Expect(f > n, "farClipPlane", f, "greater than nearClipPlane");
     glm::dmat4 projection(0.0);
     if (orthographic)
     {
-        Expect(std::isfinite(n), "nearClipPlane", n, "finite");
         Expect(orthographicSize > 0.0f, "orthographicSize", orthographicSize, "greater than 0");
         projection[0][0] = 1.0 / (static_cast<double>(orthographicSize) * aspect);
         projection[1][1] = 1.0 / static_cast<double>(orthographicSize);
@@ -56,7 +60,6 @@ glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
         projection[3][3] = 1.0;
         return glm::mat4(projection);
     }
-    Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
     Expect(fieldOfView > 0.0f && fieldOfView < 180.0f, "fieldOfView", fieldOfView,
            "between 0 and 180 degrees");
     const double cotangent = 1.0 / std::tan(glm::radians(static_cast<double>(fieldOfView)) * 0.5);

@@ -76,7 +76,9 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
 void SetTimeUniforms(CommandBuffer& cmd, float t)
 {
     const auto sines = [&](float (*function)(float))
-    { return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t)); };
+    {
+        return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t));
+    };
     Vector(cmd, "_Time", {t / 20, t, t * 2, t * 3});
     Vector(cmd, "_SinTime", sines([](float x) { return std::sin(x); }));
     Vector(cmd, "_CosTime", sines([](float x) { return std::cos(x); }));

@@ -17,8 +17,33 @@ void ExpectSameSize(const RenderTexture& first, const RenderTexture& other)
                    std::to_string(t.height()) + " with " +
                    std::to_string(t.descriptor().msaaSamples) + " samples";
         };
-        throw ContractError("SetRenderTarget: all targets must have one size and sample count, but " +
-                            text(first) + " and " + text(other));
+        throw ContractError(
+            "SetRenderTarget: all targets must have one size and sample count, but " + text(first) +
+            " and " + text(other));
+    }
+}
+
+void ExpectColor(const RTHandle& target)
+{
+    if (!target)
+    {
+        throw ContractError("SetRenderTarget: a colour target is an empty handle");
+    }
+    if (IsDepthFormat(target.rt()->graphicsFormat()))
+    {
+        throw ContractError("SetRenderTarget: the colour target '" + target.rt()->name() +
+                            "' has the format " + ToString(target.rt()->graphicsFormat()) +
+                            "; give it as depth");
+    }
+}
+
+void ExpectDepth(const RTHandle& target)
+{
+    if (target && !IsDepthFormat(target.rt()->graphicsFormat()))
+    {
+        throw ContractError("SetRenderTarget: the depth target '" + target.rt()->name() +
+                            "' has the format " + ToString(target.rt()->graphicsFormat()) +
+                            "; it needs a depth format");
     }
 }
 
@@ -41,23 +66,32 @@ void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderP
 
 void CommandBuffer::SetRenderTarget(const RTHandle& color, const RTHandle& depth)
 {
+    if (color && !depth && IsDepthFormat(color.rt()->graphicsFormat()))
+    {
+        SetRenderTarget(std::span<const RTHandle>(), color);
+        return;
+    }
     SetRenderTarget(std::span(&color, color ? 1u : 0u), depth);
 }
 
 void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth)
 {
+    constexpr std::size_t k_MaxColors = std::tuple_size_v<decltype(PipelineState::targets)>;
+    if (colors.size() > k_MaxColors)
+    {
+        throw ContractError("SetRenderTarget: " + std::to_string(colors.size()) +
+                            " colour targets; at most " + std::to_string(k_MaxColors));
+    }
     SetRenderTargetCommand command;
-    command.depth = depth.rt();
     for (const RTHandle& color : colors)
     {
-        if (!color)
-        {
-            throw ContractError("SetRenderTarget: a colour target is an empty handle");
-        }
+        ExpectColor(color);
         command.colors.push_back(color.rt());
     }
-    const RenderTexture* first = command.colors.empty() ? command.depth.get()
-                                                        : command.colors.front().get();
+    ExpectDepth(depth);
+    command.depth = depth.rt();
+    const RenderTexture* first =
+        command.colors.empty() ? command.depth.get() : command.colors.front().get();
     if (first == nullptr)
     {
         throw ContractError("SetRenderTarget: both colour and depth are empty handles");
@@ -80,6 +114,11 @@ void CommandBuffer::ClearRenderTarget(ClearFlag flags, const Color& color, float
 
 void CommandBuffer::SetViewport(const ViewportRect& rect)
 {
+    if (rect.width <= 0 || rect.height <= 0)
+    {
+        throw ContractError("SetViewport: the size is " + std::to_string(rect.width) + "x" +
+                            std::to_string(rect.height) + "; both must be greater than 0");
+    }
     m_Commands.emplace_back(SetViewportCommand{rect});
 }
 

@@ -48,7 +48,12 @@ namespace Blitter
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        std::shared_ptr<const Material> material, int passIndex)
 {
-    if (source && source == destination)
+    if (!source || !destination)
+    {
+        throw ContractError(std::string("BlitCameraTexture: the ") +
+                            (source ? "destination" : "source") + " is an empty handle");
+    }
+    if (source == destination)
     {
         throw ContractError("BlitCameraTexture: '" + source.rt()->name() +
                             "' is both source and destination");

@@ -148,8 +148,7 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
         const float distance = SortDistance(item.boundsCenter, sorting);
         key.queue = criteria & SortingCriteria::RenderQueue ? item.filter.renderQueue : 0;
         key.backToFront = criteria & SortingCriteria::BackToFront ? -distance : 0.0f;
-        key.frontToBack =
-            criteria & SortingCriteria::QuantizedFrontToBack ? Quantise(distance) : 0;
+        key.frontToBack = criteria & SortingCriteria::QuantizedFrontToBack ? Quantise(distance) : 0;
         if (criteria & SortingCriteria::OptimizeStateChanges)
         {
             key.state = {item.material->shader()->id(), item.material->id(),
@@ -157,8 +156,7 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
         }
     }
     std::stable_sort(indices.begin(), indices.end(),
-                     [&](int a, int b)
-                     {
+                     [&](int a, int b) {
                          return keys[static_cast<std::size_t>(a)].tie() <
                                 keys[static_cast<std::size_t>(b)].tie();
                      });

@@ -53,7 +53,10 @@ std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const PropertySour
 SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
 {
     const std::string lower = Lower(binding.name);
-    const auto has = [&](std::string_view word) { return lower.find(word) != std::string::npos; };
+    const auto has = [&](std::string_view word)
+    {
+        return lower.find(word) != std::string::npos;
+    };
     const bool filtered = has("point") || has("linear");
     const bool wrapped = has("clamp") || has("repeat") || has("mirror");
     SamplerState state;
@@ -111,9 +114,10 @@ const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
     return value != nullptr ? value : globals->Find(id);
 }
 
-std::shared_ptr<const DrawBindings> DrawResolver::Resolve(
-    const std::shared_ptr<const CompiledPass>& pass, const PropertySources& sources,
-    std::uint64_t globalsVersion, std::vector<std::byte>& uniformData)
+std::shared_ptr<const DrawBindings>
+DrawResolver::Resolve(const std::shared_ptr<const CompiledPass>& pass,
+                      const PropertySources& sources, std::uint64_t globalsVersion,
+                      std::vector<std::byte>& uniformData)
 {
     const PassIds& ids = IdsOf(pass);
     if (sources.block != nullptr && !sources.block->isEmpty())

@@ -11,8 +11,8 @@ namespace limn
 /// Where a draw's property values come from, first to last.
 struct PropertySources
 {
-    const MaterialPropertyBlock* block = nullptr; ///< may be null
-    const Material* material = nullptr;           ///< never null
+    const MaterialPropertyBlock* block = nullptr;   ///< may be null
+    const Material* material = nullptr;             ///< never null
     const MaterialPropertyBlock* globals = nullptr; ///< never null
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
@@ -33,7 +33,7 @@ private:
     /// The names of a layout as ids, worked out once a pass.
     struct PassIds
     {
-        std::shared_ptr<const CompiledPass> pass; ///< keeps the key's address taken
+        std::shared_ptr<const CompiledPass> pass;           ///< keeps the key's address taken
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
         std::vector<ShaderPropertyId> textures;
     };

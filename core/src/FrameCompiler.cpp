@@ -1,208 +1,13 @@
+#include "PassSplitter.h"
+
 #include <algorithm>
 #include <limn/core/FrameCompiler.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {
 
 namespace
 {
-
-/// A pass before load, store and barriers are decided.
-struct OpenPass
-{
-    std::string name;
-    SetRenderTargetCommand targets;
-    std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
-    std::vector<PassCommand> commands;
-    std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
-};
-
-bool SameTargets(const SetRenderTargetCommand& a, const SetRenderTargetCommand& b)
-{
-    return a.colors == b.colors && a.depth == b.depth;
-}
-
-/// Splits the command list into passes.
-class PassSplitter
-{
-public:
-    std::vector<OpenPass> Split(std::vector<FrameCommand> commands)
-    {
-        for (FrameCommand& command : commands)
-        {
-            std::visit([&](auto& c) { Take(c); }, command);
-        }
-        // What is left over after the last pass are ends of samples.
-        if (!m_Passes.empty())
-        {
-            Append(m_Passes.back().commands, m_Pending);
-        }
-        return std::move(m_Passes);
-    }
-
-private:
-    void Take(SetRenderTargetCommand& command)
-    {
-        if (m_Open && SameTargets(m_Passes.back().targets, command))
-        {
-            if (m_ViewportSet)
-            {
-                const RenderTexture& any = *AnyTarget(command);
-                m_Passes.back().commands.emplace_back(
-                    SetViewportCommand{{0, 0, any.width(), any.height()}});
-            }
-        }
-        else
-        {
-            m_Open = false;
-        }
-        m_Target = std::move(command);
-        m_ViewportSet = false;
-        m_PendingViewport.reset();
-    }
-
-    void Take(const SetViewportCommand& command)
-    {
-        m_ViewportSet = true;
-        if (m_Open)
-        {
-            m_Passes.back().commands.emplace_back(command);
-        }
-        else
-        {
-            m_PendingViewport = command;
-        }
-    }
-
-    void Take(const ClearCommand& command)
-    {
-        OpenPass& pass = Pass("a clear");
-        const bool drawnBefore = m_DrawnInPass || m_ViewportSet;
-        if (drawnBefore)
-        {
-            pass.commands.emplace_back(command);
-            return;
-        }
-        if (!pass.clear)
-        {
-            pass.clear = command;
-            return;
-        }
-        if (command.flags & ClearFlag::Color)
-        {
-            pass.clear->color = command.color;
-        }
-        if (command.flags & ClearFlag::Depth)
-        {
-            pass.clear->depth = command.depth;
-        }
-        if (command.flags & ClearFlag::Stencil)
-        {
-            pass.clear->stencil = command.stencil;
-        }
-        pass.clear->flags = pass.clear->flags | command.flags;
-    }
-
-    void Take(DrawCommand& command)
-    {
-        OpenPass& pass = Pass("a draw");
-        for (const TextureSlot& slot : command.bindings->textures)
-        {
-            AddRead(pass, slot.texture);
-        }
-        m_DrawnInPass = true;
-        pass.commands.emplace_back(std::move(command));
-    }
-
-    void Take(const BeginSampleCommand& command)
-    {
-        m_Samples.push_back(command.name);
-        Place(command);
-    }
-
-    void Take(const EndSampleCommand& command)
-    {
-        if (m_Samples.empty())
-        {
-            throw ContractError("EndSample without a BeginSample before it");
-        }
-        m_Samples.pop_back();
-        Place(command);
-    }
-
-    template <typename Command>
-    void Place(const Command& command)
-    {
-        (m_Open ? m_Passes.back().commands : m_Pending).emplace_back(command);
-    }
-
-    /// The pass that a draw or clear goes into, begun if need be.
-    OpenPass& Pass(const char* what)
-    {
-        if (!m_Target)
-        {
-            throw ContractError(std::string(what) + " was recorded " +
-                                (m_Samples.empty() ? "" : "in '" + m_Samples.back() + "' ") +
-                                "before any render target was set");
-        }
-        if (!m_Open)
-        {
-            OpenPass pass;
-            pass.name = m_Samples.empty() ? std::string() : m_Samples.back();
-            pass.targets = *m_Target;
-            Append(pass.commands, m_Pending);
-            if (m_PendingViewport)
-            {
-                pass.commands.emplace_back(*m_PendingViewport);
-            }
-            m_Passes.push_back(std::move(pass));
-            m_Open = true;
-            m_DrawnInPass = false;
-        }
-        return m_Passes.back();
-    }
-
-    static void AddRead(OpenPass& pass, const std::shared_ptr<const Texture>& texture)
-    {
-        if (dynamic_cast<const RenderTexture*>(texture.get()) == nullptr)
-        {
-            return; // contents come from the CPU: nothing to wait for
-        }
-        const auto& targets = pass.targets;
-        if (texture == targets.depth || std::find(targets.colors.begin(), targets.colors.end(),
-                                                  texture) != targets.colors.end())
-        {
-            throw ContractError("pass '" + pass.name + "' samples '" + texture->name() +
-                                "' while drawing into it; draw into another texture and copy");
-        }
-        if (std::find(pass.reads.begin(), pass.reads.end(), texture) == pass.reads.end())
-        {
-            pass.reads.push_back(texture);
-        }
-    }
-
-    static void Append(std::vector<PassCommand>& to, std::vector<PassCommand>& from)
-    {
-        to.insert(to.end(), std::make_move_iterator(from.begin()),
-                  std::make_move_iterator(from.end()));
-        from.clear();
-    }
-
-    static const RenderTexture* AnyTarget(const SetRenderTargetCommand& target)
-    {
-        return target.colors.empty() ? target.depth.get() : target.colors.front().get();
-    }
-
-    std::vector<OpenPass> m_Passes;
-    std::optional<SetRenderTargetCommand> m_Target;
-    bool m_Open = false; ///< the last pass is on m_Target and still grows
-    bool m_DrawnInPass = false;
-    bool m_ViewportSet = false;
-    std::optional<SetViewportCommand> m_PendingViewport;
-    std::vector<PassCommand> m_Pending; ///< samples begun or ended between passes
-    std::vector<std::string> m_Samples;
-};
 
 bool Clears(const OpenPass& pass, ClearFlag flag)
 {
@@ -223,7 +28,10 @@ NextUse FindNextUse(const std::vector<OpenPass>& passes, std::size_t from, const
     for (std::size_t i = from; i < passes.size(); ++i)
     {
         const OpenPass& pass = passes[i];
-        const auto is = [&](const auto& other) { return other.get() == &texture; };
+        const auto is = [&](const auto& other)
+        {
+            return other.get() == &texture;
+        };
         if (std::any_of(pass.reads.begin(), pass.reads.end(), is))
         {
             return NextUse::Needs;
@@ -375,7 +183,8 @@ private:
     {
         KnownTexture& known = m_Compiler.m_Known[texture->id()];
         known.texture = texture;
-        const bool onlyReads = usage == TextureUsage::ShaderRead || usage == TextureUsage::CopySource;
+        const bool onlyReads =
+            usage == TextureUsage::ShaderRead || usage == TextureUsage::CopySource;
         if (known.usage == usage && onlyReads)
         {
             return;
@@ -402,7 +211,7 @@ CompiledFrame FrameCompiler::Compile(FrameCommands commands,
                       }
                       return gone;
                   });
-    Run run(*this, PassSplitter().Split(std::move(commands.commands)), outputs);
+    Run run(*this, SplitIntoPasses(std::move(commands.commands)), outputs);
     CompiledFrame frame;
     frame.passes = run.Passes();
     frame.finalBarriers = run.FinalBarriers();

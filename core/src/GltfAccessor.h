@@ -26,10 +26,7 @@ struct GltfFloats
     int components = 0;
     std::vector<float> values;
 
-    std::size_t count() const
-    {
-        return values.size() / static_cast<std::size_t>(components);
-    }
+    std::size_t count() const { return values.size() / static_cast<std::size_t>(components); }
 };
 
 /// The accessor's elements as floats; normalized integers become 0...1 or -1...1.

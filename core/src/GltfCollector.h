@@ -25,10 +25,7 @@ public:
     MeshData TakeMesh();
 
     /// What could not be used, one sentence each.
-    const std::vector<std::string>& problems() const
-    {
-        return m_Problems;
-    }
+    const std::vector<std::string>& problems() const { return m_Problems; }
 
 private:
     std::vector<int> Roots() const;

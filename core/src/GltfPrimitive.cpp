@@ -163,6 +163,10 @@ MeshData ReadGltfPrimitive(const tinygltf::Model& model, const tinygltf::Primiti
     RequireLength("TANGENT", part.tangents.size(), part.vertices.size());
     RequireLength("COLOR_0", part.colors.size(), part.vertices.size());
     RequireLength("TEXCOORD_0", part.uv.size(), part.vertices.size());
+    for (glm::vec2& uv : part.uv)
+    {
+        uv.y = 1.0f - uv.y; // glTF counts v from the top of the picture, a mesh from the bottom
+    }
     part.triangles = ReadTriangles(model, primitive, part.vertices.size());
     if (part.normals.empty())
     {

@@ -15,25 +15,13 @@ namespace
 class PngImage
 {
 public:
-    PngImage()
-    {
-        m_Image.version = PNG_IMAGE_VERSION;
-    }
-    ~PngImage()
-    {
-        png_image_free(&m_Image);
-    }
+    PngImage() { m_Image.version = PNG_IMAGE_VERSION; }
+    ~PngImage() { png_image_free(&m_Image); }
     PngImage(const PngImage&) = delete;
     PngImage& operator=(const PngImage&) = delete;
 
-    png_image* get()
-    {
-        return &m_Image;
-    }
-    png_image* operator->()
-    {
-        return &m_Image;
-    }
+    png_image* get() { return &m_Image; }
+    png_image* operator->() { return &m_Image; }
 
 private:
     png_image m_Image{};

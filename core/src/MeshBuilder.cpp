@@ -46,7 +46,8 @@ std::uint32_t MeshBuilder::AddVertex(const PrimitiveVertex& vertex)
     m_Data.normals.push_back(vertex.normal);
     // cross(normal, tangent) points down the picture on every shape; the bitangent is its opposite.
     m_Data.tangents.emplace_back(vertex.tangent, -1.0f);
-    m_Data.uv.push_back(vertex.uv);
+    // Shapes are built reading their picture from the top; a mesh's v counts from its bottom.
+    m_Data.uv.emplace_back(vertex.uv.x, 1.0f - vertex.uv.y);
     return static_cast<std::uint32_t>(m_Data.vertices.size() - 1);
 }
 

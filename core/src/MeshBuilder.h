@@ -43,10 +43,7 @@ public:
     /// A flat lid across the y axis, looking to `side` (+1: up, -1: down) of the axis.
     void AddDisc(float radius, float y, float side, int segments);
 
-    MeshData Take()
-    {
-        return std::move(m_Data);
-    }
+    MeshData Take() { return std::move(m_Data); }
 
 private:
     MeshData m_Data;

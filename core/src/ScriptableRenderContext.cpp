@@ -78,15 +78,17 @@ public:
         draw.pass = material.shader()->Compile(recorded.shaderPass);
         draw.state =
             ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals);
-        draw.bindings =
-            m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},
-                               m_GlobalsVersion, m_Frame.uniformData);
+        draw.bindings = m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},
+                                           m_GlobalsVersion, m_Frame.uniformData);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
         draw.firstInstance = static_cast<std::uint32_t>(m_Frame.perDraw.size());
         m_Frame.perDraw.push_back(MakePerDrawData(recorded.matrix, renderingLayers));
-        draw.state.frontFaceFlipped = m_Frame.perDraw.back().worldTransformParams[3] < 0.0f;
+        const bool mirrored = m_Frame.perDraw.back().worldTransformParams[3] < 0.0f;
+        // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
+        // Unity's render textures, which are upside down: counter-clockwise is the front there.
+        draw.state.frontFaceFlipped = mirrored != (draw.mesh == nullptr);
         if (!MergeIntoLast(draw))
         {
             m_Frame.commands.emplace_back(std::move(draw));
@@ -98,8 +100,8 @@ private:
     /// reads per-draw data finds it by the first instance, so those stay apart.
     bool MergeIntoLast(const DrawCommand& draw)
     {
-        auto* last = m_Frame.commands.empty() ? nullptr
-                                              : std::get_if<DrawCommand>(&m_Frame.commands.back());
+        auto* last =
+            m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
         if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
             last->subMesh != draw.subMesh || last->pass != draw.pass ||
             last->bindings != draw.bindings || last->state != draw.state ||

@@ -3,23 +3,18 @@
 namespace limn
 {
 
-void ScriptableRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&)
-{
-}
+void ScriptableRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&) {}
 
-void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescriptor&)
-{
-}
+void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescriptor&) {}
 
-void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&)
-{
-}
+void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&) {}
 
 void ScriptableRenderPass::ConfigureTarget(const RTHandle& color, const RTHandle& depth)
 {
+    const bool isDepth = color && !depth && IsDepthFormat(color.rt()->graphicsFormat());
     m_OverrideCameraTarget = true;
-    m_Color = color;
-    m_Depth = depth;
+    m_Color = isDepth ? RTHandle() : color;
+    m_Depth = isDepth ? color : depth;
 }
 
 void ScriptableRenderPass::ConfigureClear(ClearFlag clearFlag, const Color& clearColor)
@@ -47,10 +42,9 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const Shad
     const Camera& camera = *renderingData.cameraData.camera;
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());
-    settings.sortingSettings = {sortingCriteria, camera.transform.position(),
-                                camera.transform.forward(),
-                                camera.orthographic ? DistanceMetric::Orthographic
-                                                    : DistanceMetric::Perspective};
+    settings.sortingSettings = {
+        sortingCriteria, camera.transform.position(), camera.transform.forward(),
+        camera.orthographic ? DistanceMetric::Orthographic : DistanceMetric::Perspective};
     return settings;
 }
 

@@ -51,8 +51,8 @@ void NoteEmptyDraws(RenderReport& report, std::size_t first)
 
 } // namespace
 
-ScriptableRendererFeature& ScriptableRenderer::AddFeature(
-    std::unique_ptr<ScriptableRendererFeature> feature)
+ScriptableRendererFeature&
+ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> feature)
 {
     if (!feature)
     {
@@ -138,7 +138,8 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     {
         pass->OnCameraSetup(*cmd, renderingData);
     }
-    std::stable_sort(m_Queue.begin(), m_Queue.end(), [](const auto* a, const auto* b)
+    std::stable_sort(m_Queue.begin(), m_Queue.end(),
+                     [](const auto* a, const auto* b)
                      { return a->renderPassEvent < b->renderPassEvent; });
     for (ScriptableRenderPass* pass : m_Queue)
     {
@@ -172,8 +173,7 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
 }
 
 void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
-                                           ScriptableRenderPass& pass,
-                                           RenderingData& renderingData)
+                                           ScriptableRenderPass& pass, RenderingData& renderingData)
 {
     const std::string& name = pass.profilingSampler.name();
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
@@ -206,7 +206,7 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
     if (color && color == m_CameraColor && m_FirstColor)
     {
         m_FirstColor = false;
-        clear = Only(cameraClear, ClearFlag::Color);
+        clear = Only(cameraClear | pass.clearFlag(), ClearFlag::Color);
         clearColor = camera.backgroundColor.linear();
     }
     else

@@ -3,12 +3,8 @@
 namespace limn
 {
 
-void ScriptableRendererFeature::SetupRenderPasses(ScriptableRenderer&, const RenderingData&)
-{
-}
+void ScriptableRendererFeature::SetupRenderPasses(ScriptableRenderer&, const RenderingData&) {}
 
-void ScriptableRendererFeature::Describe(Inspector&)
-{
-}
+void ScriptableRendererFeature::Describe(Inspector&) {}
 
 } // namespace limn

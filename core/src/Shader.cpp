@@ -13,7 +13,10 @@ namespace
 
 bool EqualIgnoringCase(std::string_view a, std::string_view b)
 {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    const auto lower = [](char c)
+    {
+        return std::tolower(static_cast<unsigned char>(c));
+    };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [&](char x, char y) { return lower(x) == lower(y); });
 }
@@ -34,8 +37,9 @@ std::optional<int> ParseQueue(std::string_view text)
     if (split > 0)
     {
         const std::string_view name = std::string_view(compact).substr(0, split);
-        const auto it = std::find_if(std::begin(k_Names), std::end(k_Names),
-                                     [&](const auto& n) { return EqualIgnoringCase(n.first, name); });
+        const auto it =
+            std::find_if(std::begin(k_Names), std::end(k_Names),
+                         [&](const auto& n) { return EqualIgnoringCase(n.first, name); });
         if (it != std::end(k_Names))
         {
             queue = it->second;

@@ -23,7 +23,7 @@ glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up)
     }
     const glm::vec3 z = forward / length;
     glm::vec3 x = glm::cross(up, z);
-    if (glm::length(x) < 1e-6f)
+    if (!(glm::length(x) > 1e-6f * glm::length(up)))
     {
         x = glm::cross(std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -z.y), z);
     }
@@ -33,9 +33,8 @@ glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up)
 
 glm::mat4 Transform::localToParentMatrix() const
 {
-    return glm::scale(glm::translate(glm::mat4(1.0f), localPosition) *
-                          glm::mat4_cast(localRotation),
-                      localScale);
+    return glm::scale(
+        glm::translate(glm::mat4(1.0f), localPosition) * glm::mat4_cast(localRotation), localScale);
 }
 
 glm::mat4 Transform::localToWorldMatrix() const
@@ -49,12 +48,14 @@ glm::vec3 Transform::position() const
     return glm::vec3(localToWorldMatrix()[3]);
 }
 
+glm::quat Transform::rotation() const
+{
+    return parent != nullptr ? parent->rotation() * localRotation : localRotation;
+}
+
 glm::vec3 Transform::forward() const
 {
-    const glm::vec3 local = localRotation * glm::vec3(0, 0, 1);
-    return parent == nullptr
-               ? local
-               : glm::normalize(glm::mat3(parent->localToWorldMatrix()) * local);
+    return rotation() * glm::vec3(0, 0, 1);
 }
 
 } // namespace limn

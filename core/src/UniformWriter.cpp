@@ -57,17 +57,19 @@ void WriteArray(const UniformMember& member, const std::vector<glm::vec4>& value
 
 const char* KindOf(const ShaderPropertyValue& value)
 {
-    static constexpr const char* k_Kinds[] = {"a number", "an integer", "a vector", "a color",
-                                              "a matrix", "an array of vectors", "a texture"};
+    static constexpr const char* k_Kinds[] = {"a number", "an integer", "a vector",
+                                              "a color",  "a matrix",   "an array of vectors",
+                                              "a texture"};
     return k_Kinds[value.index()];
 }
 
 [[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw ContractError("material '" + sources.material->name() + "': property '" + member.name +
-                        "' is set to " + KindOf(value) + ", but the shader declares " +
-                        (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
+    throw ContractError(
+        "material '" + sources.material->name() + "': property '" + member.name + "' is set to " +
+        KindOf(value) + ", but the shader declares " +
+        (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
 void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,

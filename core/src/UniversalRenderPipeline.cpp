@@ -41,13 +41,12 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     if (request.width <= 0 || request.height <= 0)
     {
         throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
-                            "x" + std::to_string(request.height) +
-                            "; both must be greater than 0");
+                            "x" + std::to_string(request.height) + "; both must be greater than 0");
     }
     RenderResult result;
     RenderingUtils::ReAllocateIfNeeded(
-        m_Output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB},
-        FilterMode::Point, TextureWrapMode::Clamp, k_OutputName);
+        m_Output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB}, FilterMode::Point,
+        TextureWrapMode::Clamp, k_OutputName);
     renderer.SetOutput(m_Output);
     result.output = m_Output;
 

@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-constexpr int k_FinalBlitPass = 0;
+constexpr int k_FinalBlitPass = 2; // "Final" of CoreBlit.shader
 
 /// A texture of the renderer's own: nobody sees it after the frame.
 void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descriptor,
@@ -18,8 +18,8 @@ void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descrip
     {
         return;
     }
-    const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp,
-                               TextureWrapMode::Clamp, false};
+    const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
+                               false};
     handle = RTHandle(std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
 }
 
@@ -75,8 +75,7 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData&) override
     {
         const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-        Blitter::BlitTexture(*cmd, m_Source, {1.0f, 1.0f, 0.0f, 0.0f}, m_Material,
-                             k_FinalBlitPass);
+        Blitter::BlitTexture(*cmd, m_Source, {1.0f, 1.0f, 0.0f, 0.0f}, m_Material, k_FinalBlitPass);
         context.ExecuteCommandBuffer(*cmd);
     }
 
@@ -92,8 +91,8 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
       m_TransparentPass(std::make_unique<DrawObjectsPass>(
           "Draw Transparent Objects", RenderPassEvent::BeforeRenderingTransparents,
           RenderQueueRange::transparent, SortingCriteria::CommonTransparent)),
-      m_FinalBlitPass(std::make_unique<FinalBlitPass>(
-          FindBuiltinShader("Hidden/Universal/CoreBlit", compiler)))
+      m_FinalBlitPass(
+          std::make_unique<FinalBlitPass>(FindBuiltinShader("Hidden/Universal/CoreBlit", compiler)))
 {
 }
 

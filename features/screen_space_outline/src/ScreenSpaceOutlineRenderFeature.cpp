@@ -30,7 +30,8 @@ std::string WhyInactive(const ScreenSpaceOutline* volumeComponent)
 void ScreenSpaceOutlineSettings::Describe(Inspector& inspector)
 {
     inspector.Header("Basic Settings");
-    inspector.Field("m_RenderPassEvent", m_RenderPassEvent, "When in the frame the outline is drawn");
+    inspector.Field("m_RenderPassEvent", m_RenderPassEvent,
+                    "When in the frame the outline is drawn");
     inspector.Field("m_ScreenSpaceOutlineShader", m_ScreenSpaceOutlineShader,
                     "Shader with the mask, edge and composite passes: Hidden/ScreenSpaceOutline");
 
@@ -42,12 +43,16 @@ void ScreenSpaceOutlineSettings::Describe(Inspector& inspector)
                                   "The rendering layer that marks an object as selected");
 }
 
-ScreenSpaceOutlineRenderFeature::ScreenSpaceOutlineRenderFeature() = default;
+ScreenSpaceOutlineRenderFeature::ScreenSpaceOutlineRenderFeature()
+    : ScreenSpaceOutlineRenderFeature(ScreenSpaceOutlineSettings())
+{
+}
 
 ScreenSpaceOutlineRenderFeature::ScreenSpaceOutlineRenderFeature(
     ScreenSpaceOutlineSettings settings)
     : m_Settings(std::move(settings))
 {
+    name = "ScreenSpaceOutlineRenderFeature";
 }
 
 ScreenSpaceOutlineRenderFeature::~ScreenSpaceOutlineRenderFeature() = default;

@@ -30,8 +30,8 @@ struct Camera
     CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
-    bool allowHDR = true; ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
-    LayerMask volumeLayerMask{1};           ///< layers whose volumes apply
+    bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
+    LayerMask volumeLayerMask{1}; ///< layers whose volumes apply
     std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position
 
     /// World to view space: right-handed, looking along -z. Unity: Camera.worldToCameraMatrix.

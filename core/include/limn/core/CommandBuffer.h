@@ -37,21 +37,25 @@ using RecordedCommand =
 class CommandBuffer
 {
 public:
+    /// @param color  a depth texture here, with `depth` empty, is the depth
     /// @param depth  empty: the colour has no depth beside it
-    /// @throws ContractError if both are empty, or if sizes or sample counts differ
+    /// @throws ContractError if both are empty, there are more than 8 colours, a format is of the
+    ///         wrong kind, or sizes or sample counts differ
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
     /// @param depth  1 = far on every device
     void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
                            int stencil = 0);
     /// Until the next SetRenderTarget, which sets the whole target.
+    /// @throws ContractError if the size is not positive
     void SetViewport(const ViewportRect& rect);
 
     /// @throws ContractError if mesh or material is null, or there is no such sub-mesh or pass
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
-    /// Triangles without vertex buffers: the shader sees SV_VertexID only.
+    /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in clip
+    /// space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});

@@ -61,8 +61,8 @@ struct DepthAttachment
 };
 
 /// Inside a pass only these remain of the recorded commands.
-using PassCommand =
-    std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand, EndSampleCommand>;
+using PassCommand = std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand,
+                                 EndSampleCommand>;
 
 /// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering.
 struct CompiledRenderPass

@@ -11,11 +11,9 @@ namespace CoreUtils
 
 /// Binds a target and clears what `clearFlag` names; depth clears to far, stencil to 0.
 void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
-                     ClearFlag clearFlag = ClearFlag::None,
-                     const Color& clearColor = Color::clear);
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& depth,
-                     ClearFlag clearFlag = ClearFlag::None,
-                     const Color& clearColor = Color::clear);
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 
 /// A material for a pass of one's own.
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)

@@ -7,8 +7,8 @@ namespace limn
 {
 
 /// Which renderers a DrawRenderers call takes; all conditions must hold. A default-made one takes
-/// everything: Unity's FilteringSettings.defaultValue, not its zero-filled `new FilteringSettings()`.
-/// Unity: UnityEngine.Rendering.FilteringSettings (2022.3).
+/// everything: Unity's FilteringSettings.defaultValue, not its zero-filled `new
+/// FilteringSettings()`. Unity: UnityEngine.Rendering.FilteringSettings (2022.3).
 struct FilteringSettings
 {
     RenderQueueRange renderQueueRange = RenderQueueRange::all; ///< of the material

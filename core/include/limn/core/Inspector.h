@@ -46,8 +46,7 @@ public:
                        std::string_view tooltip) = 0;
     virtual void Field(std::string_view name, Color& value, std::string_view tooltip) = 0;
     virtual void Field(std::string_view name, LayerMask& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, RenderPassEvent& value,
-                       std::string_view tooltip) = 0;
+    virtual void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) = 0;
     virtual void Field(std::string_view name, std::shared_ptr<const Shader>& value,
                        std::string_view tooltip) = 0;
     /// The index 0...31 of a rendering layer; may be given by the layer's name.

@@ -27,7 +27,10 @@ public:
     void SetColor(ShaderPropertyId id, const Color& value) { Set(id, value); } ///< sRGB
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
-    void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> v) { Set(id, std::move(v)); }
+    void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> v)
+    {
+        Set(id, std::move(v));
+    }
     void Set(ShaderPropertyId id, ShaderPropertyValue value) { m_Values[id] = std::move(value); }
 
     /// The value, or null if none was set.

@@ -40,7 +40,7 @@ struct MeshData
     std::vector<glm::vec3> normals;       ///< unit length
     std::vector<glm::vec4> tangents;      ///< xyz unit length, towards larger u
     std::vector<glm::vec4> colors;        ///< linear RGBA
-    std::vector<glm::vec2> uv;            ///< v = 0 at the top row of the texture
+    std::vector<glm::vec2> uv;            ///< v = 0 at the bottom of the picture, as in Unity
     std::vector<std::uint32_t> triangles; ///< three vertex indices a triangle
     std::vector<SubMesh> subMeshes;       ///< empty = one over all of `triangles`
 };
@@ -56,31 +56,16 @@ public:
     Mesh(std::string name, MeshData data);
 
     /// Unique in the process.
-    std::uint64_t id() const
-    {
-        return m_Id;
-    }
-    const std::string& name() const
-    {
-        return m_Name;
-    }
-    const MeshData& data() const
-    {
-        return m_Data;
-    }
-    int subMeshCount() const
-    {
-        return static_cast<int>(m_Data.subMeshes.size());
-    }
+    std::uint64_t id() const { return m_Id; }
+    const std::string& name() const { return m_Name; }
+    const MeshData& data() const { return m_Data; }
+    int subMeshCount() const { return static_cast<int>(m_Data.subMeshes.size()); }
     const SubMesh& subMesh(int index) const
     {
         return m_Data.subMeshes.at(static_cast<std::size_t>(index));
     }
     /// In object space.
-    const Bounds& bounds() const
-    {
-        return m_Bounds;
-    }
+    const Bounds& bounds() const { return m_Bounds; }
 
 private:
     std::uint64_t m_Id;

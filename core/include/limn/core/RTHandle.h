@@ -19,22 +19,13 @@ public:
     {
     }
 
-    explicit operator bool() const
-    {
-        return m_Texture != nullptr;
-    }
+    explicit operator bool() const { return m_Texture != nullptr; }
 
     /// The texture; null for an empty handle.
-    const std::shared_ptr<const RenderTexture>& rt() const
-    {
-        return m_Texture;
-    }
+    const std::shared_ptr<const RenderTexture>& rt() const { return m_Texture; }
 
     /// Lets go of the texture now.
-    void Release()
-    {
-        m_Texture.reset();
-    }
+    void Release() { m_Texture.reset(); }
 
     bool operator==(const RTHandle&) const = default;
 

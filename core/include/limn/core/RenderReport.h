@@ -25,9 +25,10 @@ struct ExecutedPassReport
 /// What happened while one camera was rendered: data for people and tests.
 struct RenderReport
 {
-    std::vector<ExecutedPassReport> passes;  ///< in the order they ran
-    std::vector<DrawRenderersReport> draws;  ///< in the order they were made
-    std::vector<std::string> notes; ///< sentences for the user, each a reason why something is absent
+    std::vector<ExecutedPassReport> passes; ///< in the order they ran
+    std::vector<DrawRenderersReport> draws; ///< in the order they were made
+    std::vector<std::string>
+        notes; ///< sentences for the user, each a reason why something is absent
 };
 
 } // namespace limn

@@ -24,10 +24,7 @@ struct RenderTextureDescriptor
     }
 
     /// Unity: the property colorFormat.
-    void SetColorFormat(RenderTextureFormat format)
-    {
-        graphicsFormat = ToGraphicsFormat(format);
-    }
+    void SetColorFormat(RenderTextureFormat format) { graphicsFormat = ToGraphicsFormat(format); }
 
     bool operator==(const RenderTextureDescriptor&) const = default;
 };
@@ -42,17 +39,11 @@ public:
     RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                   SamplerState sampler = {}, bool transient = false);
 
-    const RenderTextureDescriptor& descriptor() const
-    {
-        return m_Descriptor;
-    }
+    const RenderTextureDescriptor& descriptor() const { return m_Descriptor; }
 
     /// Nobody looks at the contents after the frame: what no later command of the frame reads need
     /// not be stored.
-    bool isTransient() const
-    {
-        return m_Transient;
-    }
+    bool isTransient() const { return m_Transient; }
 
 private:
     RenderTextureDescriptor m_Descriptor;

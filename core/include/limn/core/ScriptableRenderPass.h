@@ -27,7 +27,8 @@ public:
     /// Once a camera, before any pass executes, in the order of enqueueing: make textures here.
     virtual void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData);
     /// Once a camera, after all OnCameraSetup, in the order of execution.
-    virtual void Configure(CommandBuffer& cmd, const RenderTextureDescriptor& cameraTextureDescriptor);
+    virtual void Configure(CommandBuffer& cmd,
+                           const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
     /// Once a camera, after all passes have executed.
@@ -42,7 +43,7 @@ public:
 
 protected:
     /// Draw into these instead of the camera's targets, until ResetTarget. Without `depth` there is
-    /// none: the camera's is not used.
+    /// none: the camera's is not used. A depth texture in place of the colour is the depth.
     void ConfigureTarget(const RTHandle& color, const RTHandle& depth = {});
     /// Clear on binding. On the first binding of the camera's colour its background colour wins.
     void ConfigureClear(ClearFlag clearFlag, const Color& clearColor);

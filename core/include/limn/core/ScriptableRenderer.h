@@ -53,8 +53,7 @@ private:
                  std::span<ScriptableRenderPass* const> featurePasses);
     void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
                            RenderingData& renderingData);
-    void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass,
-                     const Camera& camera);
+    void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const Camera& camera);
 
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;

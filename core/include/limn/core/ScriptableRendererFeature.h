@@ -26,7 +26,8 @@ public:
     /// Once a camera a frame, while active: enqueue passes. Camera targets do not exist yet.
     virtual void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) = 0;
     /// Once a camera a frame, while active, when the camera's targets exist.
-    virtual void SetupRenderPasses(ScriptableRenderer& renderer, const RenderingData& renderingData);
+    virtual void SetupRenderPasses(ScriptableRenderer& renderer,
+                                   const RenderingData& renderingData);
 
     /// Names every setting to `inspector`, which reads or writes them.
     virtual void Describe(Inspector& inspector);

@@ -36,7 +36,8 @@ struct ShaderTag;
 /// A shader property's name as a number, for keeping in a static. Unity: Shader.PropertyToID.
 using ShaderPropertyId = detail::NameId<detail::PropertyTag>;
 
-/// The name of a ShaderLab tag's value, above all of LightMode. Unity: UnityEngine.Rendering.ShaderTagId.
+/// The name of a ShaderLab tag's value, above all of LightMode. Unity:
+/// UnityEngine.Rendering.ShaderTagId.
 using ShaderTagId = detail::NameId<detail::ShaderTag>;
 
 } // namespace limn

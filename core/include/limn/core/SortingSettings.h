@@ -6,14 +6,15 @@ namespace limn
 {
 
 /// What the order of drawing goes by; the keys apply in the order of their values, the first that
-/// differs decides; equal items keep the scene's order. Unity: UnityEngine.Rendering.SortingCriteria.
+/// differs decides; equal items keep the scene's order. Unity:
+/// UnityEngine.Rendering.SortingCriteria.
 enum class SortingCriteria
 {
     None = 0,
     SortingLayer = 1, ///< accepted; limn has no 2D sorting layers, so all are equal
     RenderQueue = 2,
     BackToFront = 4,
-    QuantizedFrontToBack = 8, ///< distances within the same eighth of an octave are equal
+    QuantizedFrontToBack = 8,  ///< distances within the same eighth of an octave are equal
     OptimizeStateChanges = 16, ///< equal shader, material and mesh together
     CanvasOrder = 32,          ///< accepted; all are equal
     RendererPriority = 64,     ///< accepted; all are equal
@@ -40,8 +41,8 @@ enum class DistanceMetric
 struct SortingSettings
 {
     SortingCriteria criteria = SortingCriteria::None;
-    glm::vec3 cameraPosition{0.0f};       ///< world, metres
-    glm::vec3 cameraForward{0, 0, 1};     ///< world, unit length
+    glm::vec3 cameraPosition{0.0f};   ///< world, metres
+    glm::vec3 cameraForward{0, 0, 1}; ///< world, unit length
     DistanceMetric distanceMetric = DistanceMetric::Perspective;
 
     bool operator==(const SortingSettings&) const = default;

@@ -31,30 +31,12 @@ public:
     Texture& operator=(const Texture&) = delete;
 
     /// Unique in the process, never used again.
-    std::uint64_t id() const
-    {
-        return m_Id;
-    }
-    const std::string& name() const
-    {
-        return m_Name;
-    }
-    int width() const
-    {
-        return m_Width;
-    }
-    int height() const
-    {
-        return m_Height;
-    }
-    GraphicsFormat graphicsFormat() const
-    {
-        return m_Format;
-    }
-    const SamplerState& sampler() const
-    {
-        return m_Sampler;
-    }
+    std::uint64_t id() const { return m_Id; }
+    const std::string& name() const { return m_Name; }
+    int width() const { return m_Width; }
+    int height() const { return m_Height; }
+    GraphicsFormat graphicsFormat() const { return m_Format; }
+    const SamplerState& sampler() const { return m_Sampler; }
 
 protected:
     Texture(std::string name, int width, int height, GraphicsFormat format, SamplerState sampler);
@@ -68,7 +50,8 @@ private:
     SamplerState m_Sampler;
 };
 
-/// An image whose texels come from the CPU. Row 0 is the top row (texture v = 0).
+/// An image whose texels come from the CPU. Row 0 is at v = 0: a picture goes in bottom row first, as
+/// Unity imports it, so that it stands upright on a mesh.
 /// Unity: UnityEngine.Texture2D.
 class Texture2D final : public Texture
 {
@@ -79,10 +62,7 @@ public:
     Texture2D(std::string name, int width, int height, GraphicsFormat format,
               std::vector<std::byte> texels, SamplerState sampler = {});
 
-    const std::vector<std::byte>& texels() const
-    {
-        return m_Texels;
-    }
+    const std::vector<std::byte>& texels() const { return m_Texels; }
 
 private:
     std::vector<std::byte> m_Texels;

@@ -19,15 +19,16 @@ glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up = {0.0f, 1.
 /// Unity: UnityEngine.Transform (2022.3).
 struct Transform
 {
-    glm::vec3 localPosition{0.0f};        ///< metres
-    glm::quat localRotation{1, 0, 0, 0};  ///< w, x, y, z
+    glm::vec3 localPosition{0.0f};       ///< metres
+    glm::quat localRotation{1, 0, 0, 0}; ///< w, x, y, z
     glm::vec3 localScale{1.0f};
-    const Transform* parent = nullptr;    ///< must outlive this
+    const Transform* parent = nullptr; ///< must outlive this
 
     glm::mat4 localToParentMatrix() const;
     glm::mat4 localToWorldMatrix() const;
     glm::vec3 position() const; ///< world
-    glm::vec3 forward() const;  ///< world, +z of this transform, unit length
+    glm::quat rotation() const; ///< world; scales, the parents' too, do not matter
+    glm::vec3 forward() const;  ///< world, +z turned by rotation(), unit length
 };
 
 } // namespace limn

@@ -10,19 +10,19 @@ namespace limn
 /// What to render once.
 struct RenderRequest
 {
-    const Scene* scene = nullptr;   ///< never null
-    const Camera* camera = nullptr; ///< never null
-    int width = 0;                  ///< pixels, > 0
-    int height = 0;                 ///< pixels, > 0
-    float time = 0.0f;              ///< seconds, what _Time shows
+    const Scene* scene = nullptr;             ///< never null
+    const Camera* camera = nullptr;           ///< never null
+    int width = 0;                            ///< pixels, > 0
+    int height = 0;                           ///< pixels, > 0
+    float time = 0.0f;                        ///< seconds, what _Time shows
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; may be null
-    std::vector<RTHandle> alsoReadBack; ///< further textures to keep readable after the frame
+    std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
 };
 
 /// What rendering gave.
 struct RenderResult
 {
-    RTHandle output;     ///< R8G8B8A8_SRGB; read it back with GraphicsDevice::ReadBack
+    RTHandle output; ///< R8G8B8A8_SRGB; read it back with GraphicsDevice::ReadBack
     RenderReport report;
     CompiledFrame frame; ///< as the device ran it
 };

@@ -11,7 +11,8 @@
 namespace limn
 {
 
-/// Draws the filtered objects into a mask, finds the mask's edges, adds them to the camera's colour.
+/// Draws the filtered objects into a mask, finds the mask's edges, adds them to the camera's
+/// colour.
 ///
 /// _RendererDrawingTexture [H/2, W/2], R8_UNorm: 1 where a filtered object is, occluded or not.
 /// _OutlineTexture [H/2, W/2], R8_UNorm: Roberts cross of the mask, 1 on an edge, clamped at 1.

@@ -15,7 +15,8 @@ class ScreenSpaceOutline final : public VolumeComponent, public IPostProcessComp
 {
 public:
     BoolParameter m_Enable{this, "m_Enable", false};
-    ColorParameter m_OutlineColor{this, "m_OutlineColor", Color::white}; ///< sRGB; added to the picture
+    ColorParameter m_OutlineColor{this, "m_OutlineColor",
+                                  Color::white}; ///< sRGB; added to the picture
     ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f}; ///< pixels
 
     bool IsActive() const override { return m_Enable.value(); }

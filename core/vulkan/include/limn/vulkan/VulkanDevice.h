@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/core/GraphicsDevice.h>
+#include <limn/shaderlab/Diagnostic.h>
+#include <limn/vulkan/VulkanDeviceInfo.h>
+
+namespace limn
+{
+
+struct VulkanDeviceOptions
+{
+    /// "" = the first real GPU, else the software device; "software"; a position in
+    /// EnumerateVulkanDevices(); or part of a name, in any case.
+    std::string device;
+    /// Runs under the validation layer with synchronization validation; needs
+    /// vulkan-validationlayers installed.
+    bool validation = false;
+    /// Keeps compiled pipelines between runs; made if absent; empty = nothing is kept.
+    std::filesystem::path cacheFolder;
+    /// false = only what Vulkan 1.3 guarantees, to test the ways around what a driver lacks.
+    bool optionalExtensions = true;
+};
+
+/// What a validation layer objected to.
+struct ValidationMessage
+{
+    Severity severity = Severity::Error;
+    std::string id; ///< e.g. "VUID-vkCmdDraw-None-02859"
+    std::string text;
+};
+
+/// What a device holds at the moment.
+struct VulkanDeviceStatistics
+{
+    std::uint64_t allocatedBytes = 0; ///< taken from the driver
+    std::uint64_t usedBytes = 0;      ///< of these, in use by images and buffers
+    std::size_t images = 0;
+    std::size_t meshes = 0;
+    std::size_t pipelines = 0;
+};
+
+/// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
+/// Execute() waits for the one before the last. An image, mesh or pipeline whose description nobody
+/// owns any more dies when the last frame that used it is finished. Not for use by several threads
+/// at once.
+class VulkanDevice final : public GraphicsDevice
+{
+public:
+    /// @throws VulkanError if no device fits, with the reasons for each one; or validation is asked
+    ///         for and not installed; or the cache folder cannot be made
+    explicit VulkanDevice(const VulkanDeviceOptions& options = {});
+    ~VulkanDevice() override; ///< waits for all frames
+
+    /// @throws ContractError if the frame contradicts itself (a texture is not in the use that a
+    ///         barrier or a pass says, a draw lacks what its shader reads); nothing of it is then
+    ///         drawn
+    /// @throws VulkanError   if the driver fails
+    void Execute(const CompiledFrame& frame) override;
+
+    /// Depth comes back as D32_SFloat, 1 = near; its stencil does not.
+    /// @throws ContractError if the last frame did not leave the texture as CopySource, or it has
+    ///         several samples a texel
+    Image ReadBack(const RenderTexture& texture) override;
+
+    std::vector<PassTiming> LastFrameTimings() override;
+
+    const std::string& deviceName() const;
+    /// One line: which device draws and why it was chosen.
+    const std::string& ChoiceSentence() const;
+    /// All warnings and errors since construction; empty without VulkanDeviceOptions::validation.
+    std::vector<ValidationMessage> validationMessages() const;
+    VulkanDeviceStatistics statistics() const;
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> m_Impl;
+};
+
+} // namespace limn

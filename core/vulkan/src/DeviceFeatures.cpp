@@ -1,0 +1,104 @@
+#include "DeviceFeatures.h"
+
+#include "Check.h"
+#include <algorithm>
+#include <cstring>
+
+namespace limn::vulkan
+{
+
+FeatureChain::FeatureChain(bool extendedDynamicState3)
+{
+    core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    v11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
+    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    extendedState.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_FEATURES_EXT;
+    core.pNext = &v11;
+    v11.pNext = &v12;
+    v12.pNext = &v13;
+    v13.pNext = extendedDynamicState3 ? &extendedState : nullptr;
+}
+
+bool HasDeviceExtension(VkPhysicalDevice device, const char* name)
+{
+    std::uint32_t count = 0;
+    Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
+          "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions(count);
+    Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+          "vkEnumerateDeviceExtensionProperties");
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& extension)
+                       { return std::strcmp(extension.extensionName, name) == 0; });
+}
+
+std::vector<std::string> MissingFeatures(const FeatureChain& offered)
+{
+    struct Need
+    {
+        VkBool32 has;
+        const char* name;
+        const char* use;
+    };
+    const Need needs[] = {
+        {offered.core.features.independentBlend, "independentBlend", "a blend state per target"},
+        {offered.core.features.fullDrawIndexUint32, "fullDrawIndexUint32", "32-bit mesh indices"},
+        {offered.v12.timelineSemaphore, "timelineSemaphore", "to follow frames in flight"},
+        {offered.v13.dynamicRendering, "dynamicRendering", "passes"},
+        {offered.v13.synchronization2, "synchronization2", "barriers"},
+        {offered.v13.shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation",
+         "clip() in shaders"},
+    };
+    std::vector<std::string> missing;
+    for (const Need& need : needs)
+    {
+        if (need.has == VK_FALSE)
+        {
+            missing.push_back(std::string("it lacks the feature ") + need.name + ", needed for " +
+                              need.use);
+        }
+    }
+    return missing;
+}
+
+void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
+{
+    wanted.core.features.independentBlend = VK_TRUE;
+    wanted.core.features.fullDrawIndexUint32 = VK_TRUE;
+    wanted.v12.timelineSemaphore = VK_TRUE;
+    wanted.v13.dynamicRendering = VK_TRUE;
+    wanted.v13.synchronization2 = VK_TRUE;
+    wanted.v13.shaderDemoteToHelperInvocation = VK_TRUE;
+
+    constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
+        &VkPhysicalDeviceFeatures::depthClamp,
+        &VkPhysicalDeviceFeatures::geometryShader, // SV_PrimitiveID in fragment functions
+        &VkPhysicalDeviceFeatures::sampleRateShading,
+        &VkPhysicalDeviceFeatures::shaderClipDistance,
+        &VkPhysicalDeviceFeatures::shaderCullDistance,
+        &VkPhysicalDeviceFeatures::shaderImageGatherExtended,
+        &VkPhysicalDeviceFeatures::vertexPipelineStoresAndAtomics, // structured buffers in shaders
+        &VkPhysicalDeviceFeatures::fragmentStoresAndAtomics,
+        &VkPhysicalDeviceFeatures::shaderUniformBufferArrayDynamicIndexing,
+        &VkPhysicalDeviceFeatures::shaderSampledImageArrayDynamicIndexing,
+        &VkPhysicalDeviceFeatures::shaderStorageBufferArrayDynamicIndexing,
+    };
+    for (const auto feature : k_WhereOffered)
+    {
+        wanted.core.features.*feature = offered.core.features.*feature;
+    }
+    wanted.v11.shaderDrawParameters = offered.v11.shaderDrawParameters;
+    wanted.v12.samplerMirrorClampToEdge = offered.v12.samplerMirrorClampToEdge;
+    wanted.v12.shaderFloat16 = offered.v12.shaderFloat16;
+    wanted.v13.maintenance4 = offered.v13.maintenance4;
+    wanted.v13.shaderTerminateInvocation = offered.v13.shaderTerminateInvocation;
+    const bool blend = offered.extendedState.extendedDynamicState3ColorBlendEnable == VK_TRUE &&
+                       offered.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE &&
+                       offered.extendedState.extendedDynamicState3ColorWriteMask == VK_TRUE;
+    wanted.extendedState.extendedDynamicState3ColorBlendEnable = blend ? VK_TRUE : VK_FALSE;
+    wanted.extendedState.extendedDynamicState3ColorBlendEquation = blend ? VK_TRUE : VK_FALSE;
+    wanted.extendedState.extendedDynamicState3ColorWriteMask = blend ? VK_TRUE : VK_FALSE;
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <limn/core/CompiledFrame.h>
+#include <vulkan/vulkan.h>
+
+namespace limn::vulkan
+{
+
+/// @throws ContractError for None
+VkFormat ToVkFormat(GraphicsFormat format);
+
+/// Unity's compare as the device needs it: in a depth buffer where 1 is near, nearer is greater.
+/// Disabled becomes Always; whoever calls turns the test off.
+VkCompareOp ToReversedDepthCompare(CompareFunction function);
+
+/// The same comparison, for stencil values.
+VkCompareOp ToStencilCompare(CompareFunction function);
+
+VkStencilOp ToVkStencilOp(StencilOp op);
+VkBlendFactor ToVkBlendFactor(BlendMode mode);
+VkBlendOp ToVkBlendOp(BlendOp op);
+VkCullModeFlags ToVkCullMode(CullMode mode);
+
+/// Clockwise as seen on screen is front. The viewport's negative height turns the picture over
+/// before Vulkan looks at the winding, so "clockwise" means the same to both.
+VkFrontFace ToVkFrontFace(bool flipped);
+
+/// Bits of ColorWriteMask.
+VkColorComponentFlags ToVkColorMask(int writeMask);
+
+VkShaderStageFlags ToVkStages(ShaderStage stages);
+
+struct UsageScope
+{
+    VkImageLayout layout;
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 access;
+};
+
+/// Undefined waits for everything before: an earlier frame may still use the image's memory.
+UsageScope ToUsageScope(TextureUsage usage);
+
+const char* ToString(TextureUsage usage);
+
+VkAttachmentLoadOp ToVkLoadOp(LoadOp op);
+VkAttachmentStoreOp ToVkStoreOp(StoreOp op);
+
+bool HasStencil(GraphicsFormat format);
+
+} // namespace limn::vulkan

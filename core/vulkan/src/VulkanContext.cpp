@@ -1,0 +1,115 @@
+#include "VulkanContext.h"
+
+#include "Check.h"
+#include "DeviceFeatures.h"
+#include "DeviceSelection.h"
+
+namespace limn::vulkan
+{
+
+VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
+{
+    ChoosePhysicalDevice(options.device);
+    CreateDevice(options.optionalExtensions);
+    ReadCapabilities();
+    LoadFunctions();
+}
+
+void VulkanContext::ChoosePhysicalDevice(const std::string& request)
+{
+    const std::vector<VkPhysicalDevice> devices = m_Instance.PhysicalDevices();
+    std::vector<VulkanDeviceInfo> infos;
+    for (VkPhysicalDevice device : devices)
+    {
+        infos.push_back(DescribeDevice(device));
+    }
+    DeviceChoice choice = ChooseDevice(infos, request);
+    m_PhysicalDevice = devices[choice.index];
+    m_DeviceName = infos[choice.index].name;
+    m_ChoiceSentence = std::move(choice.sentence);
+    m_QueueFamily = GraphicsQueueFamily(m_PhysicalDevice).value();
+}
+
+void VulkanContext::CreateDevice(bool optionalExtensions)
+{
+    const char* extension = VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME;
+    const bool extended = optionalExtensions && HasDeviceExtension(m_PhysicalDevice, extension);
+    FeatureChain offered{extended};
+    vkGetPhysicalDeviceFeatures2(m_PhysicalDevice, &offered.core);
+    FeatureChain wanted{extended};
+    ChooseFeatures(offered, wanted);
+    m_Capabilities.dynamicBlend =
+        wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
+    m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
+    m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
+
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queue{};
+    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    queue.queueFamilyIndex = m_QueueFamily;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkDeviceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    info.pNext = &wanted.core;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = extended ? 1 : 0;
+    info.ppEnabledExtensionNames = &extension;
+    VkDevice device = VK_NULL_HANDLE;
+    Check(vkCreateDevice(m_PhysicalDevice, &info, nullptr, &device), "vkCreateDevice",
+          m_DeviceName);
+    m_Device.reset(device);
+    vkGetDeviceQueue(device, m_QueueFamily, 0, &m_Queue);
+}
+
+void VulkanContext::ReadCapabilities()
+{
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(m_PhysicalDevice, &properties);
+    m_Capabilities.limits = properties.limits;
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
+    m_Capabilities.timestamps = families[m_QueueFamily].timestampValidBits > 0;
+    m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
+}
+
+void VulkanContext::LoadFunctions()
+{
+    const auto load = [&](auto& function, const char* name)
+    {
+        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+            vkGetDeviceProcAddr(device(), name));
+    };
+    if (m_Instance.hasDebugUtils())
+    {
+        load(m_Functions.setObjectName, "vkSetDebugUtilsObjectNameEXT");
+        load(m_Functions.beginLabel, "vkCmdBeginDebugUtilsLabelEXT");
+        load(m_Functions.endLabel, "vkCmdEndDebugUtilsLabelEXT");
+    }
+    if (m_Capabilities.dynamicBlend)
+    {
+        load(m_Functions.setColorBlendEnable, "vkCmdSetColorBlendEnableEXT");
+        load(m_Functions.setColorBlendEquation, "vkCmdSetColorBlendEquationEXT");
+        load(m_Functions.setColorWriteMask, "vkCmdSetColorWriteMaskEXT");
+    }
+}
+
+void VulkanContext::SetObjectName(VkObjectType type, std::uint64_t handle,
+                                  const std::string& name) const
+{
+    if (m_Functions.setObjectName == nullptr)
+    {
+        return; // names help a person with a capture and nobody else
+    }
+    VkDebugUtilsObjectNameInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+    info.objectType = type;
+    info.objectHandle = handle;
+    info.pObjectName = name.c_str();
+    Check(m_Functions.setObjectName(device(), &info), "vkSetDebugUtilsObjectNameEXT", name);
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,221 @@
+#include "features/OutlineScene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limn/core/Inspector.h>
+#include <limn/core/RecordingDevice.h>
+
+using namespace limn;
+using namespace limn::test;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace
+{
+
+struct Rendered
+{
+    RecordingDevice device;
+    UniversalRenderPipeline pipeline{device};
+    UniversalRenderer renderer{Compiler()};
+    OutlineScene content;
+    BlendedOutline volumes;
+
+    RenderResult Render(const VolumeStack* stack, int width = 64, int height = 48)
+    {
+        RenderRequest request;
+        request.scene = &content.scene;
+        request.camera = &content.camera;
+        request.width = width;
+        request.height = height;
+        request.volumeStack = stack;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+};
+
+std::vector<std::string> PassNames(const RenderResult& result)
+{
+    std::vector<std::string> names;
+    for (const ExecutedPassReport& pass : result.report.passes)
+    {
+        names.push_back(pass.name);
+    }
+    return names;
+}
+
+std::vector<std::string> TargetNames(const RenderResult& result)
+{
+    std::vector<std::string> names;
+    for (const CompiledRenderPass& pass : result.frame.passes)
+    {
+        names.push_back(pass.colors.front().texture->name());
+    }
+    return names;
+}
+
+TEST(ScreenSpaceOutline, HasTheArticlesDefaultsAndRange)
+{
+    const ScreenSpaceOutline component;
+    EXPECT_FALSE(component.m_Enable.value());
+    EXPECT_EQ(component.m_OutlineColor.value(), Color::white);
+    EXPECT_EQ(component.m_OutlineWidth.value(), 3.0f);
+    EXPECT_EQ(component.m_OutlineWidth.range(), (ValueRange{1.0, 10.0}));
+    EXPECT_FALSE(component.IsActive());
+    EXPECT_FALSE(component.IsTileCompatible());
+}
+
+TEST(ScreenSpaceOutlineSettings, HasTheArticlesDefaults)
+{
+    const ScreenSpaceOutlineSettings settings;
+    EXPECT_EQ(settings.m_RenderPassEvent, RenderPassEvent::AfterRenderingTransparents);
+    EXPECT_EQ(settings.m_ScreenSpaceOutlineShader, nullptr);
+    EXPECT_EQ(settings.m_RenderQueueRange, ScreenSpaceOutlineSettings::RenderQueueRange::Opaque);
+    EXPECT_EQ(settings.m_LayerMask, LayerMask::Nothing());
+    EXPECT_EQ(settings.m_RenderingLayerMask, 0);
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, DrawsMaskEdgesAndCompositeInThatOrder)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
+    EXPECT_THAT(PassNames(result), ElementsAre("Draw Opaque Objects", "Draw Transparent Objects",
+                                               "Screen Space Outline", "Final Blit"));
+    EXPECT_THAT(TargetNames(result),
+                ElementsAre("_CameraColorAttachmentA", "_RendererDrawingTexture", "_OutlineTexture",
+                            "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes, IsEmpty());
+    EXPECT_EQ(result.report.passes[2].renderPassEvent, RenderPassEvent(500));
+
+    const CompiledRenderPass& mask = result.frame.passes[1];
+    EXPECT_EQ(mask.width, 32);
+    EXPECT_EQ(mask.height, 24);
+    EXPECT_EQ(mask.colors[0].texture->graphicsFormat(), GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(mask.colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(mask.colors[0].clearColor, Color::clear);
+    EXPECT_FALSE(mask.depth.has_value());
+    EXPECT_EQ(result.frame.passes[3].colors[0].load, LoadOp::Load);
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, FiltersByQueueLayerAndRenderingLayer)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
+    const DrawRenderersReport* draw = nullptr;
+    for (const DrawRenderersReport& candidate : result.report.draws)
+    {
+        if (candidate.pass == "Screen Space Outline")
+        {
+            draw = &candidate;
+        }
+    }
+    ASSERT_NE(draw, nullptr);
+    EXPECT_EQ(draw->filtering, FilteringSettings(RenderQueueRange(0, 2500), LayerMask(1u << 6),
+                                                 RenderingLayerMask(1u << 8)));
+    EXPECT_EQ(draw->counts, (FilterCounts{2, 0, 0, 1, 0})); // the sphere is not selected
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, EnqueuesNothingAndAllocatesNothingWhenTheVolumeDisablesIt)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.With(false, Color::green, 4.0f));
+    EXPECT_THAT(PassNames(result),
+                ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"));
+    EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes, ElementsAre("Screen Space Outline: not drawn, a volume sets "
+                                                 "ScreenSpaceOutline.m_Enable to false"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.WithoutVolumes());
+    EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre("Screen Space Outline: not drawn, no volume at the camera sets "
+                            "ScreenSpaceOutline.m_Enable, which is false by default"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysThatThereIsNoVolumeStack)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    EXPECT_THAT(r.Render(nullptr).report.notes,
+                ElementsAre("Screen Space Outline: not drawn, the camera has no volume stack with "
+                            "ScreenSpaceOutline"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysThatItIsInactive)
+{
+    Rendered r;
+    AddOutline(r.renderer).SetActive(false);
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
+    EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre("Screen Space Outline: not drawn, the feature is inactive"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysWhyWhenNothingPassesTheFilter)
+{
+    Rendered r;
+    ScreenSpaceOutlineSettings settings = Settings();
+    settings.m_LayerMask = LayerMask::Nothing(); // the article's default
+    AddOutline(r.renderer, settings);
+    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+                ElementsAre("Screen Space Outline: 0 of 3 renderers drawn: 3 layer mask; the "
+                            "filter's layerMask is 0 (Nothing)"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)
+{
+    Rendered r;
+    ScreenSpaceOutlineSettings settings = Settings();
+    settings.m_ScreenSpaceOutlineShader = nullptr;
+    AddOutline(r.renderer, settings);
+    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+                ElementsAre("Screen Space Outline: not drawn, m_ScreenSpaceOutlineShader is not "
+                            "assigned; Hidden/ScreenSpaceOutline is the one that comes with it"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, RefusesRenderingLayer32)
+{
+    ScreenSpaceOutlineSettings settings = Settings();
+    settings.m_RenderingLayerMask = 32;
+    UniversalRenderer renderer(Compiler());
+    try
+    {
+        AddOutline(renderer, settings);
+        FAIL() << "index 32 was accepted";
+    }
+    catch (const ContractError& error)
+    {
+        EXPECT_STREQ(error.what(), "rendering layer index 32 is outside 0...31");
+    }
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, KeepsItsTexturesBetweenFramesAndReplacesThemOnAResize)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const VolumeStack& stack = r.volumes.With(true, Color::green, 4.0f);
+    const RenderResult first = r.Render(&stack);
+    const RenderResult second = r.Render(&stack);
+    EXPECT_EQ(first.frame.passes[1].colors[0].texture, second.frame.passes[1].colors[0].texture);
+    const RenderResult larger = r.Render(&stack, 128, 96);
+    EXPECT_NE(first.frame.passes[1].colors[0].texture, larger.frame.passes[1].colors[0].texture);
+    EXPECT_EQ(larger.frame.passes[1].width, 64);
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, NeverMakesATextureSmallerThanOneTexel)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f), 1, 1);
+    EXPECT_EQ(result.frame.passes[1].width, 1);
+    EXPECT_EQ(result.frame.passes[1].height, 1);
+}
+
+} // namespace

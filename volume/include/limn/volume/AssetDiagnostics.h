@@ -1,0 +1,37 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limn
+{
+
+/// Everything there is to say about one file, collected while it is read, so that a person sees all
+/// problems at once.
+class AssetDiagnostics
+{
+public:
+    explicit AssetDiagnostics(std::string file) : m_File(std::move(file)) {}
+
+    void Error(SourceLocation location, std::string message);
+    void Note(SourceLocation location, std::string message);
+
+    /// @throws AssetError with every error, ordered by place, if there is one
+    void ThrowIfErrors() const;
+
+    /// The notes, ordered by place.
+    std::vector<Diagnostic> notes() const { return Sorted(Severity::Note); }
+    const std::vector<Diagnostic>& diagnostics() const { return m_Diagnostics; }
+    const std::string& file() const { return m_File; }
+    bool hasErrors() const;
+
+private:
+    std::vector<Diagnostic> Sorted(Severity severity) const;
+
+    std::string m_File;
+    std::vector<Diagnostic> m_Diagnostics; ///< in the order they were found
+};
+
+} // namespace limn

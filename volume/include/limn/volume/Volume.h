@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <limn/volume/BoxCollider.h>
+#include <limn/volume/VolumeProfile.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// A profile put into a scene: everywhere, or where its colliders are. Takes part once it is
+/// registered with a VolumeManager. Fields may change at any time; the manager looks at them in
+/// every Update. Unity: UnityEngine.Rendering.Volume (URP 14).
+struct Volume
+{
+    std::string name;           ///< for people
+    bool enabled = true;        ///< of the component and its GameObject together
+    bool isGlobal = true;       ///< true: applies everywhere, colliders and blendDistance ignored
+    float priority = 0.0f;      ///< higher is applied later and wins
+    float blendDistance = 0.0f; ///< metres outside the colliders where the effect fades; >= 0
+    float weight = 1.0f;        ///< of the whole volume; used clamped to [0, 1]
+    int layer = 0;              ///< 0...31; the camera's volume layer mask must have it
+    std::shared_ptr<const VolumeProfile> sharedProfile; ///< null: the volume does nothing
+
+    glm::vec3 position{0.0f};           ///< world, metres
+    glm::quat rotation{1, 0, 0, 0};     ///< world, unit length
+    glm::vec3 scale{1.0f};              ///< world
+    std::vector<BoxCollider> colliders; ///< of a local volume; the closest enabled one counts
+};
+
+} // namespace limn

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <limn/volume/VolumeParameter.h>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// A group of parameters that belong to one effect. A subclass declares them as members:
+///
+///     ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f};
+///
+/// Neither copied nor moved, because the list of parameters points at the members.
+/// Unity: UnityEngine.Rendering.VolumeComponent (URP 14).
+class VolumeComponent
+{
+public:
+    VolumeComponent() = default;
+    VolumeComponent(const VolumeComponent&) = delete;
+    VolumeComponent& operator=(const VolumeComponent&) = delete;
+    virtual ~VolumeComponent() = default;
+
+    bool active = true;      ///< false: ignored altogether
+    std::string displayName; ///< for people; "" means the name of the type
+
+    /// Blends every overridden parameter onto the state's and marks it as overridden there.
+    /// @throws ContractError if `state` is of another type
+    virtual void Override(VolumeComponent& state, float interpFactor) const;
+
+    void SetAllOverridesTo(bool state);
+
+    /// In the order of declaration.
+    std::span<VolumeParameter* const> parameters() { return m_Parameters; }
+    std::span<const VolumeParameter* const> parameters() const { return m_Parameters; }
+
+    /// By serialised or plain name ("m_OutlineWidth", "outlineWidth"); null if there is none.
+    VolumeParameter* FindParameter(std::string_view name);
+    const VolumeParameter* FindParameter(std::string_view name) const;
+
+private:
+    friend class VolumeParameter;
+    void Register(VolumeParameter& parameter);
+
+    std::vector<VolumeParameter*> m_Parameters;
+};
+
+} // namespace limn

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <limn/core/LayerMask.h>
+#include <limn/volume/Volume.h>
+#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/volume/VolumeStack.h>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace limn
+{
+
+/// Blends the volumes registered with it into stacks. No singleton: two managers never see each
+/// other's volumes. Unity: UnityEngine.Rendering.VolumeManager (URP 14).
+class VolumeManager
+{
+public:
+    /// @lifetime  keeps `registry` by reference, and so do the stacks
+    explicit VolumeManager(const VolumeComponentRegistry& registry) : m_Registry(registry) {}
+    VolumeManager(const VolumeManager&) = delete;
+    VolumeManager& operator=(const VolumeManager&) = delete;
+
+    /// A stack with one component of every type registered so far, all at their defaults.
+    VolumeStack CreateStack() const { return VolumeStack(m_Registry); }
+
+    /// Volumes of equal priority are applied in the order of registration.
+    /// @return false if it is registered already
+    /// @throws ContractError for null and for a layer outside 0...31
+    /// @lifetime  keeps the pointer until Unregister
+    bool Register(const Volume* volume);
+
+    /// Does nothing for a volume that is not registered.
+    void Unregister(const Volume* volume);
+
+    /// Brings the stack to its defaults and applies the volumes in the mask's layers, by ascending
+    /// priority. Changed layers and priorities are noticed here; a volume whose layer changed
+    /// counts as registered last, and one whose priority changes back to that of others keeps the
+    /// place it had, as in Unity.
+    /// @param trigger  world position that local volumes measure from, Unity's volume trigger;
+    ///     nothing: only global volumes count
+    /// @throws ContractError for a volume whose layer is outside 0...31
+    void Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger, LayerMask layerMask);
+
+    /// The registered volumes in the mask's layers, enabled or not, by ascending priority. Valid
+    /// until the next call of any other member.
+    std::span<const Volume* const> GetVolumes(LayerMask layerMask);
+
+private:
+    /// A volume and what is known about it, to notice changes.
+    struct Registration
+    {
+        const Volume* volume;
+        int layer;
+        float priority;
+    };
+
+    /// The volumes of one mask, kept sorted between updates.
+    struct SortedList
+    {
+        LayerMask mask;
+        std::vector<const Volume*> volumes;
+        bool isDirty;
+    };
+
+    void NoticeChanges();
+    void AddToLists(const Registration& registration);
+    void RemoveFromLists(const Registration& registration);
+    void MarkDirty(int layer);
+
+    const VolumeComponentRegistry& m_Registry;
+    std::vector<Registration> m_Registrations; ///< in the order of registration
+    std::vector<SortedList> m_Lists;           ///< one per mask asked for so far
+};
+
+} // namespace limn

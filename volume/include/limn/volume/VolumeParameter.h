@@ -1,0 +1,121 @@
+#pragma once
+
+#include <limn/volume/YamlRead.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+class VolumeComponent;
+
+/// One value of a volume component that volumes override and blend. Declared as a member of its
+/// component, with the component as `owner`, it puts itself on the component's list of parameters.
+/// Unity: UnityEngine.Rendering.VolumeParameter (URP 14).
+class VolumeParameter
+{
+public:
+    VolumeParameter(const VolumeParameter&) = delete;
+    VolumeParameter& operator=(const VolumeParameter&) = delete;
+    virtual ~VolumeParameter() = default;
+
+    /// Sets this to the blend of `from` and `to`, without looking at any override state; t is not
+    /// clamped. `from` may be this parameter.
+    /// @throws ContractError unless all three hold the same type of value
+    void Interp(const VolumeParameter& from, const VolumeParameter& to, float t)
+    {
+        InterpValues(from, to, t);
+    }
+
+    /// Copies the other's value as it is: not clamped, and the override state stays.
+    /// @throws ContractError unless both hold the same type of value
+    void SetValue(const VolumeParameter& other) { CopyValue(other); }
+
+    /// Sets the value, as it is, to what the node says; the override state stays.
+    /// @param subject  what errors call it: "ScreenSpaceOutline.m_OutlineWidth"
+    /// @return false, with the reason in `diagnostics` and the value untouched, if it says nothing
+    ///     that fits this parameter; a number outside range() does not
+    virtual bool ReadYaml(const YamlNode& node, std::string_view subject,
+                          AssetDiagnostics& diagnostics) = 0;
+
+    void SetOverrideState(bool state) { m_OverrideState = state; }
+
+    /// In a profile: whether the parameter is set there. In a stack: whether some volume touched
+    /// it.
+    bool overrideState() const { return m_OverrideState; }
+    const std::string& name() const { return m_Name; } ///< Unity's serialised name
+
+    virtual std::string ValueText() const = 0;     ///< as YAML would have it
+    virtual std::string_view typeName() const = 0; ///< "ClampedFloat"
+    virtual std::optional<ValueRange> range() const { return std::nullopt; }
+
+protected:
+    /// @param owner  the component this is a member of; null for one on its own
+    VolumeParameter(VolumeComponent* owner, std::string_view name, bool overrideState);
+
+    /// @throws ContractError about two parameters that hold different types of value
+    [[noreturn]] void RefuseOtherType(const VolumeParameter& other) const;
+
+private:
+    virtual void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) = 0;
+    virtual void CopyValue(const VolumeParameter& other) = 0;
+
+    std::string m_Name;
+    bool m_OverrideState;
+};
+
+/// A parameter whose value is a T. On its own it switches from one value to the other as soon as
+/// t > 0. Unity: VolumeParameter<T>.
+template <typename T>
+class VolumeParameterT : public VolumeParameter
+{
+public:
+    using VolumeParameter::Interp;
+    using VolumeParameter::SetValue;
+
+    /// Sets the value to the blend of the two; neither t nor the result is clamped.
+    virtual void Interp(const T& from, const T& to, float t) { m_Value = t > 0.0f ? to : from; }
+
+    /// Sets the value; a parameter with a range clamps.
+    virtual void SetValue(const T& value) { m_Value = value; }
+
+    /// Sets the override state, and the value as it is: not clamped, as in Unity.
+    void Override(const T& value)
+    {
+        SetOverrideState(true);
+        m_Value = value;
+    }
+
+    const T& value() const { return m_Value; }
+
+protected:
+    /// @param value  taken as it is, not clamped
+    VolumeParameterT(VolumeComponent* owner, std::string_view name, T value, bool overrideState)
+        : VolumeParameter(owner, name, overrideState), m_Value(std::move(value))
+    {
+    }
+
+    T m_Value;
+
+private:
+    void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) final
+    {
+        Interp(Cast(from).m_Value, Cast(to).m_Value, t);
+    }
+
+    void CopyValue(const VolumeParameter& other) final { m_Value = Cast(other).m_Value; }
+
+    const VolumeParameterT& Cast(const VolumeParameter& other) const
+    {
+        const auto* same = dynamic_cast<const VolumeParameterT*>(&other);
+        if (!same)
+        {
+            RefuseOtherType(other);
+        }
+        return *same;
+    }
+};
+
+} // namespace limn

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/volume/VolumeProfile.h>
+#include <memory>
+#include <vector>
+
+namespace limn
+{
+
+struct VolumeProfileLoadResult
+{
+    std::shared_ptr<VolumeProfile> profile;
+    std::vector<Diagnostic> notes; ///< what of a Unity asset was left out, Severity::Note
+};
+
+/// A profile from a file a person wrote,
+///
+///     ScreenSpaceOutline:      # a component
+///       active: true           # may be left out
+///       outlineWidth: 4        # or m_OutlineWidth; naming a parameter overrides it
+///
+/// or from a VolumeProfile asset as Unity saves it, which is told by its content, not its name. A
+/// Unity asset may hold components and parameters unknown here; they become notes.
+///
+/// @throws AssetError with every problem of the file: broken YAML, unknown component or parameter
+///     (not in Unity's form), a value of the wrong type or outside its range, a name given twice
+VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
+                                          const VolumeComponentRegistry& registry);
+
+} // namespace limn

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <concepts>
+#include <limn/volume/VolumeComponentRegistry.h>
+#include <memory>
+#include <vector>
+
+namespace limn
+{
+
+/// The blended values a camera sees: one component of every registered type. Created and updated by
+/// a VolumeManager. Unity: UnityEngine.Rendering.VolumeStack (URP 14).
+class VolumeStack
+{
+public:
+    VolumeStack(VolumeStack&&) = default;
+    VolumeStack& operator=(VolumeStack&&) = default;
+
+    /// The blended component, with its defaults where no volume set anything; null only if the type
+    /// was not registered when the stack was created. Lives as long as the stack.
+    template <std::derived_from<VolumeComponent> T>
+    const T* GetComponent() const
+    {
+        return static_cast<const T*>(Find(typeid(T)));
+    }
+
+    const VolumeComponent* GetComponent(std::type_index type) const { return Find(type); }
+
+    /// Whether the next Update without any volume has to bring the defaults back.
+    bool requiresReset() const { return m_RequiresReset; }
+
+private:
+    friend class VolumeManager;
+
+    struct Slot
+    {
+        std::type_index type;
+        std::unique_ptr<VolumeComponent> state;
+        const VolumeComponent* defaults; ///< in the registry
+    };
+
+    explicit VolumeStack(const VolumeComponentRegistry& registry);
+
+    VolumeComponent* Find(std::type_index type) const;
+    void Reset();
+
+    std::vector<Slot> m_Slots; ///< ordered by type
+    bool m_RequiresReset = true;
+};
+
+} // namespace limn

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limn/volume/YamlRead.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// Reads a map key by key and reports what is left over. A key asked for by Unity's serialised name
+/// ("m_OutlineWidth") is also found under its plain spelling ("outlineWidth").
+///
+///     YamlMapReader map{node, "camera", diagnostics};
+///     map.Read("fieldOfView", camera.fieldOfView, {1, 179});
+///     if (const YamlNode* objects = map.Find("objects")) { ... }
+///     map.Finish();
+///
+/// Every problem is an error in `diagnostics`; a Null counts as an empty map. `diagnostics` must
+/// outlive the reader.
+class YamlMapReader
+{
+public:
+    /// @param subject  what the map describes, for messages: "camera"
+    /// @param noun     what its keys are, for messages about unknown ones: "parameter"
+    YamlMapReader(YamlNode node, std::string subject, AssetDiagnostics& diagnostics,
+                  std::string noun = "key");
+
+    /// The value of `key`; null if the file does not have it. Makes the key known to Finish. Lives
+    /// as long as the reader.
+    const YamlNode* Find(std::string_view key);
+
+    /// As Find, but a missing key is an error.
+    const YamlNode* Require(std::string_view key);
+
+    /// Sets `value` if the key is there with a good value, and says whether it did.
+    bool Read(std::string_view key, bool& value);
+    bool Read(std::string_view key, int& value, ValueRange range = {});
+    bool Read(std::string_view key, std::uint32_t& value, ValueRange range = {});
+    bool Read(std::string_view key, float& value, ValueRange range = {});
+    bool Read(std::string_view key, std::string& value);
+    bool Read(std::string_view key, Color& value);
+    bool Read(std::string_view key, glm::vec2& value);
+    bool Read(std::string_view key, glm::vec3& value);
+    bool Read(std::string_view key, glm::vec4& value);
+
+    /// Reports every key that nobody asked for, with the nearest one that somebody did.
+    void Finish();
+
+    /// "camera.fieldOfView", the subject for readers of a value found here.
+    std::string SubjectOf(std::string_view key) const;
+    const YamlNode& node() const { return m_Node; }
+
+private:
+    void ReportTwice(const YamlEntry& first, const YamlEntry& second);
+
+    YamlNode m_Node;
+    std::string m_Subject;
+    std::string m_Noun;
+    AssetDiagnostics& m_Diagnostics;
+    std::vector<std::string> m_Known; ///< as asked for
+};
+
+/// "m_OutlineWidth" as a person may write it: "outlineWidth". A name without m_ stays as it is.
+std::string PlainSpelling(std::string_view serializedName);
+
+} // namespace limn

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limn/shaderlab/Diagnostic.h>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+enum class YamlKind
+{
+    Null, ///< nothing, `~` or `null`
+    Scalar,
+    Sequence,
+    Map
+};
+
+struct YamlContent;
+struct YamlEntry;
+
+/// A value of a YAML file and everything below it. Immutable; copies share the content.
+class YamlNode
+{
+public:
+    YamlNode(); ///< Null at no particular place
+    explicit YamlNode(YamlContent content);
+
+    YamlKind kind() const;
+    bool isNull() const { return kind() == YamlKind::Null; }
+    bool isScalar() const { return kind() == YamlKind::Scalar; }
+    bool isSequence() const { return kind() == YamlKind::Sequence; }
+    bool isMap() const { return kind() == YamlKind::Map; }
+
+    /// Where the value begins; for a Null that belongs to a key, where the key does.
+    SourceLocation location() const;
+
+    const std::string& scalar() const; ///< without quotes, escapes resolved; "" unless a Scalar
+    bool isQuoted() const;             ///< 'so', "so" or a block scalar: text, never a number
+    const std::string& tag() const;    ///< resolved, "tag:unity3d.com,2011:114"; "" if none given
+    const std::string& anchor() const; ///< the name behind &; "" if none given
+
+    std::span<const YamlNode> items() const;    ///< of a Sequence; else empty
+    std::span<const YamlEntry> entries() const; ///< of a Map, in the order of the file; else empty
+
+    /// The value of a Map's key; null if there is no such key or this is no Map. Lives as long as
+    /// any copy of this node.
+    const YamlNode* Find(std::string_view key) const;
+
+    /// What the value is, as messages call it: "'text'", "a map", "a sequence", "nothing".
+    std::string Describe() const;
+
+private:
+    std::shared_ptr<const YamlContent> m_Content; ///< never null
+};
+
+/// One line of a map.
+struct YamlEntry
+{
+    std::string key;
+    SourceLocation keyLocation;
+    YamlNode value;
+};
+
+/// What a YamlNode is made of; only for who builds one.
+struct YamlContent
+{
+    YamlKind kind = YamlKind::Null;
+    bool quoted = false;
+    SourceLocation location;
+    std::string scalar;
+    std::string tag;
+    std::string anchor;
+    std::vector<YamlNode> items;
+    std::vector<YamlEntry> entries;
+};
+
+/// The documents of a YAML text, one root each. `file` is what errors call it.
+/// @throws AssetError for text that is not UTF-8 or holds NUL bytes, for a text without any value,
+///     broken syntax, every duplicate key, keys that are not plain text, an alias inside its own
+///     anchor, more than 64 levels, more than 1 000 000 values (counted with aliases expanded)
+std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file);
+
+/// ParseYaml of a file's content.
+/// @throws AssetError also for a missing or unreadable file and for one above 64 MiB
+std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path);
+
+} // namespace limn

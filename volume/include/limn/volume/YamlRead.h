@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <limn/core/Color.h>
+#include <limn/volume/AssetDiagnostics.h>
+#include <limn/volume/YamlNode.h>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// The least and the greatest number allowed; both are allowed themselves.
+struct ValueRange
+{
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+
+    bool operator==(const ValueRange&) const = default;
+};
+
+// Each reader gives the value, or nothing and one error at the node's place. `subject` names the
+// value in that error: "camera.fieldOfView".
+
+/// true, false, and 1 and 0 as Unity writes them; never yes, no, on, off.
+std::optional<bool> ReadBool(const YamlNode& node, std::string_view subject,
+                             AssetDiagnostics& diagnostics);
+
+/// A whole number in decimal digits.
+std::optional<std::int64_t> ReadInteger(const YamlNode& node, std::string_view subject,
+                                        AssetDiagnostics& diagnostics, ValueRange range = {});
+std::optional<int> ReadInt(const YamlNode& node, std::string_view subject,
+                           AssetDiagnostics& diagnostics, ValueRange range = {});
+
+/// A finite number that fits in 32 bits.
+std::optional<float> ReadFloat(const YamlNode& node, std::string_view subject,
+                               AssetDiagnostics& diagnostics, ValueRange range = {});
+
+/// Any scalar as text, quoted or not.
+std::optional<std::string> ReadString(const YamlNode& node, std::string_view subject,
+                                      AssetDiagnostics& diagnostics);
+
+/// `[1, 2, 3]` or `{x: 1, y: 2, z: 3}`; what is beyond `count` (2, 3 or 4) is 0.
+std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string_view subject,
+                                    AssetDiagnostics& diagnostics);
+
+/// `{r: 0, g: 1, b: 0, a: 1}`, `[0, 1, 0]`, `[0, 1, 0, 1]`, "#00FF00" or "#00FF00FF", the numbers
+/// as they stand there: no conversion between sRGB and linear. Alpha left out is 1.
+std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
+                               AssetDiagnostics& diagnostics);
+
+/// A number as a person writes it: "3", "0.25", no trailing zeros.
+std::string NumberText(double number);
+/// "[1, 10]"
+std::string RangeText(ValueRange range);
+
+} // namespace limn

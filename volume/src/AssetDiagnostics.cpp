@@ -1,0 +1,47 @@
+#include <limn/volume/AssetDiagnostics.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace limn
+{
+
+void AssetDiagnostics::Error(SourceLocation location, std::string message)
+{
+    m_Diagnostics.push_back({Severity::Error, m_File, location, std::move(message)});
+}
+
+void AssetDiagnostics::Note(SourceLocation location, std::string message)
+{
+    m_Diagnostics.push_back({Severity::Note, m_File, location, std::move(message)});
+}
+
+void AssetDiagnostics::ThrowIfErrors() const
+{
+    if (hasErrors())
+    {
+        throw AssetError(Sorted(Severity::Error));
+    }
+}
+
+bool AssetDiagnostics::hasErrors() const
+{
+    return std::any_of(m_Diagnostics.begin(), m_Diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+std::vector<Diagnostic> AssetDiagnostics::Sorted(Severity severity) const
+{
+    std::vector<Diagnostic> sorted;
+    std::copy_if(m_Diagnostics.begin(), m_Diagnostics.end(), std::back_inserter(sorted),
+                 [severity](const Diagnostic& d) { return d.severity == severity; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Diagnostic& a, const Diagnostic& b)
+                     {
+                         return std::tie(a.location.line, a.location.column) <
+                                std::tie(b.location.line, b.location.column);
+                     });
+    return sorted;
+}
+
+} // namespace limn

@@ -1,0 +1,40 @@
+#include <limn/volume/VolumeStack.h>
+
+#include <algorithm>
+
+namespace limn
+{
+
+VolumeStack::VolumeStack(const VolumeComponentRegistry& registry)
+{
+    for (const auto& entry : registry.entries())
+    {
+        m_Slots.push_back({entry->type, entry->create(), entry->defaults.get()});
+    }
+    std::sort(m_Slots.begin(), m_Slots.end(),
+              [](const Slot& a, const Slot& b) { return a.type < b.type; });
+}
+
+VolumeComponent* VolumeStack::Find(std::type_index type) const
+{
+    const auto slot =
+        std::lower_bound(m_Slots.begin(), m_Slots.end(), type,
+                         [](const Slot& s, std::type_index wanted) { return s.type < wanted; });
+    return slot != m_Slots.end() && slot->type == type ? slot->state.get() : nullptr;
+}
+
+void VolumeStack::Reset()
+{
+    for (Slot& slot : m_Slots)
+    {
+        const std::span<VolumeParameter* const> parameters = slot.state->parameters();
+        const std::span<const VolumeParameter* const> defaults = slot.defaults->parameters();
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+        {
+            parameters[i]->SetOverrideState(false);
+            parameters[i]->SetValue(*defaults[i]);
+        }
+    }
+}
+
+} // namespace limn

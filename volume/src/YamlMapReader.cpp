@@ -1,0 +1,191 @@
+#include <limn/volume/YamlMapReader.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace limn
+{
+
+namespace
+{
+
+bool HasSerializedPrefix(std::string_view name)
+{
+    return name.size() > 2 && name.substr(0, 2) == "m_";
+}
+
+} // namespace
+
+std::string PlainSpelling(std::string_view serializedName)
+{
+    if (!HasSerializedPrefix(serializedName))
+    {
+        return std::string(serializedName);
+    }
+    std::string plain(serializedName.substr(2));
+    plain.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(plain.front())));
+    return plain;
+}
+
+YamlMapReader::YamlMapReader(YamlNode node, std::string subject, AssetDiagnostics& diagnostics,
+                             std::string noun)
+    : m_Node(std::move(node)),
+      m_Subject(std::move(subject)),
+      m_Noun(std::move(noun)),
+      m_Diagnostics(diagnostics)
+{
+    if (!m_Node.isMap() && !m_Node.isNull())
+    {
+        m_Diagnostics.Error(m_Node.location(), m_Subject + ": found " + m_Node.Describe() +
+                                                   "; a map with one '" + m_Noun +
+                                                   ": value' per line is expected");
+    }
+}
+
+const YamlNode* YamlMapReader::Find(std::string_view key)
+{
+    const std::string plain = PlainSpelling(key);
+    const bool isNew = std::find(m_Known.begin(), m_Known.end(), key) == m_Known.end();
+    const YamlEntry* found = nullptr;
+    for (const YamlEntry& entry : m_Node.entries())
+    {
+        if (entry.key != key && entry.key != plain)
+        {
+            continue;
+        }
+        if (found && isNew)
+        {
+            ReportTwice(*found, entry);
+        }
+        found = found ? found : &entry;
+    }
+    if (isNew)
+    {
+        m_Known.emplace_back(key);
+    }
+    return found ? &found->value : nullptr;
+}
+
+const YamlNode* YamlMapReader::Require(std::string_view key)
+{
+    const YamlNode* node = Find(key);
+    if (!node && (m_Node.isMap() || m_Node.isNull()))
+    {
+        m_Diagnostics.Error(m_Node.location(),
+                            m_Subject + ": " + m_Noun + " '" + PlainSpelling(key) + "' is missing");
+    }
+    return node;
+}
+
+void YamlMapReader::ReportTwice(const YamlEntry& first, const YamlEntry& second)
+{
+    m_Diagnostics.Error(second.keyLocation,
+                        m_Subject + ": '" + second.key + "' is the same " + m_Noun + " as '" +
+                            first.key + "' at " + std::to_string(first.keyLocation.line) + ":" +
+                            std::to_string(first.keyLocation.column) + "; keep one of them");
+}
+
+void YamlMapReader::Finish()
+{
+    for (const YamlEntry& entry : m_Node.entries())
+    {
+        // Suggestions come in the spelling that the writer uses.
+        const bool isSerialized = HasSerializedPrefix(entry.key);
+        bool isKnown = false;
+        std::vector<std::string> names;
+        for (const std::string& known : m_Known)
+        {
+            const std::string plain = PlainSpelling(known);
+            isKnown = isKnown || entry.key == known || entry.key == plain;
+            names.push_back(isSerialized ? known : plain);
+        }
+        if (!isKnown)
+        {
+            const std::vector<std::string_view> views(names.begin(), names.end());
+            m_Diagnostics.Error(entry.keyLocation, m_Subject + ": unknown " + m_Noun + " " +
+                                                       UnknownName(entry.key, views));
+        }
+    }
+}
+
+std::string YamlMapReader::SubjectOf(std::string_view key) const
+{
+    return m_Subject + "." + std::string(key);
+}
+
+bool YamlMapReader::Read(std::string_view key, bool& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadBool(*node, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, int& value, ValueRange range)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadInt(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, std::uint32_t& value, ValueRange range)
+{
+    range.min = std::max(range.min, 0.0);
+    range.max = std::min(range.max, 4294967295.0);
+    const YamlNode* node = Find(key);
+    const auto read =
+        node ? ReadInteger(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt;
+    value = read ? static_cast<std::uint32_t>(*read) : value;
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, float& value, ValueRange range)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadFloat(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, std::string& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadString(*node, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, Color& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadColor(*node, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, glm::vec2& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadVector(*node, 2, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read ? glm::vec2(read->x, read->y) : value;
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, glm::vec3& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read ? glm::vec3(read->x, read->y, read->z) : value;
+    return read.has_value();
+}
+
+bool YamlMapReader::Read(std::string_view key, glm::vec4& value)
+{
+    const YamlNode* node = Find(key);
+    const auto read = node ? ReadVector(*node, 4, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+} // namespace limn

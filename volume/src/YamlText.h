@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <limn/shaderlab/Diagnostic.h>
+#include <optional>
+#include <string_view>
+
+namespace limn
+{
+
+/// The offset of the first byte that does not belong to well-formed UTF-8 text, NUL included.
+std::optional<std::size_t> FindNonText(std::string_view text);
+
+/// The place of a byte, lines ended by \n.
+SourceLocation LocationOf(std::string_view text, std::size_t offset);
+
+/// Whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends in this
+/// text; true for what is not in quotes.
+bool IsQuoteClosed(std::string_view text, std::size_t offset);
+
+} // namespace limn
