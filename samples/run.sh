@@ -7,4 +7,5 @@ limn_install_missing "${limn_build_packages[@]}"
 
 cmake --preset release >/dev/null
 cmake --build --preset release
+mkdir -p out
 build/release/editor_stub/limn render samples/furniture/furniture.scene.yaml -o out/furniture.png

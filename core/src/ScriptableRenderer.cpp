@@ -35,16 +35,19 @@ ClearFlag Only(ClearFlag flags, ClearFlag wanted)
     return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));
 }
 
-/// A sentence for every filter since `first` that let nothing through. Asked for features' passes
-/// only: the renderer's own may well have nothing to do.
+/// A sentence for every filter since `first` that let nothing through, each sentence once. Asked
+/// for features' passes only: the renderer's own may well have nothing to do.
 void NoteEmptyDraws(RenderReport& report, std::size_t first)
 {
     for (std::size_t i = first; i < report.draws.size(); ++i)
     {
         const DrawRenderersReport& draw = report.draws[i];
-        if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] == 0)
+        std::string note = draw.pass + ": " + Describe(draw.counts, draw.filtering);
+        const auto& notes = report.notes;
+        if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] == 0 &&
+            std::find(notes.begin(), notes.end(), note) == notes.end())
         {
-            report.notes.push_back(draw.pass + ": " + Describe(draw.counts, draw.filtering));
+            report.notes.push_back(std::move(note));
         }
     }
 }
@@ -200,6 +203,12 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
     }
     const RTHandle& color = own ? pass.colorAttachmentHandle() : m_CameraColor;
     const RTHandle& depth = own ? pass.depthAttachmentHandle() : m_CameraDepth;
+    if (!color && !depth)
+    {
+        throw ContractError("pass '" + pass.profilingSampler.name() +
+                            "': ConfigureTarget was given empty handles; allocate them in "
+                            "OnCameraSetup");
+    }
     const ClearFlag cameraClear = CameraClearFlag(camera);
     ClearFlag clear = ClearFlag::None;
     Color clearColor = pass.clearColor();

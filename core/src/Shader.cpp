@@ -44,15 +44,15 @@ std::optional<int> ParseQueue(std::string_view text)
         {
             queue = it->second;
             offset.remove_prefix(split);
+            if (offset.empty())
+            {
+                return queue;
+            }
         }
     }
     if (offset.starts_with('+'))
     {
         offset.remove_prefix(1);
-    }
-    if (offset.empty())
-    {
-        return queue;
     }
     int number = 0;
     const auto [end, error] = std::from_chars(offset.data(), offset.data() + offset.size(), number);
@@ -60,7 +60,7 @@ std::optional<int> ParseQueue(std::string_view text)
     {
         return std::nullopt;
     }
-    return std::clamp(queue + number, 0, 5000);
+    return std::clamp(queue + std::clamp(number, -5000, 5000), 0, 5000);
 }
 
 const ShaderLabSubShader& FirstUsableSubShader(const ShaderLabDocument& document)

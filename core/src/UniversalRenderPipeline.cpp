@@ -10,6 +10,27 @@ namespace
 
 constexpr const char* k_OutputName = "limn_Output";
 
+void ExpectRenderable(const RenderRequest& request)
+{
+    if (request.scene == nullptr || request.camera == nullptr)
+    {
+        throw ContractError("RenderSingleCamera: scene and camera must be given");
+    }
+    if (request.width <= 0 || request.height <= 0)
+    {
+        throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
+                            "x" + std::to_string(request.height) + "; both must be greater than 0");
+    }
+    for (std::size_t i = 0; i < request.alsoReadBack.size(); ++i)
+    {
+        if (!request.alsoReadBack[i])
+        {
+            throw ContractError("RenderSingleCamera: alsoReadBack[" + std::to_string(i) +
+                                "] is an empty handle");
+        }
+    }
+}
+
 RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer& renderer,
                                 RenderReport& report)
 {
@@ -34,15 +55,7 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
-    if (request.scene == nullptr || request.camera == nullptr)
-    {
-        throw ContractError("RenderSingleCamera: scene and camera must be given");
-    }
-    if (request.width <= 0 || request.height <= 0)
-    {
-        throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
-                            "x" + std::to_string(request.height) + "; both must be greater than 0");
-    }
+    ExpectRenderable(request);
     RenderResult result;
     RenderingUtils::ReAllocateIfNeeded(
         m_Output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB}, FilterMode::Point,

@@ -160,12 +160,11 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
     if (HasBindings(draw.pass->layout))
     {
         const VkDescriptorSet set = m_Descriptors.Get(draw, objects);
-        if (set != m_BoundSet || layout != m_BoundLayout)
+        if (set != m_BoundSet)
         {
             vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set,
                                     0, nullptr);
             m_BoundSet = set;
-            m_BoundLayout = layout;
         }
     }
     vkCmdPushConstants(m_Commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0,

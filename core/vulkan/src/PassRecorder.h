@@ -39,7 +39,6 @@ private:
     int m_OpenSamples = 0;
     VkPipeline m_BoundPipeline = VK_NULL_HANDLE;
     VkDescriptorSet m_BoundSet = VK_NULL_HANDLE;
-    VkPipelineLayout m_BoundLayout = VK_NULL_HANDLE;
     std::optional<PipelineState> m_BoundState;
     int m_BoundOutputs = 0; ///< colorOutputs the blend state was recorded for
 };

@@ -54,8 +54,8 @@ public:
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
-    /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in clip
-    /// space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
+    /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in
+    /// clip space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});

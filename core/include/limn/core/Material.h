@@ -59,7 +59,8 @@ private:
 
 /// A pass's state with the material's values in place of its property references; a name the
 /// material lacks is looked up in `globals`.
-/// @throws ContractError naming material, pass and property, if a value is missing or is no member
+/// @throws ContractError naming material, shader and property, if a value is missing or is no
+/// member
 ///         of the enum
 PipelineState ResolveState(const RenderState& state, const Material& material,
                            const MaterialPropertyBlock& globals);

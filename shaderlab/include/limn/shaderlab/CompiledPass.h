@@ -38,10 +38,10 @@ struct UniformMember
 {
     std::string name;
     UniformType type = UniformType::Float;
-    int components = 1;     ///< of the vector; 4 for Matrix4x4
+    int components = 1;       ///< of the vector; 4 for Matrix4x4
     std::uint32_t offset = 0; ///< bytes from the start of the buffer
     std::uint32_t size = 0;   ///< bytes, arrays included
-    int arraySize = 0;      ///< 0 = not an array
+    int arraySize = 0;        ///< 0 = not an array
     std::uint32_t arrayStride = 0;
 
     bool operator==(const UniformMember&) const = default;
@@ -127,7 +127,8 @@ struct PropertyLayout
     bool operator==(const PropertyLayout&) const = default;
 };
 
-/// A pass compiled for one keyword set: SPIR-V 1.3 of both stages (entry point "main") and its layout.
+/// A pass compiled for one keyword set: SPIR-V 1.3 of both stages (entry point "main") and its
+/// layout.
 struct CompiledPass
 {
     std::vector<std::uint32_t> vertexSpirv;
@@ -143,10 +144,10 @@ struct CompiledPass
 /// instance), fragment functions by the push constant at offset 0 (uint, the first instance).
 struct PerDrawData
 {
-    float objectToWorld[16];          ///< column-major
-    float worldToObject[16];          ///< column-major
-    float worldTransformParams[4];    ///< w = -1 where the determinant is negative, else 1
-    std::uint32_t renderingLayer[4];  ///< x = the renderer's rendering layer bits
+    float objectToWorld[16];         ///< column-major
+    float worldToObject[16];         ///< column-major
+    float worldTransformParams[4];   ///< w = -1 where the determinant is negative, else 1
+    std::uint32_t renderingLayer[4]; ///< x = the renderer's rendering layer bits
 };
 static_assert(sizeof(PerDrawData) == 160);
 

@@ -46,7 +46,8 @@ struct EntryPoint
     bool operator==(const EntryPoint&) const = default;
 };
 
-/// A pragma that is kept but has no field of its own, e.g. {"instancing_options", "renderinglayer"}.
+/// A pragma that is kept but has no field of its own, e.g. {"instancing_options",
+/// "renderinglayer"}.
 struct ProgramPragma
 {
     SourceLocation location;

@@ -6,7 +6,8 @@
 namespace limn
 {
 
-// Values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), since materials carry them as numbers.
+// Values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), since materials carry them as
+// numbers.
 
 enum class CompareFunction
 {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <limn/editor_stub/SceneFile.h>
+#include <span>
+
+namespace limn
+{
+
+/// Changes single values of a loaded scene, each given as "NAME.path=value". NAME is the type of a
+/// volume component (the value then holds everywhere, whatever the scene's volumes say), the name
+/// of a feature, or the type of features; the path is a parameter's or a setting's name, or a
+/// feature's `active`; the value is YAML. Files in values are looked for from the working
+/// directory, then from the scene's folder.
+/// @throws AssetError with every problem of all of them
+void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides,
+                    AssetContext& assets);
+
+/// Puts one profile in place of that of every global volume; a scene without any gets one, in a
+/// layer that the camera's volumeLayerMask has. `file` is looked for from the working directory,
+/// then from the scene's folder.
+/// @throws AssetError as LoadVolumeProfile, and if the camera's volumeLayerMask is Nothing
+void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& assets);
+
+} // namespace limn

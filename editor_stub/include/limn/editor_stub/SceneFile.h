@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/core/Camera.h>
+#include <limn/core/Scene.h>
+#include <limn/core/ScriptableRendererFeature.h>
+#include <limn/editor_stub/AssetContext.h>
+#include <limn/editor_stub/LayerNames.h>
+#include <limn/volume/Volume.h>
+#include <memory>
+#include <vector>
+
+namespace limn
+{
+
+/// The renderer of a scene, before it is made: features may still be changed, their Create has not
+/// run. Unity: UniversalRendererData (URP 14).
+struct RendererAsset
+{
+    std::vector<std::unique_ptr<ScriptableRendererFeature>> features;
+    std::vector<std::string> featureTypes; ///< the type's name of each feature
+    LayerMask opaqueLayerMask = LayerMask::Everything();
+    LayerMask transparentLayerMask = LayerMask::Everything();
+};
+
+/// All that a scene file says, everything it refers to loaded.
+struct SceneAsset
+{
+    std::filesystem::path path;
+    int width = 1280; ///< of the picture, pixels
+    int height = 720;
+    Scene scene;
+    Camera camera;
+    LayerNames layers;
+    LayerNames renderingLayers;
+    RendererAsset renderer;
+    std::vector<Volume> volumes;
+    std::vector<Diagnostic> notes; ///< what of Unity's assets was left out, and the like
+};
+
+/// A scene from a *.scene.yaml file. Paths in it start from its folder.
+/// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
+///     of the wrong type or outside their range, and files it refers to that are missing or wrong,
+///     with the errors of those
+SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets);
+
+} // namespace limn

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <limn/editor_stub/LayerNames.h>
+#include <limn/volume/YamlRead.h>
+
+namespace limn
+{
+
+/// Layer names together with what messages call one: "layer" or "rendering layer".
+struct LayerKind
+{
+    const LayerNames& names;
+    const char* noun;
+};
+
+/// The names of a scene's `layers` or `renderingLayers`: {6: Furniture}.
+void ReadLayerNames(const YamlNode& node, std::string_view subject, LayerNames& names,
+                    AssetDiagnostics& diagnostics);
+
+/// One layer, by its name or its number 0...31.
+std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject,
+                                  const LayerKind& kind, AssetDiagnostics& diagnostics);
+
+/// A set of layers: Everything, Nothing, a name, a list of names and numbers 0...31, the 32 bits as
+/// one number, or Unity's {m_Bits: 64}.
+std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
+                                           const LayerKind& kind, AssetDiagnostics& diagnostics);
+
+} // namespace limn

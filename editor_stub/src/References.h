@@ -1,0 +1,66 @@
+#pragma once
+
+#include <limn/editor_stub/AssetContext.h>
+#include <limn/volume/AssetDiagnostics.h>
+#include <limn/volume/YamlRead.h>
+#include <vector>
+
+namespace limn
+{
+
+/// Loads the files that a file refers to. What is wrong with one of them becomes an error at the
+/// place that refers to it, and its own errors follow that one.
+class References
+{
+public:
+    /// @param folders      where relative paths start from; the first that has the file counts
+    /// @param assets, diagnostics  must outlive this
+    References(AssetContext& assets, std::vector<std::filesystem::path> folders,
+               AssetDiagnostics& diagnostics);
+
+    /// What `load` gives for the path in a node; an empty result, with an error, if it throws an
+    /// AssetError or the node is no text.
+    template <typename Load>
+    auto Read(const YamlNode& node, std::string_view subject, Load&& load)
+        -> decltype(load(std::filesystem::path()))
+    {
+        const std::optional<std::string> text = ReadString(node, subject, m_Diagnostics);
+        try
+        {
+            return text ? load(Resolve(*text)) : decltype(load(std::filesystem::path()))();
+        }
+        catch (const AssetError& error)
+        {
+            Report(node, subject, error);
+            return {};
+        }
+    }
+
+    /// A shader by ShaderLab name, or by the path of a .shader file; null, with an error, if there
+    /// is none.
+    std::shared_ptr<const Shader> ReadShader(const YamlNode& node, const std::string& subject);
+
+    std::filesystem::path Resolve(const std::string& text) const;
+
+    /// @throws AssetError with every error so far, those of a file behind the first reference to it
+    void ThrowIfErrors() const;
+
+    /// An error at `node`, a reference, for what is wrong with the file it stands for.
+    void Report(const YamlNode& node, std::string_view subject, const AssetError& error);
+
+    AssetContext& assets() { return m_Assets; }
+
+private:
+    struct Failure
+    {
+        SourceLocation location; ///< of the reference
+        std::vector<Diagnostic> errors;
+    };
+
+    AssetContext& m_Assets;
+    std::vector<std::filesystem::path> m_Folders;
+    AssetDiagnostics& m_Diagnostics;
+    std::vector<Failure> m_Failures;
+};
+
+} // namespace limn

@@ -1,0 +1,255 @@
+#include "DoctorCommand.h"
+#include "RenderCommand.h"
+#include "ShaderCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/vulkan/VulkanError.h>
+#include <optional>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr const char* k_ExitCodes =
+    "Results go to stdout, everything else to stderr.\n"
+    "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the machine lacks something.";
+
+/// What a verb's options are read into, and what runs it.
+struct CommandLine
+{
+    RenderOptions render;
+    ShaderOptions shader;
+    std::string doctorDevice;
+    std::string size;
+    std::vector<std::string> packages;
+};
+
+/// Width and height of "640x360"; nothing if the text is no size.
+std::optional<std::pair<int, int>> ParseSize(const std::string& text)
+{
+    const std::size_t x = text.find('x');
+    int numbers[2] = {0, 0};
+    const std::string parts[2] = {text.substr(0, x),
+                                  x == std::string::npos ? "" : text.substr(x + 1)};
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [rest, error] = std::from_chars(parts[i].data(), end, numbers[i]);
+        if (error != std::errc{} || rest != end || numbers[i] < 1 || numbers[i] > 16384)
+        {
+            return std::nullopt;
+        }
+    }
+    return std::pair(numbers[0], numbers[1]);
+}
+
+std::string CheckSize(const std::string& text)
+{
+    return ParseSize(text) ? std::string()
+                           : "'" + text + "' is no size; WxH is expected, 1...16384 each: 1280x720";
+}
+
+std::string CheckPackage(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const bool isGood = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+    return isGood ? std::string()
+                  : "'" + text +
+                        "' is no package; NAME=DIR is expected: "
+                        "com.unity.render-pipelines.core=DIR";
+}
+
+std::string CheckTime(const std::string& text)
+{
+    double seconds = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seconds);
+    const bool isGood = error == std::errc{} && rest == end && std::isfinite(seconds);
+    return isGood ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
+}
+
+std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)
+{
+    std::map<std::string, std::string> packages;
+    for (const std::string& text : texts)
+    {
+        const std::size_t equals = text.find('=');
+        packages[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return packages;
+}
+
+void AddPackageOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--package", line.packages,
+                    "Take a package's shader includes from a folder of your own")
+        ->type_name("NAME=DIR")
+        ->allow_extra_args(false)
+        ->check(CheckPackage);
+}
+
+void AddDeviceOption(CLI::App& verb, std::string& device)
+{
+    verb.add_option("--device", device,
+                    "'software', a position in `limn doctor`'s list, or a part of a name; without "
+                    "it the first real GPU, else the software device")
+        ->type_name("NAME")
+        ->envname("LIMN_DEVICE");
+}
+
+CLI::App* AddRender(CLI::App& app, CommandLine& line)
+{
+    RenderOptions& options = line.render;
+    CLI::App* verb = app.add_subcommand("render", "Draw a scene into a PNG file");
+    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
+        ->type_name("SCENE")
+        ->required();
+    verb->add_option("-o,--output", options.output, "The PNG file to write")
+        ->type_name("FILE")
+        ->required();
+    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
+        ->type_name("WxH")
+        ->check(CheckSize);
+    verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
+        ->type_name("SECONDS")
+        ->check(CheckTime);
+    verb->add_option("--frames", options.frames,
+                     "Draw so many frames, 1/60 s apart, and write the last")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    verb->add_option("--profile", options.profile,
+                     "Put this volume profile in place of that of every global volume")
+        ->type_name("FILE");
+    verb->add_option("--set", options.overrides,
+                     "Change one value; NAME is a volume component's type, a feature's name or a "
+                     "feature's type")
+        ->type_name("NAME.path=VALUE")
+        ->allow_extra_args(false);
+    AddDeviceOption(*verb, options.device);
+    verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
+        ->type_name("FILE");
+    verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
+        ->type_name("FILE");
+    auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
+                                   "Keep compiled shaders here, not in the user's cache folder")
+                      ->type_name("DIR");
+    verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
+    verb->add_flag("--validate", options.validate,
+                   "Run under the Vulkan validation layer; its errors give exit code 1");
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddShader(CLI::App& app, CommandLine& line)
+{
+    ShaderOptions& options = line.shader;
+    CLI::App* verb = app.add_subcommand(
+        "shader", "Check ShaderLab files; of a single one show passes, states and layout");
+    verb->add_option("paths", options.paths, "Files, and folders with .shader files below them")
+        ->type_name("FILE|DIR")
+        ->required();
+    auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
+                       ->type_name("DIR");
+    auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
+                     ->type_name("LANGUAGE")
+                     ->check(CLI::IsMember({"spirv", "glsl", "msl", "hlsl"}))
+                     ->needs(folder);
+    folder->needs(emit);
+    verb->add_flag("--parse-only", options.parseOnly, "Do not compile the programs")
+        ->excludes(emit);
+    verb->add_flag("--json", options.json, "Describe every file as JSON");
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+/// CLI11 alone would only say that a verb is missing.
+std::string UnknownVerb(std::span<const std::string> args, const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({}))
+    {
+        names.push_back(verb->get_name());
+    }
+    const bool isVerb = args.empty() || args[0].starts_with('-') ||
+                        std::find(names.begin(), names.end(), args[0]) != names.end();
+    return isVerb ? std::string()
+                  : "unknown verb " + UnknownName(args[0], {names.begin(), names.end()});
+}
+
+void Finish(CommandLine& line)
+{
+    if (const auto size = ParseSize(line.size))
+    {
+        line.render.width = size->first;
+        line.render.height = size->second;
+    }
+    line.render.packages = ToPackages(line.packages);
+    line.shader.packages = line.render.packages;
+}
+
+/// Parses the arguments and runs the verb; errors come as exceptions.
+int ParseAndRun(std::span<const std::string> args, Console& console, std::ostream& err)
+{
+    CommandLine line;
+    CLI::App app("limn renders scenes as Unity's URP 14 does, without Unity.", "limn");
+    app.footer(k_ExitCodes);
+    app.set_version_flag("--version", "limn " LIMN_VERSION);
+    app.require_subcommand(1);
+    CLI::App* render = AddRender(app, line);
+    CLI::App* shader = AddShader(app, line);
+    CLI::App* doctor = app.add_subcommand(
+        "doctor", "Show devices, drivers, the cache folder and versions on this machine");
+    AddDeviceOption(*doctor, line.doctorDevice);
+    if (const std::string problem = UnknownVerb(args, app); !problem.empty())
+    {
+        console.Error(problem);
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    try
+    {
+        app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return app.exit(error, console.out(), err) == 0 ? static_cast<int>(ExitCode::Done)
+                                                        : static_cast<int>(ExitCode::WrongUsage);
+    }
+    Finish(line);
+    return render->parsed()   ? RunRender(line.render, console)
+           : shader->parsed() ? RunShader(line.shader, console)
+                              : RunDoctor(line.doctorDevice, console);
+}
+
+} // namespace
+
+int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& err)
+{
+    Console console(out, err);
+    try
+    {
+        return ParseAndRun(args, console, err);
+    }
+    catch (const AssetError& error)
+    {
+        console.Print(error.diagnostics());
+        return static_cast<int>(ExitCode::BadInput);
+    }
+    catch (const VulkanError& error)
+    {
+        console.Error(error.what());
+        return static_cast<int>(ExitCode::MachineLacksIt);
+    }
+    catch (const std::exception& error)
+    {
+        console.Error(error.what());
+        return static_cast<int>(ExitCode::BadInput);
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "Console.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// `limn shader`, as the command line has it.
+struct ShaderOptions
+{
+    std::vector<std::string> paths; ///< files, and folders for the .shader files below them
+    std::string emit;               ///< "", "spirv", "glsl", "msl" or "hlsl"
+    std::string outputFolder;       ///< of what is emitted
+    bool parseOnly = false;
+    bool json = false;
+    std::map<std::string, std::string> packages;
+};
+
+/// Checks ShaderLab files and describes them.
+/// @return an ExitCode: BadInput if a file has an error
+/// @throws AssetError if a path is missing or something cannot be written
+int RunShader(const ShaderOptions& options, Console& console);
+
+} // namespace limn

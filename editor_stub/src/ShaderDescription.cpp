@@ -1,0 +1,199 @@
+#include "ShaderDescription.h"
+
+#include "StateText.h"
+
+#include <limn/volume/YamlRead.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string TagsText(const ShaderTags& tags)
+{
+    std::string text;
+    for (const ShaderTag& tag : tags.items)
+    {
+        text += (text.empty() ? "" : ", ") + tag.key + "=" + tag.value;
+    }
+    return text;
+}
+
+std::string MembersText(const UniformBuffer& buffer)
+{
+    std::string text;
+    for (const UniformMember& member : buffer.members)
+    {
+        text += (text.empty() ? "" : ", ") +
+                TypeText(member.type, member.components, member.arraySize) + " " + member.name +
+                " @" + std::to_string(member.offset);
+    }
+    return text;
+}
+
+std::string Place(std::uint32_t binding, ShaderStage stages)
+{
+    return ", binding " + std::to_string(binding) + ", " + StagesText(stages);
+}
+
+std::string LayoutText(const PropertyLayout& layout, const std::string& indent)
+{
+    std::string text;
+    for (const UniformBuffer& buffer : layout.buffers)
+    {
+        text += indent + "buffer " + buffer.name + Place(buffer.binding, buffer.stages) + ", " +
+                std::to_string(buffer.size) + " bytes: " + MembersText(buffer) + "\n";
+    }
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        text += indent + "structured buffer " + buffer.name + Place(buffer.binding, buffer.stages) +
+                ", " + std::to_string(buffer.stride) + " bytes an element\n";
+    }
+    for (const TextureBinding& texture : layout.textures)
+    {
+        text += indent + "texture " + texture.name + Place(texture.binding, texture.stages) + "\n";
+    }
+    for (const SamplerBinding& sampler : layout.samplers)
+    {
+        text += indent + "sampler " + sampler.name + Place(sampler.binding, sampler.stages) + "\n";
+    }
+    for (const VertexInput& input : layout.vertexInputs)
+    {
+        text += indent + "vertex input " + TypeText(input.type, input.components) + " " +
+                input.semantic + ", location " + std::to_string(input.location) + "\n";
+    }
+    return text;
+}
+
+std::string PassText(const CheckedPass& checked, std::size_t index)
+{
+    const ShaderLabPass& pass = *checked.pass;
+    const std::string indent = "      ";
+    std::string text = "    pass " + std::to_string(index) + " '" + pass.name + "', LightMode " +
+                       std::string(pass.lightMode()) + "\n" + indent + StateText(pass.state) + "\n";
+    if (!pass.program)
+    {
+        return text + indent + "no program\n";
+    }
+    for (const KeywordSet& set : pass.program->keywordSets)
+    {
+        text += indent + KeywordsText(set) + "\n";
+    }
+    if (checked.compiled)
+    {
+        text += indent + "SPIR-V: vertex " + std::to_string(checked.compiled->vertexSpirv.size()) +
+                " words, fragment " + std::to_string(checked.compiled->fragmentSpirv.size()) +
+                " words, " + std::to_string(checked.compiled->layout.colorOutputs) +
+                " colour output(s)\n" + LayoutText(checked.compiled->layout, indent);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string TypeText(const ShaderProperty& property)
+{
+    switch (property.type)
+    {
+    case ShaderPropertyType::Float:
+        return "Float";
+    case ShaderPropertyType::Range:
+        return "Range(" + NumberText(property.rangeMin) + ", " + NumberText(property.rangeMax) +
+               ")";
+    case ShaderPropertyType::Int:
+        return "Int";
+    case ShaderPropertyType::Integer:
+        return "Integer";
+    case ShaderPropertyType::Color:
+        return "Color";
+    case ShaderPropertyType::Vector:
+        return "Vector";
+    case ShaderPropertyType::Texture:
+        break;
+    }
+    return "Texture";
+}
+
+std::string DefaultText(const ShaderProperty& property)
+{
+    if (property.type == ShaderPropertyType::Texture)
+    {
+        return "\"" + property.defaultTexture + "\"";
+    }
+    const bool isVector =
+        property.type == ShaderPropertyType::Color || property.type == ShaderPropertyType::Vector;
+    if (!isVector)
+    {
+        return NumberText(property.defaultValue[0]);
+    }
+    std::string text;
+    for (const float channel : property.defaultValue)
+    {
+        text += (text.empty() ? "(" : ", ") + NumberText(channel);
+    }
+    return text + ")";
+}
+
+std::string TypeText(UniformType type, int components, int arraySize)
+{
+    static constexpr const char* k_Names[] = {"float", "int", "uint"};
+    std::string text =
+        type == UniformType::Matrix4x4 ? "float4x4" : k_Names[static_cast<std::size_t>(type)];
+    text += type != UniformType::Matrix4x4 && components > 1 ? std::to_string(components) : "";
+    return arraySize > 0 ? text + "[" + std::to_string(arraySize) + "]" : text;
+}
+
+std::string StagesText(ShaderStage stages)
+{
+    switch (stages)
+    {
+    case ShaderStage::None:
+        return "no stage";
+    case ShaderStage::Vertex:
+        return "vertex";
+    case ShaderStage::Fragment:
+        return "fragment";
+    case ShaderStage::Both:
+        break;
+    }
+    return "vertex and fragment";
+}
+
+std::string KeywordsText(const KeywordSet& set)
+{
+    std::string text = set.directive + ":";
+    for (const std::string& keyword : set.keywords)
+    {
+        text += " " + (keyword.empty() ? "(none)" : keyword);
+    }
+    return text;
+}
+
+std::string DescribeShader(const ShaderCheck& check)
+{
+    if (!check.document)
+    {
+        return {};
+    }
+    std::string text = "Shader \"" + check.document->name + "\" (" + check.file.string() + ")\n";
+    for (const ShaderProperty& property : check.document->properties)
+    {
+        text += "  property " + property.name + " " + TypeText(property) + " = " +
+                DefaultText(property) + "\n";
+    }
+    for (std::size_t i = 0; i < check.subShaders.size(); ++i)
+    {
+        const CheckedSubShader& subShader = check.subShaders[i];
+        const std::string tags = TagsText(subShader.subShader->tags);
+        text += "  SubShader " + std::to_string(i) + (subShader.isUsed ? ", used" : "") +
+                (tags.empty() ? "" : ": " + tags) + "\n";
+        for (std::size_t pass = 0; pass < subShader.passes.size(); ++pass)
+        {
+            text += PassText(subShader.passes[pass], pass);
+        }
+    }
+    return text;
+}
+
+} // namespace limn

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limn
+{
+
+/// How long named stretches of work took.
+class Timeline
+{
+public:
+    struct Span
+    {
+        std::string name;
+        double start = 0.0;    ///< milliseconds since the timeline was made
+        double duration = 0.0; ///< milliseconds
+    };
+
+    /// Runs `work` and records it under `name`.
+    template <typename Work>
+    auto Measure(std::string name, Work&& work)
+    {
+        Stopwatch stopwatch{*this, std::move(name), now()};
+        return work();
+    }
+
+    /// The milliseconds of all spans of that name together.
+    double Total(const std::string& name) const;
+    const std::vector<Span>& spans() const { return m_Spans; } ///< in the order they ended
+
+private:
+    struct Stopwatch
+    {
+        Timeline& timeline;
+        std::string name;
+        double start;
+        ~Stopwatch()
+        {
+            timeline.m_Spans.push_back({std::move(name), start, timeline.now() - start});
+        }
+    };
+
+    double now() const;
+
+    std::chrono::steady_clock::time_point m_Begin = std::chrono::steady_clock::now();
+    std::vector<Span> m_Spans;
+};
+
+} // namespace limn

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// The scripts and shaders of the Unity project around an asset, by guid.
+class UnityProject
+{
+public:
+    /// The project is the nearest folder above `asset` with an Assets folder; without one it is
+    /// empty.
+    explicit UnityProject(const std::filesystem::path& asset);
+
+    /// The path that a .meta file of a .cs or .shader file belongs to, whether that file is there
+    /// or not; null if no .meta file has the guid.
+    const std::filesystem::path* Find(std::string_view guid) const;
+
+    /// "" if there is none.
+    const std::filesystem::path& root() const { return m_Root; }
+
+private:
+    void Scan();
+
+    std::filesystem::path m_Root;
+    std::map<std::string, std::filesystem::path, std::less<>> m_Files;
+};
+
+} // namespace limn

@@ -1,0 +1,71 @@
+// Full-screen passes over a source texture. _BlitTexture_TexelSize is the author's to declare, as in
+// URP 14.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/TextureXR.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/GlobalSamplers.hlsl"
+
+TEXTURE2D_X(_BlitTexture);
+TEXTURECUBE(_BlitCubeTexture);
+
+uniform float4 _BlitScaleBias;
+uniform float4 _BlitScaleBiasRt;
+uniform float _BlitMipLevel;
+uniform float2 _BlitTextureSize;
+uniform uint _BlitPaddingSize;
+uniform int _BlitTexArraySlice;
+uniform float4 _BlitDecodeInstructions;
+
+struct Attributes
+{
+    uint vertexID : SV_VertexID;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+struct Varyings
+{
+    float4 positionCS : SV_POSITION;
+    float2 texcoord : TEXCOORD0;
+    UNITY_VERTEX_OUTPUT_STEREO
+};
+
+Varyings Vert(Attributes input)
+{
+    Varyings output;
+    output.positionCS = GetFullScreenTriangleVertexPosition(input.vertexID);
+    output.texcoord =
+        GetFullScreenTriangleTexCoord(input.vertexID) * _BlitScaleBias.xy + _BlitScaleBias.zw;
+    return output;
+}
+
+Varyings VertQuad(Attributes input)
+{
+    Varyings output;
+    float4 corner = GetQuadVertexPosition(input.vertexID);
+    float2 placed = corner.xy * _BlitScaleBiasRt.xy + _BlitScaleBiasRt.zw;
+    output.positionCS = float4(placed.x * 2.0 - 1.0, 1.0 - placed.y * 2.0, corner.z, 1.0);
+    output.texcoord = corner.xy * _BlitScaleBias.xy + _BlitScaleBias.zw;
+    return output;
+}
+
+float4 FragNearest(Varyings input) : SV_Target
+{
+    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, _BlitMipLevel);
+}
+
+float4 FragBilinear(Varyings input) : SV_Target
+{
+    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, _BlitMipLevel);
+}
+
+float4 FragNearestRepeat(Varyings input) : SV_Target
+{
+    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointRepeat, input.texcoord, _BlitMipLevel);
+}
+
+float4 FragBilinearRepeat(Varyings input) : SV_Target
+{
+    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearRepeat, input.texcoord,
+                                  _BlitMipLevel);
+}

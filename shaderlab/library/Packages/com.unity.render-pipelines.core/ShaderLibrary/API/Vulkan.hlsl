@@ -1,0 +1,86 @@
+#pragma once
+#include "limn/Platform.hlsl"
+
+#define PLATFORM_SUPPORT_GATHER
+#define PLATFORM_SUPPORTS_NATIVE_RENDERPASS
+
+#define VERTEXID_SEMANTIC SV_VertexID
+#define INSTANCEID_SEMANTIC SV_InstanceID
+#define FRONT_FACE_SEMANTIC SV_IsFrontFace
+#define FRONT_FACE_TYPE bool
+#define IS_FRONT_VFACE(value, front, back) ((value) ? (front) : (back))
+
+#define ZERO_INITIALIZE(type, name) name = (type)0
+#define ZERO_INITIALIZE_ARRAY(type, name, size) \
+    { for (int limn_i = 0; limn_i < size; limn_i++) name[limn_i] = (type)0; }
+
+#define TEXTURE2D(name) Texture2D name
+#define TEXTURE2D_ARRAY(name) Texture2DArray name
+#define TEXTURECUBE(name) TextureCube name
+#define TEXTURECUBE_ARRAY(name) TextureCubeArray name
+#define TEXTURE3D(name) Texture3D name
+#define TEXTURE2D_FLOAT(name) TEXTURE2D(name)
+#define TEXTURE2D_HALF(name) TEXTURE2D(name)
+#define TEXTURE2D_ARRAY_FLOAT(name) TEXTURE2D_ARRAY(name)
+#define TEXTURE2D_ARRAY_HALF(name) TEXTURE2D_ARRAY(name)
+#define TEXTURECUBE_FLOAT(name) TEXTURECUBE(name)
+#define TEXTURECUBE_HALF(name) TEXTURECUBE(name)
+#define TEXTURE3D_FLOAT(name) TEXTURE3D(name)
+#define TEXTURE3D_HALF(name) TEXTURE3D(name)
+#define TEXTURE2D_SHADOW(name) TEXTURE2D(name)
+#define TEXTURE2D_ARRAY_SHADOW(name) TEXTURE2D_ARRAY(name)
+#define SAMPLER(name) SamplerState name
+#define SAMPLER_CMP(name) SamplerComparisonState name
+
+#define TEXTURE2D_PARAM(name, smp) TEXTURE2D(name), SAMPLER(smp)
+#define TEXTURE2D_ARRAY_PARAM(name, smp) TEXTURE2D_ARRAY(name), SAMPLER(smp)
+#define TEXTURECUBE_PARAM(name, smp) TEXTURECUBE(name), SAMPLER(smp)
+#define TEXTURE3D_PARAM(name, smp) TEXTURE3D(name), SAMPLER(smp)
+#define TEXTURE2D_SHADOW_PARAM(name, smp) TEXTURE2D(name), SAMPLER_CMP(smp)
+#define TEXTURE2D_ARGS(name, smp) name, smp
+#define TEXTURE2D_ARRAY_ARGS(name, smp) name, smp
+#define TEXTURECUBE_ARGS(name, smp) name, smp
+#define TEXTURE3D_ARGS(name, smp) name, smp
+#define TEXTURE2D_SHADOW_ARGS(name, smp) name, smp
+
+#define SAMPLE_TEXTURE2D(name, smp, uv) name.Sample(smp, uv)
+#define SAMPLE_TEXTURE2D_LOD(name, smp, uv, lod) name.SampleLevel(smp, uv, lod)
+#define SAMPLE_TEXTURE2D_BIAS(name, smp, uv, bias) name.SampleBias(smp, uv, bias)
+#define SAMPLE_TEXTURE2D_GRAD(name, smp, uv, dx, dy) name.SampleGrad(smp, uv, dx, dy)
+#define SAMPLE_TEXTURE2D_ARRAY(name, smp, uv, index) name.Sample(smp, float3(uv, index))
+#define SAMPLE_TEXTURE2D_ARRAY_LOD(name, smp, uv, index, lod) \
+    name.SampleLevel(smp, float3(uv, index), lod)
+#define SAMPLE_TEXTURECUBE(name, smp, direction) name.Sample(smp, direction)
+#define SAMPLE_TEXTURECUBE_LOD(name, smp, direction, lod) name.SampleLevel(smp, direction, lod)
+#define SAMPLE_TEXTURE3D(name, smp, uvw) name.Sample(smp, uvw)
+#define SAMPLE_TEXTURE3D_LOD(name, smp, uvw, lod) name.SampleLevel(smp, uvw, lod)
+#define SAMPLE_TEXTURE2D_SHADOW(name, smp, uvz) name.SampleCmpLevelZero(smp, (uvz).xy, (uvz).z)
+#define SAMPLE_DEPTH_TEXTURE(name, smp, uv) SAMPLE_TEXTURE2D(name, smp, uv).r
+#define SAMPLE_DEPTH_TEXTURE_LOD(name, smp, uv, lod) SAMPLE_TEXTURE2D_LOD(name, smp, uv, lod).r
+
+#define LOAD_TEXTURE2D(name, texel) name.Load(int3(texel, 0))
+#define LOAD_TEXTURE2D_LOD(name, texel, lod) name.Load(int3(texel, lod))
+#define LOAD_TEXTURE2D_MSAA(name, texel, index) name.Load(texel, index)
+#define LOAD_TEXTURE2D_ARRAY(name, texel, index) name.Load(int4(texel, index, 0))
+#define LOAD_TEXTURE3D(name, texel) name.Load(int4(texel, 0))
+
+#define GATHER_TEXTURE2D(name, smp, uv) name.Gather(smp, uv)
+#define GATHER_RED_TEXTURE2D(name, smp, uv) name.GatherRed(smp, uv)
+#define GATHER_GREEN_TEXTURE2D(name, smp, uv) name.GatherGreen(smp, uv)
+#define GATHER_BLUE_TEXTURE2D(name, smp, uv) name.GatherBlue(smp, uv)
+#define GATHER_ALPHA_TEXTURE2D(name, smp, uv) name.GatherAlpha(smp, uv)
+
+// The forms that follow the eye: with one eye, the plain ones.
+#define TEXTURE2D_X(name) TEXTURE2D(name)
+#define TEXTURE2D_X_FLOAT(name) TEXTURE2D(name)
+#define TEXTURE2D_X_HALF(name) TEXTURE2D(name)
+#define TEXTURE2D_X_PARAM(name, smp) TEXTURE2D_PARAM(name, smp)
+#define TEXTURE2D_X_ARGS(name, smp) TEXTURE2D_ARGS(name, smp)
+#define SAMPLE_TEXTURE2D_X(name, smp, uv) SAMPLE_TEXTURE2D(name, smp, uv)
+#define SAMPLE_TEXTURE2D_X_LOD(name, smp, uv, lod) SAMPLE_TEXTURE2D_LOD(name, smp, uv, lod)
+#define LOAD_TEXTURE2D_X(name, texel) LOAD_TEXTURE2D(name, texel)
+#define LOAD_TEXTURE2D_X_LOD(name, texel, lod) LOAD_TEXTURE2D_LOD(name, texel, lod)
+#define GATHER_TEXTURE2D_X(name, smp, uv) GATHER_TEXTURE2D(name, smp, uv)
+#define GATHER_RED_TEXTURE2D_X(name, smp, uv) GATHER_RED_TEXTURE2D(name, smp, uv)
+#define UnityStereoTransformScreenSpaceTex(uv) uv
+#define SLICE_ARRAY_INDEX 0

@@ -1,0 +1,2 @@
+#pragma once
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/API/Vulkan.hlsl"

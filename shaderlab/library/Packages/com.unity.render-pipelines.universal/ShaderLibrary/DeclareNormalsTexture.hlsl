@@ -1,0 +1,12 @@
+#pragma once
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+
+TEXTURE2D_X_FLOAT(_CameraNormalsTexture);
+SAMPLER(sampler_CameraNormalsTexture);
+
+// World space, signed; zero where nothing was drawn.
+float3 SampleSceneNormals(float2 uv)
+{
+    return SAMPLE_TEXTURE2D_X(_CameraNormalsTexture, sampler_CameraNormalsTexture, uv).xyz;
+}
+float3 LoadSceneNormals(uint2 uv) { return LOAD_TEXTURE2D_X(_CameraNormalsTexture, uv).xyz; }

@@ -1,0 +1,130 @@
+#pragma once
+
+// Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
+float4 ComputeScreenPos(float4 positionCS)
+{
+    float4 result = positionCS;
+    result.xy = float2(positionCS.x, -positionCS.y) * 0.5 + positionCS.w * 0.5;
+    return result;
+}
+
+VertexPositionInputs GetVertexPositionInputs(float3 positionOS)
+{
+    VertexPositionInputs input;
+    input.positionWS = TransformObjectToWorld(positionOS);
+    input.positionVS = TransformWorldToView(input.positionWS);
+    input.positionCS = TransformWorldToHClip(input.positionWS);
+    input.positionNDC = ComputeScreenPos(input.positionCS);
+    return input;
+}
+
+VertexNormalInputs GetVertexNormalInputs(float3 normalOS)
+{
+    VertexNormalInputs result;
+    result.tangentWS = float3(1, 0, 0);
+    result.bitangentWS = float3(0, 1, 0);
+    result.normalWS = TransformObjectToWorldNormal(normalOS);
+    return result;
+}
+
+VertexNormalInputs GetVertexNormalInputs(float3 normalOS, float4 tangentOS)
+{
+    VertexNormalInputs result;
+    result.normalWS = TransformObjectToWorldNormal(normalOS);
+    result.tangentWS = TransformObjectToWorldDir(tangentOS.xyz);
+    result.bitangentWS =
+        cross(result.normalWS, result.tangentWS) * (tangentOS.w * GetOddNegativeScale());
+    return result;
+}
+
+float4 GetScaledScreenParams() { return _ScaledScreenParams; }
+
+// Texture coordinate of the screen from SV_Position.
+float2 GetNormalizedScreenSpaceUV(float2 positionCS)
+{
+    float2 uv = positionCS * rcp(GetScaledScreenParams().xy);
+    return float2(uv.x, 1.0 - (uv.y * _ScaleBiasRt.x + _ScaleBiasRt.y));
+}
+float2 GetNormalizedScreenSpaceUV(float4 positionCS)
+{
+    return GetNormalizedScreenSpaceUV(positionCS.xy);
+}
+
+bool IsPerspectiveProjection() { return unity_OrthoParams.w == 0.0; }
+float3 GetCameraPositionWS() { return _WorldSpaceCameraPos; }
+float3 GetCurrentViewPosition() { return _WorldSpaceCameraPos; }
+float3 GetViewForwardDir() { return -UNITY_MATRIX_V[2].xyz; }
+
+// From the surface to the camera; not normalised for a perspective camera.
+float3 GetWorldSpaceViewDir(float3 positionWS)
+{
+    return IsPerspectiveProjection() ? GetCurrentViewPosition() - positionWS : -GetViewForwardDir();
+}
+float3 GetWorldSpaceNormalizeViewDir(float3 positionWS)
+{
+    return SafeNormalize(GetWorldSpaceViewDir(positionWS));
+}
+float3 GetObjectSpaceNormalizeViewDir(float3 positionOS)
+{
+    return SafeNormalize(
+        TransformWorldToObjectDir(GetWorldSpaceViewDir(TransformObjectToWorld(positionOS)), false));
+}
+
+float3 NormalizeNormalPerVertex(float3 normalWS) { return normalize(normalWS); }
+float3 NormalizeNormalPerPixel(float3 normalWS) { return normalize(normalWS); }
+
+// Distance along the view axis of an orthographic camera.
+float LinearDepthToEyeDepth(float rawDepth)
+{
+    return _ProjectionParams.z - (_ProjectionParams.z - _ProjectionParams.y) * rawDepth;
+}
+
+#if defined(SHADER_STAGE_FRAGMENT)
+void AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
+{
+#ifdef _ALPHATEST_ON
+    clip(alpha - cutoff + offset);
+#endif
+}
+#endif
+
+// Rendering layer bits of the object, and the same in one channel of 8 bits.
+uint GetMeshRenderingLayer() { return asuint(unity_RenderingLayer.x); }
+float EncodeMeshRenderingLayer(uint renderingLayer) { return (renderingLayer & 0xFFu) / 255.0; }
+uint DecodeMeshRenderingLayer(float value) { return (uint)(value * 255.0 + 0.5); }
+
+// Fog by distance along the view axis; the keyword chooses the curve.
+float ComputeFogFactorZ0ToFar(float z)
+{
+#if defined(FOG_LINEAR)
+    return saturate(z * unity_FogParams.z + unity_FogParams.w);
+#elif defined(FOG_EXP) || defined(FOG_EXP2)
+    return unity_FogParams.x * z;
+#else
+    return 0.0;
+#endif
+}
+float ComputeFogFactor(float clipZ)
+{
+    return ComputeFogFactorZ0ToFar(max((1.0 - clipZ / _ProjectionParams.y) * _ProjectionParams.z, 0));
+}
+float ComputeFogIntensity(float fogFactor)
+{
+#if defined(FOG_EXP)
+    return saturate(exp2(-fogFactor));
+#elif defined(FOG_EXP2)
+    return saturate(exp2(-fogFactor * fogFactor));
+#elif defined(FOG_LINEAR)
+    return fogFactor;
+#else
+    return 1.0;
+#endif
+}
+float3 MixFogColor(float3 color, float3 fogColor, float fogFactor)
+{
+    return lerp(fogColor, color, ComputeFogIntensity(fogFactor));
+}
+float3 MixFog(float3 color, float fogFactor)
+{
+    return MixFogColor(color, unity_FogColor.rgb, fogFactor);
+}

@@ -1,0 +1,3 @@
+#pragma once
+#include "limn/PerDraw.hlsl"
+#include "limn/Globals.hlsl"

@@ -1,0 +1,55 @@
+// Values that are the same for all draws of a camera. Two buffers, so that a pass that uses none of
+// them has none.
+#pragma once
+
+cbuffer limn_PerCamera
+{
+    float4 _Time;          // t/20, t, 2t, 3t; seconds
+    float4 _SinTime;       // sin of t/8, t/4, t/2, t
+    float4 _CosTime;       // cos of the same
+    float4 unity_DeltaTime; // dt, 1/dt, smoothed dt, 1/smoothed dt
+    float4 _TimeParameters; // t, sin t, cos t, 0
+
+    float3 _WorldSpaceCameraPos;
+    float4 _ProjectionParams;   // 1, near, far, 1/far
+    float4 _ScreenParams;       // camera width, height in pixels, 1 + 1/width, 1 + 1/height
+    float4 _ScaledScreenParams; // the same of the target that is drawn to
+    float4 _ScreenSize;         // target width, height, 1/width, 1/height
+    float4 _ZBufferParams;      // far/near - 1, 1, 1/near - 1/far, 1/far
+    float4 unity_OrthoParams;   // half width, half height, 0, 1 if orthographic
+    float4 _ScaleBiasRt;        // -1, 1, -1, 1: rows of targets run from the top down
+    float2 _GlobalMipBias;      // bias, 2^bias
+
+    float4x4 unity_MatrixV;
+    float4x4 unity_MatrixInvV;
+    float4x4 glstate_matrix_projection;
+    float4x4 unity_MatrixInvP;
+    float4x4 unity_MatrixVP;
+    float4x4 unity_MatrixInvVP;
+    float4x4 unity_WorldToCamera; // z forward, unlike unity_MatrixV
+    float4x4 unity_CameraToWorld;
+    float4x4 unity_CameraProjection;
+    float4x4 unity_CameraInvProjection;
+};
+
+cbuffer limn_PerFrameLighting
+{
+    float4 _MainLightPosition; // xyz: direction to the light, w: 0
+    float4 _MainLightColor;
+    float4 unity_AmbientSky;   // ambient light, the same from all sides
+    float4 unity_FogParams;    // density/sqrt(ln 2), density/ln 2, -1/(end - start), end/(end - start)
+    float4 unity_FogColor;
+};
+
+#define UNITY_MATRIX_M unity_ObjectToWorld
+#define UNITY_MATRIX_I_M unity_WorldToObject
+#define UNITY_MATRIX_V unity_MatrixV
+#define UNITY_MATRIX_I_V unity_MatrixInvV
+#define UNITY_MATRIX_P glstate_matrix_projection
+#define UNITY_MATRIX_I_P unity_MatrixInvP
+#define UNITY_MATRIX_VP unity_MatrixVP
+#define UNITY_MATRIX_I_VP unity_MatrixInvVP
+#define UNITY_MATRIX_MV mul(UNITY_MATRIX_V, UNITY_MATRIX_M)
+#define UNITY_MATRIX_T_MV transpose(UNITY_MATRIX_MV)
+#define UNITY_MATRIX_IT_MV transpose(mul(UNITY_MATRIX_I_M, UNITY_MATRIX_I_V))
+#define UNITY_MATRIX_MVP mul(UNITY_MATRIX_VP, UNITY_MATRIX_M)

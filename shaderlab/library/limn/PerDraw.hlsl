@@ -1,0 +1,31 @@
+// Per-draw values come from one buffer with an element per instance, so that draws of equal mesh and
+// state can run as one. The names that shaders use are macros over it. The layout is
+// limn::PerDrawData.
+#pragma once
+
+struct limn_PerDrawData
+{
+    float4x4 objectToWorld;
+    float4x4 worldToObject;
+    float4 worldTransformParams;
+    uint4 renderingLayer;
+};
+
+StructuredBuffer<limn_PerDrawData> limn_PerDraw;
+
+[[vk::push_constant]] cbuffer limn_PushConstants
+{
+    uint limn_FirstInstance;
+};
+
+// Set by the generated entry function: SV_InstanceID in the vertex stage, limn_FirstInstance in the
+// fragment stage.
+static uint limn_DrawIndex;
+
+#define unity_ObjectToWorld (limn_PerDraw[limn_DrawIndex].objectToWorld)
+#define unity_WorldToObject (limn_PerDraw[limn_DrawIndex].worldToObject)
+#define unity_WorldTransformParams (limn_PerDraw[limn_DrawIndex].worldTransformParams)
+#define unity_RenderingLayer (asfloat(limn_PerDraw[limn_DrawIndex].renderingLayer))
+
+// No cross-fading between levels of detail.
+#define unity_LODFade float4(1, 0, 0, 0)

@@ -1,0 +1,35 @@
+// Conventions of the device and spellings of HLSL that both shader libraries share.
+#pragma once
+
+// Clip space has y up and z from 1 (near) to 0 (far); row 0 of a texture is the top of the picture.
+#define UNITY_UV_STARTS_AT_TOP 1
+#define UNITY_REVERSED_Z 1
+#define UNITY_NEAR_CLIP_VALUE (1.0)
+#define UNITY_RAW_FAR_CLIP_VALUE (0.0)
+
+#define CBUFFER_START(name) cbuffer name {
+#define CBUFFER_END };
+
+#define UNITY_BRANCH [branch]
+#define UNITY_FLATTEN [flatten]
+#define UNITY_UNROLL [unroll]
+#define UNITY_UNROLLX(n) [unroll(n)]
+#define UNITY_LOOP [loop]
+
+// There is one eye, and instances are told apart by limn_DrawIndex: nothing is left to do.
+#define UNITY_VERTEX_INPUT_INSTANCE_ID
+#define UNITY_SETUP_INSTANCE_ID(input)
+#define UNITY_TRANSFER_INSTANCE_ID(input, output)
+#define UNITY_GET_INSTANCE_ID(input) 0u
+#define UNITY_VERTEX_OUTPUT_STEREO
+#define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
+#define UNITY_TRANSFER_VERTEX_OUTPUT_STEREO(input, output)
+#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
+#define unity_StereoEyeIndex 0
+
+#define UNITY_INSTANCING_BUFFER_START(buf) cbuffer UnityInstancing_##buf {
+#define UNITY_INSTANCING_BUFFER_END(buf) };
+#define UNITY_DEFINE_INSTANCED_PROP(type, var) type var;
+#define UNITY_ACCESS_INSTANCED_PROP(buf, var) var
+
+#define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace limn
+{
+
+/// Appends values to a string of bytes, in the byte order of the machine.
+class ByteWriter
+{
+public:
+    static constexpr bool k_Reading = false;
+
+    template <typename T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    void Value(const T& value) { m_Bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
+    void Value(const std::string& text)
+    {
+        Value(static_cast<std::uint32_t>(text.size()));
+        m_Bytes += text;
+    }
+    template <typename T, typename F>
+    void List(const std::vector<T>& items, F&& each)
+    {
+        Value(static_cast<std::uint32_t>(items.size()));
+        for (const T& item : items)
+        {
+            each(item);
+        }
+    }
+    const std::string& bytes() const { return m_Bytes; }
+
+private:
+    std::string m_Bytes;
+};
+
+/// Reads what ByteWriter wrote. Throws std::out_of_range where the bytes end too early.
+class ByteReader
+{
+public:
+    explicit ByteReader(std::string_view bytes) : m_Bytes(bytes) {}
+
+    template <typename T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    void Value(T& value)
+    {
+        const std::string_view raw = Take(sizeof(T));
+        std::memcpy(&value, raw.data(), sizeof(T));
+    }
+    void Value(std::string& text)
+    {
+        std::uint32_t size = 0;
+        Value(size);
+        text = std::string(Take(size));
+    }
+    template <typename T, typename F>
+    void List(std::vector<T>& items, F&& each)
+    {
+        std::uint32_t size = 0;
+        Value(size);
+        if (size > m_Bytes.size())
+        {
+            throw std::out_of_range("list");
+        }
+        items.resize(size);
+        for (T& item : items)
+        {
+            each(item);
+        }
+    }
+    bool isAtEnd() const { return m_Bytes.empty(); }
+
+private:
+    std::string_view Take(std::size_t size)
+    {
+        if (size > m_Bytes.size())
+        {
+            throw std::out_of_range("value");
+        }
+        const std::string_view taken = m_Bytes.substr(0, size);
+        m_Bytes.remove_prefix(size);
+        return taken;
+    }
+
+    std::string_view m_Bytes;
+};
+
+} // namespace limn

@@ -1,0 +1,266 @@
+#include "EntryPointWriter.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The type the pipeline gives a system value, whatever type the author declares.
+std::string SystemType(const StageValue& value)
+{
+    if (value.semantic == "SV_POSITION" || value.semantic == "SV_TARGET")
+    {
+        return TypeName(value.semantic == "SV_TARGET" ? value.scalar : "float", 4);
+    }
+    if (value.semantic == "SV_ISFRONTFACE")
+    {
+        return "bool";
+    }
+    const bool isFloat = value.semantic.find("DISTANCE") != std::string::npos ||
+                         value.semantic.find("DEPTH") != std::string::npos ||
+                         value.semantic == "PSIZE";
+    return isFloat ? "float" : "uint";
+}
+
+int ComponentsOf(const std::string& type)
+{
+    return type.back() >= '2' && type.back() <= '4' ? type.back() - '0' : 1;
+}
+
+/// `source`, of `components`, as another vector type: cut off, or filled up with zeros.
+std::string Convert(const std::string& source, int components, const std::string& scalar,
+                    int wanted)
+{
+    const std::string type = TypeName(scalar, wanted);
+    if (wanted <= components)
+    {
+        const std::string swizzle = std::string("xyzw").substr(0, static_cast<std::size_t>(wanted));
+        return "(" + type + ")" + source + (wanted < components ? "." + swizzle : "");
+    }
+    std::string text = type + "(" + source;
+    for (int i = components; i < wanted; ++i)
+    {
+        text += ", 0";
+    }
+    return text + ")";
+}
+
+class EntryWriter
+{
+public:
+    EntryWriter(const StageInterface& interface, const StageLinkage& linkage, ShaderStage stage)
+        : m_Interface(interface), m_Linkage(linkage), m_Stage(stage)
+    {
+    }
+
+    std::string Compose(const std::string& prologue, bool usesDrawIndex)
+    {
+        for (const StageValue& value : m_Interface.inputs)
+        {
+            AddInput(value);
+        }
+        for (const StageValue& value : m_Interface.outputs)
+        {
+            AddOutput(value);
+        }
+        if (usesDrawIndex)
+        {
+            AddDrawIndex();
+        }
+        return "\n#line 1 \"" + std::string(k_EntryFile) + "\"\nvoid " + std::string(k_EntryName) +
+               "(" + m_Parameters + ")\n{\n" + m_DrawIndex + prologue + Locals() + m_Before +
+               Call() + m_After + "}\n";
+    }
+
+private:
+    std::string NextName() { return "limn_p" + std::to_string(m_Count++); }
+
+    void AddParameter(const std::string& text)
+    {
+        m_Parameters += (m_Parameters.empty() ? "" : ", ") + text;
+    }
+
+    /// One parameter per semantic: two members may ask for the same system value.
+    const std::string& InstanceId()
+    {
+        if (m_InstanceId.empty())
+        {
+            m_InstanceId = NextName();
+            AddParameter("uint " + m_InstanceId + " : SV_InstanceID");
+        }
+        return m_InstanceId;
+    }
+
+    void AddDrawIndex()
+    {
+        const std::string index =
+            m_Stage == ShaderStage::Vertex ? InstanceId() : "limn_FirstInstance";
+        m_DrawIndex = "limn_DrawIndex = " + index + ";\n";
+    }
+
+    void AddInput(const StageValue& value)
+    {
+        const bool isVertex = m_Stage == ShaderStage::Vertex;
+        if (isVertex && value.semantic == "SV_INSTANCEID")
+        {
+            Read(value, InstanceId(), 1);
+        }
+        else if (value.isSystemValue)
+        {
+            const std::string name = NextName();
+            const std::string type = SystemType(value);
+            AddParameter(type + " " + name + " : " + value.semantic);
+            ReadSystemValue(value, name, type);
+        }
+        else if (isVertex)
+        {
+            AddAttribute(value);
+        }
+        else
+        {
+            AddVaryingInput(value);
+        }
+    }
+
+    void ReadSystemValue(const StageValue& value, const std::string& name, const std::string& type)
+    {
+        if (type == "bool" && value.scalar == "float")
+        {
+            // VFACE is a number: positive for front faces.
+            Read(value, "(" + name + " ? 1.0 : -1.0)", 1);
+            return;
+        }
+        Read(value, name, ComponentsOf(type));
+    }
+
+    void AddAttribute(const StageValue& value)
+    {
+        const std::string name = NextName();
+        const std::string semantic = value.semanticName();
+        const auto input = std::find_if(
+            m_Linkage.vertexInputs.begin(), m_Linkage.vertexInputs.end(),
+            [&](const VertexInput& candidate) { return candidate.semantic == semantic; });
+        AddParameter("[[vk::location(" + std::to_string(input->location) + ")]] " +
+                     TypeName(value.scalar, value.components) + " " + name + " : " + semantic);
+        Read(value, name, value.components);
+    }
+
+    const Varying& FindVarying(const StageValue& value) const
+    {
+        return *std::find_if(m_Linkage.varyings.begin(), m_Linkage.varyings.end(),
+                             [&](const Varying& varying)
+                             { return varying.semantic == value.semanticName(); });
+    }
+
+    std::string VaryingParameter(const Varying& varying, const std::string& name,
+                                 const std::string& direction) const
+    {
+        const std::string location = std::to_string(varying.location);
+        return "[[vk::location(" + location + ")]] " + direction +
+               TypeName(varying.scalar, varying.components) + " " + name + " : LIMN" + location;
+    }
+
+    void AddVaryingInput(const StageValue& value)
+    {
+        const Varying& varying = FindVarying(value);
+        const std::string name = NextName();
+        const bool isFlat = varying.scalar != "float";
+        AddParameter(
+            VaryingParameter(varying, name, isFlat ? "nointerpolation " : value.interpolation));
+        Read(value, name, varying.components);
+    }
+
+    void AddOutput(const StageValue& value)
+    {
+        const std::string name = NextName();
+        if (value.isSystemValue)
+        {
+            const std::string type = SystemType(value);
+            AddParameter("out " + type + " " + name + " : " + OutputSemantic(value));
+            const std::string scalar = type.substr(0, type.find_first_of("234"));
+            Write(value, name, scalar, ComponentsOf(type));
+            return;
+        }
+        const Varying& varying = FindVarying(value);
+        AddParameter(VaryingParameter(varying, name, "out "));
+        Write(value, name, varying.scalar, varying.components);
+    }
+
+    static std::string OutputSemantic(const StageValue& value)
+    {
+        return value.semantic + (value.semantic == "SV_TARGET" ? std::to_string(value.index) : "");
+    }
+
+    void Read(const StageValue& value, const std::string& source, int components)
+    {
+        m_Before += value.expression + " = " +
+                    Convert(source, components, value.scalar, value.components) + ";\n";
+    }
+
+    void Write(const StageValue& value, const std::string& target, const std::string& scalar,
+               int components)
+    {
+        m_After += target + " = " +
+                   Convert(value.expression, value.components, scalar, components) + ";\n";
+    }
+
+    std::string Locals() const
+    {
+        std::string text;
+        const auto& parameters = m_Interface.function->parameters;
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+        {
+            text += std::string(parameters[i].type) + " " + ArgumentName(i);
+            for (const std::string_view size : parameters[i].dimensions)
+            {
+                text += "[" + std::string(size) + "]";
+            }
+            text += ";\n";
+        }
+        return text;
+    }
+
+    std::string Call() const
+    {
+        const HlslFunction& function = *m_Interface.function;
+        std::string text;
+        if (function.returnType != "void")
+        {
+            text += std::string(function.returnType) + " " + std::string(k_ResultName) + " = ";
+        }
+        text += AuthorFunctionName(function.name) + "(";
+        for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        {
+            text += (i == 0 ? "" : ", ") + ArgumentName(i);
+        }
+        return text + ");\n";
+    }
+
+    const StageInterface& m_Interface;
+    const StageLinkage& m_Linkage;
+    ShaderStage m_Stage;
+    int m_Count = 0;
+    std::string m_InstanceId;
+    std::string m_Parameters;
+    std::string m_DrawIndex;
+    std::string m_Before;
+    std::string m_After;
+};
+
+} // namespace
+
+std::string AuthorFunctionName(std::string_view name)
+{
+    return name == "main" ? "limn_AuthorMain" : std::string(name);
+}
+
+std::string WriteEntryPoint(const StageInterface& interface, const StageLinkage& linkage,
+                            ShaderStage stage, const std::string& prologue, bool usesDrawIndex)
+{
+    return EntryWriter(interface, linkage, stage).Compose(prologue, usesDrawIndex);
+}
+
+} // namespace limn

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// The errors of a glslang log as diagnostics: one per line of source, without glslang's summaries
+/// and with types spelt as in HLSL. A message without a place gets `fallbackFile`.
+std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile);
+
+} // namespace limn

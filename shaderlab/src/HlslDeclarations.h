@@ -1,0 +1,67 @@
+#pragma once
+
+#include "HlslTokens.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// `[modifiers] type name[dimensions] : SEMANTIC`, of a global, a struct member or a parameter.
+struct HlslVariable
+{
+    std::vector<std::string_view> modifiers;
+    std::string_view type; ///< without template arguments
+    std::string_view name;
+    std::vector<std::string_view> dimensions; ///< text between each [ ]
+    std::string_view semantic;
+    std::size_t token = 0;    ///< index of the name
+    std::size_t endToken = 0; ///< of a uniform: index of the token that ends its declaration
+
+    bool Has(std::string_view modifier) const;
+};
+
+struct HlslStruct
+{
+    std::string_view name;
+    std::vector<HlslVariable> members;
+};
+
+/// `typedef type name;`
+struct HlslAlias
+{
+    std::string_view name;
+    std::string_view type;
+};
+
+struct HlslFunction
+{
+    std::string_view returnType;
+    std::string_view name;
+    std::string_view semantic; ///< of the return value
+    std::vector<HlslVariable> parameters;
+    std::size_t begin = 0; ///< first token, attributes included
+    std::size_t end = 0;   ///< one behind the last token
+    bool hasBody = false;
+};
+
+/// What preprocessed HLSL declares at file scope. All views point into the source.
+struct HlslDeclarations
+{
+    std::vector<HlslStruct> structs;
+    std::vector<HlslFunction> functions;
+    std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
+    std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
+    std::vector<HlslAlias> aliases;
+
+    /// The type behind a typedef; other names stay as they are.
+    std::string_view ResolveAlias(std::string_view type) const;
+    const HlslStruct* FindStruct(std::string_view name) const;
+    const HlslFunction* FindDefinition(std::string_view name) const;
+};
+
+HlslDeclarations ReadDeclarations(const std::vector<HlslToken>& tokens);
+
+} // namespace limn

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <limn/shaderlab/PassProgram.h>
+
+#include "IncludeResolver.h"
+
+#include <span>
+#include <string>
+
+namespace limn
+{
+
+/// The HLSL of one stage with all includes and macros resolved. `#line N "file"` directives in it
+/// say where each line comes from; no other directives but `#pragma pack_matrix` are left.
+///
+/// @throws AssetError at the lines of unknown includes and other mistakes
+std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                           std::span<const std::string> keywords, IncludeResolver& resolver);
+
+} // namespace limn

@@ -1,0 +1,243 @@
+#include "HlslRewriter.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::array<std::string_view, 11> k_Assignments = {
+    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
+
+class Rewriter
+{
+public:
+    Rewriter(const StageSource& source, std::string_view entry)
+        : m_Source(source), m_Tokens(source.tokens)
+    {
+        MarkFunctions();
+        FindReachable(entry);
+    }
+
+    void CopyAssignedUniforms()
+    {
+        std::map<std::string_view, const HlslVariable*> uniforms;
+        for (const HlslVariable& uniform : m_Source.declarations.uniforms)
+        {
+            uniforms[uniform.name] = &uniform;
+        }
+        for (const HlslFunction* function : m_Reachable)
+        {
+            for (std::size_t i = function->begin; i < function->end; ++i)
+            {
+                const auto uniform = uniforms.find(m_Tokens[i].text);
+                if (uniform != uniforms.end() && isAssigned(i))
+                {
+                    m_Copied.insert(uniform->second);
+                }
+            }
+        }
+        for (const HlslVariable* uniform : m_Copied)
+        {
+            Copy(*uniform);
+        }
+    }
+
+    bool usesDrawIndex() const
+    {
+        return std::any_of(m_Reachable.begin(), m_Reachable.end(),
+                           [&](const HlslFunction* item)
+                           {
+                               return std::any_of(m_Tokens.begin() + Offset(item->begin),
+                                                  m_Tokens.begin() + Offset(item->end),
+                                                  [](const HlslToken& token)
+                                                  { return token.text == k_DrawIndex; });
+                           });
+    }
+
+    const std::string& prologue() const { return m_Prologue; }
+
+    /// The source with everything applied. Blanks and directives between tokens stay as they are.
+    std::string Assemble() const
+    {
+        const std::string_view text = m_Source.text;
+        std::string result;
+        result.reserve(text.size());
+        std::size_t position = 0;
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            const std::size_t begin = m_Tokens[i].Begin(text);
+            result.append(text.substr(position, begin - position));
+            position = begin + m_Tokens[i].text.size();
+            const HlslFunction* function = m_FunctionOf[i];
+            if (!function || m_Reachable.count(function) > 0)
+            {
+                const auto renamed = m_Renamed.find(i);
+                result.append(renamed == m_Renamed.end() ? m_Tokens[i].text : renamed->second);
+            }
+            if (const auto inserted = m_InsertedAfter.find(i); inserted != m_InsertedAfter.end())
+            {
+                result.append(inserted->second);
+            }
+        }
+        return result.append(text.substr(position));
+    }
+
+private:
+    static std::ptrdiff_t Offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
+
+    void MarkFunctions()
+    {
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            if (const std::string name = AuthorFunctionName(Text(i)); name != Text(i))
+            {
+                m_Renamed[i] = name;
+            }
+        }
+        m_FunctionOf.resize(m_Tokens.size(), nullptr);
+        for (const HlslFunction& function : m_Source.declarations.functions)
+        {
+            m_ByName[function.name].push_back(&function);
+            std::fill(m_FunctionOf.begin() + Offset(function.begin),
+                      m_FunctionOf.begin() + Offset(function.end), &function);
+        }
+    }
+
+    void FindReachable(std::string_view entry)
+    {
+        Reach(entry);
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            if (!m_FunctionOf[i])
+            {
+                Reach(m_Tokens[i].text);
+            }
+        }
+    }
+
+    /// All overloads of a name at once: which one is called is not for us to find out.
+    void Reach(std::string_view name)
+    {
+        std::vector<std::string_view> pending = {name};
+        while (!pending.empty())
+        {
+            const auto found = m_ByName.find(pending.back());
+            pending.pop_back();
+            if (found == m_ByName.end())
+            {
+                continue;
+            }
+            for (const HlslFunction* function : found->second)
+            {
+                if (m_Reachable.insert(function).second)
+                {
+                    for (std::size_t i = function->begin; i < function->end; ++i)
+                    {
+                        pending.push_back(m_Tokens[i].text);
+                    }
+                }
+            }
+        }
+    }
+
+    std::string_view Text(std::size_t index) const
+    {
+        return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
+    }
+
+    bool isAssigned(std::size_t index) const
+    {
+        const std::string_view before = Text(index - 1);
+        if (before == "." || (m_Tokens[index - 1].isWord && before != "return" && before != "else"))
+        {
+            return false; // a member of something else, or the declaration of a local
+        }
+        if (before == "++" || before == "--")
+        {
+            return true;
+        }
+        std::size_t next = index + 1;
+        while (Text(next) == "." || Text(next) == "[")
+        {
+            next = Text(next) == "." ? next + 2 : BehindBracket(next);
+        }
+        const std::string_view mark = Text(next);
+        return mark == "++" || mark == "--" ||
+               std::find(k_Assignments.begin(), k_Assignments.end(), mark) != k_Assignments.end();
+    }
+
+    std::size_t BehindBracket(std::size_t index) const
+    {
+        int depth = 0;
+        do
+        {
+            depth += Text(index) == "[" ? 1 : 0;
+            depth -= Text(index) == "]" ? 1 : 0;
+            ++index;
+        } while (depth > 0 && index < m_Tokens.size());
+        return index;
+    }
+
+    void Copy(const HlslVariable& uniform)
+    {
+        const std::string copy = "limn_copy" + std::string(uniform.name);
+        std::string& inserted = m_InsertedAfter[uniform.endToken];
+        inserted += " static " + std::string(uniform.type) + " " + copy;
+        for (const std::string_view size : uniform.dimensions)
+        {
+            inserted += "[" + std::string(size) + "]";
+        }
+        inserted += ";";
+        m_Prologue += copy + " = " + std::string(uniform.name) + ";\n";
+        for (const HlslFunction* function : m_Reachable)
+        {
+            for (std::size_t i = function->begin; i < function->end; ++i)
+            {
+                if (Text(i) == uniform.name && Text(i - 1) != ".")
+                {
+                    m_Renamed[i] = copy;
+                }
+            }
+        }
+    }
+
+    const StageSource& m_Source;
+    const std::vector<HlslToken>& m_Tokens;
+    std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
+    std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
+    std::set<const HlslFunction*> m_Reachable;
+    std::set<const HlslVariable*> m_Copied;
+    std::map<std::size_t, std::string> m_Renamed;       ///< token index → new text
+    std::map<std::size_t, std::string> m_InsertedAfter; ///< token index → text
+    std::string m_Prologue;
+};
+
+} // namespace
+
+StageSource::StageSource(std::string preprocessed, ShaderStage ofStage)
+    : text(std::move(preprocessed)),
+      tokens(TokenizeHlsl(text)),
+      declarations(ReadDeclarations(tokens)),
+      stage(ofStage)
+{
+}
+
+std::string RewriteStage(const StageSource& source, const StageInterface& interface,
+                         const StageLinkage& linkage)
+{
+    Rewriter rewriter(source, interface.function->name);
+    rewriter.CopyAssignedUniforms();
+    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, source.stage,
+                                                 rewriter.prologue(), rewriter.usesDrawIndex());
+}
+
+} // namespace limn

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "EntryPointWriter.h"
+#include "HlslDeclarations.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// A stage's preprocessed HLSL, taken apart as far as rewriting needs it.
+struct StageSource
+{
+    StageSource(std::string preprocessed, ShaderStage ofStage);
+    StageSource(const StageSource&) = delete;
+    StageSource& operator=(const StageSource&) = delete;
+
+    const std::string text;
+    const std::vector<HlslToken> tokens; ///< into text
+    const HlslDeclarations declarations; ///< into text
+    const ShaderStage stage;
+};
+
+/// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
+/// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
+///
+/// Functions out of reach have to go because they may use what only the other stage has (ddx,
+/// clip). Line breaks and #line directives stay, so that positions of messages hold.
+std::string RewriteStage(const StageSource& source, const StageInterface& interface,
+                         const StageLinkage& linkage);
+
+} // namespace limn

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limn/shaderlab/ShaderCompiler.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+struct IncludedFile
+{
+    std::string name; ///< path on disk, or virtual path of the built-in ShaderLibrary
+    std::string text;
+};
+
+/// A file on disk that a compilation looked for; its result holds while all of them stay as they
+/// are.
+struct IncludeDependency
+{
+    std::string path;
+    std::uint64_t contentHash = 0; ///< 0 = the file does not exist
+
+    bool operator==(const IncludeDependency&) const = default;
+};
+
+std::uint64_t HashContent(std::string_view text);
+
+/// Content hash of the file at `path` as it is now, 0 where there is none.
+std::uint64_t HashFile(const std::string& path);
+
+/// Content hash of the whole built-in ShaderLibrary.
+std::uint64_t HashLibrary();
+
+/// Finds what #include names, the way Unity does: beside the including file, then from the project
+/// root and its packages, then in the built-in library. One resolver serves one compilation.
+class IncludeResolver
+{
+public:
+    explicit IncludeResolver(const ShaderCompilerOptions& options) : m_Options(options) {}
+
+    /// Nothing where no such file exists.
+    std::optional<IncludedFile> Find(std::string_view include, std::string_view includer);
+
+    const std::vector<IncludeDependency>& dependencies() const { return m_Dependencies; }
+
+private:
+    std::optional<IncludedFile> Locate(const std::string& include, const std::string& includer);
+    std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
+    std::optional<IncludedFile> ReadFromPackage(const std::string& include);
+
+    const ShaderCompilerOptions& m_Options;
+    std::vector<IncludeDependency> m_Dependencies;
+};
+
+} // namespace limn

@@ -1,0 +1,187 @@
+#include "ShaderCache.h"
+
+#include "ByteStream.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <unistd.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::string_view k_Magic = "limn pass 1\n";
+
+// One description of the format serves both directions: Stream is ByteWriter or ByteReader, and the
+// values are const for the one and not for the other.
+template <typename Stream, typename Member>
+void Transfer(Stream& stream, Member& members)
+{
+    stream.List(members,
+                [&](auto& member)
+                {
+                    stream.Value(member.name);
+                    stream.Value(member.type);
+                    stream.Value(member.components);
+                    stream.Value(member.offset);
+                    stream.Value(member.size);
+                    stream.Value(member.arraySize);
+                    stream.Value(member.arrayStride);
+                });
+}
+
+template <typename Stream, typename Item>
+void TransferHead(Stream& stream, Item& item)
+{
+    stream.Value(item.name);
+    stream.Value(item.stages);
+    stream.Value(item.binding);
+}
+
+template <typename Stream, typename Layout>
+void TransferLayout(Stream& stream, Layout& layout)
+{
+    stream.List(layout.buffers,
+                [&](auto& buffer)
+                {
+                    TransferHead(stream, buffer);
+                    stream.Value(buffer.size);
+                    Transfer(stream, buffer.members);
+                });
+    stream.List(layout.textures,
+                [&](auto& texture)
+                {
+                    TransferHead(stream, texture);
+                    stream.Value(texture.dimension);
+                    stream.Value(texture.multisampled);
+                    stream.Value(texture.combinedSampler);
+                });
+    stream.List(layout.samplers,
+                [&](auto& sampler)
+                {
+                    TransferHead(stream, sampler);
+                    stream.Value(sampler.comparison);
+                });
+    stream.List(layout.storageBuffers,
+                [&](auto& buffer)
+                {
+                    TransferHead(stream, buffer);
+                    stream.Value(buffer.stride);
+                });
+    stream.List(layout.vertexInputs,
+                [&](auto& input)
+                {
+                    stream.Value(input.semantic);
+                    stream.Value(input.location);
+                    stream.Value(input.type);
+                    stream.Value(input.components);
+                });
+    stream.Value(layout.colorOutputs);
+}
+
+template <typename Stream, typename Pass>
+void TransferPass(Stream& stream, Pass& pass)
+{
+    const auto word = [&](auto& value)
+    {
+        stream.Value(value);
+    };
+    stream.List(pass.vertexSpirv, word);
+    stream.List(pass.fragmentSpirv, word);
+    TransferLayout(stream, pass.layout);
+}
+
+template <typename Stream, typename Dependencies>
+void TransferDependencies(Stream& stream, Dependencies& dependencies)
+{
+    stream.List(dependencies,
+                [&](auto& dependency)
+                {
+                    stream.Value(dependency.path);
+                    stream.Value(dependency.contentHash);
+                });
+}
+
+/// The bytes between magic and trailing hash, or nothing if the file is torn.
+std::optional<std::string_view> Payload(std::string_view file)
+{
+    constexpr std::size_t k_HashSize = sizeof(std::uint64_t);
+    if (file.size() < k_Magic.size() + k_HashSize || file.substr(0, k_Magic.size()) != k_Magic)
+    {
+        return std::nullopt;
+    }
+    const std::string_view payload =
+        file.substr(k_Magic.size(), file.size() - k_Magic.size() - k_HashSize);
+    std::uint64_t hash = 0;
+    ByteReader(file.substr(file.size() - k_HashSize)).Value(hash);
+    return hash == HashContent(payload) ? std::optional(payload) : std::nullopt;
+}
+
+std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::string& key)
+{
+    return folder / (key + ".limnpass");
+}
+
+} // namespace
+
+std::optional<CompiledPass> ShaderCache::Load(const std::string& key) const
+{
+    const auto file = isEnabled() ? ReadTextFile(EntryPath(m_Folder, key)) : std::nullopt;
+    const auto payload = file ? Payload(*file) : std::nullopt;
+    if (!payload)
+    {
+        return std::nullopt;
+    }
+    try
+    {
+        ByteReader reader(*payload);
+        std::vector<IncludeDependency> dependencies;
+        TransferDependencies(reader, dependencies);
+        const bool isCurrent =
+            std::all_of(dependencies.begin(), dependencies.end(),
+                        [](const IncludeDependency& dependency)
+                        { return HashFile(dependency.path) == dependency.contentHash; });
+        CompiledPass pass;
+        TransferPass(reader, pass);
+        return isCurrent ? std::optional(std::move(pass)) : std::nullopt;
+    }
+    catch (const std::out_of_range&)
+    {
+        return std::nullopt; // an entry of another format with a good hash: rebuilt like a torn one
+    }
+}
+
+void ShaderCache::Store(const std::string& key, const CompiledPass& pass,
+                        const std::vector<IncludeDependency>& dependencies) const
+{
+    if (!isEnabled())
+    {
+        return;
+    }
+    ByteWriter payload;
+    TransferDependencies(payload, dependencies);
+    TransferPass(payload, pass);
+    ByteWriter hash;
+    hash.Value(HashContent(payload.bytes()));
+
+    static std::atomic<unsigned> s_Counter{0};
+    const std::string unique = std::to_string(getpid()) + "." + std::to_string(s_Counter++);
+    const std::filesystem::path temporary = m_Folder / (key + "." + unique + ".tmp");
+    std::error_code error;
+    std::filesystem::create_directories(m_Folder, error);
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << k_Magic << payload.bytes() << hash.bytes();
+    stream.close();
+    if (stream)
+    {
+        std::filesystem::rename(temporary, EntryPath(m_Folder, key), error);
+    }
+    // Removes a half-written file; after the rename there is none.
+    std::filesystem::remove(temporary, error);
+}
+
+} // namespace limn

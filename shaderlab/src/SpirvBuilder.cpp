@@ -1,0 +1,86 @@
+#include "SpirvBuilder.h"
+
+#include "EntryPointWriter.h"
+#include "GlslangLog.h"
+#include "GlslangSession.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/optimizer.hpp>
+
+namespace limn
+{
+
+namespace
+{
+
+[[noreturn]] void ThrowLog(std::string_view log, const std::string& file, std::string_view step)
+{
+    std::vector<Diagnostic> diagnostics = ReadGlslangLog(log, file);
+    if (diagnostics.empty())
+    {
+        diagnostics.push_back({Severity::Error,
+                               file,
+                               {},
+                               "program: " + std::string(step) + " failed: " + std::string(log)});
+    }
+    throw AssetError(std::move(diagnostics));
+}
+
+/// Inlining and dead-code removal decide which resources and inputs a pass really has, and make
+/// textures that travel through function parameters legal for Vulkan.
+void Optimize(std::vector<std::uint32_t>& spirv, const std::string& file)
+{
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+    std::string messages;
+    optimizer.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
+        { messages.append(message).append("\n"); });
+    optimizer.RegisterLegalizationPasses();
+    optimizer.RegisterPerformancePasses();
+    optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
+    optimizer.RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass());
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    std::vector<std::uint32_t> optimized;
+    if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options))
+    {
+        ThrowLog(messages, file, "optimising");
+    }
+    spirv = std::move(optimized);
+}
+
+} // namespace
+
+std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
+                                      const std::string& file)
+{
+    StartGlslang();
+    const char* const text = hlsl.c_str();
+    const char* const name = file.c_str();
+    const int size = static_cast<int>(hlsl.size());
+    glslang::TShader shader(GlslangStage(stage));
+    shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
+    SetEnvironment(shader, stage);
+    shader.setEntryPoint("main");
+    shader.setSourceEntryPoint(std::string(k_EntryName).c_str());
+    shader.setAutoMapBindings(true);
+    if (!shader.parse(GetDefaultResources(), 500, false, k_GlslangMessages))
+    {
+        ThrowLog(shader.getInfoLog(), file, "compiling");
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(k_GlslangMessages) || !program.mapIO())
+    {
+        ThrowLog(program.getInfoLog(), file, "linking");
+    }
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    std::vector<std::uint32_t> spirv;
+    glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
+    Optimize(spirv, file);
+    return spirv;
+}
+
+} // namespace limn

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <limn/shaderlab/CompiledPass.h>
+
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// Compiles rewritten HLSL to optimised SPIR-V 1.3 with the entry point "main". What the code does
+/// not need is gone: unused inputs, buffers and textures are not declared.
+///
+/// @param file  named by messages that have no place of their own
+/// @throws AssetError
+std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
+                                      const std::string& file);
+
+} // namespace limn

@@ -1,0 +1,286 @@
+#include "StageInterface.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace limn
+{
+
+namespace
+{
+
+struct BuiltInType
+{
+    std::string scalar;
+    int rows = 1;
+    int columns = 1;
+    bool isMatrix = false;
+};
+
+constexpr std::pair<std::string_view, std::string_view> k_Scalars[] = {
+    {"float", "float"}, {"half", "float"},       {"double", "float"},     {"fixed", "float"},
+    {"real", "float"},  {"min16float", "float"}, {"min10float", "float"}, {"uint", "uint"},
+    {"int", "int"},     {"min16uint", "uint"},   {"min16int", "int"},     {"min12int", "int"},
+    {"dword", "uint"},  {"bool", "bool"},
+};
+
+std::optional<BuiltInType> ReadBuiltInType(std::string_view name)
+{
+    for (const auto& [spelling, scalar] : k_Scalars)
+    {
+        if (name.substr(0, spelling.size()) != spelling)
+        {
+            continue;
+        }
+        const std::string_view rest = name.substr(spelling.size());
+        const auto digit = [&](std::size_t i)
+        {
+            return rest[i] - '0';
+        };
+        const bool first = !rest.empty() && rest[0] >= '1' && rest[0] <= '4';
+        if (rest.empty())
+        {
+            return BuiltInType{std::string(scalar)};
+        }
+        if (rest.size() == 1 && first)
+        {
+            return BuiltInType{std::string(scalar), 1, digit(0)};
+        }
+        if (rest.size() == 3 && first && rest[1] == 'x' && rest[2] >= '1' && rest[2] <= '4')
+        {
+            return BuiltInType{std::string(scalar), digit(0), digit(2), true};
+        }
+    }
+    return std::nullopt;
+}
+
+struct Semantic
+{
+    std::string name;
+    int index = 0;
+};
+
+Semantic SplitSemantic(std::string_view text)
+{
+    std::size_t size = text.size();
+    while (size > 0 && isDigit(text[size - 1]))
+    {
+        --size;
+    }
+    Semantic semantic;
+    for (const char c : text.substr(0, size))
+    {
+        semantic.name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    std::from_chars(text.data() + size, text.data() + text.size(), semantic.index);
+    return semantic;
+}
+
+/// The old names that Direct3D 9 shaders use for system values.
+std::string ModernName(const std::string& name, int index, ShaderStage stage, bool isOutput)
+{
+    if (stage == ShaderStage::Vertex)
+    {
+        const bool isPosition = name == "POSITION" && index == 0;
+        if (isOutput)
+        {
+            return isPosition ? "SV_POSITION" : name;
+        }
+        return name == "SV_POSITION" ? "POSITION" : name;
+    }
+    if (isOutput)
+    {
+        return name == "COLOR" ? "SV_TARGET" : name == "DEPTH" ? "SV_DEPTH" : name;
+    }
+    if ((name == "POSITION" && index == 0) || name == "VPOS")
+    {
+        return "SV_POSITION";
+    }
+    return name == "VFACE" || name == "FACE" ? "SV_ISFRONTFACE" : name;
+}
+
+/// Whether the pipeline makes or takes this value at this border.
+bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
+{
+    static constexpr std::array<std::string_view, 2> k_VertexInputs = {"SV_VERTEXID",
+                                                                       "SV_INSTANCEID"};
+    static constexpr std::array<std::string_view, 6> k_VertexOutputs = {
+        "SV_POSITION",           "SV_CLIPDISTANCE",
+        "SV_CULLDISTANCE",       "SV_RENDERTARGETARRAYINDEX",
+        "SV_VIEWPORTARRAYINDEX", "PSIZE"};
+    static constexpr std::array<std::string_view, 8> k_FragmentInputs = {
+        "SV_POSITION",
+        "SV_ISFRONTFACE",
+        "SV_SAMPLEINDEX",
+        "SV_COVERAGE",
+        "SV_CLIPDISTANCE",
+        "SV_PRIMITIVEID",
+        "SV_RENDERTARGETARRAYINDEX",
+        "SV_VIEWPORTARRAYINDEX"};
+    static constexpr std::array<std::string_view, 5> k_FragmentOutputs = {
+        "SV_TARGET", "SV_DEPTH", "SV_DEPTHLESSEQUAL", "SV_DEPTHGREATEREQUAL", "SV_COVERAGE"};
+    const auto contains = [&](const auto& names)
+    {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (stage == ShaderStage::Vertex)
+    {
+        return isOutput ? contains(k_VertexOutputs) : contains(k_VertexInputs);
+    }
+    return isOutput ? contains(k_FragmentOutputs) : contains(k_FragmentInputs);
+}
+
+class InterfaceReader
+{
+public:
+    InterfaceReader(const HlslDeclarations& declarations, ShaderStage stage)
+        : m_Declarations(declarations), m_Stage(stage)
+    {
+    }
+
+    void Expand(const HlslVariable& variable, const std::string& expression, bool isOutput,
+                std::vector<StageValue>& values)
+    {
+        const std::string_view typeName = m_Declarations.ResolveAlias(variable.type);
+        if (const HlslStruct* type = m_Declarations.FindStruct(typeName))
+        {
+            for (const HlslVariable& member : type->members)
+            {
+                Expand(member, expression + "." + std::string(member.name), isOutput, values);
+            }
+            return;
+        }
+        const auto type = ReadBuiltInType(typeName);
+        if (!type)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
+                                      std::string(variable.type) +
+                                      "' cannot cross the border of a stage"};
+        }
+        if (variable.semantic.empty())
+        {
+            throw StageInterfaceError{
+                "'" + std::string(variable.name) +
+                "' has no semantic; write one behind it, as in ': TEXCOORD0'"};
+        }
+        ExpandElements(variable, *type, expression, isOutput, values);
+    }
+
+private:
+    void ExpandElements(const HlslVariable& variable, const BuiltInType& type,
+                        const std::string& expression, bool isOutput,
+                        std::vector<StageValue>& values)
+    {
+        const Semantic semantic = SplitSemantic(variable.semantic);
+        StageValue value;
+        value.semantic = ModernName(semantic.name, semantic.index, m_Stage, isOutput);
+        value.index = semantic.index;
+        value.isSystemValue = isPipelineValue(value.semantic, m_Stage, isOutput);
+        RequireKnown(variable, value, isOutput);
+        value.scalar = type.scalar;
+        value.components = type.columns;
+        for (const std::string_view modifier :
+             {"nointerpolation", "noperspective", "centroid", "sample"})
+        {
+            value.interpolation += variable.Has(modifier) ? std::string(modifier) + " " : "";
+        }
+        const int rows = type.isMatrix ? type.rows : 1;
+        const int count = variable.dimensions.empty() ? 1 : ArraySize(variable);
+        for (int element = 0; element < count; ++element)
+        {
+            for (int row = 0; row < rows; ++row)
+            {
+                value.expression = expression;
+                value.expression +=
+                    variable.dimensions.empty() ? "" : "[" + std::to_string(element) + "]";
+                value.expression += type.isMatrix ? "[" + std::to_string(row) + "]" : "";
+                values.push_back(value);
+                ++value.index;
+            }
+        }
+    }
+
+    void RequireKnown(const HlslVariable& variable, const StageValue& value, bool isOutput) const
+    {
+        // An instance id that travels to the fragment function is a varying like any other.
+        const bool isReserved =
+            value.semantic.substr(0, 3) == "SV_" && value.semantic != "SV_INSTANCEID";
+        const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
+        if (!value.isSystemValue && !isFree)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) + "': semantic '" +
+                                      std::string(variable.semantic) +
+                                      "' is not possible at this place"};
+        }
+    }
+
+    static int ArraySize(const HlslVariable& variable)
+    {
+        int size = 0;
+        const std::string_view text = variable.dimensions[0];
+        std::from_chars(text.data(), text.data() + text.size(), size);
+        if (variable.dimensions.size() > 1 || size < 1)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) +
+                                      "': an array between stages needs one size, written as a "
+                                      "number"};
+        }
+        return size;
+    }
+
+    const HlslDeclarations& m_Declarations;
+    ShaderStage m_Stage;
+};
+
+} // namespace
+
+std::string StageValue::semanticName() const
+{
+    const bool isNumbered = semantic == "TEXCOORD" || index > 0;
+    return isNumbered ? semantic + std::to_string(index) : semantic;
+}
+
+std::string ArgumentName(std::size_t index)
+{
+    return "limn_argument" + std::to_string(index);
+}
+
+std::string TypeName(const std::string& scalar, int components)
+{
+    return components == 1 ? scalar : scalar + std::to_string(components);
+}
+
+StageInterface ReadStageInterface(const HlslDeclarations& declarations,
+                                  const HlslFunction& function, ShaderStage stage)
+{
+    StageInterface result;
+    result.function = &function;
+    InterfaceReader reader(declarations, stage);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    {
+        const HlslVariable& parameter = function.parameters[i];
+        const bool isOutput = parameter.Has("out") || parameter.Has("inout");
+        if (!parameter.Has("out"))
+        {
+            reader.Expand(parameter, ArgumentName(i), false, result.inputs);
+        }
+        if (isOutput)
+        {
+            reader.Expand(parameter, ArgumentName(i), true, result.outputs);
+        }
+    }
+    if (function.returnType != "void")
+    {
+        HlslVariable returned;
+        returned.name = function.name;
+        returned.type = function.returnType;
+        returned.semantic = function.semantic;
+        reader.Expand(returned, std::string(k_ResultName), true, result.outputs);
+    }
+    return result;
+}
+
+} // namespace limn

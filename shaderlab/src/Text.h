@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string_view>
+
+namespace limn
+{
+
+constexpr char ToLower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+constexpr bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+constexpr bool isLetter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool isBlank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+/// ASCII case only, which is all that ShaderLab keywords and HLSL semantics need.
+constexpr bool EqualsIgnoringCase(std::string_view a, std::string_view b)
+{
+    if (a.size() != b.size())
+    {
+        return false;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        if (ToLower(a[i]) != ToLower(b[i]))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+constexpr std::string_view Trim(std::string_view text)
+{
+    while (!text.empty() && isBlank(text.front()))
+    {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && isBlank(text.back()))
+    {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+} // namespace limn

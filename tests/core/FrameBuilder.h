@@ -1,0 +1,116 @@
+#pragma once
+
+#include <limn/core/CompiledFrame.h>
+#include <limn/shaderlab/CompiledPass.h>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace limn::test
+{
+
+using TexturePtr = std::shared_ptr<const Texture>;
+using RenderTexturePtr = std::shared_ptr<const RenderTexture>;
+
+/// Writes a frame's commands by hand.
+class FrameBuilder
+{
+public:
+    FrameBuilder& Bind(const RenderTexturePtr& color, const RenderTexturePtr& depth = nullptr)
+    {
+        SetRenderTargetCommand command;
+        if (color)
+        {
+            command.colors.push_back(color);
+        }
+        command.depth = depth;
+        return Add(std::move(command));
+    }
+    FrameBuilder& Bind(std::vector<RenderTexturePtr> colors, const RenderTexturePtr& depth)
+    {
+        return Add(SetRenderTargetCommand{std::move(colors), depth});
+    }
+    FrameBuilder& Clear(ClearFlag flags, const Color& color = Color::clear, float depth = 1.0f,
+                        int stencil = 0)
+    {
+        return Add(ClearCommand{flags, color, depth, stencil});
+    }
+    FrameBuilder& Viewport(int x, int y, int width, int height)
+    {
+        return Add(SetViewportCommand{{x, y, width, height}});
+    }
+    /// @param number  what Describe calls the draw
+    FrameBuilder& Draw(std::uint32_t number, const std::vector<TexturePtr>& sampled = {})
+    {
+        auto bindings = std::make_shared<DrawBindings>();
+        for (const TexturePtr& texture : sampled)
+        {
+            bindings->textures.push_back({0, texture, std::nullopt});
+        }
+        DrawCommand draw;
+        draw.bindings = std::move(bindings);
+        draw.vertexCount = 3;
+        draw.firstInstance = number;
+        return Add(std::move(draw));
+    }
+    FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
+    FrameBuilder& End() { return Add(EndSampleCommand{}); }
+
+    /// What was added since the last call.
+    FrameCommands Take() { return std::exchange(m_Frame, {}); }
+
+private:
+    FrameBuilder& Add(FrameCommand command)
+    {
+        m_Frame.commands.push_back(std::move(command));
+        return *this;
+    }
+
+    FrameCommands m_Frame;
+};
+
+inline std::string Describe(const PassCommand& command)
+{
+    return std::visit(
+        [](const auto& c) -> std::string
+        {
+            using Command = std::decay_t<decltype(c)>;
+            if constexpr (std::is_same_v<Command, ClearCommand>)
+            {
+                return "clear " + std::to_string(static_cast<int>(c.flags));
+            }
+            else if constexpr (std::is_same_v<Command, SetViewportCommand>)
+            {
+                return "viewport " + std::to_string(c.rect.x) + " " + std::to_string(c.rect.y) +
+                       " " + std::to_string(c.rect.width) + " " + std::to_string(c.rect.height);
+            }
+            else if constexpr (std::is_same_v<Command, DrawCommand>)
+            {
+                return "draw " + std::to_string(c.firstInstance);
+            }
+            else if constexpr (std::is_same_v<Command, BeginSampleCommand>)
+            {
+                return "begin " + c.name;
+            }
+            else
+            {
+                return "end";
+            }
+        },
+        command);
+}
+
+/// The pass's commands as words: "viewport 0 0 8 4", "clear 7", "draw 1", "begin x", "end".
+inline std::vector<std::string> CommandsOf(const CompiledRenderPass& pass)
+{
+    std::vector<std::string> texts;
+    for (const PassCommand& command : pass.commands)
+    {
+        texts.push_back(Describe(command));
+    }
+    return texts;
+}
+
+} // namespace limn::test

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limn/core/RTHandle.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "ThrownMessage.h"
+
+namespace limn
+{
+namespace
+{
+
+using RenderingUtils::ReAllocateIfNeeded;
+
+const RenderTextureDescriptor k_Mask(960, 540, GraphicsFormat::R8_UNorm);
+
+RTHandle MaskHandle(const RenderTextureDescriptor& descriptor = k_Mask)
+{
+    return RTHandles::Alloc(descriptor, FilterMode::Bilinear, TextureWrapMode::Clamp, "_Mask");
+}
+
+bool ReAllocateMask(RTHandle& handle, const RenderTextureDescriptor& descriptor)
+{
+    return ReAllocateIfNeeded(handle, descriptor, FilterMode::Bilinear, TextureWrapMode::Clamp,
+                              "_Mask");
+}
+
+TEST(RTHandle, IsEmptyUntilItIsAllocated)
+{
+    const RTHandle handle;
+    EXPECT_FALSE(handle);
+    EXPECT_EQ(handle.rt(), nullptr);
+}
+
+TEST(RTHandle, LetsGoOfTheTextureOnRelease)
+{
+    RTHandle handle = MaskHandle();
+    const std::weak_ptr<const RenderTexture> texture = handle.rt();
+    handle.Release();
+    EXPECT_FALSE(handle);
+    EXPECT_TRUE(texture.expired());
+}
+
+TEST(RTHandle, KeepsTheTextureAsLongAsACopyRefersToIt)
+{
+    RTHandle handle = MaskHandle();
+    const RTHandle copy = handle;
+    EXPECT_EQ(copy, handle);
+    handle.Release();
+    EXPECT_EQ(copy.rt()->name(), "_Mask");
+}
+
+TEST(RTHandle, AllocatesWhatTheDescriptorSays)
+{
+    const RTHandle handle = MaskHandle();
+    EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
+    EXPECT_EQ(handle.rt()->sampler(), (SamplerState{FilterMode::Bilinear, TextureWrapMode::Clamp,
+                                                    TextureWrapMode::Clamp, false}));
+    EXPECT_EQ(handle.rt()->name(), "_Mask");
+}
+
+TEST(RTHandle, AllocatesPointFilteredAndRepeatingUnlessAskedOtherwise)
+{
+    const RTHandle handle = RTHandles::Alloc(k_Mask);
+    EXPECT_EQ(handle.rt()->sampler(), (SamplerState{FilterMode::Point, TextureWrapMode::Repeat,
+                                                    TextureWrapMode::Repeat, false}));
+}
+
+TEST(RTHandle, IsNotAllocatedWithASizeBelowOne)
+{
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [] {
+                      MaskHandle({0, 540, GraphicsFormat::R8_UNorm});
+                  }),
+              "texture '_Mask': size 0x540; both must be at least 1");
+}
+
+TEST(ReAllocateIfNeeded, FillsAnEmptyHandle)
+{
+    RTHandle handle;
+    EXPECT_TRUE(ReAllocateMask(handle, k_Mask));
+    ASSERT_TRUE(handle);
+    EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
+    EXPECT_EQ(handle.rt()->name(), "_Mask");
+}
+
+TEST(ReAllocateIfNeeded, KeepsATextureThatMatches)
+{
+    RTHandle handle = MaskHandle();
+    const std::uint64_t id = handle.rt()->id();
+    EXPECT_FALSE(ReAllocateMask(handle, k_Mask));
+    EXPECT_EQ(handle.rt()->id(), id);
+}
+
+TEST(ReAllocateIfNeeded, ReplacesATextureForEachFieldThatDiffers)
+{
+    std::vector<RenderTextureDescriptor> others(5, k_Mask);
+    others[0].width = 961;
+    others[1].height = 541;
+    others[2].graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
+    others[3].depthBufferBits = 32;
+    others[4].msaaSamples = 2;
+    for (const RenderTextureDescriptor& other : others)
+    {
+        RTHandle handle = MaskHandle();
+        EXPECT_TRUE(ReAllocateMask(handle, other)) << "field " << &other - others.data();
+        EXPECT_EQ(handle.rt()->descriptor(), other);
+    }
+}
+
+TEST(ReAllocateIfNeeded, ReplacesATextureForAnotherFilterWrapModeOrName)
+{
+    const auto replaces = [](FilterMode filter, TextureWrapMode wrap, const std::string& name)
+    {
+        RTHandle handle = MaskHandle();
+        return ReAllocateIfNeeded(handle, k_Mask, filter, wrap, name);
+    };
+    EXPECT_FALSE(replaces(FilterMode::Bilinear, TextureWrapMode::Clamp, "_Mask"));
+    EXPECT_TRUE(replaces(FilterMode::Point, TextureWrapMode::Clamp, "_Mask"));
+    EXPECT_TRUE(replaces(FilterMode::Bilinear, TextureWrapMode::Repeat, "_Mask"));
+    EXPECT_TRUE(replaces(FilterMode::Bilinear, TextureWrapMode::Clamp, "_Other"));
+}
+
+TEST(ReAllocateIfNeeded, IgnoresTheColourFormatOfADepthTexture)
+{
+    RTHandle handle = MaskHandle({8, 8, GraphicsFormat::R8_UNorm, 32});
+    EXPECT_FALSE(ReAllocateMask(handle, {8, 8, GraphicsFormat::R16G16B16A16_SFloat, 32}));
+}
+
+TEST(ReAllocateIfNeeded, MakesAHalfSizeOfASinglePixelOnePixel)
+{
+    const RenderTextureDescriptor half(1 / 2, 1 / 2, GraphicsFormat::R8_UNorm);
+    RTHandle handle;
+    EXPECT_TRUE(ReAllocateMask(handle, half));
+    EXPECT_EQ(handle.rt()->width(), 1);
+    EXPECT_EQ(handle.rt()->height(), 1);
+    EXPECT_FALSE(ReAllocateMask(handle, half));
+}
+
+TEST(ReAllocateIfNeeded, LeavesTheOldTextureToWhoeverStillHoldsIt)
+{
+    RTHandle handle = MaskHandle();
+    const RTHandle kept = handle;
+    ReAllocateMask(handle, {1, 1, GraphicsFormat::R8_UNorm});
+    EXPECT_EQ(kept.rt()->width(), 960);
+    EXPECT_NE(kept, handle);
+}
+
+TEST(ReAllocateIfNeeded, FreesTheTexturesItReplaces)
+{
+    RTHandle handle;
+    std::vector<std::weak_ptr<const RenderTexture>> textures;
+    for (int i = 0; i < 100; ++i)
+    {
+        ReAllocateMask(handle, {1, 1 + i, GraphicsFormat::R8_UNorm});
+        textures.push_back(handle.rt());
+    }
+    const auto alive = std::count_if(textures.begin(), textures.end(),
+                                     [](const auto& texture) { return !texture.expired(); });
+    EXPECT_EQ(alive, 1);
+}
+
+TEST(ReAllocateIfNeeded, KeepsTheTextureWhenTheDescriptorIsWrong)
+{
+    RTHandle handle = MaskHandle();
+    RenderTextureDescriptor wrong = k_Mask;
+    wrong.msaaSamples = 3;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { ReAllocateMask(handle, wrong); }),
+              "texture '_Mask': msaaSamples 3; it must be 1, 2, 4 or 8");
+    EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+#include <limn/core/RenderTexture.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "ThrownMessage.h"
+
+namespace limn
+{
+namespace
+{
+
+using test::ThrownMessage;
+
+GraphicsFormat FormatFor(int depthBufferBits)
+{
+    return RenderTexture("t", {4, 4, GraphicsFormat::R8_UNorm, depthBufferBits}).graphicsFormat();
+}
+
+TEST(RenderTexture, KeepsItsDescriptor)
+{
+    RenderTextureDescriptor descriptor(640, 360, GraphicsFormat::R16G16B16A16_SFloat);
+    descriptor.msaaSamples = 4;
+    const RenderTexture texture("_Color", descriptor, {}, true);
+    EXPECT_EQ(texture.descriptor(), descriptor);
+    EXPECT_EQ(texture.name(), "_Color");
+    EXPECT_EQ(texture.width(), 640);
+    EXPECT_EQ(texture.height(), 360);
+    EXPECT_TRUE(texture.isTransient());
+    EXPECT_FALSE(RenderTexture("t", descriptor).isTransient());
+}
+
+TEST(RenderTexture, HasTheColourFormatWithoutDepthBits)
+{
+    EXPECT_EQ(FormatFor(0), GraphicsFormat::R8_UNorm);
+}
+
+TEST(RenderTexture, IsADepthTextureWithDepthBitsWhateverTheColourFormat)
+{
+    EXPECT_EQ(FormatFor(16), GraphicsFormat::D32_SFloat);
+    EXPECT_EQ(FormatFor(24), GraphicsFormat::D32_SFloat_S8_UInt);
+    EXPECT_EQ(FormatFor(32), GraphicsFormat::D32_SFloat_S8_UInt);
+}
+
+TEST(RenderTexture, IsADepthTextureWhenTheOlderFormatIsDepth)
+{
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+    descriptor.SetColorFormat(RenderTextureFormat::Depth);
+    EXPECT_EQ(RenderTexture("t", descriptor).graphicsFormat(), GraphicsFormat::D32_SFloat);
+}
+
+TEST(RenderTexture, RejectsADefaultDescriptor)
+{
+    EXPECT_EQ(ThrownMessage<ContractError>([] { RenderTexture("_Mask", {}); }),
+              "texture '_Mask': size 0x0; both must be at least 1");
+}
+
+TEST(RenderTexture, RejectsNumbersOfSamplesThatNoHardwareHas)
+{
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+    for (const int samples : {0, 3, 16, -1})
+    {
+        descriptor.msaaSamples = samples;
+        EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("_Mask", descriptor); }),
+                  "texture '_Mask': msaaSamples " + std::to_string(samples) +
+                      "; it must be 1, 2, 4 or 8");
+    }
+}
+
+TEST(RenderTexture, RejectsDepthBitsThatUnityDoesNotName)
+{
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [] {
+                      RenderTexture("_Mask", {4, 4, GraphicsFormat::R8_UNorm, 23});
+                  }),
+              "texture '_Mask': depthBufferBits 23; it must be 0, 16, 24 or 32");
+}
+
+TEST(RenderTexture, RejectsNoFormatAtAll)
+{
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [] {
+                      RenderTexture("_Mask", {4, 4, GraphicsFormat::None});
+                  }),
+              "texture '_Mask': format None; it needs a format");
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <stdlib.h>
+#include <string>
+#include <string_view>
+
+namespace limn::test
+{
+
+/// A new, empty folder that goes away with the object.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "limn-test-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+        {
+            throw std::runtime_error("cannot make " + name);
+        }
+        m_Path = name;
+    }
+
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_Path, ignored);
+    }
+
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const
+    {
+        return m_Path / name;
+    }
+
+    /// Writes a file into the folder and returns its path.
+    std::filesystem::path Write(const std::string& name, std::string_view content) const
+    {
+        std::ofstream(m_Path / name, std::ios::binary) << content;
+        return m_Path / name;
+    }
+
+    int fileCount() const
+    {
+        int count = 0;
+        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(m_Path))
+        {
+            ++count;
+        }
+        return count;
+    }
+
+private:
+    std::filesystem::path m_Path;
+};
+
+} // namespace limn::test

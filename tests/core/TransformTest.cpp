@@ -1,0 +1,154 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limn/core/Transform.h>
+#include <limn/shaderlab/Diagnostic.h>
+#include <random>
+
+#include "ThrownMessage.h"
+
+namespace limn
+{
+namespace
+{
+
+void ExpectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-6f)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
+    }
+}
+
+const glm::vec3 k_X(1, 0, 0);
+const glm::vec3 k_Y(0, 1, 0);
+const glm::vec3 k_Z(0, 0, 1);
+
+TEST(EulerToRotation, TurnsForwardToTheRightByAPositiveYaw)
+{
+    ExpectNear(EulerToRotation({0, 90, 0}) * k_Z, k_X);
+}
+
+TEST(EulerToRotation, TurnsForwardDownByAPositivePitch)
+{
+    ExpectNear(EulerToRotation({90, 0, 0}) * k_Z, -k_Y);
+}
+
+TEST(EulerToRotation, TurnsRightUpByAPositiveRoll)
+{
+    ExpectNear(EulerToRotation({0, 0, 90}) * k_X, k_Y);
+}
+
+/// Rotates by hand-written matrices: first about z, then x, then y.
+glm::dvec3 RotateZxy(const glm::dvec3& degrees, const glm::dvec3& p)
+{
+    const glm::dvec3 r = degrees * (std::acos(-1.0) / 180.0);
+    const glm::dvec3 z(p.x * std::cos(r.z) - p.y * std::sin(r.z),
+                       p.x * std::sin(r.z) + p.y * std::cos(r.z), p.z);
+    const glm::dvec3 x(z.x, z.y * std::cos(r.x) - z.z * std::sin(r.x),
+                       z.y * std::sin(r.x) + z.z * std::cos(r.x));
+    return {x.x * std::cos(r.y) + x.z * std::sin(r.y), x.y,
+            -x.x * std::sin(r.y) + x.z * std::cos(r.y)};
+}
+
+TEST(EulerToRotation, AppliesRollThenPitchThenYaw)
+{
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> angle(-180.0f, 180.0f);
+    for (int i = 0; i < 100; ++i)
+    {
+        const glm::vec3 degrees(angle(random), angle(random), angle(random));
+        const glm::vec3 point(angle(random), angle(random), angle(random));
+        ExpectNear(EulerToRotation(degrees) * point,
+                   glm::vec3(RotateZxy(glm::dvec3(degrees), glm::dvec3(point))), 2e-4f);
+    }
+}
+
+TEST(LookRotation, LooksAlongForwardWithUpUpwards)
+{
+    const glm::quat rotation = LookRotation({3, 0, 3});
+    const float h = std::sqrt(0.5f);
+    ExpectNear(rotation * k_Z, {h, 0, h});
+    ExpectNear(rotation * k_Y, k_Y);
+    ExpectNear(rotation * k_X, {h, 0, -h});
+}
+
+TEST(LookRotation, LeansTowardsAnUpThatIsNotPerpendicular)
+{
+    const glm::quat rotation = LookRotation(k_Z, {0, 1, 5});
+    ExpectNear(rotation * k_Y, k_Y);
+}
+
+TEST(LookRotation, KeepsRightWhenItLooksStraightUpOrDown)
+{
+    ExpectNear(LookRotation(k_Y) * k_Z, k_Y);
+    ExpectNear(LookRotation(k_Y) * k_X, k_X);
+    ExpectNear(LookRotation(-k_Y) * k_Z, -k_Y);
+    ExpectNear(LookRotation(-k_Y) * k_X, k_X);
+}
+
+TEST(LookRotation, FindsARotationWithoutAUsableUp)
+{
+    for (const glm::vec3& up : {glm::vec3(0.0f), k_X, -k_X})
+    {
+        const glm::quat rotation = LookRotation(k_X, up);
+        ExpectNear(rotation * k_Z, k_X);
+        EXPECT_NEAR(glm::length(rotation), 1.0f, 1e-6f);
+    }
+}
+
+TEST(LookRotation, DoesNotCareHowLongUpIs)
+{
+    for (const float length : {1e-7f, 1.0f, 1e7f})
+    {
+        ExpectNear(LookRotation(k_Z, k_X * length) * k_Y, k_X);
+    }
+}
+
+TEST(LookRotation, RefusesAForwardOfZero)
+{
+    EXPECT_EQ(test::ThrownMessage<ContractError>([] { LookRotation(glm::vec3(0.0f)); }),
+              "LookRotation: the forward direction is zero");
+}
+
+TEST(Transform, ScalesThenRotatesThenMoves)
+{
+    Transform transform;
+    transform.localPosition = {10, 20, 30};
+    transform.localRotation = EulerToRotation({0, 90, 0});
+    transform.localScale = {2, 3, 4};
+    // (1, 1, 1) scaled is (2, 3, 4); turned to the right (4, 3, -2).
+    ExpectNear(glm::vec3(transform.localToWorldMatrix() * glm::vec4(1, 1, 1, 1)), {14, 23, 28},
+               1e-5f);
+    ExpectNear(transform.forward(), k_X);
+}
+
+TEST(Transform, IsSeenThroughItsParents)
+{
+    Transform grandparent;
+    grandparent.localPosition = {0, 0, 100};
+    Transform parent;
+    parent.parent = &grandparent;
+    parent.localRotation = EulerToRotation({0, 90, 0});
+    parent.localScale = {2, 2, 2};
+    Transform child;
+    child.parent = &parent;
+    child.localPosition = {0, 0, 5};
+    ExpectNear(child.position(), {10, 0, 100}, 1e-5f);
+    ExpectNear(child.forward(), k_X);
+}
+
+TEST(Transform, PointsForwardWhateverItsParentsScale)
+{
+    Transform parent;
+    parent.localScale = {1, 1, 0};
+    Transform child;
+    child.parent = &parent;
+    child.localRotation = EulerToRotation({0, 45, 0});
+    const float h = std::sqrt(0.5f);
+    ExpectNear(child.forward(), {h, 0, h});
+}
+
+} // namespace
+} // namespace limn

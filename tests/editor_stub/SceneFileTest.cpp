@@ -1,0 +1,279 @@
+#include "SceneFolder.h"
+
+#include <limn/features/ScreenSpaceOutline.h>
+#include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+const GameObject& Object(SceneAsset& asset, std::string_view name)
+{
+    const GameObject* object = asset.scene.Find(name);
+    if (object == nullptr)
+    {
+        throw std::runtime_error("no object " + std::string(name));
+    }
+    return *object;
+}
+
+const ScreenSpaceOutlineSettings& OutlineSettings(const SceneAsset& asset, std::size_t index = 0)
+{
+    return dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*asset.renderer.features.at(index))
+        .settings();
+}
+
+} // namespace
+
+TEST(SceneFile, ACameraAloneIsAScene)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.Load("camera:\n");
+    EXPECT_EQ(1280, asset.width);
+    EXPECT_EQ(720, asset.height);
+    EXPECT_TRUE(asset.scene.objects().empty());
+    EXPECT_EQ(60.0f, asset.camera.fieldOfView);
+    EXPECT_EQ(LayerMask(1), asset.camera.volumeLayerMask);
+}
+
+TEST(SceneFile, SetsEveryFieldOfTheCamera)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.Load("size: [64, 48]\n"
+                                         "layers: {6: Furniture}\n"
+                                         "camera:\n"
+                                         "  position: [1, 2, 3]\n"
+                                         "  rotation: [0, 90, 0]\n"
+                                         "  orthographic: true\n"
+                                         "  orthographicSize: 7\n"
+                                         "  fieldOfView: 45\n"
+                                         "  nearClipPlane: 0.5\n"
+                                         "  farClipPlane: 50\n"
+                                         "  clearFlags: Nothing\n"
+                                         "  backgroundColor: [0.25, 0.5, 0.75]\n"
+                                         "  cullingMask: [Default, Furniture, 9]\n"
+                                         "  allowHDR: false\n"
+                                         "  volumeLayerMask: Everything\n"
+                                         "  volumeTrigger: [4, 5, 6]\n");
+    const Camera& camera = asset.camera;
+    EXPECT_EQ(64, asset.width);
+    EXPECT_EQ(48, asset.height);
+    EXPECT_EQ(glm::vec3(1, 2, 3), camera.transform.localPosition);
+    EXPECT_NEAR(1.0f, camera.transform.forward().x, 1e-6f);
+    EXPECT_TRUE(camera.orthographic);
+    EXPECT_EQ(7.0f, camera.orthographicSize);
+    EXPECT_EQ(45.0f, camera.fieldOfView);
+    EXPECT_EQ(0.5f, camera.nearClipPlane);
+    EXPECT_EQ(50.0f, camera.farClipPlane);
+    EXPECT_EQ(CameraClearFlags::Nothing, camera.clearFlags);
+    EXPECT_EQ((Color{0.25f, 0.5f, 0.75f, 1.0f}), camera.backgroundColor);
+    EXPECT_EQ(LayerMask(1u + 64u + 512u), camera.cullingMask);
+    EXPECT_FALSE(camera.allowHDR);
+    EXPECT_EQ(LayerMask::Everything(), camera.volumeLayerMask);
+    EXPECT_EQ(glm::vec3(4, 5, 6), camera.volumeTrigger);
+}
+
+TEST(SceneFile, LookAtTurnsTheCameraToThePoint)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.Load("camera: {position: [1, 1, 1], lookAt: [1, 1, -4]}\n");
+    EXPECT_NEAR(-1.0f, asset.camera.transform.forward().z, 1e-6f);
+}
+
+TEST(SceneFile, TheLightShinesAlongItsForwardDirection)
+{
+    SceneFolder folder;
+    const SceneAsset asset =
+        folder.LoadWithCamera("light: {rotation: [90, 0, 0], color: \"#ff0000\", intensity: 2}\n"
+                              "ambientLight: [0.5, 0.5, 0.5]\n");
+    EXPECT_NEAR(-1.0f, asset.scene.mainLight.direction.y, 1e-6f);
+    EXPECT_EQ(Color::red, asset.scene.mainLight.color);
+    EXPECT_EQ(2.0f, asset.scene.mainLight.intensity);
+    EXPECT_EQ((Color{0.5f, 0.5f, 0.5f, 1.0f}), asset.scene.ambientLight);
+}
+
+TEST(SceneFile, AChildStandsInItsParentsSpace)
+{
+    SceneFolder folder;
+    SceneAsset asset = folder.LoadWithCamera(
+        "objects:\n"
+        "  - name: Parent\n"
+        "    position: [10, 0, 0]\n"
+        "    rotation: [0, 90, 0]\n"
+        "    scale: 2\n"
+        "    children:\n"
+        "      - {name: Child, mesh: cube, position: [0, 0, 1], scale: [1, 2, 3]}\n");
+    const Transform& child = Object(asset, "Child").transform;
+    // Turned by 90 degrees about y, +z is +x; twice as large, one metre is two.
+    const glm::vec3 position = child.position();
+    EXPECT_NEAR(12.0f, position.x, 1e-5f);
+    EXPECT_NEAR(0.0f, position.y, 1e-5f);
+    EXPECT_NEAR(0.0f, position.z, 1e-5f);
+    EXPECT_NEAR(4.0f, glm::length(glm::vec3(child.localToWorldMatrix()[1])), 1e-5f);
+    EXPECT_FALSE(Object(asset, "Parent").renderer);
+}
+
+TEST(SceneFile, ChildrenInheritLayersMaterialAndBeingInactive)
+{
+    SceneFolder folder;
+    SceneAsset asset = folder.LoadWithCamera(
+        "layers: {6: Furniture}\n"
+        "renderingLayers: {8: Selected}\n"
+        "materials: {wood: {}, glass: {}}\n"
+        "objects:\n"
+        "  - name: Sofa\n"
+        "    active: false\n"
+        "    layer: Furniture\n"
+        "    renderingLayerMask: [Default, Selected]\n"
+        "    material: wood\n"
+        "    children:\n"
+        "      - {name: Seat, mesh: cube}\n"
+        "      - {name: Table, mesh: cube, layer: 2, renderingLayerMask: Everything,\n"
+        "         material: glass, active: true}\n");
+    const GameObject& seat = Object(asset, "Seat");
+    EXPECT_EQ(6, seat.layer);
+    EXPECT_EQ(RenderingLayerMask(257), seat.renderer->renderingLayerMask);
+    EXPECT_EQ("wood", seat.renderer->sharedMaterials.at(0)->name());
+    EXPECT_FALSE(seat.activeSelf);
+    const GameObject& table = Object(asset, "Table");
+    EXPECT_EQ(2, table.layer);
+    EXPECT_EQ(RenderingLayerMask::Everything(), table.renderer->renderingLayerMask);
+    EXPECT_EQ("glass", table.renderer->sharedMaterials.at(0)->name());
+    EXPECT_FALSE(table.activeSelf);
+}
+
+TEST(SceneFile, AMaskAsANumberIsItsBits)
+{
+    SceneFolder folder;
+    SceneAsset asset =
+        folder.LoadWithCamera("objects: [{name: A, mesh: quad, renderingLayerMask: 256}]\n");
+    EXPECT_EQ(RenderingLayerMask::FromIndex(8), Object(asset, "A").renderer->renderingLayerMask);
+}
+
+TEST(SceneFile, EqualMeshesAndShadersAreShared)
+{
+    SceneFolder folder;
+    SceneAsset asset = folder.LoadWithCamera("objects:\n"
+                                             "  - {name: A, mesh: cube}\n"
+                                             "  - {name: B, mesh: Cube}\n");
+    EXPECT_EQ(Object(asset, "A").renderer->mesh, Object(asset, "B").renderer->mesh);
+    EXPECT_EQ(Object(asset, "A").renderer->sharedMaterials,
+              Object(asset, "B").renderer->sharedMaterials);
+}
+
+TEST(SceneFile, AMaterialHasThePropertiesItNames)
+{
+    SceneFolder folder;
+    SceneAsset asset = folder.LoadWithCamera("materials:\n"
+                                             "  wood:\n"
+                                             "    shader: Universal Render Pipeline/Lit\n"
+                                             "    _BaseColor: \"#ff0000\"\n"
+                                             "    _Smoothness: 0.75\n"
+                                             "    _BaseMap: black\n"
+                                             "    renderQueue: 2450\n"
+                                             "objects: [{name: A, mesh: cube, material: wood}]\n");
+    const Material& wood = *Object(asset, "A").renderer->sharedMaterials.at(0);
+    EXPECT_EQ(2450, wood.renderQueue());
+    EXPECT_EQ(0.75f, std::get<float>(*wood.Find(ShaderPropertyId("_Smoothness"))));
+    EXPECT_EQ(Color::red, std::get<Color>(*wood.Find(ShaderPropertyId("_BaseColor"))));
+    EXPECT_EQ(
+        "black",
+        std::get<std::shared_ptr<const Texture>>(*wood.Find(ShaderPropertyId("_BaseMap")))->name());
+}
+
+TEST(SceneFile, AFeaturesSettingsAreReadByUnitysNames)
+{
+    SceneFolder folder;
+    const SceneAsset asset =
+        folder.LoadWithCamera("layers: {6: Furniture}\n"
+                              "renderingLayers: {8: Selected}\n"
+                              "renderer:\n"
+                              "  features:\n"
+                              "    - type: ScreenSpaceOutlineRenderFeature\n"
+                              "      name: Outline\n"
+                              "      active: false\n"
+                              "      m_RenderPassEvent: AfterRenderingOpaques + 1\n"
+                              "      m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutline\n"
+                              "      m_RenderQueueRange: Transparent\n"
+                              "      m_LayerMask: [Furniture]\n"
+                              "      renderingLayerMask: Selected\n"
+                              "    - type: ScreenSpaceOutlineRenderFeature\n"
+                              "      m_RenderPassEvent: 550\n"
+                              "      m_RenderQueueRange: 0\n"
+                              "      m_LayerMask: {serializedVersion: 2, m_Bits: 64}\n"
+                              "      m_RenderingLayerMask: 31\n");
+    const ScreenSpaceOutlineSettings& first = OutlineSettings(asset, 0);
+    EXPECT_EQ("Outline", asset.renderer.features[0]->name);
+    EXPECT_FALSE(asset.renderer.features[0]->isActive());
+    EXPECT_EQ(301, static_cast<int>(first.m_RenderPassEvent));
+    EXPECT_EQ("Hidden/ScreenSpaceOutline", first.m_ScreenSpaceOutlineShader->name());
+    EXPECT_EQ(ScreenSpaceOutlineSettings::RenderQueueRange::Transparent, first.m_RenderQueueRange);
+    EXPECT_EQ(LayerMask(64), first.m_LayerMask);
+    EXPECT_EQ(8, first.m_RenderingLayerMask);
+    const ScreenSpaceOutlineSettings& second = OutlineSettings(asset, 1);
+    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", asset.renderer.features[1]->name);
+    EXPECT_TRUE(asset.renderer.features[1]->isActive());
+    EXPECT_EQ(RenderPassEvent::BeforeRenderingPostProcessing, second.m_RenderPassEvent);
+    EXPECT_EQ(nullptr, second.m_ScreenSpaceOutlineShader);
+    EXPECT_EQ(ScreenSpaceOutlineSettings::RenderQueueRange::All, second.m_RenderQueueRange);
+    EXPECT_EQ(LayerMask(64), second.m_LayerMask);
+    EXPECT_EQ(31, second.m_RenderingLayerMask);
+}
+
+TEST(SceneFile, AFeaturesShaderMayBeAFileBesideTheScene)
+{
+    SceneFolder folder;
+    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+    const SceneAsset asset =
+        folder.LoadWithCamera("renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, "
+                              "m_ScreenSpaceOutlineShader: my.shader}]}\n");
+    EXPECT_EQ("Mine", OutlineSettings(asset).m_ScreenSpaceOutlineShader->name());
+}
+
+TEST(SceneFile, AVolumeHasItsProfileAndPlace)
+{
+    SceneFolder folder;
+    const SceneAsset asset =
+        folder.LoadWithCamera("layers: {9: Effects}\n"
+                              "volumes:\n"
+                              "  - name: Placement\n"
+                              "    profile: on.profile.yaml\n"
+                              "    isGlobal: false\n"
+                              "    priority: 3\n"
+                              "    weight: 0.5\n"
+                              "    blendDistance: 2\n"
+                              "    layer: Effects\n"
+                              "    enabled: false\n"
+                              "    position: [1, 2, 3]\n"
+                              "    scale: 2\n"
+                              "    colliders: [{center: [0, 1, 0], size: [2, 3, 4]}]\n");
+    ASSERT_EQ(1u, asset.volumes.size());
+    const Volume& volume = asset.volumes[0];
+    EXPECT_EQ("Placement", volume.name);
+    EXPECT_EQ(4.0f, volume.sharedProfile->TryGet<ScreenSpaceOutline>()->m_OutlineWidth.value());
+    EXPECT_FALSE(volume.isGlobal);
+    EXPECT_EQ(3.0f, volume.priority);
+    EXPECT_EQ(0.5f, volume.weight);
+    EXPECT_EQ(2.0f, volume.blendDistance);
+    EXPECT_EQ(9, volume.layer);
+    EXPECT_FALSE(volume.enabled);
+    EXPECT_EQ(glm::vec3(1, 2, 3), volume.position);
+    EXPECT_EQ(glm::vec3(2), volume.scale);
+    ASSERT_EQ(1u, volume.colliders.size());
+    EXPECT_EQ(glm::vec3(0, 1, 0), volume.colliders[0].center);
+    EXPECT_EQ(glm::vec3(2, 3, 4), volume.colliders[0].size);
+}
+
+TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)
+{
+    SceneFolder folder;
+    const SceneAsset asset =
+        folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, isGlobal: false}]\n");
+    EXPECT_EQ((std::vector<std::string>{
+                  "2:11: volumes[0]: does nothing, it is not global and has no colliders"}),
+              Texts(asset.notes));
+}
+
+} // namespace limn::test

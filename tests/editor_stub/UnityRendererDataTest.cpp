@@ -1,0 +1,156 @@
+#include "SceneFolder.h"
+
+#include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+const std::string k_Project = LIMN_SOURCE_DIR "/tests/editor_stub/data/unity_project";
+
+/// A renderer asset with one feature of these lines.
+std::string AssetWithFeature(const std::string& lines)
+{
+    return "%YAML 1.1\n"
+           "%TAG !u! tag:unity3d.com,2011:\n"
+           "--- !u!114 &5\n"
+           "MonoBehaviour:\n" +
+           lines +
+           "--- !u!114 &11400000\n"
+           "MonoBehaviour:\n"
+           "  m_Name: R\n"
+           "  m_RendererFeatures:\n"
+           "  - {fileID: 5}\n"
+           "  - {fileID: 0}\n"
+           "  m_OpaqueLayerMask: {serializedVersion: 2, m_Bits: 3}\n"
+           "  m_TransparentLayerMask: {serializedVersion: 2, m_Bits: 4}\n";
+}
+
+} // namespace
+
+TEST(UnityRendererData, GivesTheFeatureOfTheArticlesProject)
+{
+    AssetContext assets;
+    const UnityRendererDataLoadResult result =
+        LoadUnityRendererData(k_Project + "/Assets/Settings/UniversalRenderer.asset", assets);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    const auto& feature =
+        dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features[0]);
+    EXPECT_EQ("Screem Space Outline", feature.name);
+    EXPECT_TRUE(feature.isActive());
+    const ScreenSpaceOutlineSettings& settings = feature.settings();
+    EXPECT_EQ(500, static_cast<int>(settings.m_RenderPassEvent));
+    EXPECT_EQ(ScreenSpaceOutlineSettings::RenderQueueRange::Opaque, settings.m_RenderQueueRange);
+    EXPECT_EQ(LayerMask(64), settings.m_LayerMask);
+    EXPECT_EQ(8, settings.m_RenderingLayerMask);
+    EXPECT_EQ("Hidden/ScreenSpaceOutline", settings.m_ScreenSpaceOutlineShader->name());
+    EXPECT_EQ(LayerMask::Everything(), result.renderer.opaqueLayerMask);
+    EXPECT_EQ(LayerMask::Everything(), result.renderer.transparentLayerMask);
+}
+
+TEST(UnityRendererData, NotesWhatItDoesNotKnow)
+{
+    AssetContext assets;
+    const UnityRendererDataLoadResult result =
+        LoadUnityRendererData(k_Project + "/Assets/Settings/UniversalRenderer.asset", assets);
+    EXPECT_EQ((std::vector<std::string>{
+                  "18:33: Screem Space Outline.m_Settings.m_ScreenSpaceOutlineShader: "
+                  "ScreenSpaceOutline.shader is not in the project, so Hidden/ScreenSpaceOutline "
+                  "that comes with limn is used",
+                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: left out, "
+                  "ScreenSpaceOutlineRenderFeature has no such setting",
+                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: left out, "
+                  "ScreenSpaceOutlineRenderFeature has no such setting",
+                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: left out, "
+                  "ScreenSpaceOutlineRenderFeature has no such setting"}),
+              Texts(result.notes));
+}
+
+TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)
+{
+    SceneFolder folder;
+    std::filesystem::create_directories(folder / "Assets/Code");
+    folder.Write("Assets/Code/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
+    folder.Write("Assets/Code/my.shader.meta", "fileFormatVersion: 2\nguid: bb\n");
+    folder.Write("Assets/Code/my.shader",
+                 "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+    folder.Write("Assets/r.asset",
+                 AssetWithFeature("  m_Script: {fileID: 11500000, guid: aa, type: 3}\n"
+                                  "  m_Name: F\n"
+                                  "  m_Active: 0\n"
+                                  "  m_Settings:\n"
+                                  "    m_ScreenSpaceOutlineShader: {fileID: 4800000, guid: bb}\n"));
+    const UnityRendererDataLoadResult result =
+        LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    const auto& feature =
+        dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features[0]);
+    EXPECT_FALSE(feature.isActive());
+    EXPECT_EQ("Mine", feature.settings().m_ScreenSpaceOutlineShader->name());
+    EXPECT_EQ(LayerMask(3), result.renderer.opaqueLayerMask);
+    EXPECT_EQ(LayerMask(4), result.renderer.transparentLayerMask);
+    EXPECT_EQ((std::vector<std::string>{
+                  "15:5: m_RendererFeatures: left out, the feature is not in this file"}),
+              Texts(result.notes));
+}
+
+TEST(UnityRendererData, LeavesOutAFeatureWhoseScriptIsUnknown)
+{
+    SceneFolder folder;
+    std::filesystem::create_directories(folder / "Assets");
+    folder.Write("Assets/FullScreenPass.cs.meta", "guid: cc\n");
+    folder.Write("Assets/r.asset", AssetWithFeature("  m_Script: {fileID: 1, guid: cc}\n"
+                                                    "  m_Name: Dither\n"));
+    folder.Write("Assets/s.asset", AssetWithFeature("  m_Script: {fileID: 1, guid: dd}\n"
+                                                    "  m_Name: Dither\n"));
+    const auto known = LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
+    EXPECT_TRUE(known.renderer.features.empty());
+    EXPECT_EQ("4:1: Dither: left out, limn has no feature FullScreenPass",
+              Texts(known.notes).at(0));
+    const auto unknown = LoadUnityRendererData(folder / "Assets/s.asset", folder.assets);
+    EXPECT_TRUE(unknown.renderer.features.empty());
+    EXPECT_EQ("4:1: Dither: left out, no .cs.meta file of the project has the script's guid 'dd'",
+              Texts(unknown.notes).at(0));
+}
+
+TEST(UnityRendererData, ReportsASettingOutsideItsRange)
+{
+    SceneFolder folder;
+    std::filesystem::create_directories(folder / "Assets");
+    folder.Write("Assets/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
+    const auto path = folder.Write("Assets/r.asset",
+                                   AssetWithFeature("  m_Script: {fileID: 1, guid: aa}\n"
+                                                    "  m_Name: F\n"
+                                                    "  m_Settings: {m_RenderingLayerMask: 32}\n"));
+    EXPECT_EQ((std::vector<std::string>{
+                  "7:38: F.m_Settings.m_RenderingLayerMask: 32 is outside [0, 31]"}),
+              Problems([&] { LoadUnityRendererData(path, folder.assets); }));
+}
+
+TEST(UnityRendererData, RefusesAnotherKindOfAsset)
+{
+    AssetContext assets;
+    EXPECT_EQ(
+        (std::vector<std::string>{"no renderer in this Unity asset; one is a MonoBehaviour with a "
+                                  "list 'm_RendererFeatures'"}),
+        Problems(
+            [&] {
+                LoadUnityRendererData(k_Project + "/Assets/Scenes/SampleSceneProfile.asset",
+                                      assets);
+            }));
+}
+
+TEST(UnityRendererData, IsASceneFilesRenderer)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.LoadWithCamera("renderer: {rendererData: " + k_Project +
+                                                   "/Assets/Settings/UniversalRenderer.asset}\n");
+    ASSERT_EQ(1u, asset.renderer.features.size());
+    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", asset.renderer.featureTypes.at(0));
+    EXPECT_EQ(4u, asset.notes.size());
+}
+
+} // namespace limn::test

@@ -1,0 +1,73 @@
+#include "ShaderTestSupport.h"
+
+namespace limn
+{
+namespace
+{
+
+std::string LoadMessage(const std::filesystem::path& path)
+{
+    try
+    {
+        LoadShaderLab(path);
+    }
+    catch (const AssetError& error)
+    {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(LoadShaderLab, ReadsAFile)
+{
+    test::TemporaryFolder folder;
+    const auto path = folder.Write("a.shader", "Shader \"A\" { SubShader { Pass { } } }");
+    const ShaderLabDocument document = LoadShaderLab(path);
+    EXPECT_EQ(document.name, "A");
+    EXPECT_EQ(document.file, path.string());
+}
+
+TEST(LoadShaderLab, SaysThatAFileIsMissing)
+{
+    EXPECT_EQ(LoadMessage("/nowhere/a.shader"), "/nowhere/a.shader: error: file: no such file");
+}
+
+TEST(LoadShaderLab, SaysThatAFileIsEmpty)
+{
+    test::TemporaryFolder folder;
+    const auto path = folder.Write("a.shader", "");
+    EXPECT_EQ(LoadMessage(path),
+              path.string() + ": error: file: it is empty; a shader starts with Shader \"name\"");
+}
+
+TEST(LoadShaderLab, SaysThatAFileIsBinary)
+{
+    test::TemporaryFolder folder;
+    const auto path = folder.Write("a.shader", std::string_view("Shader\0x", 8));
+    EXPECT_EQ(LoadMessage(path),
+              path.string() + ": error: file: it is binary; a shader is a text file in UTF-8");
+}
+
+TEST(LoadShaderLab, SaysThatAFolderCannotBeRead)
+{
+    test::TemporaryFolder folder;
+    EXPECT_EQ(LoadMessage(folder.path()),
+              folder.path().string() + ": error: file: it cannot be read");
+}
+
+TEST(LoadShaderLab, ThrowsAllErrorsOfTheFile)
+{
+    test::TemporaryFolder folder;
+    const auto path =
+        folder.Write("a.shader", "Shader \"A\" { SubShader { Pass {\nCull Bak\nZWrite Onn\n} } }");
+    EXPECT_EQ(LoadMessage(path),
+              path.string() +
+                  ":2:6: error: Cull: unknown value 'Bak'; did you mean 'Back'? (known: Back, "
+                  "Front, Off, False)\n" +
+                  path.string() +
+                  ":3:8: error: ZWrite: unknown value 'Onn'; did you mean 'On'? (known: On, Off, "
+                  "True, False)");
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,182 @@
+#include "ShaderTestSupport.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using test::CompileMessages;
+using test::Program;
+using testing::ElementsAre;
+
+/// Messages for the only pass of a ShaderLab text.
+std::vector<std::string> ShaderMessages(const std::string& text)
+{
+    return CompileMessages(test::ParseGood(text).subShaders.at(0).passes.at(0).program.value());
+}
+
+TEST(ShaderCompilerError, IsReportedAtTheLineOfTheShaderFile)
+{
+    EXPECT_THAT(ShaderMessages("Shader \"T\" { SubShader { Pass {\n"              // 1
+                               "HLSLPROGRAM\n"                                    // 2
+                               "#pragma vertex vert\n"                            // 3
+                               "#pragma fragment frag\n"                          // 4
+                               "float4 vert(float4 p : POSITION) : SV_Position\n" // 5
+                               "{\n"                                              // 6
+                               "    return p * _OutlneWidth;\n"                   // 7
+                               "}\n"                                              // 8
+                               "float4 frag() : SV_Target { return 1; }\n"        // 9
+                               "ENDHLSL } } }"),
+                ElementsAre("t.shader:7: error: '_OutlneWidth': unknown variable"));
+}
+
+TEST(ShaderCompilerError, IsReportedInsideAnIncludeBlockAndForBothStages)
+{
+    EXPECT_THAT(ShaderMessages("Shader \"T\" {\n"                                        // 1
+                               "HLSLINCLUDE\n"                                           // 2
+                               "float helper() { return missing; }\n"                    // 3
+                               "ENDHLSL\n"                                               // 4
+                               "SubShader { Pass { HLSLPROGRAM\n"                        // 5
+                               "#pragma vertex vert\n"                                   // 6
+                               "#pragma fragment frag\n"                                 // 7
+                               "float4 vert(float4 p : POSITION) : SV_Position\n"        // 8
+                               "{ return helper(); }\n"                                  // 9
+                               "float4 frag() : SV_Target { helper(); return other; }\n" // 10
+                               "ENDHLSL } } }"),
+                ElementsAre("t.shader:3: error: 'missing': unknown variable",
+                            "t.shader:10: error: 'other': unknown variable"));
+}
+
+TEST(ShaderCompilerError, IsReportedInTheIncludedFile)
+{
+    test::TemporaryFolder folder;
+    folder.Write("inc/a.hlsl", "\nfloat4 helper() { return nothing; }\n");
+    PassProgram program = Program("#include \"inc/a.hlsl\"\n"
+                                  "float4 vert(float4 p : POSITION) : SV_Position\n"
+                                  "{ return p + wrong; }\n"
+                                  "float4 frag() : SV_Target { return helper(); }\n");
+    const std::string folderName = folder.path().generic_string();
+    program.file = folderName + "/t.shader";
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre(folderName + "/t.shader:3: error: 'wrong': unknown variable",
+                            folderName + "/inc/a.hlsl:2: error: 'nothing': unknown variable"));
+}
+
+TEST(ShaderCompilerError, KeepsItsLineBehindMacrosAndContinuedLines)
+{
+    EXPECT_THAT(CompileMessages(Program("#define TWICE(x) \\\n ((x) + (x))\n"
+                                        "/* two\nlines */ #define A 1\n"
+                                        "float4 vert(float4 p : POSITION) : SV_Position\n"
+                                        "{ return TWICE(\n p) + wrong; }\n"
+                                        "float4 frag() : SV_Target { return 1; }\n")),
+                ElementsAre("t.shader:7: error: 'wrong': unknown variable"));
+}
+
+TEST(ShaderCompilerError, NamesEveryIncludeThatIsMissing)
+{
+    EXPECT_THAT(
+        CompileMessages(Program("#include \"no.hlsl\"\n\n#include <Packages/x/y.hlsl>\n")),
+        ElementsAre("t.shader:1: error: #include: no such file \"no.hlsl\"; it was looked for "
+                    "beside this file, in the project, its packages and the built-in ShaderLibrary",
+                    "t.shader:3: error: #include: no such file \"Packages/x/y.hlsl\"; it was "
+                    "looked for beside this file, in the project, its packages and the built-in "
+                    "ShaderLibrary"));
+}
+
+TEST(ShaderCompilerError, SpellsTypesAsHlslDoes)
+{
+    EXPECT_THAT(CompileMessages(Program("float4 vert(float3 p : POSITION) : SV_Position\n"
+                                        "{\n float3 a = float2(1, 2);\n float4x4 m = p;\n"
+                                        " return 1; }\nfloat4 frag() : SV_Target { return 1; }")),
+                ElementsAre("t.shader:3: error: '=': cannot convert from 'float2' to 'float3'",
+                            "t.shader:4: error: '=': cannot convert from 'float3' to 'float4x4'"));
+}
+
+TEST(ShaderCompilerError, ReportsAMissingSemicolonOnce)
+{
+    EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position\n"
+                                        "{\n float a = 1\n return a; }\n"
+                                        "float4 frag() : SV_Target { return 1; }")),
+                ElementsAre("t.shader:4: error: ';' expected"));
+}
+
+TEST(ShaderCompilerError, AsksForTheFunctionThatAPragmaNames)
+{
+    PassProgram program = Program("float4 Vert(float4 p : POSITION) : SV_Position { return p; }\n");
+    program.vertex = {"Vretx", {4, 2}};
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre("t.shader:4:2: error: #pragma vertex: there is no function 'Vretx'"));
+    program.vertex = {"Vetr", {4, 2}};
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre("t.shader:4:2: error: #pragma vertex: there is no function 'Vetr'; did "
+                            "you mean 'Vert'?"));
+}
+
+TEST(ShaderCompilerError, AsksForMissingPragmas)
+{
+    PassProgram program = Program("");
+    program.vertex = {};
+    program.fragment = {};
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre("t.shader:1:1: error: program: '#pragma vertex' is missing; it names "
+                            "the vertex function",
+                            "t.shader:1:1: error: program: '#pragma fragment' is missing; it names "
+                            "the fragment function"));
+}
+
+TEST(ShaderCompilerError, ReportsVaryingsThatNobodyWrites)
+{
+    PassProgram program = Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                                  "float4 frag(float2 uv : TEXCOORD1) : SV_Target { return 1; }");
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre("t.shader:1:1: error: frag: it reads 'TEXCOORD1', which the vertex "
+                            "function does not write"));
+}
+
+TEST(ShaderCompilerError, ReportsSemanticsThatAreMissingDoubledOrOutOfPlace)
+{
+    const std::string frag = "\nfloat4 frag() : SV_Target { return 1; }";
+    EXPECT_THAT(
+        CompileMessages(Program("float4 vert(float4 p) : SV_Position { return p; }" + frag)),
+        ElementsAre("t.shader:1: error: vert: 'p' has no semantic; write one behind it, as "
+                    "in ': TEXCOORD0'"));
+    EXPECT_THAT(CompileMessages(Program("\nfloat4 vert(float4 p : SV_Depth) : SV_Position { return "
+                                        "p; }" +
+                                        frag)),
+                ElementsAre("t.shader:2: error: vert: 'p': semantic 'SV_Depth' is not possible at "
+                            "this place"));
+    EXPECT_THAT(CompileMessages(Program("float4 vert(float4 a : POSITION, float4 b : POSITION) : "
+                                        "SV_Position { return a; }" +
+                                        frag)),
+                ElementsAre("t.shader:1:1: error: frag: semantic 'POSITION' is given to two "
+                            "values; each needs its own"));
+}
+
+TEST(ShaderCompilerError, HasALineWhereTheCompilerGivesUpWithoutAWord)
+{
+    EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position\n"
+                                        "{ return p; }\n"
+                                        "} float4 frag() : SV_Target { return 1; }\n")),
+                ElementsAre("t.shader:3: error: HLSL: a declaration or statement cannot be "
+                            "understood here"));
+}
+
+TEST(ShaderCompilerError, RefusesSurfaceShaders)
+{
+    PassProgram program = Program("");
+    program.pragmas = {{{2, 1}, "surface", "surf Lambert"}};
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre("t.shader:2:1: error: #pragma surface: surface shaders are not "
+                            "supported; write a vertex and a fragment function"));
+}
+
+TEST(ShaderCompilerError, PassesOnErrorDirectives)
+{
+    EXPECT_THAT(CompileMessages(Program("\n#error turn X on\n")),
+                ElementsAre("t.shader:2: error: '#error': turn X on"));
+}
+
+} // namespace
+} // namespace limn

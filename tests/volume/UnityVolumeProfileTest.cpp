@@ -1,0 +1,164 @@
+#include "Problems.h"
+#include "TestComponents.h"
+
+#include <core/TemporaryFolder.h>
+#include <gmock/gmock.h>
+#include <limn/volume/VolumeProfileLoader.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using test::Problems;
+using test::ScreenSpaceOutline;
+using test::Texts;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string k_Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+
+/// A profile object with references to the given ids; 6 lines.
+std::string Profile(const std::string& references)
+{
+    return "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: P\n  components:" + references + "\n";
+}
+
+class LoadUnityProfile : public ::testing::Test
+{
+protected:
+    VolumeProfileLoadResult Load(const std::string& body) const
+    {
+        return LoadVolumeProfile(m_Folder.Write("P.asset", k_Header + body), m_Registry);
+    }
+
+    std::vector<std::string> ProblemsIn(const std::string& body) const
+    {
+        return Problems([&] { Load(body); });
+    }
+
+    test::TemporaryFolder m_Folder;
+    test::TestRegistry m_Registry;
+};
+
+TEST_F(LoadUnityProfile, ReadsAnAssetAsUnitySavesIt)
+{
+    const VolumeProfileLoadResult result = LoadVolumeProfile(
+        LIMN_SOURCE_DIR "/tests/volume/data/SampleSceneProfile.asset", m_Registry);
+    const auto* outline = result.profile->TryGet<ScreenSpaceOutline>();
+    ASSERT_NE(outline, nullptr);
+    EXPECT_EQ(result.profile->name, "SampleSceneProfile");
+    EXPECT_TRUE(outline->active);
+    EXPECT_TRUE(outline->m_Enable.value());
+    EXPECT_TRUE(outline->m_Enable.overrideState());
+    EXPECT_EQ(outline->m_OutlineColor.value(), (Color{0.0f, 0.49606514f, 1.0f, 1.0f}));
+    EXPECT_TRUE(outline->m_OutlineColor.overrideState());
+    EXPECT_EQ(outline->m_OutlineWidth.value(), 10.0f);
+    EXPECT_TRUE(outline->m_OutlineWidth.overrideState());
+    ASSERT_EQ(result.notes.size(), 1u);
+    EXPECT_EQ(result.notes[0].severity, Severity::Note);
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre("4:1: Bloom: left out, no such volume component is known"));
+}
+
+TEST_F(LoadUnityProfile, IsChosenByContentNotByName)
+{
+    const auto path = m_Folder.Write("odd.profile.yaml", k_Header + Profile(" []"));
+    EXPECT_EQ(LoadVolumeProfile(path, m_Registry).profile->name, "P");
+    const auto own = m_Folder.Write("odd.asset", "TestVolume: {param: 5}\n");
+    EXPECT_EQ(LoadVolumeProfile(own, m_Registry).profile->TryGet<test::TestVolume>()->param.value(),
+              5.0f);
+}
+
+TEST_F(LoadUnityProfile, KeepsTheValueOfAParameterThatIsNotOverridden)
+{
+    const auto result = Load("--- !u!114 &7\n"
+                             "MonoBehaviour:\n"
+                             "  m_Name: TestVolume\n"
+                             "  active: 0\n"
+                             "  param:\n"
+                             "    m_OverrideState: 0\n"
+                             "    m_Value: 5\n" +
+                             Profile("\n  - {fileID: 7}"));
+    const auto* component = result.profile->TryGet<test::TestVolume>();
+    ASSERT_NE(component, nullptr);
+    EXPECT_FALSE(component->active);
+    EXPECT_FALSE(component->param.overrideState());
+    EXPECT_EQ(component->param.value(), 5.0f);
+}
+
+TEST_F(LoadUnityProfile, TakesTheOrderOfTheReferencesAndOnlyThose)
+{
+    const auto result = Load("--- !u!114 &1\nMonoBehaviour:\n  m_Name: TestVolume\n"
+                             "--- !u!114 &2\nMonoBehaviour:\n  m_Name: Mixed\n"
+                             "--- !u!114 &3\nMonoBehaviour:\n  m_Name: ScreenSpaceOutline\n" +
+                             Profile("\n  - {fileID: 2}\n  - {fileID: 1}"));
+    ASSERT_EQ(result.profile->components().size(), 2u);
+    EXPECT_EQ(result.profile->components()[0].get(), result.profile->TryGet<test::Mixed>());
+    EXPECT_FALSE(result.profile->Has<ScreenSpaceOutline>());
+}
+
+TEST_F(LoadUnityProfile, NotesParametersAndReferencesThatItDoesNotKnow)
+{
+    const auto result = Load("--- !u!114 &7\n"
+                             "MonoBehaviour:\n"
+                             "  m_Name: TestVolume\n"
+                             "  m_Script: {fileID: 11500000}\n"
+                             "  extra:\n"
+                             "    m_OverrideState: 1\n"
+                             "    m_Value: {fileID: 0}\n" +
+                             Profile("\n  - {fileID: 0}\n  - {fileID: 7}\n  - {fileID: 8}"));
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre("7:3: TestVolume.extra: left out, no such parameter is known",
+                            "14:5: components: left out, there is no object 0 in this file",
+                            "16:5: components: left out, there is no object 8 in this file"));
+    EXPECT_TRUE(result.profile->Has<test::TestVolume>());
+}
+
+TEST_F(LoadUnityProfile, RefusesBadValuesOfKnownParameters)
+{
+    EXPECT_THAT(ProblemsIn("--- !u!114 &7\n"
+                           "MonoBehaviour:\n"
+                           "  m_Name: ScreenSpaceOutline\n"
+                           "  active: 3\n"
+                           "  unknown: 1\n"
+                           "  m_Enable: 1\n"
+                           "  m_OutlineWidth:\n"
+                           "    m_OverrideState: 2\n"
+                           "    m_Value: 14\n"
+                           "  m_OutlineColor:\n"
+                           "    m_OverrideState: 1\n"
+                           "    m_Value: {r: 0, g: 0, a: 1}\n" +
+                           Profile("\n  - {fileID: 7}")),
+                ElementsAre("6:11: ScreenSpaceOutline.active: found '3'; true or false is expected",
+                            "8:3: ScreenSpaceOutline.m_Enable: m_OverrideState or m_Value is "
+                            "missing; Unity writes both for a parameter",
+                            "10:22: ScreenSpaceOutline.m_OutlineWidth.m_OverrideState: found '2'; "
+                            "true or false is expected",
+                            "11:14: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
+                            "14:14: ScreenSpaceOutline.m_OutlineColor: key 'b' is missing"));
+}
+
+TEST_F(LoadUnityProfile, RefusesTwoComponentsOfOneType)
+{
+    EXPECT_THAT(ProblemsIn("--- !u!114 &1\nMonoBehaviour:\n  m_Name: Mixed\n"
+                           "--- !u!114 &2\nMonoBehaviour:\n  m_Name: Mixed\n" +
+                           Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - Mixed")),
+                ElementsAre("7:1: Mixed: the profile has two components of this type",
+                            "15:5: components: found 'Mixed'; a reference is expected, {fileID: "
+                            "11400000}"));
+}
+
+TEST_F(LoadUnityProfile, RefusesAnAssetWithoutAProfile)
+{
+    const std::string message = "no volume profile in this Unity asset; one is a MonoBehaviour "
+                                "with a list 'components'";
+    EXPECT_THAT(ProblemsIn("--- !u!78 &1\nTagManager:\n  tags: []\n"), ElementsAre(message));
+    EXPECT_THAT(ProblemsIn(Profile(" {a: 1}")), ElementsAre(message));
+    EXPECT_THAT(ProblemsIn(Profile(" text")), ElementsAre(message));
+}
+
+} // namespace
+
+} // namespace limn

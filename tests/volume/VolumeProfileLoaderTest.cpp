@@ -1,0 +1,167 @@
+#include "Problems.h"
+#include "TestComponents.h"
+
+#include <core/TemporaryFolder.h>
+#include <core/ThrownMessage.h>
+#include <gmock/gmock.h>
+#include <limn/volume/VolumeProfileLoader.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using test::Problems;
+using test::ScreenSpaceOutline;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class LoadOwnProfile : public ::testing::Test
+{
+protected:
+    VolumeProfileLoadResult Load(const std::string& text) const
+    {
+        return LoadVolumeProfile(m_Folder.Write("hero.profile.yaml", text), m_Registry);
+    }
+
+    std::vector<std::string> ProblemsIn(const std::string& text) const
+    {
+        return Problems([&] { Load(text); });
+    }
+
+    test::TemporaryFolder m_Folder;
+    test::TestRegistry m_Registry;
+};
+
+TEST_F(LoadOwnProfile, OverridesWhatIsNamedAndNothingElse)
+{
+    const VolumeProfileLoadResult result = Load("# the hero's outline\n"
+                                                "ScreenSpaceOutline:\n"
+                                                "  m_Enable: true\n"
+                                                "  m_OutlineWidth: 4\n");
+    const auto* outline = result.profile->TryGet<ScreenSpaceOutline>();
+    ASSERT_NE(outline, nullptr);
+    EXPECT_TRUE(outline->active);
+    EXPECT_TRUE(outline->m_Enable.value());
+    EXPECT_TRUE(outline->m_Enable.overrideState());
+    EXPECT_EQ(outline->m_OutlineWidth.value(), 4.0f);
+    EXPECT_TRUE(outline->m_OutlineWidth.overrideState());
+    EXPECT_FALSE(outline->m_OutlineColor.overrideState());
+    EXPECT_EQ(outline->m_OutlineColor.value(), Color::white);
+    EXPECT_EQ(result.profile->name, "hero");
+    EXPECT_THAT(result.notes, IsEmpty());
+}
+
+TEST_F(LoadOwnProfile, TakesPlainSpellingsAndActive)
+{
+    const VolumeProfileLoadResult result = Load("ScreenSpaceOutline:\n"
+                                                "  active: false\n"
+                                                "  enable: 1\n"
+                                                "  outlineColor: {r: 0, g: 1, b: 0, a: 0.5}\n"
+                                                "  outlineWidth: 10\n");
+    const auto* outline = result.profile->TryGet<ScreenSpaceOutline>();
+    ASSERT_NE(outline, nullptr);
+    EXPECT_FALSE(outline->active);
+    EXPECT_TRUE(outline->m_Enable.value());
+    EXPECT_EQ(outline->m_OutlineColor.value(), (Color{0.0f, 1.0f, 0.0f, 0.5f}));
+    EXPECT_EQ(outline->m_OutlineWidth.value(), 10.0f);
+}
+
+TEST_F(LoadOwnProfile, KeepsTheOrderOfTheComponents)
+{
+    const auto profile = Load("TestVolume: {param: 1}\nScreenSpaceOutline:\nMixed:\n").profile;
+    ASSERT_EQ(profile->components().size(), 3u);
+    EXPECT_EQ(profile->components()[0].get(), profile->TryGet<test::TestVolume>());
+    EXPECT_EQ(profile->components()[2].get(), profile->TryGet<test::Mixed>());
+}
+
+TEST_F(LoadOwnProfile, SuggestsTheNearestParameter)
+{
+    const auto path = m_Folder.Write("hero.profile.yaml", "ScreenSpaceOutline:\n"
+                                                          "  enable: true\n"
+                                                          "  outlneWidth: 4\n");
+    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadVolumeProfile(path, m_Registry); }),
+              path.generic_string() +
+                  ":3:3: error: ScreenSpaceOutline: unknown parameter 'outlneWidth'; did you mean "
+                  "'outlineWidth'? (known: active, enable, outlineColor, outlineWidth)");
+}
+
+TEST_F(LoadOwnProfile, SuggestsTheNearestComponent)
+{
+    EXPECT_THAT(
+        ProblemsIn("ScreenSpaceOutlin:\n  m_Enable: true\n"),
+        ElementsAre("1:1: unknown volume component 'ScreenSpaceOutlin'; did you mean "
+                    "'ScreenSpaceOutline'? (known: ScreenSpaceOutline, Mixed, TestVolume)"));
+    EXPECT_THAT(ProblemsIn("Bloom:\n  intensity: 1\n"),
+                ElementsAre("1:1: unknown volume component 'Bloom' (known: ScreenSpaceOutline, "
+                            "Mixed, TestVolume)"));
+}
+
+TEST_F(LoadOwnProfile, ReportsEveryProblemOfAFileAtOnce)
+{
+    EXPECT_THAT(ProblemsIn("ScreenSpaceOutline:\n"
+                           "  active: yes\n"
+                           "  m_OutlineWidth: 14\n"
+                           "  outlineColour: red\n"
+                           "  outlineColor: red\n"
+                           "Mixed:\n"
+                           "  number: .nan\n"
+                           "  whole: 1.5\n"
+                           "  flag: maybe\n"
+                           "Fog: {}\n"),
+                ElementsAre("2:11: ScreenSpaceOutline.active: found 'yes', which is text in one "
+                            "version of YAML and a truth value in another; true or false is "
+                            "expected",
+                            "3:19: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
+                            "4:3: ScreenSpaceOutline: unknown parameter 'outlineColour'; did you "
+                            "mean 'outlineColor'? (known: active, enable, outlineColor, "
+                            "outlineWidth)",
+                            "5:17: ScreenSpaceOutline.m_OutlineColor: found 'red'; a colour is "
+                            "expected: {r: 1, g: 0.5, b: 0, a: 1}, [1, 0.5, 0] or \"#FF8000\" (in "
+                            "quotes: # begins a comment)",
+                            "7:11: Mixed.number: '.nan' is not a finite number; a number such as "
+                            "0.5 is expected",
+                            "8:10: Mixed.whole: found '1.5'; a whole number is expected",
+                            "9:9: Mixed.flag: found 'maybe'; true or false is expected",
+                            "10:1: unknown volume component 'Fog' (known: ScreenSpaceOutline, "
+                            "Mixed, TestVolume)"));
+}
+
+TEST_F(LoadOwnProfile, RefusesOneParameterInBothSpellings)
+{
+    EXPECT_THAT(ProblemsIn("ScreenSpaceOutline:\n"
+                           "  outlineWidth: 4\n"
+                           "  m_OutlineWidth: 5\n"),
+                ElementsAre("3:3: ScreenSpaceOutline: 'm_OutlineWidth' is the same parameter as "
+                            "'outlineWidth' at 2:3; keep one of them"));
+}
+
+TEST_F(LoadOwnProfile, RefusesDuplicateKeysAndComponents)
+{
+    EXPECT_THAT(ProblemsIn("Mixed:\n  flag: 1\n  flag: 0\nMixed:\n"),
+                ElementsAre("3:3: duplicate key 'flag'; it is already at 2:3",
+                            "4:1: duplicate key 'Mixed'; it is already at 1:1"));
+}
+
+TEST_F(LoadOwnProfile, RefusesWhatIsNoMapOfComponents)
+{
+    EXPECT_THAT(ProblemsIn("- ScreenSpaceOutline\n"),
+                ElementsAre("1:1: found a sequence; a profile begins with a component's name, "
+                            "'ScreenSpaceOutline:'"));
+    EXPECT_THAT(ProblemsIn("Mixed: 4\n"), ElementsAre("1:8: Mixed: found '4'; a map with one "
+                                                      "'parameter: value' per line is expected"));
+    EXPECT_THAT(
+        ProblemsIn("Mixed:\n---\nTestVolume:\n"),
+        ElementsAre("3:1: a second document; a profile is one, so take out the line '---'"));
+}
+
+TEST_F(LoadOwnProfile, ReportsAMissingFile)
+{
+    EXPECT_THAT(Problems([&] { LoadVolumeProfile(m_Folder / "no.profile.yaml", m_Registry); }),
+                ElementsAre("there is no such file"));
+}
+
+} // namespace
+
+} // namespace limn

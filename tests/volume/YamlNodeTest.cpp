@@ -1,0 +1,260 @@
+#include "Problems.h"
+
+#include <core/TemporaryFolder.h>
+#include <core/ThrownMessage.h>
+#include <gmock/gmock.h>
+#include <limn/volume/YamlNode.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using test::Problems;
+using testing::ElementsAre;
+
+std::vector<std::string> ProblemsIn(const std::string& text)
+{
+    return Problems([&] { ParseYaml(text, "x.yaml"); });
+}
+
+TEST(ParseYaml, KeepsKindsOrderQuotesAndPlaces)
+{
+    const YamlNode root = ParseYaml("zeta: 4\n"
+                                    "alpha: [a, 'b']\n"
+                                    "nothing:\n"
+                                    "inner:\n"
+                                    "  key: \"4\"\n",
+                                    "x.yaml")
+                              .front();
+    ASSERT_TRUE(root.isMap());
+    ASSERT_EQ(root.entries().size(), 4u);
+    EXPECT_EQ(root.entries()[0].key, "zeta");
+    EXPECT_EQ(root.entries()[1].key, "alpha");
+    EXPECT_EQ(root.entries()[1].keyLocation, (SourceLocation{2, 1}));
+
+    EXPECT_EQ(root.Find("zeta")->scalar(), "4");
+    EXPECT_FALSE(root.Find("zeta")->isQuoted());
+    EXPECT_EQ(root.Find("zeta")->location(), (SourceLocation{1, 7}));
+
+    const YamlNode& alpha = *root.Find("alpha");
+    ASSERT_TRUE(alpha.isSequence());
+    EXPECT_EQ(alpha.items()[1].scalar(), "b");
+    EXPECT_TRUE(alpha.items()[1].isQuoted());
+    EXPECT_EQ(alpha.items()[1].location(), (SourceLocation{2, 12}));
+
+    EXPECT_TRUE(root.Find("nothing")->isNull());
+    EXPECT_EQ(root.Find("nothing")->location(), (SourceLocation{3, 1}));
+    EXPECT_TRUE(root.Find("inner")->Find("key")->isQuoted());
+    EXPECT_EQ(root.Find("absent"), nullptr);
+    EXPECT_EQ(alpha.Find("a"), nullptr);
+}
+
+TEST(ParseYaml, ReadsFilesWithWindowsLineEndsAndAByteOrderMark)
+{
+    const YamlNode root = ParseYaml("\xEF\xBB\xBF"
+                                    "a: 1\r\nb: two words\r\n",
+                                    "x.yaml")
+                              .front();
+    EXPECT_EQ(root.Find("a")->scalar(), "1");
+    EXPECT_EQ(root.Find("b")->scalar(), "two words");
+    EXPECT_EQ(root.Find("b")->location(), (SourceLocation{2, 4}));
+}
+
+TEST(ParseYaml, GivesEveryDocumentWithTagAndAnchor)
+{
+    const std::vector<YamlNode> documents = ParseYaml("%YAML 1.1\n"
+                                                      "%TAG !u! tag:unity3d.com,2011:\n"
+                                                      "--- !u!114 &-7893295128165547882\n"
+                                                      "MonoBehaviour:\n"
+                                                      "  m_Name: Bloom\n"
+                                                      "--- !u!78 &1\n"
+                                                      "TagManager:\n"
+                                                      "  tags: []\n",
+                                                      "x.asset");
+    ASSERT_EQ(documents.size(), 2u);
+    EXPECT_EQ(documents[0].tag(), "tag:unity3d.com,2011:114");
+    EXPECT_EQ(documents[0].anchor(), "-7893295128165547882");
+    EXPECT_EQ(documents[1].tag(), "tag:unity3d.com,2011:78");
+    EXPECT_EQ(documents[1].anchor(), "1");
+    EXPECT_TRUE(documents[1].Find("TagManager")->Find("tags")->isSequence());
+}
+
+TEST(ParseYaml, RepeatsAnAnchorsValueForItsAliases)
+{
+    const YamlNode root =
+        ParseYaml("a: &x {r: 1}\nb: *x\nc: &y 5\nd: [*y, *y]\n", "x.yaml").front();
+    EXPECT_EQ(root.Find("b")->Find("r")->scalar(), "1");
+    EXPECT_EQ(root.Find("b")->location(), (SourceLocation{1, 4})); // where the text stands
+    EXPECT_EQ(root.Find("d")->items()[1].scalar(), "5");
+}
+
+TEST(ParseYaml, ReportsEveryDuplicateKeyWithBothPlaces)
+{
+    EXPECT_THAT(ProblemsIn("a: 1\nb: {c: 1, c: 2}\na: 2\na: 3\n"),
+                ElementsAre("2:11: duplicate key 'c'; it is already at 2:5",
+                            "3:1: duplicate key 'a'; it is already at 1:1",
+                            "4:1: duplicate key 'a'; it is already at 1:1"));
+}
+
+TEST(ParseYaml, RefusesKeysThatAreNotText)
+{
+    EXPECT_THAT(ProblemsIn("? [a]\n: 1\nnull: 2\n"),
+                ElementsAre("1:3: the key is a sequence; a key is plain text, 'key: value'",
+                            "3:1: the key is nothing; a key is plain text, 'key: value'"));
+}
+
+TEST(ParseYaml, PointsAtSyntaxErrors)
+{
+    EXPECT_THAT(ProblemsIn("a:\n  b: 1\n c: 2\n"),
+                ElementsAre("3:2: not valid YAML: this line does not belong to what is above it; "
+                            "check its indentation"));
+    EXPECT_THAT(ProblemsIn("a: b: c\n"),
+                ElementsAre("1:5: not valid YAML: a ':' is out of place; check the indentation and "
+                            "the line above, or put the text in quotes"));
+    EXPECT_THAT(ProblemsIn("a: 1\nb: [1,\nc: 2\n"),
+                ElementsAre("2:4: not valid YAML: the '[' here is not closed by a ']'"));
+    EXPECT_THAT(ProblemsIn("a: {b: 1\n"),
+                ElementsAre("1:4: not valid YAML: the '{' here is not closed by a '}'"));
+    EXPECT_THAT(ProblemsIn("a: 1\n\tb: 2\n"),
+                ElementsAre("2:1: not valid YAML: illegal tab when looking for indentation"));
+    EXPECT_THAT(ProblemsIn("a: *nobody\n"),
+                ElementsAre("1:4: not valid YAML: the referenced anchor is not defined"));
+}
+
+TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
+{
+    EXPECT_THAT(ProblemsIn("a: 1\nb: \"x\nc: 3\n"),
+                ElementsAre("2:4: not valid YAML: the quote is never closed"));
+    EXPECT_THAT(ProblemsIn("b: &anchor 'it''s\n"),
+                ElementsAre("1:4: not valid YAML: the quote is never closed"));
+    EXPECT_EQ(ParseYaml("a: 'it''s'\nb: \"say \\\"x\\\"\"\n", "x.yaml").front().Find("b")->scalar(),
+              "say \"x\"");
+}
+
+TEST(ParseYaml, RefusesTextBehindTheEndOfADocument)
+{
+    EXPECT_THAT(ProblemsIn("- 1\na: 2\n"),
+                ElementsAre("2:1: text after the end of the document; another document begins with "
+                            "a line '---'"));
+    EXPECT_THAT(ProblemsIn("{a: 1} b\n"),
+                ElementsAre("1:8: text after the end of the document; another document begins with "
+                            "a line '---'"));
+}
+
+TEST(ParseYaml, RefusesEmptyTexts)
+{
+    const std::string message = "is empty; it begins with a name and a colon, 'name:'";
+    EXPECT_THAT(ProblemsIn(""), ElementsAre(message));
+    EXPECT_THAT(ProblemsIn("# only a comment\n\n"), ElementsAre(message));
+    EXPECT_THAT(ProblemsIn("---\n"), ElementsAre(message));
+}
+
+TEST(ParseYaml, RefusesWhatIsNotUtf8Text)
+{
+    EXPECT_THAT(ProblemsIn(std::string("a: 1\nb\0c", 8)),
+                ElementsAre("2:2: a NUL byte: this is a binary file or UTF-16; UTF-8 text is "
+                            "expected"));
+    const std::string notUtf8 = "the bytes here are not UTF-8; save the file as UTF-8 text";
+    EXPECT_THAT(ProblemsIn("a: \xE4\n"), ElementsAre("1:4: " + notUtf8));         // Latin-1
+    EXPECT_THAT(ProblemsIn("a: \xC0\xAF\n"), ElementsAre("1:4: " + notUtf8));     // overlong
+    EXPECT_THAT(ProblemsIn("a: \xED\xA0\x80\n"), ElementsAre("1:4: " + notUtf8)); // surrogate
+    EXPECT_EQ(
+        ParseYaml("a: \xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80\n", "x").front().Find("a")->scalar(),
+        "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80");
+}
+
+TEST(ParseYaml, RefusesMoreThan64Levels)
+{
+    const auto nested = [](std::size_t levels)
+    {
+        return std::string(levels, '[') + std::string(levels, ']');
+    };
+    EXPECT_EQ(ParseYaml(nested(64), "x.yaml").size(), 1u);
+    EXPECT_THAT(ProblemsIn(nested(65)),
+                ElementsAre("1:65: values are nested more than 64 levels deep"));
+    EXPECT_THAT(ProblemsIn(nested(100000)),
+                ElementsAre("1:65: values are nested more than 64 levels deep"));
+}
+
+TEST(ParseYaml, CountsLevelsThroughAliases)
+{
+    std::string text = "a0: &a0 [1]\n";
+    for (int i = 1; i < 64; ++i)
+    {
+        const std::string before = std::to_string(i - 1);
+        const std::string name = std::to_string(i);
+        text += "a" + name + ": &a" + name + " [*a" + before + "]\n";
+    }
+    EXPECT_THAT(ProblemsIn(text), ElementsAre("64:12: values are nested more than 64 levels deep"));
+}
+
+TEST(ParseYaml, RefusesAnAliasInsideItsOwnAnchor)
+{
+    EXPECT_THAT(ProblemsIn("a: &x [1, *x]\n"),
+                ElementsAre("1:11: the alias refers to a value it is itself a part of"));
+}
+
+TEST(ParseYaml, RefusesAliasesThatMultiplyWithoutEnd)
+{
+    std::string text = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+    for (int i = 1; i < 9; ++i)
+    {
+        const std::string before = "*a" + std::to_string(i - 1);
+        const std::string name = "a" + std::to_string(i);
+        text += name + ": &" + name + " [" + before;
+        for (int k = 1; k < 10; ++k)
+        {
+            text += ", " + before;
+        }
+        text += "]\n";
+    }
+    const std::vector<std::string> problems = ProblemsIn(text);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_THAT(problems[0], testing::EndsWith("the file has more than 1000000 values, counting "
+                                               "every alias as a copy"));
+}
+
+TEST(LoadYamlFile, NamesTheFileInEveryProblem)
+{
+    const test::TemporaryFolder folder;
+    const auto path = folder.Write("broken.yaml", "a: 1\na: 2\n");
+    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadYamlFile(path); }),
+              path.generic_string() + ":2:1: error: duplicate key 'a'; it is already at 1:1");
+}
+
+TEST(LoadYamlFile, SaysWhatIsWrongWithTheFileItself)
+{
+    const test::TemporaryFolder folder;
+    EXPECT_THAT(Problems([&] { LoadYamlFile(folder / "absent.yaml"); }),
+                ElementsAre("there is no such file"));
+    EXPECT_THAT(Problems([&] { LoadYamlFile(folder / "."); }),
+                ElementsAre("is a folder; a YAML file is expected"));
+
+    const auto huge = folder.Write("huge.yaml", "a: 1\n");
+    std::filesystem::resize_file(huge, 64u * 1024 * 1024 + 1);
+    EXPECT_THAT(Problems([&] { LoadYamlFile(huge); }),
+                ElementsAre("has 67108865 bytes; at most 67108864 (64 MiB) are read"));
+}
+
+TEST(LoadYamlFile, RefusesAFileWithoutContentAndOneThatIsNoFile)
+{
+    const test::TemporaryFolder folder;
+    const auto empty = folder.Write("empty.yaml", "");
+    EXPECT_THAT(Problems([&] { LoadYamlFile(empty); }),
+                ElementsAre("is empty; it begins with a name and a colon, 'name:'"));
+    EXPECT_THAT(Problems([] { LoadYamlFile("/dev/null"); }),
+                ElementsAre("cannot be read; check that it is a file you may read"));
+}
+
+TEST(LoadYamlFile, ReadsBackWhatWasWritten)
+{
+    const test::TemporaryFolder folder;
+    const auto path = folder.Write("good.yaml", "name: x\n");
+    EXPECT_EQ(LoadYamlFile(path).front().Find("name")->scalar(), "x");
+}
+
+} // namespace
+
+} // namespace limn

@@ -1,0 +1,187 @@
+#include "GpuTestDevice.h"
+#include "GpuTestFrame.h"
+
+namespace limn::test
+{
+
+namespace
+{
+
+using Float4 = std::array<float, 4>;
+
+/// Draws `source` over a float target that holds `destination`.
+Float4 BlendOn(VulkanDevice& device, Color source, Color destination, const TargetBlend& blend)
+{
+    const TargetPtr target = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat);
+    CompiledFrame frame = FrameOf({ClearPass(target, destination)}, target);
+    PipelineState state = PlainState();
+    state.targets[0] = blend;
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), source, state));
+    device.Execute(frame);
+    return TexelFloat(device.ReadBack(*target), 0, 0);
+}
+
+TargetBlend Factors(BlendMode srcColor, BlendMode dstColor, BlendMode srcAlpha, BlendMode dstAlpha)
+{
+    TargetBlend blend;
+    blend.enabled = true;
+    blend.srcColor = srcColor;
+    blend.dstColor = dstColor;
+    blend.srcAlpha = srcAlpha;
+    blend.dstAlpha = dstAlpha;
+    return blend;
+}
+
+/// Writes 0.5 to the first target and 0.25 to the second.
+PassPtr TwoOutputPass()
+{
+    static const PassPtr pass = CompilePass(R"(
+        struct Outputs { float4 a : SV_Target0; float4 b : SV_Target1; };
+        float4 vert(float3 position : POSITION) : SV_POSITION { return float4(position, 1); }
+        Outputs frag()
+        {
+            Outputs o;
+            o.a = float4(0.5, 0.5, 0.5, 0.5);
+            o.b = float4(0.25, 0.25, 0.25, 0.25);
+            return o;
+        })");
+    return pass;
+}
+
+constexpr Color k_Source{0.5f, 0.25f, 1.0f, 0.5f};
+constexpr Color k_Destination{0.25f, 1.0f, 0.5f, 0.25f};
+
+} // namespace
+
+/// Runs on the shared device and on one without extensions, where blending is baked in.
+class Blending : public GpuTest, public testing::WithParamInterface<bool>
+{
+protected:
+    void SetUp() override
+    {
+        GpuTest::SetUp();
+        if (!IsSkipped() && !HasFatalFailure() && !GetParam())
+        {
+            VulkanDeviceOptions options;
+            options.device = SharedDevice().deviceName();
+            options.validation = true;
+            options.optionalExtensions = false;
+            m_Plain = std::make_unique<VulkanDevice>(options);
+        }
+    }
+    void TearDown() override
+    {
+        GpuTest::TearDown();
+        if (m_Plain)
+        {
+            EXPECT_EQ("", Text(m_Plain->validationMessages()));
+        }
+    }
+    VulkanDevice& Device() { return m_Plain ? *m_Plain : SharedDevice(); }
+
+private:
+    std::unique_ptr<VulkanDevice> m_Plain;
+};
+
+TEST_P(Blending, ReplacesWhereItIsOff)
+{
+    EXPECT_EQ((Float4{0.5f, 0.25f, 1.0f, 0.5f}), BlendOn(Device(), k_Source, k_Destination, {}));
+}
+
+TEST_P(Blending, AddsAlphaWeightedColorAndKeepsAlpha)
+{
+    // Blend One SrcAlpha, Zero One: colour = src + dst * 0.5, alpha = dst.
+    const TargetBlend blend =
+        Factors(BlendMode::One, BlendMode::SrcAlpha, BlendMode::Zero, BlendMode::One);
+    EXPECT_EQ((Float4{0.625f, 0.75f, 1.25f, 0.25f}),
+              BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, MixesByAlpha)
+{
+    const TargetBlend blend = Factors(BlendMode::SrcAlpha, BlendMode::OneMinusSrcAlpha,
+                                      BlendMode::One, BlendMode::OneMinusSrcAlpha);
+    EXPECT_EQ((Float4{0.375f, 0.625f, 0.75f, 0.625f}),
+              BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, SubtractsInBothDirections)
+{
+    TargetBlend blend = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    blend.colorOp = BlendOp::Subtract;
+    blend.alphaOp = BlendOp::ReverseSubtract;
+    EXPECT_EQ((Float4{0.25f, -0.75f, 0.5f, -0.25f}),
+              BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, TakesTheLargerWithMax)
+{
+    TargetBlend blend = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    blend.colorOp = BlendOp::Max;
+    blend.alphaOp = BlendOp::Min;
+    EXPECT_EQ((Float4{0.5f, 1.0f, 1.0f, 0.25f}), BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, WritesTheMaskedChannelsOnly)
+{
+    TargetBlend blend;
+    blend.writeMask = ColorWriteMask::Red | ColorWriteMask::Alpha;
+    EXPECT_EQ((Float4{0.5f, 1.0f, 0.5f, 0.5f}), BlendOn(Device(), k_Source, k_Destination, blend));
+    blend.writeMask = 0;
+    EXPECT_EQ((Float4{0.25f, 1.0f, 0.5f, 0.25f}),
+              BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, GivesEachTargetItsOwnState)
+{
+    const TargetPtr first = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "first");
+    const TargetPtr second = MakeTarget(1, 1, GraphicsFormat::R32_SFloat, "second");
+    CompiledFrame frame = FrameOf({ClearPass(first, Color::white)}, first);
+    frame.passes[0].barriers.push_back(
+        {second, TextureUsage::Undefined, TextureUsage::ColorAttachment});
+    frame.passes[0].colors.push_back({second, LoadOp::Clear, StoreOp::Store, Color::white});
+    frame.finalBarriers.push_back(
+        {second, TextureUsage::ColorAttachment, TextureUsage::CopySource});
+    PipelineState state = PlainState();
+    state.targets[1] = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    frame.passes[0].commands.emplace_back(MakeDraw(TwoOutputPass(), MakeQuad(), state));
+    Device().Execute(frame);
+    EXPECT_EQ(0.5f, TexelFloat(Device().ReadBack(*first), 0, 0)[0]);
+    EXPECT_EQ(1.25f, TexelFloat<1>(Device().ReadBack(*second), 0, 0)[0]);
+}
+
+TEST_P(Blending, KeepsATargetThatTheShaderDoesNotWrite)
+{
+    const TargetPtr first = MakeTarget(1, 1, GraphicsFormat::R8G8B8A8_UNorm, "first");
+    const TargetPtr second = MakeTarget(1, 1, GraphicsFormat::R8G8B8A8_UNorm, "second");
+    CompiledFrame frame = FrameOf({ClearPass(first, Color::black)}, second);
+    frame.passes[0].barriers.push_back(
+        {second, TextureUsage::Undefined, TextureUsage::ColorAttachment});
+    frame.passes[0].colors.push_back({second, LoadOp::Clear, StoreOp::Store, Color::green});
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::red));
+    Device().Execute(frame);
+    EXPECT_EQ((Rgba8{0, 255, 0, 255}), Texel8(Device().ReadBack(*second), 0, 0));
+}
+
+TEST_P(Blending, FollowsTheOutputsOfEachShaderOfAPass)
+{
+    const TargetPtr first = MakeTarget(2, 1, GraphicsFormat::R32_SFloat, "first");
+    const TargetPtr second = MakeTarget(2, 1, GraphicsFormat::R32_SFloat, "second");
+    CompiledFrame frame = FrameOf({ClearPass(first, Color::black)}, second);
+    frame.passes[0].barriers.push_back(
+        {second, TextureUsage::Undefined, TextureUsage::ColorAttachment});
+    frame.passes[0].colors.push_back({second, LoadOp::Clear, StoreOp::Store, Color::white});
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(-1, -1, 0, 1), Color::red));
+    frame.passes[0].commands.emplace_back(
+        MakeDraw(TwoOutputPass(), MakeQuad(0, -1, 1, 1), PlainState()));
+    Device().Execute(frame);
+    const Image image = Device().ReadBack(*second);
+    EXPECT_EQ(1.0f, TexelFloat<1>(image, 0, 0)[0]);
+    EXPECT_EQ(0.25f, TexelFloat<1>(image, 1, 0)[0]);
+}
+
+INSTANTIATE_TEST_SUITE_P(State, Blending, testing::Bool(),
+                         [](const auto& which)
+                         { return which.param ? "DynamicWhereOffered" : "Baked"; });
+
+} // namespace limn::test

@@ -1,0 +1,137 @@
+#include "GpuTestDevice.h"
+#include "GpuTestFrame.h"
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// Writes `reference` to the stencil where it draws.
+PipelineState Marking(int reference)
+{
+    PipelineState state = PlainState();
+    state.stencilEnabled = true;
+    state.stencilReference = reference;
+    state.stencilFront.pass = StencilOp::Replace;
+    state.stencilBack.pass = StencilOp::Replace;
+    return state;
+}
+
+/// Draws where the stencil compares so with `reference`.
+PipelineState Testing(CompareFunction compare, int reference)
+{
+    PipelineState state = PlainState();
+    state.stencilEnabled = true;
+    state.stencilReference = reference;
+    state.stencilFront.compare = compare;
+    state.stencilBack.compare = compare;
+    return state;
+}
+
+/// Draws black over the left half of a 2x1 target with `mark`, then white over all with `test`.
+std::array<bool, 2> IsWhite(const PipelineState& mark, const PipelineState& test)
+{
+    const TargetPtr target = MakeTarget(2, 1);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    AddDepth(frame.passes[0], MakeDepth(2, 1, true));
+    frame.passes[0].commands.emplace_back(
+        MakeColorDraw(frame, MakeQuad(-1, -1, 0, 1), Color::black, mark));
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::white, test));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    return {Texel8(image, 0, 0)[0] == 255, Texel8(image, 1, 0)[0] == 255};
+}
+
+using Halves = std::array<bool, 2>;
+constexpr Halves k_Left = {true, false};
+constexpr Halves k_Right = {false, true};
+
+} // namespace
+
+using Stencil = GpuTest;
+
+TEST_F(Stencil, LetsADrawThroughWhereTheMarkIs)
+{
+    EXPECT_EQ(k_Left, IsWhite(Marking(5), Testing(CompareFunction::Equal, 5)));
+    EXPECT_EQ(k_Right, IsWhite(Marking(5), Testing(CompareFunction::NotEqual, 5)));
+}
+
+TEST_F(Stencil, ComparesTheReferenceWithTheStoredValue)
+{
+    // Reference 3 against 5 on the left and 0 on the right; not turned as depth compares are.
+    EXPECT_EQ(k_Left, IsWhite(Marking(5), Testing(CompareFunction::Less, 3)));
+    EXPECT_EQ(k_Right, IsWhite(Marking(5), Testing(CompareFunction::Greater, 3)));
+}
+
+TEST_F(Stencil, ReadsThroughTheReadMask)
+{
+    PipelineState test = Testing(CompareFunction::Equal, 0xF1);
+    test.stencilReadMask = 0x0F;
+    EXPECT_EQ(k_Left, IsWhite(Marking(0xA1), test));
+}
+
+TEST_F(Stencil, WritesThroughTheWriteMask)
+{
+    PipelineState mark = Marking(0xFF);
+    mark.stencilWriteMask = 0x0C;
+    EXPECT_EQ(k_Left, IsWhite(mark, Testing(CompareFunction::Equal, 0x0C)));
+}
+
+TEST_F(Stencil, DoesWhatEachOperationSays)
+{
+    struct Case
+    {
+        StencilOp op;
+        int result; ///< from the cleared 0
+    };
+    for (const Case& step :
+         {Case{StencilOp::IncrementSaturate, 1}, Case{StencilOp::IncrementWrap, 1},
+          Case{StencilOp::DecrementSaturate, 0}, Case{StencilOp::DecrementWrap, 255},
+          Case{StencilOp::Invert, 255}, Case{StencilOp::Replace, 7}, Case{StencilOp::Keep, 0},
+          Case{StencilOp::Zero, 0}})
+    {
+        PipelineState mark = Marking(7);
+        mark.stencilFront.pass = step.op;
+        mark.stencilBack.pass = step.op;
+        EXPECT_TRUE(IsWhite(mark, Testing(CompareFunction::Equal, step.result))[0])
+            << "operation " << static_cast<int>(step.op);
+    }
+}
+
+TEST_F(Stencil, TreatsFrontAndBackFacesApart)
+{
+    PipelineState mark = Marking(1);
+    mark.stencilBack.pass = StencilOp::Keep;
+    EXPECT_EQ(k_Left, IsWhite(mark, Testing(CompareFunction::Equal, 1))) << "quads face the viewer";
+    mark = Marking(1);
+    mark.stencilFront.pass = StencilOp::Keep;
+    EXPECT_EQ((Halves{false, false}), IsWhite(mark, Testing(CompareFunction::Equal, 1)));
+}
+
+TEST_F(Stencil, RunsZFailWhereTheDepthTestFails)
+{
+    PipelineState mark = Marking(9);
+    mark.zTest = CompareFunction::Never;
+    mark.stencilFront.zFail = StencilOp::IncrementSaturate;
+    EXPECT_EQ(k_Left, IsWhite(mark, Testing(CompareFunction::Equal, 1)));
+}
+
+TEST_F(Stencil, IsClearedByTheClearCommand)
+{
+    const TargetPtr target = MakeTarget(2, 1);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    AddDepth(frame.passes[0], MakeDepth(2, 1, true));
+    frame.passes[0].depth->clearStencil = 3;
+    frame.passes[0].commands.emplace_back(SetViewportCommand{{1, 0, 1, 1}});
+    frame.passes[0].commands.emplace_back(ClearCommand{ClearFlag::Stencil, {}, 1.0f, 4});
+    frame.passes[0].commands.emplace_back(SetViewportCommand{{0, 0, 2, 1}});
+    frame.passes[0].commands.emplace_back(
+        MakeColorDraw(frame, MakeQuad(), Color::white, Testing(CompareFunction::Equal, 4)));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    EXPECT_EQ(0, Texel8(image, 0, 0)[0]);
+    EXPECT_EQ(255, Texel8(image, 1, 0)[0]);
+}
+
+} // namespace limn::test

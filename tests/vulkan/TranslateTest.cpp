@@ -1,0 +1,96 @@
+#include "core/ThrownMessage.h"
+#include <PassTargets.h>
+#include <Translate.h>
+
+namespace limn::test
+{
+
+using namespace limn::vulkan;
+
+TEST(Translate, TurnsDepthComparesForReversedDepth)
+{
+    EXPECT_EQ(VK_COMPARE_OP_GREATER, ToReversedDepthCompare(CompareFunction::Less));
+    EXPECT_EQ(VK_COMPARE_OP_GREATER_OR_EQUAL, ToReversedDepthCompare(CompareFunction::LessEqual));
+    EXPECT_EQ(VK_COMPARE_OP_LESS, ToReversedDepthCompare(CompareFunction::Greater));
+    EXPECT_EQ(VK_COMPARE_OP_LESS_OR_EQUAL, ToReversedDepthCompare(CompareFunction::GreaterEqual));
+    EXPECT_EQ(VK_COMPARE_OP_EQUAL, ToReversedDepthCompare(CompareFunction::Equal));
+    EXPECT_EQ(VK_COMPARE_OP_NOT_EQUAL, ToReversedDepthCompare(CompareFunction::NotEqual));
+    EXPECT_EQ(VK_COMPARE_OP_NEVER, ToReversedDepthCompare(CompareFunction::Never));
+    EXPECT_EQ(VK_COMPARE_OP_ALWAYS, ToReversedDepthCompare(CompareFunction::Always));
+    EXPECT_EQ(VK_COMPARE_OP_ALWAYS, ToReversedDepthCompare(CompareFunction::Disabled));
+}
+
+TEST(Translate, KeepsStencilComparesAsTheyAre)
+{
+    EXPECT_EQ(VK_COMPARE_OP_LESS, ToStencilCompare(CompareFunction::Less));
+    EXPECT_EQ(VK_COMPARE_OP_GREATER_OR_EQUAL, ToStencilCompare(CompareFunction::GreaterEqual));
+}
+
+TEST(Translate, KeepsTheOrderOfMaskBitsApart)
+{
+    // Unity's red is its highest bit, Vulkan's the lowest.
+    EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_R_BIT}, ToVkColorMask(8));
+    EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_G_BIT}, ToVkColorMask(4));
+    EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_B_BIT}, ToVkColorMask(2));
+    EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_A_BIT}, ToVkColorMask(1));
+    EXPECT_EQ(VkColorComponentFlags{0xF}, ToVkColorMask(15));
+}
+
+TEST(Translate, KnowsEveryBlendFactor)
+{
+    const VkBlendFactor expected[] = {
+        VK_BLEND_FACTOR_ZERO,
+        VK_BLEND_FACTOR_ONE,
+        VK_BLEND_FACTOR_DST_COLOR,
+        VK_BLEND_FACTOR_SRC_COLOR,
+        VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR,
+        VK_BLEND_FACTOR_SRC_ALPHA,
+        VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR,
+        VK_BLEND_FACTOR_DST_ALPHA,
+        VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+        VK_BLEND_FACTOR_SRC_ALPHA_SATURATE,
+        VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+    };
+    for (int i = 0; i < 11; ++i)
+    {
+        EXPECT_EQ(expected[i], ToVkBlendFactor(static_cast<BlendMode>(i))) << "Unity's " << i;
+    }
+}
+
+TEST(Translate, RefusesANumberThatIsNoBlendMode)
+{
+    EXPECT_EQ("BlendMode has no value 11",
+              ThrownMessage<ContractError>([] { ToVkBlendFactor(static_cast<BlendMode>(11)); }));
+}
+
+TEST(Translate, WaitsForEverythingBeforeUndefinedContents)
+{
+    const UsageScope scope = ToUsageScope(TextureUsage::Undefined);
+    EXPECT_EQ(VK_IMAGE_LAYOUT_UNDEFINED, scope.layout);
+    EXPECT_EQ(VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, scope.stages);
+}
+
+TEST(Translate, PutsTheViewportsTopAtClipSpaceUp)
+{
+    const VkViewport viewport = ToVkViewport({10, 20, 30, 40});
+    EXPECT_EQ(10.0f, viewport.x);
+    EXPECT_EQ(60.0f, viewport.y);
+    EXPECT_EQ(30.0f, viewport.width);
+    EXPECT_EQ(-40.0f, viewport.height);
+    EXPECT_EQ(0.0f, viewport.minDepth);
+    EXPECT_EQ(1.0f, viewport.maxDepth);
+}
+
+TEST(Translate, ClipsAViewportToThePass)
+{
+    CompiledRenderPass pass;
+    pass.width = 100;
+    pass.height = 50;
+    const VkRect2D rect = ClipToPass({-10, 40, 30, 40}, pass);
+    EXPECT_EQ(0, rect.offset.x);
+    EXPECT_EQ(40, rect.offset.y);
+    EXPECT_EQ(20u, rect.extent.width);
+    EXPECT_EQ(10u, rect.extent.height);
+}
+
+} // namespace limn::test
