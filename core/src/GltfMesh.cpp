@@ -1,8 +1,8 @@
 #include <limn/core/GltfMesh.h>
 
-#include "FileBytes.h"
 #include "GltfCollector.h"
 #include "MeshProblems.h"
+#include "ReadFileBytes.h"
 #include <algorithm>
 #include <cstdio>
 #include <limn/shaderlab/Diagnostic.h>

@@ -1,7 +1,8 @@
 #include <limn/core/Image.h>
 
-#include "FileBytes.h"
+#include "ReadFileBytes.h"
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/WriteFile.h>
 #include <png.h>
 #include <string>
 
@@ -78,8 +79,7 @@ void WritePng(const std::filesystem::path& path, const Image& image)
     {
         throw AssetError(path.string(), {}, std::string("cannot be written: ") + png->message);
     }
-    bytes.resize(size);
-    WriteFileAtomically(path, bytes);
+    WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), size});
 }
 
 Image ReadPng(const std::filesystem::path& path)

@@ -1,6 +1,6 @@
 #include "RenderReports.h"
 
-#include "WriteFile.h"
+#include <limn/shaderlab/WriteFile.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "ShaderEmit.h"
 
 #include "CacheFolder.h"
-#include "WriteFile.h"
+#include <limn/shaderlab/WriteFile.h>
 
 #include <cctype>
 #include <spirv_hlsl.hpp>

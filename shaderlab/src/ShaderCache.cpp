@@ -4,9 +4,8 @@
 #include "TextFile.h"
 
 #include <algorithm>
-#include <atomic>
-#include <fstream>
-#include <unistd.h>
+#include <limn/shaderlab/WriteFile.h>
+#include <string>
 
 namespace limn
 {
@@ -168,20 +167,11 @@ void ShaderCache::Store(const std::string& key, const CompiledPass& pass,
     ByteWriter hash;
     hash.Value(HashContent(payload.bytes()));
 
-    static std::atomic<unsigned> s_Counter{0};
-    const std::string unique = std::to_string(getpid()) + "." + std::to_string(s_Counter++);
-    const std::filesystem::path temporary = m_Folder / (key + "." + unique + ".tmp");
+    // Best effort: without an entry the next run compiles again.
     std::error_code error;
     std::filesystem::create_directories(m_Folder, error);
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << k_Magic << payload.bytes() << hash.bytes();
-    stream.close();
-    if (stream)
-    {
-        std::filesystem::rename(temporary, EntryPath(m_Folder, key), error);
-    }
-    // Removes a half-written file; after the rename there is none.
-    std::filesystem::remove(temporary, error);
+    error = TryWriteFile(EntryPath(m_Folder, key),
+                         std::string(k_Magic) + payload.bytes() + hash.bytes());
 }
 
 } // namespace limn

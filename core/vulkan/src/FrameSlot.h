@@ -13,22 +13,10 @@ class FrameSlot
 public:
     FrameSlot(const VulkanContext& context, MemoryAllocator& allocator);
 
-    VkCommandBuffer commands() const
-    {
-        return m_Commands;
-    }
-    LinearMemory& upload()
-    {
-        return m_Upload;
-    }
-    DescriptorAllocator& descriptors()
-    {
-        return m_Descriptors;
-    }
-    std::uint64_t number() const
-    {
-        return m_Number;
-    } ///< of its last submission, 0 = none
+    VkCommandBuffer commands() const { return m_Commands; }
+    LinearMemory& upload() { return m_Upload; }
+    DescriptorAllocator& descriptors() { return m_Descriptors; }
+    std::uint64_t number() const { return m_Number; } ///< of its last submission, 0 = none
 
     /// Starts recording. @pre the slot's last submission is finished
     void Begin(std::size_t passCount);

@@ -24,10 +24,7 @@ struct PooledImage
     std::uint64_t createdBy = 0;                           ///< number of the submission
     std::uint64_t lastUse = 0;                             ///< likewise
 
-    VkImageView sampledView() const
-    {
-        return depthView ? depthView.get() : view.get();
-    }
+    VkImageView sampledView() const { return depthView ? depthView.get() : view.get(); }
 };
 
 /// All images, found by their texture; made on first use, freed when the texture is gone and the
@@ -52,10 +49,7 @@ public:
     void Rollback(std::uint64_t number); ///< it never will be
     void Sweep(std::uint64_t finished);  ///< frees what nobody owns or uses
 
-    std::size_t size() const
-    {
-        return m_Images.size();
-    }
+    std::size_t size() const { return m_Images.size(); }
 
 private:
     struct Upload

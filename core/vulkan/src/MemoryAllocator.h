@@ -31,10 +31,7 @@ class MemoryAllocation
 {
 public:
     MemoryAllocation() = default;
-    MemoryAllocation(MemoryAllocation&& other) noexcept
-    {
-        Swap(other);
-    }
+    MemoryAllocation(MemoryAllocation&& other) noexcept { Swap(other); }
     MemoryAllocation& operator=(MemoryAllocation&& other) noexcept
     {
         Swap(other);
@@ -43,10 +40,7 @@ public:
     ~MemoryAllocation();
 
     VkDeviceMemory memory() const;
-    VkDeviceSize offset() const
-    {
-        return m_Offset;
-    }
+    VkDeviceSize offset() const { return m_Offset; }
     std::byte* mapped() const; ///< null for MemoryUse::Gpu
 
 private:

@@ -45,17 +45,11 @@ public:
     void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);
     void Rollback(std::uint64_t number);
     void Sweep(std::uint64_t finished);
-    std::size_t size() const
-    {
-        return m_Meshes.size();
-    }
+    std::size_t size() const { return m_Meshes.size(); }
 
     /// One value of each attribute for meshes that lack it, to be read with stride 0: normal +z,
     /// tangent (1, 0, 0, 1), white, all else 0.
-    VkBuffer constants() const
-    {
-        return m_Constants.handle.get();
-    }
+    VkBuffer constants() const { return m_Constants.handle.get(); }
     static VkDeviceSize ConstantOffset(VertexAttribute attribute);
 
 private:

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
+#include <limn/shaderlab/WriteFile.h>
 
 namespace limn::vulkan
 {
@@ -158,20 +158,9 @@ void PipelineCacheFile::Save() const
     payload.resize(size);
     const std::vector<char> file = WrapCacheFile(payload);
 
-    std::filesystem::path unfinished = m_Path;
-    unfinished += "." + std::to_string(getpid()) + ".tmp";
-    std::ofstream stream{unfinished, std::ios::binary};
-    stream.write(file.data(), static_cast<std::streamsize>(file.size()));
-    stream.close();
-    std::error_code error;
-    if (stream)
-    {
-        std::filesystem::rename(unfinished, m_Path, error);
-    }
-    if (!stream || error)
-    {
-        std::filesystem::remove(unfinished, error);
-    }
+    // Best effort: without the file the next run compiles again.
+    [[maybe_unused]] const std::error_code failure =
+        TryWriteFile(m_Path, {file.data(), file.size()});
 }
 
 } // namespace limn::vulkan

@@ -18,10 +18,7 @@ public:
     PipelineCacheFile(const PipelineCacheFile&) = delete;
     PipelineCacheFile& operator=(const PipelineCacheFile&) = delete;
 
-    VkPipelineCache get() const
-    {
-        return m_Cache.get();
-    }
+    VkPipelineCache get() const { return m_Cache.get(); }
 
 private:
     void Save() const;

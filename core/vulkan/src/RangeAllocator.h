@@ -19,10 +19,7 @@ public:
     /// Returns a range exactly as it was handed out.
     void Free(std::uint64_t offset, std::uint64_t size);
 
-    std::uint64_t usedBytes() const
-    {
-        return m_Used;
-    }
+    std::uint64_t usedBytes() const { return m_Used; }
 
 private:
     std::uint64_t m_Used = 0;

@@ -16,14 +16,8 @@ public:
     SubmitQueue& operator=(const SubmitQueue&) = delete;
 
     /// The number the next submission will have.
-    std::uint64_t nextNumber() const
-    {
-        return m_Submitted + 1;
-    }
-    std::uint64_t lastNumber() const
-    {
-        return m_Submitted;
-    }
+    std::uint64_t nextNumber() const { return m_Submitted + 1; }
+    std::uint64_t lastNumber() const { return m_Submitted; }
     std::uint64_t finishedNumber() const; ///< all up to here are done
 
     void Submit(VkCommandBuffer commands);

@@ -31,14 +31,8 @@ public:
         }
     }
 
-    T get() const
-    {
-        return m_Handle;
-    }
-    explicit operator bool() const
-    {
-        return m_Handle != VK_NULL_HANDLE;
-    }
+    T get() const { return m_Handle; }
+    explicit operator bool() const { return m_Handle != VK_NULL_HANDLE; }
 
 private:
     VkDevice m_Device = VK_NULL_HANDLE;

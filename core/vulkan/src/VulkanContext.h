@@ -33,42 +33,15 @@ class VulkanContext
 public:
     explicit VulkanContext(const VulkanDeviceOptions& options);
 
-    VkDevice device() const
-    {
-        return m_Device.get();
-    }
-    VkPhysicalDevice physicalDevice() const
-    {
-        return m_PhysicalDevice;
-    }
-    VkQueue queue() const
-    {
-        return m_Queue;
-    }
-    std::uint32_t queueFamily() const
-    {
-        return m_QueueFamily;
-    }
-    const DeviceCapabilities& capabilities() const
-    {
-        return m_Capabilities;
-    }
-    const ExtensionFunctions& functions() const
-    {
-        return m_Functions;
-    }
-    const VulkanInstance& instance() const
-    {
-        return m_Instance;
-    }
-    const std::string& deviceName() const
-    {
-        return m_DeviceName;
-    }
-    const std::string& choiceSentence() const
-    {
-        return m_ChoiceSentence;
-    }
+    VkDevice device() const { return m_Device.get(); }
+    VkPhysicalDevice physicalDevice() const { return m_PhysicalDevice; }
+    VkQueue queue() const { return m_Queue; }
+    std::uint32_t queueFamily() const { return m_QueueFamily; }
+    const DeviceCapabilities& capabilities() const { return m_Capabilities; }
+    const ExtensionFunctions& functions() const { return m_Functions; }
+    const VulkanInstance& instance() const { return m_Instance; }
+    const std::string& deviceName() const { return m_DeviceName; }
+    const std::string& choiceSentence() const { return m_ChoiceSentence; }
 
     /// The name that captures and validation messages show.
     template <typename T>
@@ -80,10 +53,7 @@ public:
 private:
     struct DestroyDevice
     {
-        void operator()(VkDevice device) const
-        {
-            vkDestroyDevice(device, nullptr);
-        }
+        void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
     };
 
     void ChoosePhysicalDevice(const std::string& request);

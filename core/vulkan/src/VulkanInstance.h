@@ -40,27 +40,15 @@ public:
     VulkanInstance(const VulkanInstance&) = delete;
     VulkanInstance& operator=(const VulkanInstance&) = delete;
 
-    VkInstance get() const
-    {
-        return m_Instance.get();
-    }
-    bool hasDebugUtils() const
-    {
-        return m_DebugUtils;
-    }
-    const ValidationLog& log() const
-    {
-        return m_Log;
-    }
+    VkInstance get() const { return m_Instance.get(); }
+    bool hasDebugUtils() const { return m_DebugUtils; }
+    const ValidationLog& log() const { return m_Log; }
     std::vector<VkPhysicalDevice> PhysicalDevices() const;
 
 private:
     struct DestroyInstance
     {
-        void operator()(VkInstance instance) const
-        {
-            vkDestroyInstance(instance, nullptr);
-        }
+        void operator()(VkInstance instance) const { vkDestroyInstance(instance, nullptr); }
     };
 
     void Create(bool validation);

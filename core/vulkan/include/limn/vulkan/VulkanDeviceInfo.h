@@ -28,10 +28,7 @@ struct VulkanDeviceInfo
     std::string driverInfo;
     std::vector<std::string> problems; ///< one sentence for each thing that limn needs and misses
 
-    bool isUsable() const
-    {
-        return problems.empty();
-    }
+    bool isUsable() const { return problems.empty(); }
     bool operator==(const VulkanDeviceInfo&) const = default;
 };
 

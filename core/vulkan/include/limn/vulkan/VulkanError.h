@@ -17,18 +17,9 @@ public:
     /// what() reads "vkCreateImage: VK_ERROR_OUT_OF_DEVICE_MEMORY ('CameraColor')".
     VulkanError(std::string call, std::string result, std::string object);
 
-    const std::string& call() const
-    {
-        return m_Call;
-    } ///< e.g. "vkCreateImage"
-    const std::string& result() const
-    {
-        return m_Result;
-    } ///< e.g. "VK_ERROR_DEVICE_LOST"
-    const std::string& object() const
-    {
-        return m_Object;
-    } ///< name of what was worked on, or ""
+    const std::string& call() const { return m_Call; }     ///< e.g. "vkCreateImage"
+    const std::string& result() const { return m_Result; } ///< e.g. "VK_ERROR_DEVICE_LOST"
+    const std::string& object() const { return m_Object; } ///< name of what was worked on, or ""
 
 private:
     std::string m_Call;
