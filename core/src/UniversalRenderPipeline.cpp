@@ -50,6 +50,20 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     return data;
 }
 
+/// Every frame writes the whole of it, so nothing of the last one has to be kept.
+void AllocateOutput(RTHandle& output, const RenderRequest& request)
+{
+    const RenderTextureDescriptor descriptor(request.width, request.height,
+                                             GraphicsFormat::R8G8B8A8_SRGB);
+    if (!output || output.rt()->descriptor() != descriptor)
+    {
+        const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
+                                   TextureWrapMode::Clamp, false};
+        output = RTHandle(
+            std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
+    }
+}
+
 } // namespace
 
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
@@ -57,9 +71,7 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
 {
     ExpectRenderable(request);
     RenderResult result;
-    RenderingUtils::ReAllocateIfNeeded(
-        m_Output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB}, FilterMode::Point,
-        TextureWrapMode::Clamp, k_OutputName);
+    AllocateOutput(m_Output, request);
     renderer.SetOutput(m_Output);
     result.output = m_Output;
 
@@ -76,8 +88,11 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
-    result.frame = m_FrameCompiler.Compile(context.TakeCommands(), outputs);
+    // What the frame does to textures counts only once the device has taken it.
+    FrameCompiler afterwards = m_FrameCompiler;
+    result.frame = afterwards.Compile(context.TakeCommands(), outputs);
     m_Device.Execute(result.frame);
+    m_FrameCompiler = std::move(afterwards);
     return result;
 }
 

@@ -33,10 +33,7 @@ public:
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-    std::filesystem::path operator/(const std::string& name) const
-    {
-        return m_Path / name;
-    }
+    std::filesystem::path operator/(const std::string& name) const { return m_Path / name; }
 
     /// Writes a file into the folder and returns its path.
     std::filesystem::path Write(const std::string& name, std::string_view content) const

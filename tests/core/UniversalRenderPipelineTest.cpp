@@ -263,5 +263,61 @@ TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
     EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
 }
 
+TEST_F(Pipeline, DoesNotLoadTheLastPictureIntoTheOutput)
+{
+    Render();
+    const RenderResult second = Render();
+    EXPECT_EQ(second.frame.passes.back().colors[0].texture->name(), "limn_Output");
+    EXPECT_EQ(second.frame.passes.back().colors[0].load, LoadOp::DontCare);
+}
+
+/// Refuses frames while told to.
+class RefusingDevice final : public GraphicsDevice
+{
+public:
+    bool m_Refuses = false;
+    void Execute(const CompiledFrame&) override
+    {
+        if (m_Refuses)
+        {
+            throw ContractError("refused");
+        }
+    }
+    Image ReadBack(const RenderTexture&) override { return {}; }
+    std::vector<PassTiming> LastFrameTimings() override { return {}; }
+};
+
+TEST_F(Pipeline, ForgetsAFrameThatTheDeviceRefused)
+{
+    RefusingDevice device;
+    UniversalRenderPipeline pipeline(device);
+    pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    device.m_Refuses = true;
+    m_Request.width = 32; // new textures, which the device never made
+    EXPECT_THROW(pipeline.RenderSingleCamera(m_Renderer, m_Request), ContractError);
+    device.m_Refuses = false;
+    const RenderResult result = pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    for (const TextureBarrier& barrier : result.frame.passes[0].barriers)
+    {
+        EXPECT_EQ(barrier.before, Undefined) << barrier.texture->name();
+    }
+    EXPECT_EQ(result.frame.passes[0].barriers.size(), 2u);
+}
+
+TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)
+{
+    Scene scene;
+    test::AddCube(
+        scene, "reader", {0, 0, 10},
+        {std::make_shared<Material>(test::ShaderWithProgram(
+            "", "Texture2D _CameraDepthTexture;", "_CameraDepthTexture.Load(int3(0, 0, 0))"))});
+    m_Request.scene = &scene;
+    const RenderResult result = Render();
+    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
+    ASSERT_EQ(draws.size(), 1u);
+    ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
+    EXPECT_EQ(draws[0].bindings->textures[0].texture, DefaultTexture("black"));
+}
+
 } // namespace
 } // namespace limn

@@ -64,9 +64,13 @@ public:
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value); }
     void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
+    void SetGlobalTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
+    {
+        SetGlobal(id, std::move(value));
+    }
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
-        SetGlobal(id, std::shared_ptr<const Texture>(value.rt()));
+        SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
     }
 
     void BeginSample(std::string_view name);

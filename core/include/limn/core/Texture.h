@@ -50,9 +50,8 @@ private:
     SamplerState m_Sampler;
 };
 
-/// An image whose texels come from the CPU. Row 0 is at v = 0: a picture goes in bottom row first, as
-/// Unity imports it, so that it stands upright on a mesh.
-/// Unity: UnityEngine.Texture2D.
+/// An image whose texels come from the CPU. Row 0 is at v = 0: a picture goes in bottom row first,
+/// as Unity imports it, so that it stands upright on a mesh. Unity: UnityEngine.Texture2D.
 class Texture2D final : public Texture
 {
 public:
