@@ -8,7 +8,7 @@ limn_build_packages=(
     libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
 )
 limn_test_packages=(
-    libgtest-dev libgmock-dev libbenchmark-dev vulkan-validationlayers
+    libgtest-dev libgmock-dev vulkan-validationlayers
 )
 
 limn_install_missing() {
