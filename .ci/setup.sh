@@ -4,8 +4,8 @@
 limn_build_packages=(
     g++ cmake ninja-build
     libvulkan-dev mesa-vulkan-drivers                        # the device: lavapipe where no GPU is
-    glslang-dev spirv-tools libspirv-cross-c-shared-dev      # shaders
-    libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
+    glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev   # shaders
+    libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
 )
 limn_test_packages=(
     libgtest-dev libgmock-dev vulkan-validationlayers
