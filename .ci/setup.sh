@@ -9,6 +9,7 @@ limn_build_packages=(
 )
 limn_test_packages=(
     libgtest-dev libgmock-dev vulkan-validationlayers
+    python3-jsonschema python3-yaml                          # `limn schema` is validated
 )
 
 limn_install_missing() {

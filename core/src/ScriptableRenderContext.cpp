@@ -155,7 +155,7 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
                                             const DrawingSettings& drawingSettings,
                                             const FilteringSettings& filteringSettings)
 {
-    DrawRenderersReport report{m_PassName, filteringSettings, {}};
+    DrawRenderersReport report{m_PassName, filteringSettings, drawingSettings, {}};
     std::vector<int> drawn;
     for (std::size_t i = 0; i < cullingResults.items.size(); ++i)
     {

@@ -40,6 +40,7 @@ std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)
 
 std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::path& path)
 {
+    Reach(path);
     return Cached(m_Shaders, path.lexically_normal(),
                   [&] { return Shader::Load(path.lexically_normal(), m_Compiler); });
 }
@@ -51,20 +52,56 @@ std::shared_ptr<const Mesh> AssetContext::Primitive(PrimitiveType type)
 
 std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& path)
 {
+    Reach(path);
     return Cached(m_Meshes, path.lexically_normal(),
                   [&] { return LoadGltfMesh(path.lexically_normal()); });
 }
 
 std::shared_ptr<const Texture> AssetContext::LoadTexture(const std::filesystem::path& path)
 {
+    Reach(path);
     return Cached(m_Textures, path.lexically_normal(),
                   [&] { return ReadTexture(path.lexically_normal()); });
 }
 
 const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::path& path)
 {
+    Reach(path);
     return Cached(m_Profiles, path.lexically_normal(),
                   [&] { return LoadVolumeProfile(path.lexically_normal(), m_VolumeComponents); });
+}
+
+std::set<std::filesystem::path> AssetContext::reachedFiles() const
+{
+    std::set<std::filesystem::path> files = m_Compiler->includeFiles();
+    files.insert(m_Reached.begin(), m_Reached.end());
+    return files;
+}
+
+const VolumeProfileLoadResult* AssetContext::ReloadProfile(const std::filesystem::path& path)
+{
+    const auto found = m_Profiles.find(path.lexically_normal());
+    if (found == m_Profiles.end())
+    {
+        return nullptr;
+    }
+    VolumeProfileLoadResult fresh = LoadVolumeProfile(found->first, m_VolumeComponents);
+    *found->second.profile = std::move(*fresh.profile);
+    found->second.notes = std::move(fresh.notes);
+    return &found->second;
+}
+
+void AssetContext::Forget(const std::filesystem::path& path)
+{
+    const std::filesystem::path normal = path.lexically_normal();
+    m_Shaders.erase(normal);
+    m_Meshes.erase(normal);
+    m_Textures.erase(normal);
+    m_Profiles.erase(normal);
+    if (m_Compiler->includeFiles().count(normal) > 0)
+    {
+        m_Shaders.clear();
+    }
 }
 
 } // namespace limn

@@ -1,12 +1,18 @@
 #include "DoctorCommand.h"
+#include "ExplainCommand.h"
+#include "InspectCommand.h"
 #include "RenderCommand.h"
+#include "SchemaCommand.h"
+#include "SetCommand.h"
 #include "ShaderCommand.h"
+#include "WatchCommand.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/volume/ProfileEdit.h>
 #include <limn/vulkan/VulkanError.h>
 #include <optional>
 
@@ -25,6 +31,10 @@ struct CommandLine
 {
     RenderOptions render;
     ShaderOptions shader;
+    ExplainOptions explain;
+    InspectOptions inspect;
+    SetOptions set;
+    std::string schemaKind;
     std::string doctorDevice;
     std::string size;
     std::vector<std::string> packages;
@@ -103,10 +113,12 @@ void AddDeviceOption(CLI::App& verb, std::string& device)
         ->envname("LIMN_DEVICE");
 }
 
-CLI::App* AddRender(CLI::App& app, CommandLine& line)
+/// What `render` and `watch` have in common.
+CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
+                         const char* description)
 {
     RenderOptions& options = line.render;
-    CLI::App* verb = app.add_subcommand("render", "Draw a scene into a PNG file");
+    CLI::App* verb = app.add_subcommand(name, description);
     verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
         ->type_name("SCENE")
         ->required();
@@ -119,10 +131,6 @@ CLI::App* AddRender(CLI::App& app, CommandLine& line)
     verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
         ->type_name("SECONDS")
         ->check(CheckTime);
-    verb->add_option("--frames", options.frames,
-                     "Draw so many frames, 1/60 s apart, and write the last")
-        ->type_name("N")
-        ->check(CLI::Range(1, 100000));
     verb->add_option("--profile", options.profile,
                      "Put this volume profile in place of that of every global volume")
         ->type_name("FILE");
@@ -132,17 +140,39 @@ CLI::App* AddRender(CLI::App& app, CommandLine& line)
         ->type_name("NAME.path=VALUE")
         ->allow_extra_args(false);
     AddDeviceOption(*verb, options.device);
-    verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
-        ->type_name("FILE");
-    verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
-        ->type_name("FILE");
     auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
                                    "Keep compiled shaders here, not in the user's cache folder")
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddRender(CLI::App& app, CommandLine& line)
+{
+    RenderOptions& options = line.render;
+    CLI::App* verb = AddDrawingVerb(app, line, "render", "Draw a scene into a PNG file");
+    verb->add_option("--frames", options.frames,
+                     "Draw so many frames, 1/60 s apart, and write the last")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
+        ->type_name("FILE");
+    verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
+        ->type_name("FILE");
     verb->add_flag("--validate", options.validate,
                    "Run under the Vulkan validation layer; its errors give exit code 1");
-    AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddInspect(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "inspect", "Show parameters and settings: value, default, range, whether it is set");
+    verb->add_option("file", line.inspect.file, "A scene, a volume profile or a renderer asset")
+        ->type_name("SCENE|PROFILE")
+        ->required();
+    verb->add_flag("--json", line.inspect.json, "Print JSON");
     return verb;
 }
 
@@ -165,6 +195,58 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
         ->excludes(emit);
     verb->add_flag("--json", options.json, "Describe every file as JSON");
     AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddExplain(CLI::App& app, CommandLine& line)
+{
+    ExplainOptions& options = line.explain;
+    CLI::App* verb = app.add_subcommand(
+        "explain", "Say what a scene draws and why: volume values, passes, textures, objects");
+    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
+        ->type_name("SCENE")
+        ->required();
+    verb->add_option("--object", options.object, "Only objects of this name")->type_name("NAME");
+    verb->add_flag("--json", options.json, "As JSON");
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+std::string CheckEdit(const std::string& text)
+{
+    try
+    {
+        ScalarEdit::Parse(text);
+        return {};
+    }
+    catch (const AssetError& error)
+    {
+        return "'" + text + "': " + error.diagnostics().front().message;
+    }
+}
+
+CLI::App* AddSet(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "set", "Change values of a volume profile in place, and not a character besides");
+    verb->add_option("file", line.set.file, "A *.profile.yaml or a Unity VolumeProfile .asset")
+        ->type_name("FILE")
+        ->required();
+    verb->add_option("edits", line.set.edits, "ScreenSpaceOutline.m_OutlineWidth=4")
+        ->type_name("Component.param=VALUE")
+        ->required()
+        ->check(CheckEdit);
+    return verb;
+}
+
+CLI::App* AddSchema(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "schema", "Print a JSON Schema, from which an editor completes keys and shows ranges");
+    verb->add_option("kind", line.schemaKind, "The kind of file: scene or profile")
+        ->type_name("scene|profile")
+        ->required()
+        ->check(CLI::IsMember({"scene", "profile"}));
     return verb;
 }
 
@@ -191,6 +273,7 @@ void Finish(CommandLine& line)
     }
     line.render.packages = ToPackages(line.packages);
     line.shader.packages = line.render.packages;
+    line.explain.packages = line.render.packages;
 }
 
 /// Parses the arguments and runs the verb; errors come as exceptions.
@@ -202,6 +285,12 @@ int ParseAndRun(std::span<const std::string> args, Console& console, std::ostrea
     app.set_version_flag("--version", "limn " LIMN_VERSION);
     app.require_subcommand(1);
     CLI::App* render = AddRender(app, line);
+    const CLI::App* watch = AddDrawingVerb(
+        app, line, "watch", "Draw a scene again whenever one of its files changes, until Ctrl-C");
+    const CLI::App* inspect = AddInspect(app, line);
+    const CLI::App* explain = AddExplain(app, line);
+    const CLI::App* set = AddSet(app, line);
+    const CLI::App* schema = AddSchema(app, line);
     CLI::App* shader = AddShader(app, line);
     CLI::App* doctor = app.add_subcommand(
         "doctor", "Show devices, drivers, the cache folder and versions on this machine");
@@ -221,9 +310,14 @@ int ParseAndRun(std::span<const std::string> args, Console& console, std::ostrea
                                                         : static_cast<int>(ExitCode::WrongUsage);
     }
     Finish(line);
-    return render->parsed()   ? RunRender(line.render, console)
-           : shader->parsed() ? RunShader(line.shader, console)
-                              : RunDoctor(line.doctorDevice, console);
+    return render->parsed()    ? RunRender(line.render, console)
+           : watch->parsed()   ? RunWatch(line.render, console)
+           : inspect->parsed() ? RunInspect(line.inspect, console)
+           : explain->parsed() ? RunExplain(line.explain, console)
+           : set->parsed()     ? RunSet(line.set)
+           : schema->parsed()  ? RunSchema(line.schemaKind, console)
+           : shader->parsed()  ? RunShader(line.shader, console)
+                               : RunDoctor(line.doctorDevice, console);
 }
 
 } // namespace

@@ -38,6 +38,10 @@ void ReadMaterials(const YamlNode& node, SceneLoader& loader);
 /// Needs the layers and the materials.
 void ReadObjects(const YamlNode& node, SceneLoader& loader);
 
+/// A built-in mesh by name, or one from a glTF file; null, with an error, if there is none.
+std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
+                                     SceneLoader& loader);
+
 /// The items of a sequence; an error if the node is something else, Null apart.
 std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,
                                     AssetDiagnostics& diagnostics);

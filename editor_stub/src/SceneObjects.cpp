@@ -73,28 +73,6 @@ void ReadMaterialNames(YamlMapReader& map, Inherited& settings, SceneLoader& loa
     }
 }
 
-std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
-                                     SceneLoader& loader)
-{
-    AssetContext& assets = loader.references.assets();
-    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
-    if (extension == ".gltf" || extension == ".glb")
-    {
-        return loader.references.Read(node, subject,
-                                      [&assets](const std::filesystem::path& path)
-                                      { return assets.LoadMesh(path); });
-    }
-    const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
-    const std::optional<PrimitiveType> type = name ? PrimitiveTypeFromName(*name) : std::nullopt;
-    if (name && !type)
-    {
-        loader.diagnostics.Error(node.location(), subject + ": unknown mesh " +
-                                                      UnknownName(*name, PrimitiveTypeNames()) +
-                                                      "; a file's path ends in '.gltf' or '.glb'");
-    }
-    return type ? assets.Primitive(*type) : nullptr;
-}
-
 MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& settings,
                           SceneLoader& loader)
 {
@@ -175,6 +153,28 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
 }
 
 } // namespace
+
+std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
+                                     SceneLoader& loader)
+{
+    AssetContext& assets = loader.references.assets();
+    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
+    if (extension == ".gltf" || extension == ".glb")
+    {
+        return loader.references.Read(node, subject,
+                                      [&assets](const std::filesystem::path& path)
+                                      { return assets.LoadMesh(path); });
+    }
+    const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
+    const std::optional<PrimitiveType> type = name ? PrimitiveTypeFromName(*name) : std::nullopt;
+    if (name && !type)
+    {
+        loader.diagnostics.Error(node.location(), subject + ": unknown mesh " +
+                                                      UnknownName(*name, PrimitiveTypeNames()) +
+                                                      "; a file's path ends in '.gltf' or '.glb'");
+    }
+    return type ? assets.Primitive(*type) : nullptr;
+}
 
 void ReadObjects(const YamlNode& node, SceneLoader& loader)
 {

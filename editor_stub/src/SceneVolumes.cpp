@@ -1,25 +1,111 @@
 #include "SceneLoader.h"
 
+#include <algorithm>
+#include <array>
+
 namespace limn
 {
 
 namespace
 {
 
-void ReadCollider(const YamlNode& node, const std::string& subject, Volume& volume,
-                  AssetDiagnostics& diagnostics)
+constexpr ValueRange k_Length{0.0, 1e9};
+
+void ReadDirection(YamlMapReader& map, int& direction, AssetDiagnostics& diagnostics)
 {
-    BoxCollider& box = volume.colliders.emplace_back();
-    YamlMapReader map(node, subject, diagnostics);
-    map.Read("enabled", box.enabled);
-    map.Read("center", box.center);
-    map.Read("size", box.size);
+    const YamlNode* node = map.Find("direction");
+    const auto name = node ? ReadString(*node, map.SubjectOf("direction"), diagnostics)
+                           : std::optional<std::string>();
+    if (!name)
+    {
+        return; // not there, or reported already
+    }
+    const std::size_t axis = name->size() == 1 ? std::string_view("xyz").find(*name) : 3;
+    if (axis > 2)
+    {
+        diagnostics.Error(node->location(), map.SubjectOf("direction") + ": '" + *name +
+                                                "' is no axis; x, y or z is expected");
+        return;
+    }
+    direction = static_cast<int>(axis);
+}
+
+void ReadMeshCollider(YamlMapReader& map, bool enabled, Volume& volume, SceneLoader& loader)
+{
+    const YamlNode* node = map.Require("mesh");
+    const auto mesh = node ? ReadMesh(*node, map.SubjectOf("mesh"), loader) : nullptr;
+    if (!mesh)
+    {
+        return; // reported already
+    }
+    try
+    {
+        MeshCollider collider(mesh);
+        collider.enabled = enabled;
+        volume.colliders.push_back(std::move(collider));
+    }
+    catch (const ContractError& error)
+    {
+        loader.diagnostics.Error(node->location(), map.SubjectOf("mesh") + ": " + error.what());
+    }
+}
+
+void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume& volume,
+               SceneLoader& loader)
+{
+    if (type == "mesh")
+    {
+        ReadMeshCollider(map, enabled, volume, loader);
+    }
+    else if (type == "sphere")
+    {
+        SphereCollider sphere{enabled};
+        map.Read("center", sphere.center);
+        map.Read("radius", sphere.radius, k_Length);
+        volume.colliders.push_back(sphere);
+    }
+    else if (type == "capsule")
+    {
+        CapsuleCollider capsule{enabled};
+        map.Read("center", capsule.center);
+        map.Read("radius", capsule.radius, k_Length);
+        map.Read("height", capsule.height, k_Length);
+        ReadDirection(map, capsule.direction, loader.diagnostics);
+        volume.colliders.push_back(capsule);
+    }
+    else
+    {
+        BoxCollider box{enabled};
+        map.Read("center", box.center);
+        map.Read("size", box.size);
+        volume.colliders.push_back(box);
+    }
+}
+
+void ReadCollider(const YamlNode& node, const std::string& subject, Volume& volume,
+                  SceneLoader& loader)
+{
+    constexpr std::array<std::string_view, 4> k_Types{"box", "sphere", "capsule", "mesh"};
+    YamlMapReader map(node, subject, loader.diagnostics);
+    std::string type = "box";
+    map.Read("type", type);
+    if (std::find(k_Types.begin(), k_Types.end(), type) == k_Types.end())
+    {
+        const YamlNode* named = map.Find("type");
+        loader.diagnostics.Error(named->location(),
+                                 map.SubjectOf("type") + ": unknown shape " +
+                                     UnknownName(type, {k_Types.begin(), k_Types.end()}));
+        return;
+    }
+    bool enabled = true;
+    map.Read("enabled", enabled);
+    ReadShape(map, type, enabled, volume, loader);
     map.Finish();
 }
 
-void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject,
-               AssetDiagnostics& diagnostics)
+void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject, SceneLoader& loader)
 {
+    AssetDiagnostics& diagnostics = loader.diagnostics;
     Transform transform;
     ReadTransform(map, transform, diagnostics);
     volume.position = transform.localPosition;
@@ -31,7 +117,7 @@ void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject,
         int index = 0;
         for (const YamlNode& item : ReadItems(*colliders, list, diagnostics))
         {
-            ReadCollider(item, list + "[" + std::to_string(index++) + "]", volume, diagnostics);
+            ReadCollider(item, list + "[" + std::to_string(index++) + "]", volume, loader);
         }
     }
     if (!volume.isGlobal && volume.colliders.empty())
@@ -78,7 +164,7 @@ void ReadVolume(const YamlNode& node, const std::string& place, SceneLoader& loa
                 .value_or(0);
     }
     ReadProfile(map, volume, loader);
-    ReadPlace(map, volume, subject, loader.diagnostics);
+    ReadPlace(map, volume, subject, loader);
     map.Finish();
 }
 

@@ -196,6 +196,7 @@ void ReadLayers(const UnityObject& root, const char* field, LayerMask& mask, Loa
 UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
                                                   AssetContext& assets)
 {
+    assets.Reach(path);
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
     const UnityObject* root = asset.FindWithField("m_RendererFeatures");

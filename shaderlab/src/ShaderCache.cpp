@@ -127,8 +127,10 @@ std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::
 
 } // namespace
 
-std::optional<CompiledPass> ShaderCache::Load(const std::string& key) const
+std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
+                                              std::vector<IncludeDependency>& dependencies) const
 {
+    dependencies.clear();
     const auto file = isEnabled() ? ReadTextFile(EntryPath(m_Folder, key)) : std::nullopt;
     const auto payload = file ? Payload(*file) : std::nullopt;
     if (!payload)
@@ -138,7 +140,6 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key) const
     try
     {
         ByteReader reader(*payload);
-        std::vector<IncludeDependency> dependencies;
         TransferDependencies(reader, dependencies);
         const bool isCurrent =
             std::all_of(dependencies.begin(), dependencies.end(),

@@ -24,7 +24,9 @@ public:
     bool isEnabled() const { return !m_Folder.empty(); }
 
     /// The pass stored under `key`, if every file it was compiled from is still the same.
-    std::optional<CompiledPass> Load(const std::string& key) const;
+    /// @param dependencies  is set to these files
+    std::optional<CompiledPass> Load(const std::string& key,
+                                     std::vector<IncludeDependency>& dependencies) const;
     void Store(const std::string& key, const CompiledPass& pass,
                const std::vector<IncludeDependency>& dependencies) const;
 

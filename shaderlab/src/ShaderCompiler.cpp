@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <mutex>
 #include <tuple>
 
 namespace limn
@@ -231,6 +232,18 @@ struct ShaderCompiler::State
     const ShaderCache cache;
     std::atomic<int> compiled{0};
     std::atomic<int> loadedFromCache{0};
+
+    void Remember(const std::vector<IncludeDependency>& dependencies)
+    {
+        const std::lock_guard lock(mutex);
+        for (const IncludeDependency& dependency : dependencies)
+        {
+            includeFiles.insert(dependency.path);
+        }
+    }
+
+    std::mutex mutex;
+    std::set<std::filesystem::path> includeFiles;
 };
 
 ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
@@ -244,16 +257,35 @@ std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& p
                                                             std::span<const std::string> keywords)
 {
     const std::string key = CacheKey(program, keywords, m_State->options);
-    if (auto pass = m_State->cache.Load(key))
+    std::vector<IncludeDependency> cachedDependencies;
+    if (auto pass = m_State->cache.Load(key, cachedDependencies))
     {
         ++m_State->loadedFromCache;
+        m_State->Remember(cachedDependencies);
         return std::make_shared<const CompiledPass>(std::move(*pass));
     }
     IncludeResolver resolver(m_State->options);
-    auto pass = std::make_shared<const CompiledPass>(CompileProgram(program, keywords, resolver));
-    ++m_State->compiled;
-    m_State->cache.Store(key, *pass, resolver.dependencies());
-    return pass;
+    try
+    {
+        auto pass =
+            std::make_shared<const CompiledPass>(CompileProgram(program, keywords, resolver));
+        ++m_State->compiled;
+        m_State->Remember(resolver.dependencies());
+        m_State->cache.Store(key, *pass, resolver.dependencies());
+        return pass;
+    }
+    catch (...)
+    {
+        // A missing or wrong include is what a person mends next.
+        m_State->Remember(resolver.dependencies());
+        throw;
+    }
+}
+
+std::set<std::filesystem::path> ShaderCompiler::includeFiles() const
+{
+    const std::lock_guard lock(m_State->mutex);
+    return m_State->includeFiles;
 }
 
 ShaderCompiler::Statistics ShaderCompiler::statistics() const

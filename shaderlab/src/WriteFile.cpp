@@ -48,27 +48,54 @@ std::error_code WriteNew(const std::filesystem::path& path, std::string_view byt
     return std::fclose(file.release()) == 0 ? std::error_code{} : LastError();
 }
 
-} // namespace
-
-std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes)
+/// Removes a file when it goes, unless it has been moved away.
+struct TemporaryFile
 {
-    const std::filesystem::path temporary = TemporaryBeside(path);
-    std::error_code failure = WriteNew(temporary, bytes);
-    if (!failure)
-    {
-        std::filesystem::rename(temporary, path, failure);
-    }
-    if (failure)
+    std::filesystem::path path;
+
+    explicit TemporaryFile(std::filesystem::path p) : path(std::move(p)) {}
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile()
     {
         std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
+        std::filesystem::remove(path, ignored);
     }
+};
+
+std::error_code Replace(const std::filesystem::path& path, const std::filesystem::path& by)
+{
+    std::error_code failure;
+    const std::filesystem::file_status old = std::filesystem::status(path, failure);
+    if (std::filesystem::is_regular_file(old))
+    {
+        std::filesystem::permissions(by, old.permissions(), failure);
+    }
+    std::filesystem::rename(by, path, failure);
     return failure;
 }
 
-void WriteFile(const std::filesystem::path& path, std::string_view bytes)
+} // namespace
+
+std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes,
+                             const std::function<void()>& beforeReplace)
 {
-    if (const std::error_code failure = TryWriteFile(path, bytes))
+    const TemporaryFile temporary(TemporaryBeside(path));
+    if (const std::error_code failure = WriteNew(temporary.path, bytes))
+    {
+        return failure;
+    }
+    if (beforeReplace)
+    {
+        beforeReplace();
+    }
+    return Replace(path, temporary.path);
+}
+
+void WriteFile(const std::filesystem::path& path, std::string_view bytes,
+               const std::function<void()>& beforeReplace)
+{
+    if (const std::error_code failure = TryWriteFile(path, bytes, beforeReplace))
     {
         throw AssetError(path.string(), {}, "cannot be written: " + failure.message());
     }

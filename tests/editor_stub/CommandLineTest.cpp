@@ -56,6 +56,8 @@ TEST(CommandLine, HelpNamesEveryVerbAndTheExitCodes)
     const CommandRun run = RunCommand({"--help"});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_THAT(run.out, HasSubstr("\n  render "));
+    EXPECT_THAT(run.out, HasSubstr("\n  watch "));
+    EXPECT_THAT(run.out, HasSubstr("\n  inspect "));
     EXPECT_THAT(run.out, HasSubstr("\n  shader "));
     EXPECT_THAT(run.out, HasSubstr("\n  doctor "));
     EXPECT_THAT(run.out, HasSubstr("Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the "
@@ -68,7 +70,8 @@ TEST(CommandLine, WrongUsageEndsWith2)
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
         {{}, "A subcommand is required" + hint},
         {{"rendr"},
-         "error: unknown verb 'rendr'; did you mean 'render'? (known: render, shader, doctor)\n"},
+         "error: unknown verb 'rendr'; did you mean 'render'? (known: render, watch, inspect, "
+         "explain, set, schema, shader, doctor)\n"},
         {{"render"}, "scene is required" + hint},
         {{"render", "s", "-o", "o", "--size", "3"},
          "--size: '3' is no size; WxH is expected, 1...16384 each: 1280x720" + hint},

@@ -262,8 +262,8 @@ TEST(SceneFile, AVolumeHasItsProfileAndPlace)
     EXPECT_EQ(glm::vec3(1, 2, 3), volume.position);
     EXPECT_EQ(glm::vec3(2), volume.scale);
     ASSERT_EQ(1u, volume.colliders.size());
-    EXPECT_EQ(glm::vec3(0, 1, 0), volume.colliders[0].center);
-    EXPECT_EQ(glm::vec3(2, 3, 4), volume.colliders[0].size);
+    EXPECT_EQ(glm::vec3(0, 1, 0), std::get<BoxCollider>(volume.colliders[0]).center);
+    EXPECT_EQ(glm::vec3(2, 3, 4), std::get<BoxCollider>(volume.colliders[0]).size);
 }
 
 TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)

@@ -30,7 +30,7 @@ protected:
         m_Volume.sharedProfile = profile;
         m_Volume.isGlobal = false;
         m_Volume.blendDistance = 4.0f;
-        m_Volume.colliders.push_back({true, glm::vec3(0.0f), glm::vec3(2.0f)});
+        m_Volume.colliders.push_back(BoxCollider{true, glm::vec3(0.0f), glm::vec3(2.0f)});
         m_Scene.manager.Register(&m_Volume);
     }
 
@@ -39,6 +39,8 @@ protected:
         m_Scene.Update(trigger);
         return m_Scene.Get<Mixed>().number.value();
     }
+
+    BoxCollider& Box(std::size_t index) { return std::get<BoxCollider>(m_Volume.colliders[index]); }
 
     VolumeScene m_Scene;
     Volume m_Volume;
@@ -108,7 +110,7 @@ TEST_F(LocalVolume, IsSkippedWithoutATrigger)
 TEST_F(LocalVolume, IsSkippedWithoutAnEnabledCollider)
 {
     m_Volume.blendDistance = std::numeric_limits<float>::infinity();
-    m_Volume.colliders[0].enabled = false;
+    Box(0).enabled = false;
     EXPECT_EQ(NumberAt({0.0f, 0.0f, 0.0f}), 0.0f);
     m_Volume.colliders.clear();
     EXPECT_EQ(NumberAt({0.0f, 0.0f, 0.0f}), 0.0f);
@@ -124,9 +126,9 @@ TEST_F(LocalVolume, IsGlobalWhateverItsCollidersWhenItSaysSo)
 
 TEST_F(LocalVolume, TakesTheClosestOfItsEnabledColliders)
 {
-    m_Volume.colliders.push_back({true, {10.0f, 0.0f, 0.0f}, glm::vec3(2.0f)});
+    m_Volume.colliders.push_back(BoxCollider{true, {10.0f, 0.0f, 0.0f}, glm::vec3(2.0f)});
     EXPECT_EQ(NumberAt({7.0f, 0.0f, 0.0f}), 7.5f); // 2 from the second, 6 from the first
-    m_Volume.colliders[1].enabled = false;
+    Box(1).enabled = false;
     EXPECT_EQ(NumberAt({7.0f, 0.0f, 0.0f}), 0.0f);
 }
 
@@ -150,7 +152,7 @@ TEST_F(LocalVolume, ScalesAndTurnsTheCentreOfItsBox)
     const float half = std::sqrt(0.5f);
     m_Volume.rotation = glm::quat(half, 0.0f, half, 0.0f);
     m_Volume.scale = glm::vec3(2.0f);
-    m_Volume.colliders[0].center = {0.0f, 0.0f, 3.0f};
+    Box(0).center = {0.0f, 0.0f, 3.0f};
     EXPECT_EQ(NumberAt({4.1f, 0.0f, 0.0f}), 10.0f);
     EXPECT_NEAR(NumberAt({10.0f, 0.0f, 0.0f}), 7.5f, 1e-4f);
     EXPECT_NEAR(NumberAt({2.0f, 0.0f, 0.0f}), 7.5f, 1e-4f);

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <limn/core/PrimitiveMesh.h>
 #include <new>
 
 namespace
@@ -51,9 +52,11 @@ TEST(VolumeManager, AllocatesNothingInASteadyUpdate)
     for (std::size_t i = 0; i < volumes.size(); ++i)
     {
         volumes[i].isGlobal = i % 2 == 0;
-        volumes[i].colliders.push_back({});
+        volumes[i].colliders = {BoxCollider{}, SphereCollider{}, CapsuleCollider{},
+                                MeshCollider(CreatePrimitive(PrimitiveType::Cube))};
         scene.manager.Register(&volumes[i]);
     }
+    scene.manager.SetGlobalDefaultProfile(test::ParamProfile(1.0f));
     scene.Update();
 
     const std::size_t before = g_Allocations;

@@ -24,7 +24,7 @@ protected:
     {
         Volume volume = GlobalVolume(ParamProfile(value), priority);
         volume.isGlobal = GetParam();
-        volume.colliders.push_back({});
+        volume.colliders.push_back(BoxCollider{});
         return volume;
     }
 

@@ -212,8 +212,57 @@ TEST(ParseYaml, RefusesAliasesThatMultiplyWithoutEnd)
     }
     const std::vector<std::string> problems = ProblemsIn(text);
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_THAT(problems[0], testing::EndsWith("the file has more than 1000000 values, counting "
-                                               "every alias as a copy"));
+    EXPECT_THAT(problems[0], testing::EndsWith("the file's aliases repeat more than 1000000 "
+                                               "values"));
+}
+
+TEST(ParseYaml, CountsOnlyAliasesAgainstTheLimitOfWhatTheyRepeat)
+{
+    std::string text;
+    for (int i = 0; i < 1'000'001; ++i)
+    {
+        text += "- 1\n";
+    }
+    EXPECT_EQ(ParseYaml(text, "x.yaml").front().items().size(), 1'000'001u);
+}
+
+TEST(ParseYaml, RefusesMoreThan5000000Values)
+{
+    std::string text;
+    for (int i = 0; i < 5'000'000; ++i)
+    {
+        text += "-\n";
+    }
+    EXPECT_THAT(ProblemsIn(text),
+                ElementsAre(testing::EndsWith(": the file has more than 5000000 values")));
+}
+
+TEST(ParseYaml, RefusesAListInBracketsAbove8MiBBeforeItReadsIt)
+{
+    const std::size_t limit = std::size_t{8} * 1024 * 1024;
+    const std::string message =
+        "the list or map in brackets here is longer than 8388608 bytes (8 MiB); put its items on "
+        "lines of their own, behind '- '";
+    std::string list = "a: 1\nb: &x [";
+    while (list.size() < limit + 20)
+    {
+        list += "1,";
+    }
+    EXPECT_THAT(ProblemsIn(list + "1]\n"), ElementsAre("2:7: " + message));
+    EXPECT_THAT(ProblemsIn(list), ElementsAre("2:7: " + message));
+}
+
+TEST(ParseYaml, FindsNoListInsideTextAndComments)
+{
+    const std::string filler = "# " + std::string(std::size_t{9} * 1024 * 1024, 'x') + "\n";
+    const YamlNode root = ParseYaml("a: is [ this\nb: '[ '' ['\nc: \"{ \\\" [\"\nd: [1] # [\n" +
+                                        filler + "e: it's {\n",
+                                    "x.yaml")
+                              .front();
+    EXPECT_EQ(root.Find("a")->scalar(), "is [ this");
+    EXPECT_EQ(root.Find("b")->scalar(), "[ ' [");
+    EXPECT_EQ(root.Find("c")->scalar(), "{ \" [");
+    EXPECT_EQ(root.Find("e")->scalar(), "it's {");
 }
 
 TEST(LoadYamlFile, NamesTheFileInEveryProblem)

@@ -15,7 +15,7 @@ namespace
 float SquaredDistance(const Volume& volume, const glm::vec3& trigger)
 {
     float closest = std::numeric_limits<float>::infinity();
-    for (const BoxCollider& collider : volume.colliders)
+    const auto measure = [&](const auto& collider)
     {
         if (collider.enabled)
         {
@@ -24,22 +24,28 @@ float SquaredDistance(const Volume& volume, const glm::vec3& trigger)
                 trigger;
             closest = std::min(closest, glm::dot(offset, offset));
         }
+    };
+    for (const Collider& collider : volume.colliders)
+    {
+        std::visit(measure, collider);
     }
     return closest;
 }
 
 } // namespace
 
-std::optional<float> BlendFactor(const Volume& volume, const std::optional<glm::vec3>& trigger)
+std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
+                                           const std::optional<glm::vec3>& trigger)
 {
-    if (!volume.enabled || !volume.sharedProfile || volume.weight <= 0.0f)
+    // A weight that is NaN is not above 0 either.
+    if (!volume.enabled || !volume.profileRef() || !(volume.weight > 0.0f))
     {
         return std::nullopt;
     }
     const float weight = std::min(volume.weight, 1.0f);
     if (volume.isGlobal)
     {
-        return weight;
+        return VolumeInfluence{weight, weight, std::nullopt};
     }
     if (!trigger)
     {
@@ -52,7 +58,7 @@ std::optional<float> BlendFactor(const Volume& volume, const std::optional<glm::
         return std::nullopt;
     }
     const float fade = blend2 > 0.0f ? 1.0f - distance2 / blend2 : 1.0f;
-    return fade * weight;
+    return VolumeInfluence{fade * weight, weight, distance2};
 }
 
 } // namespace limn

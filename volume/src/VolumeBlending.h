@@ -9,11 +9,20 @@
 namespace limn
 {
 
-/// How much of a volume counts, 0...1, seen from the trigger; nothing if it does not take part at
-/// all. 0 is not nothing: such a volume still marks its parameters as overridden.
-std::optional<float> BlendFactor(const Volume& volume, const std::optional<glm::vec3>& trigger);
+/// How much a volume counts, seen from the trigger.
+struct VolumeInfluence
+{
+    float factor;                         ///< 0...1, the fade times the weight
+    float weight;                         ///< 0...1
+    std::optional<float> squaredDistance; ///< to the closest collider; nothing: it is global
+};
 
-/// Calls visit(volume, component, factor) for every contribution to the blend, in the order in
+/// Nothing if the volume does not take part at all. A factor of 0 is not nothing: such a volume
+/// still marks its parameters as overridden.
+std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
+                                           const std::optional<glm::vec3>& trigger);
+
+/// Calls visit(volume, component, influence) for every contribution to the blend, in the order in
 /// which they are applied. The one place that knows the rules, whoever the visitor is.
 /// @param sorted  by ascending priority
 template <typename Visitor>
@@ -22,17 +31,16 @@ void ForEachContribution(std::span<const Volume* const> sorted,
 {
     for (const Volume* volume : sorted)
     {
-        const std::optional<float> factor = BlendFactor(*volume, trigger);
-        if (!factor)
+        const std::optional<VolumeInfluence> influence = InfluenceOf(*volume, trigger);
+        if (!influence)
         {
             continue;
         }
-        for (const std::unique_ptr<VolumeComponent>& component :
-             volume->sharedProfile->components())
+        for (const std::unique_ptr<VolumeComponent>& component : volume->profileRef()->components())
         {
             if (component->active)
             {
-                visit(*volume, std::as_const(*component), *factor);
+                visit(*volume, std::as_const(*component), *influence);
             }
         }
     }

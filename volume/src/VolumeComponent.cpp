@@ -14,6 +14,15 @@ namespace
 /// The key of profile files that switches a component on and off.
 constexpr std::string_view k_ActiveKey = "active";
 
+void SetOverrideStates(std::span<VolumeParameter* const> parameters, bool state)
+{
+    for (VolumeParameter* parameter : parameters)
+    {
+        parameter->SetOverrideState(state);
+        SetOverrideStates(parameter->parameters(), state);
+    }
+}
+
 } // namespace
 
 void VolumeComponent::Override(VolumeComponent& state, float interpFactor) const
@@ -37,10 +46,7 @@ void VolumeComponent::Override(VolumeComponent& state, float interpFactor) const
 
 void VolumeComponent::SetAllOverridesTo(bool state)
 {
-    for (VolumeParameter* parameter : m_Parameters)
-    {
-        parameter->SetOverrideState(state);
-    }
+    SetOverrideStates(m_Parameters, state);
 }
 
 VolumeParameter* VolumeComponent::FindParameter(std::string_view name)

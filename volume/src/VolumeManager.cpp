@@ -61,18 +61,19 @@ void VolumeManager::Unregister(const Volume* volume)
 void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger,
                            LayerMask layerMask)
 {
-    if (m_Registrations.empty() && !stack.m_RequiresReset)
+    if (m_Registrations.empty() && !stack.requiresReset())
     {
         return; // the stack shows its defaults
     }
     stack.m_RequiresReset = !m_Registrations.empty();
-    stack.Reset();
-    const auto apply = [&stack](const Volume&, const VolumeComponent& component, float factor)
+    ResetToDefaults(stack);
+    const auto apply =
+        [&stack](const Volume&, const VolumeComponent& component, const VolumeInfluence& influence)
     {
         // A stack does not have a type that was registered after it was created.
         if (VolumeComponent* state = stack.Find(typeid(component)))
         {
-            component.Override(*state, factor);
+            component.Override(*state, influence.factor);
         }
     };
     ForEachContribution(GetVolumes(layerMask), trigger, apply);

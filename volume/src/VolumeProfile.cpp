@@ -1,5 +1,6 @@
 #include <limn/volume/VolumeProfile.h>
 
+#include "CloneComponent.h"
 #include "TypeName.h"
 
 #include <algorithm>
@@ -21,6 +22,17 @@ VolumeComponent& VolumeProfile::Add(std::unique_ptr<VolumeComponent> component)
     }
     m_Components.push_back(std::move(component));
     return *m_Components.back();
+}
+
+VolumeProfile VolumeProfile::Clone(const VolumeComponentRegistry& registry) const
+{
+    VolumeProfile copy;
+    copy.name = name;
+    for (const std::unique_ptr<VolumeComponent>& component : m_Components)
+    {
+        copy.m_Components.push_back(CloneComponent(*component, registry));
+    }
+    return copy;
 }
 
 VolumeComponent* VolumeProfile::Find(const std::type_info& type) const

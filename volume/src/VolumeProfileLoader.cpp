@@ -58,13 +58,9 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
     return profile;
 }
 
-} // namespace
-
-VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
-                                          const VolumeComponentRegistry& registry)
+VolumeProfileLoadResult ReadProfile(const std::vector<YamlNode>& documents, const std::string& file,
+                                    const VolumeComponentRegistry& registry)
 {
-    const std::string file = path.generic_string();
-    const std::vector<YamlNode> documents = LoadYamlFile(path);
     AssetDiagnostics diagnostics(file);
     std::shared_ptr<VolumeProfile> profile;
     if (IsUnityAsset(documents))
@@ -74,10 +70,24 @@ VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
     else
     {
         profile = ReadOwnProfile(documents, registry, diagnostics);
-        profile->name = path.stem().stem().generic_string();
+        profile->name = std::filesystem::path(file).stem().stem().generic_string();
     }
     diagnostics.ThrowIfErrors();
     return {std::move(profile), diagnostics.notes()};
+}
+
+} // namespace
+
+VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
+                                           const VolumeComponentRegistry& registry)
+{
+    return ReadProfile(ParseYaml(text, file), file, registry);
+}
+
+VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
+                                          const VolumeComponentRegistry& registry)
+{
+    return ReadProfile(LoadYamlFile(path), path.generic_string(), registry);
 }
 
 } // namespace limn

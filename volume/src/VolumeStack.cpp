@@ -5,7 +5,9 @@
 namespace limn
 {
 
-VolumeStack::VolumeStack(const VolumeComponentRegistry& registry)
+VolumeStack::VolumeStack(const VolumeComponentRegistry& registry,
+                         std::shared_ptr<const std::uint64_t> defaults)
+    : m_Defaults(std::move(defaults)), m_DefaultsSeen(*m_Defaults)
 {
     for (const auto& entry : registry.entries())
     {

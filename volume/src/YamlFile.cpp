@@ -12,7 +12,7 @@ constexpr std::uintmax_t k_MaxBytes = std::uintmax_t{64} * 1024 * 1024;
 
 } // namespace
 
-std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path)
+std::string ReadYamlText(const std::filesystem::path& path)
 {
     const std::string file = path.generic_string();
     std::error_code error;
@@ -38,7 +38,12 @@ std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path)
     {
         throw AssetError(file, {}, "cannot be read; check that it is a file you may read");
     }
-    return ParseYaml(text, file);
+    return text;
+}
+
+std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path)
+{
+    return ParseYaml(ReadYamlText(path), path.generic_string());
 }
 
 } // namespace limn

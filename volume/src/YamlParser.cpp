@@ -1,6 +1,7 @@
 #include <limn/volume/AssetDiagnostics.h>
 #include <limn/volume/YamlNode.h>
 
+#include "YamlFlowScan.h"
 #include "YamlText.h"
 
 #include <algorithm>
@@ -20,7 +21,10 @@ namespace
 {
 
 constexpr int k_MaxDepth = 64;
-constexpr std::size_t k_MaxNodes = 1'000'000;
+constexpr std::size_t k_MaxNodes = 5'000'000;
+constexpr std::size_t k_MaxRepeatedNodes = 1'000'000; ///< by aliases
+/// yaml-cpp holds all tokens of a flow collection until it ends, some hundred bytes each.
+constexpr std::size_t k_MaxFlowBytes = std::size_t{8} * 1024 * 1024;
 
 SourceLocation ToLocation(const YAML::Mark& mark)
 {
@@ -111,7 +115,13 @@ public:
         {
             Stop(ToLocation(mark), "the alias refers to a value it is itself a part of");
         }
-        CheckSize(ToLocation(mark), found->second);
+        CheckDepth(ToLocation(mark), found->second);
+        m_RepeatedCount += found->second.count;
+        if (m_RepeatedCount > k_MaxRepeatedNodes)
+        {
+            Stop(ToLocation(mark), "the file's aliases repeat more than " +
+                                       std::to_string(k_MaxRepeatedNodes) + " values");
+        }
         Append(ToLocation(mark), found->second);
     }
 
@@ -196,18 +206,21 @@ private:
         Append(built.node.location(), built);
     }
 
-    void CheckSize(SourceLocation location, const BuiltNode& added)
+    void CheckDepth(SourceLocation location, const BuiltNode& added)
     {
         if (m_Open.size() + static_cast<std::size_t>(added.height) > k_MaxDepth)
         {
             Stop(location,
                  "values are nested more than " + std::to_string(k_MaxDepth) + " levels deep");
         }
-        m_Count += added.count;
-        if (m_Count > k_MaxNodes)
+    }
+
+    void CheckSize(SourceLocation location, const BuiltNode& added)
+    {
+        CheckDepth(location, added);
+        if (++m_Count > k_MaxNodes)
         {
-            Stop(location, "the file has more than " + std::to_string(k_MaxNodes) +
-                               " values, counting every alias as a copy");
+            Stop(location, "the file has more than " + std::to_string(k_MaxNodes) + " values");
         }
     }
 
@@ -273,7 +286,8 @@ private:
     std::unordered_map<YAML::anchor_t, BuiltNode> m_Anchors; ///< finished ones of this document
     std::string m_AnchorName;                                ///< of the node that comes next
     std::optional<YAML::Mark> m_LastQuoted;
-    std::size_t m_Count = 0;
+    std::size_t m_Count = 0; ///< of values the file holds itself
+    std::size_t m_RepeatedCount = 0;
 };
 
 /// yaml-cpp's words for a syntax error, put so that a person finds the spot.
@@ -317,6 +331,17 @@ void CheckIsText(std::string_view text, const std::string& file)
     }
 }
 
+void CheckFlow(std::string_view text, const std::string& file)
+{
+    if (const std::optional<std::size_t> offset = FindLongFlow(text, k_MaxFlowBytes))
+    {
+        throw AssetError(file, LocationOf(text, *offset),
+                         "the list or map in brackets here is longer than " +
+                             std::to_string(k_MaxFlowBytes) +
+                             " bytes (8 MiB); put its items on lines of their own, behind '- '");
+    }
+}
+
 } // namespace
 
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file)
@@ -327,6 +352,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file)
     {
         text.remove_prefix(byteOrderMark.size());
     }
+    CheckFlow(text, file);
     AssetDiagnostics diagnostics(file);
     TreeBuilder builder(text, diagnostics);
     try

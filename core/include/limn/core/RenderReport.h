@@ -13,6 +13,7 @@ struct DrawRenderersReport
 {
     std::string pass; ///< name of the pass that made it
     FilteringSettings filtering;
+    DrawingSettings drawing;
     FilterCounts counts{};
 };
 

@@ -8,6 +8,7 @@
 #include <limn/volume/VolumeProfileLoader.h>
 #include <map>
 #include <memory>
+#include <set>
 #include <string_view>
 
 namespace limn
@@ -36,6 +37,19 @@ public:
     /// @throws AssetError as LoadVolumeProfile
     const VolumeProfileLoadResult& LoadProfile(const std::filesystem::path& path);
 
+    /// Adds a file to reachedFiles() that a caller reads itself.
+    void Reach(const std::filesystem::path& path) { m_Reached.insert(path.lexically_normal()); }
+    /// Every file asked for so far, found or not, and those that shaders include; normal paths.
+    std::set<std::filesystem::path> reachedFiles() const;
+
+    /// Reads a loaded profile again, into the object that everybody shares; null, and nothing read,
+    /// if it is not loaded.
+    /// @throws AssetError as LoadVolumeProfile; the profile then stays as it was
+    const VolumeProfileLoadResult* ReloadProfile(const std::filesystem::path& path);
+    /// Drops what was loaded from a file, so that it is read again when it is next asked for; for
+    /// an include, all shaders that are files. Who owns the old asset keeps it.
+    void Forget(const std::filesystem::path& path);
+
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
     /// All volume components that come with limn.
     const VolumeComponentRegistry& volumeComponents() const { return m_VolumeComponents; }
@@ -50,6 +64,7 @@ private:
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::shared_ptr<const Texture>> m_Textures;
     std::map<std::filesystem::path, VolumeProfileLoadResult> m_Profiles;
+    std::set<std::filesystem::path> m_Reached;
 };
 
 } // namespace limn

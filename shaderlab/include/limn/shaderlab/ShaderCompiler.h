@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 
@@ -48,6 +49,10 @@ public:
         int loadedFromCache = 0; ///< calls answered from the cache folder
     };
     Statistics statistics() const;
+
+    /// The files outside limn that includes were looked for in, found or not, over all calls: a
+    /// change of one may change what Compile gives.
+    std::set<std::filesystem::path> includeFiles() const;
 
 private:
     struct State;

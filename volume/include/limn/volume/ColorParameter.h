@@ -1,28 +1,53 @@
 #pragma once
 
-#include <limn/volume/VolumeParameter.h>
+#include <limn/core/Color.h>
+#include <limn/volume/ValueParameter.h>
 
 namespace limn
 {
 
-/// A colour, blended linearly per channel, alpha too, in whatever space its values are in.
-/// Unity: ColorParameter (URP 14).
-class ColorParameter : public VolumeParameterT<Color>
+namespace detail
+{
+
+/// What an editor offers for a colour; blending and files do not look at it.
+template <typename Base>
+class ColorHints : public Base
 {
 public:
-    using VolumeParameterT::Interp;
+    using Base::Base;
 
-    ColorParameter(VolumeComponent* owner, std::string_view name, const Color& value,
-                   bool overrideState = false)
-        : VolumeParameterT(owner, name, value, overrideState)
+    ColorHints(VolumeComponent* owner, std::string_view name, const Color& value, bool hdrColor,
+               bool showAlphaChannel, bool showPicker, bool overrideState = false,
+               ParameterInfo info = {})
+        : Base(owner, name, value, overrideState, std::move(info)),
+          hdr(hdrColor),
+          showAlpha(showAlphaChannel),
+          showEyeDropper(showPicker)
     {
     }
 
-    void Interp(const Color& from, const Color& to, float t) override;
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override;
-    std::string ValueText() const override;
+    const bool hdr = false;           ///< channels above 1 make sense
+    const bool showAlpha = true;      ///< alpha makes sense
+    const bool showEyeDropper = true; ///< may be picked from the screen
+};
+
+} // namespace detail
+
+/// A colour, blended linearly per channel, alpha too, in whatever space its values are in.
+/// Unity: ColorParameter (URP 14).
+class ColorParameter : public detail::ColorHints<detail::LerpParameter<Color>>
+{
+public:
+    using ColorHints::ColorHints;
     std::string_view typeName() const override { return "Color"; }
+};
+
+/// A colour; blending switches as soon as t > 0. Unity: NoInterpColorParameter (URP 14).
+class NoInterpColorParameter : public detail::ColorHints<detail::ValueParameter<Color>>
+{
+public:
+    using ColorHints::ColorHints;
+    std::string_view typeName() const override { return "NoInterpColor"; }
 };
 
 } // namespace limn

@@ -1,47 +1,75 @@
 #pragma once
 
-#include <limn/volume/VolumeParameter.h>
+#include <limn/volume/LimitedParameter.h>
 
 namespace limn
 {
 
 /// A number, blended linearly. Unity: FloatParameter (URP 14).
-class FloatParameter : public VolumeParameterT<float>
+class FloatParameter : public detail::LerpParameter<float>
 {
 public:
-    using VolumeParameterT::Interp;
-
-    FloatParameter(VolumeComponent* owner, std::string_view name, float value,
-                   bool overrideState = false)
-        : VolumeParameterT(owner, name, value, overrideState)
-    {
-    }
-
-    void Interp(const float& from, const float& to, float t) final;
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override;
-    std::string ValueText() const override;
+    using LerpParameter::LerpParameter;
     std::string_view typeName() const override { return "Float"; }
 };
 
-/// A number between two limits, which only SetValue(value) and files hold to.
-/// Unity: ClampedFloatParameter (URP 14).
-class ClampedFloatParameter : public FloatParameter
+/// A number; blending switches as soon as t > 0. Unity: NoInterpFloatParameter (URP 14).
+class NoInterpFloatParameter : public detail::ValueParameter<float>
 {
 public:
-    using FloatParameter::SetValue;
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "NoInterpFloat"; }
+};
 
-    /// @throws ContractError unless min <= max
-    ClampedFloatParameter(VolumeComponent* owner, std::string_view name, float value, float min,
-                          float max, bool overrideState = false);
+/// A number not below a limit. Unity: MinFloatParameter (URP 14).
+class MinFloatParameter : public detail::MinParameter<FloatParameter>
+{
+public:
+    using MinParameter::MinParameter;
+    std::string_view typeName() const override { return "MinFloat"; }
+};
 
-    void SetValue(const float& value) override;
+/// A number not above a limit. Unity: MaxFloatParameter (URP 14).
+class MaxFloatParameter : public detail::MaxParameter<FloatParameter>
+{
+public:
+    using MaxParameter::MaxParameter;
+    std::string_view typeName() const override { return "MaxFloat"; }
+};
+
+/// A number between two limits. Unity: ClampedFloatParameter (URP 14).
+class ClampedFloatParameter : public detail::ClampedParameter<FloatParameter>
+{
+public:
+    using ClampedParameter::ClampedParameter;
     std::string_view typeName() const override { return "ClampedFloat"; }
-    std::optional<ValueRange> range() const override { return ValueRange{m_Min, m_Max}; }
+};
 
-private:
-    float m_Min;
-    float m_Max;
+/// A number not below a limit, switching as soon as t > 0.
+/// Unity: NoInterpMinFloatParameter (URP 14).
+class NoInterpMinFloatParameter : public detail::MinParameter<NoInterpFloatParameter>
+{
+public:
+    using MinParameter::MinParameter;
+    std::string_view typeName() const override { return "NoInterpMinFloat"; }
+};
+
+/// A number not above a limit, switching as soon as t > 0.
+/// Unity: NoInterpMaxFloatParameter (URP 14).
+class NoInterpMaxFloatParameter : public detail::MaxParameter<NoInterpFloatParameter>
+{
+public:
+    using MaxParameter::MaxParameter;
+    std::string_view typeName() const override { return "NoInterpMaxFloat"; }
+};
+
+/// A number between two limits, switching as soon as t > 0.
+/// Unity: NoInterpClampedFloatParameter (URP 14).
+class NoInterpClampedFloatParameter : public detail::ClampedParameter<NoInterpFloatParameter>
+{
+public:
+    using ClampedParameter::ClampedParameter;
+    std::string_view typeName() const override { return "NoInterpClampedFloat"; }
 };
 
 } // namespace limn

@@ -1,27 +1,76 @@
 #pragma once
 
-#include <limn/volume/VolumeParameter.h>
+#include <limn/volume/LimitedParameter.h>
 
 namespace limn
 {
 
-/// A whole number; a blend is rounded toward zero. Unity: IntParameter (URP 14).
-class IntParameter : public VolumeParameterT<int>
+/// A whole number; a blend is rounded toward zero, and stops at the greatest and the least int.
+/// Unity: IntParameter (URP 14).
+class IntParameter : public detail::LerpParameter<int>
 {
 public:
-    using VolumeParameterT::Interp;
-
-    IntParameter(VolumeComponent* owner, std::string_view name, int value,
-                 bool overrideState = false)
-        : VolumeParameterT(owner, name, value, overrideState)
-    {
-    }
-
-    void Interp(const int& from, const int& to, float t) final;
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override;
-    std::string ValueText() const override;
+    using LerpParameter::LerpParameter;
     std::string_view typeName() const override { return "Int"; }
+};
+
+/// A whole number; blending switches as soon as t > 0. Unity: NoInterpIntParameter (URP 14).
+class NoInterpIntParameter : public detail::ValueParameter<int>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "NoInterpInt"; }
+};
+
+/// A whole number not below a limit. Unity: MinIntParameter (URP 14).
+class MinIntParameter : public detail::MinParameter<IntParameter>
+{
+public:
+    using MinParameter::MinParameter;
+    std::string_view typeName() const override { return "MinInt"; }
+};
+
+/// A whole number not above a limit. Unity: MaxIntParameter (URP 14).
+class MaxIntParameter : public detail::MaxParameter<IntParameter>
+{
+public:
+    using MaxParameter::MaxParameter;
+    std::string_view typeName() const override { return "MaxInt"; }
+};
+
+/// A whole number between two limits. Unity: ClampedIntParameter (URP 14).
+class ClampedIntParameter : public detail::ClampedParameter<IntParameter>
+{
+public:
+    using ClampedParameter::ClampedParameter;
+    std::string_view typeName() const override { return "ClampedInt"; }
+};
+
+/// A whole number not below a limit, switching as soon as t > 0.
+/// Unity: NoInterpMinIntParameter (URP 14).
+class NoInterpMinIntParameter : public detail::MinParameter<NoInterpIntParameter>
+{
+public:
+    using MinParameter::MinParameter;
+    std::string_view typeName() const override { return "NoInterpMinInt"; }
+};
+
+/// A whole number not above a limit, switching as soon as t > 0.
+/// Unity: NoInterpMaxIntParameter (URP 14).
+class NoInterpMaxIntParameter : public detail::MaxParameter<NoInterpIntParameter>
+{
+public:
+    using MaxParameter::MaxParameter;
+    std::string_view typeName() const override { return "NoInterpMaxInt"; }
+};
+
+/// A whole number between two limits, switching as soon as t > 0.
+/// Unity: NoInterpClampedIntParameter (URP 14).
+class NoInterpClampedIntParameter : public detail::ClampedParameter<NoInterpIntParameter>
+{
+public:
+    using ClampedParameter::ClampedParameter;
+    std::string_view typeName() const override { return "NoInterpClampedInt"; }
 };
 
 } // namespace limn

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
-#include <limn/volume/BoxCollider.h>
+#include <limn/volume/Collider.h>
 #include <limn/volume/VolumeProfile.h>
 #include <memory>
 #include <string>
@@ -25,10 +25,30 @@ struct Volume
     int layer = 0;              ///< 0...31; the camera's volume layer mask must have it
     std::shared_ptr<const VolumeProfile> sharedProfile; ///< null: the volume does nothing
 
-    glm::vec3 position{0.0f};           ///< world, metres
-    glm::quat rotation{1, 0, 0, 0};     ///< world, unit length
-    glm::vec3 scale{1.0f};              ///< world
-    std::vector<BoxCollider> colliders; ///< of a local volume; the closest enabled one counts
+    glm::vec3 position{0.0f};        ///< world, metres
+    glm::quat rotation{1, 0, 0, 0};  ///< world, unit length
+    glm::vec3 scale{1.0f};           ///< world
+    std::vector<Collider> colliders; ///< of a local volume; the closest enabled one counts
+
+    /// The volume's own copy of the shared profile, made by the first call (an empty profile where
+    /// there is none); from then on it counts in place of the shared one, changed or not. Copies
+    /// of the volume share it. Lives until SetProfile. Unity: the getter of Volume.profile.
+    /// @throws ContractError if the registry lacks the type of a component
+    VolumeProfile& profile(const VolumeComponentRegistry& registry);
+
+    /// Puts another profile in place of the private copy; null: the shared one counts again.
+    void SetProfile(std::shared_ptr<VolumeProfile> profile) { m_Profile = std::move(profile); }
+
+    bool HasInstantiatedProfile() const { return m_Profile != nullptr; }
+
+    /// The profile that counts, private or shared; may be null.
+    const VolumeProfile* profileRef() const
+    {
+        return m_Profile ? m_Profile.get() : sharedProfile.get();
+    }
+
+private:
+    std::shared_ptr<VolumeProfile> m_Profile;
 };
 
 } // namespace limn

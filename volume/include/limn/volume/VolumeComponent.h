@@ -29,6 +29,7 @@ public:
     /// @throws ContractError if `state` is of another type
     virtual void Override(VolumeComponent& state, float interpFactor) const;
 
+    /// Reaches the parameters within ObjectParameters too.
     void SetAllOverridesTo(bool state);
 
     /// In the order of declaration.

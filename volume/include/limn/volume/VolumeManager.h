@@ -5,6 +5,7 @@
 #include <limn/volume/Volume.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeStack.h>
+#include <limn/volume/VolumeTrace.h>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,7 +24,21 @@ public:
     VolumeManager& operator=(const VolumeManager&) = delete;
 
     /// A stack with one component of every type registered so far, all at their defaults.
-    VolumeStack CreateStack() const { return VolumeStack(m_Registry); }
+    /// Those of the constructors with the default profiles on top.
+    VolumeStack CreateStack() const;
+
+    /// What stacks show where no volume counts: the constructors' values, then the active
+    /// components' overridden parameters of the global profile, of the quality profile and of the
+    /// custom ones in this order, with full weight. Null: none. Stacks follow in their next Update.
+    /// Unity: URP 17; in 14 there are the constructors' values only.
+    void SetGlobalDefaultProfile(std::shared_ptr<const VolumeProfile> profile);
+    void SetQualityDefaultProfile(std::shared_ptr<const VolumeProfile> profile);
+    /// Null ones are left out.
+    void SetCustomDefaultProfiles(std::vector<std::shared_ptr<const VolumeProfile>> profiles);
+
+    /// To be called after an edit to a default profile where no volume is registered: an Update
+    /// would not look. Does nothing for other profiles.
+    void OnVolumeProfileChanged(const VolumeProfile& profile);
 
     /// Volumes of equal priority are applied in the order of registration.
     /// @return false if it is registered already
@@ -42,6 +57,11 @@ public:
     ///     nothing: only global volumes count
     /// @throws ContractError for a volume whose layer is outside 0...31
     void Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger, LayerMask layerMask);
+
+    /// Where every overridden value that Update would give comes from, by the same rules. Unlike
+    /// Update it allocates.
+    /// @throws ContractError as Update, and if the registry lacks the type of a component
+    VolumeTrace Trace(const std::optional<glm::vec3>& trigger, LayerMask layerMask);
 
     /// The registered volumes in the mask's layers, enabled or not, by ascending priority. Valid
     /// until the next call of any other member.
@@ -64,12 +84,19 @@ private:
         bool isDirty;
     };
 
+    template <typename Visitor>
+    void ForEachDefaultProfile(Visitor&& visit) const;
+    void ResetToDefaults(VolumeStack& stack) const;
     void NoticeChanges();
     void AddToLists(const Registration& registration);
     void RemoveFromLists(const Registration& registration);
     void MarkDirty(int layer);
 
     const VolumeComponentRegistry& m_Registry;
+    std::shared_ptr<const VolumeProfile> m_GlobalDefaults;
+    std::shared_ptr<const VolumeProfile> m_QualityDefaults;
+    std::vector<std::shared_ptr<const VolumeProfile>> m_CustomDefaults;
+    std::shared_ptr<std::uint64_t> m_DefaultsChanges = std::make_shared<std::uint64_t>(0);
     std::vector<Registration> m_Registrations; ///< in the order of registration
     std::vector<SortedList> m_Lists;           ///< one per mask asked for so far
 };

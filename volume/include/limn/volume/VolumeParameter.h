@@ -1,10 +1,14 @@
 #pragma once
 
+#include <limn/volume/ParameterInfo.h>
 #include <limn/volume/YamlRead.h>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace limn
 {
@@ -40,20 +44,31 @@ public:
     virtual bool ReadYaml(const YamlNode& node, std::string_view subject,
                           AssetDiagnostics& diagnostics) = 0;
 
-    void SetOverrideState(bool state) { m_OverrideState = state; }
+    virtual void SetOverrideState(bool state) { m_OverrideState = state; }
 
     /// In a profile: whether the parameter is set there. In a stack: whether some volume touched
     /// it.
     bool overrideState() const { return m_OverrideState; }
     const std::string& name() const { return m_Name; } ///< Unity's serialised name
 
-    virtual std::string ValueText() const = 0;     ///< as YAML would have it
+    const std::string& tooltip() const { return m_Info.tooltip; }
+    const std::string& unit() const { return m_Info.unit; } ///< "pixels"; "" for none
+
+    virtual std::string ValueText() const = 0;     ///< as limn's YAML has it, on one line
+    virtual std::string UnityText() const = 0;     ///< as m_Value of Unity's YAML, on one line
     virtual std::string_view typeName() const = 0; ///< "ClampedFloat"
+
+    /// The numbers that SetValue and files keep to; nothing where any will do.
     virtual std::optional<ValueRange> range() const { return std::nullopt; }
+    /// The names the value goes by, in the order of their declaration; none unless an enum.
+    virtual std::vector<std::string> valueNames() const { return {}; }
+    /// The parameters within the value; none unless an ObjectParameter's.
+    virtual std::span<VolumeParameter* const> parameters() const { return {}; }
 
 protected:
     /// @param owner  the component this is a member of; null for one on its own
-    VolumeParameter(VolumeComponent* owner, std::string_view name, bool overrideState);
+    VolumeParameter(VolumeComponent* owner, std::string_view name, bool overrideState,
+                    ParameterInfo info = {});
 
     /// @throws ContractError about two parameters that hold different types of value
     [[noreturn]] void RefuseOtherType(const VolumeParameter& other) const;
@@ -63,6 +78,7 @@ private:
     virtual void CopyValue(const VolumeParameter& other) = 0;
 
     std::string m_Name;
+    ParameterInfo m_Info;
     bool m_OverrideState;
 };
 
@@ -72,6 +88,7 @@ template <typename T>
 class VolumeParameterT : public VolumeParameter
 {
 public:
+    using ValueType = T;
     using VolumeParameter::Interp;
     using VolumeParameter::SetValue;
 
@@ -92,8 +109,9 @@ public:
 
 protected:
     /// @param value  taken as it is, not clamped
-    VolumeParameterT(VolumeComponent* owner, std::string_view name, T value, bool overrideState)
-        : VolumeParameter(owner, name, overrideState), m_Value(std::move(value))
+    VolumeParameterT(VolumeComponent* owner, std::string_view name, T value, bool overrideState,
+                     ParameterInfo info = {})
+        : VolumeParameter(owner, name, overrideState, std::move(info)), m_Value(std::move(value))
     {
     }
 

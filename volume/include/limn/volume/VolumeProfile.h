@@ -10,7 +10,10 @@
 namespace limn
 {
 
-/// The components a volume brings, at most one of each type. All queries compare exact types.
+class VolumeComponentRegistry;
+
+/// The components a volume brings, at most one of each type. Queries compare exact types unless
+/// they say otherwise.
 /// Unity: UnityEngine.Rendering.VolumeProfile (URP 14).
 class VolumeProfile
 {
@@ -58,6 +61,40 @@ public:
     {
         return static_cast<const T*>(Find(typeid(T)));
     }
+
+    /// Whether there is a T or something derived from it.
+    template <std::derived_from<VolumeComponent> T>
+    bool HasSubclassOf() const
+    {
+        return TryGetSubclassOf<T>() != nullptr;
+    }
+
+    /// The first component that is a T or derived from it; null if there is none.
+    template <std::derived_from<VolumeComponent> T>
+    const T* TryGetSubclassOf() const
+    {
+        const std::vector<const T*> all = TryGetAllSubclassOf<T>();
+        return all.empty() ? nullptr : all.front();
+    }
+
+    /// Every component that is a T or derived from it, in the order they were added.
+    template <std::derived_from<VolumeComponent> T>
+    std::vector<const T*> TryGetAllSubclassOf() const
+    {
+        std::vector<const T*> found;
+        for (const std::unique_ptr<VolumeComponent>& component : m_Components)
+        {
+            if (const T* derived = dynamic_cast<const T*>(component.get()))
+            {
+                found.push_back(derived);
+            }
+        }
+        return found;
+    }
+
+    /// A profile with copies of all components, values, override states and all.
+    /// @throws ContractError if the registry lacks the type of a component
+    VolumeProfile Clone(const VolumeComponentRegistry& registry) const;
 
     /// In the order they were added, which is the order they are applied in.
     std::span<const std::unique_ptr<VolumeComponent>> components() const { return m_Components; }

@@ -29,4 +29,8 @@ struct VolumeProfileLoadResult
 VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
                                           const VolumeComponentRegistry& registry);
 
+/// LoadVolumeProfile of a text that stands for the content of `file`.
+VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
+                                           const VolumeComponentRegistry& registry);
+
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <memory>
 #include <vector>
@@ -27,7 +28,7 @@ public:
     const VolumeComponent* GetComponent(std::type_index type) const { return Find(type); }
 
     /// Whether the next Update without any volume has to bring the defaults back.
-    bool requiresReset() const { return m_RequiresReset; }
+    bool requiresReset() const { return m_RequiresReset || m_DefaultsSeen != *m_Defaults; }
 
 private:
     friend class VolumeManager;
@@ -39,13 +40,16 @@ private:
         const VolumeComponent* defaults; ///< in the registry
     };
 
-    explicit VolumeStack(const VolumeComponentRegistry& registry);
+    VolumeStack(const VolumeComponentRegistry& registry,
+                std::shared_ptr<const std::uint64_t> defaults);
 
     VolumeComponent* Find(std::type_index type) const;
     void Reset();
 
     std::vector<Slot> m_Slots; ///< ordered by type
     bool m_RequiresReset = true;
+    std::shared_ptr<const std::uint64_t> m_Defaults; ///< the manager's count of their changes
+    std::uint64_t m_DefaultsSeen;
 };
 
 } // namespace limn

@@ -82,11 +82,16 @@ struct YamlContent
 /// The documents of a YAML text, one root each. `file` is what errors call it.
 /// @throws AssetError for text that is not UTF-8 or holds NUL bytes, for a text without any value,
 ///     broken syntax, every duplicate key, keys that are not plain text, an alias inside its own
-///     anchor, more than 64 levels, more than 1 000 000 values (counted with aliases expanded)
+///     anchor, more than 64 levels, more than 5 000 000 values, aliases that repeat more than
+///     1 000 000 values, and a list or map in brackets longer than 8 MiB
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file);
 
+/// The bytes of a YAML file.
+/// @throws AssetError for a missing or unreadable file and for one above 64 MiB
+std::string ReadYamlText(const std::filesystem::path& path);
+
 /// ParseYaml of a file's content.
-/// @throws AssetError also for a missing or unreadable file and for one above 64 MiB
+/// @throws AssetError as ReadYamlText and ParseYaml do
 std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path);
 
 } // namespace limn

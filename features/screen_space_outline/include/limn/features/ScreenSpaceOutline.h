@@ -14,10 +14,13 @@ namespace limn
 class ScreenSpaceOutline final : public VolumeComponent, public IPostProcessComponent
 {
 public:
-    BoolParameter m_Enable{this, "m_Enable", false};
-    ColorParameter m_OutlineColor{this, "m_OutlineColor",
-                                  Color::white}; ///< sRGB; added to the picture
-    ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f}; ///< pixels
+    BoolParameter m_Enable{this, "m_Enable", false, {.tooltip = "Draws the outline."}};
+    ColorParameter m_OutlineColor{
+        this, "m_OutlineColor", Color::white, {.tooltip = "sRGB; added to the picture."}};
+    ClampedFloatParameter m_OutlineWidth{
+        this,  "m_OutlineWidth",
+        3.0f,  1.0f,
+        10.0f, {.tooltip = "How wide the outline is.", .unit = "pixels"}};
 
     bool IsActive() const override { return m_Enable.value(); }
     bool IsTileCompatible() const override { return false; }

@@ -1,0 +1,190 @@
+#include "ExplainCommand.h"
+
+#include "Explanation.h"
+#include "SceneView.h"
+
+#include <algorithm>
+#include <limn/editor_stub/RunLimn.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace limn
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+std::string Describe(const VolumeParameterTrace& parameter, const VolumeTraceStep& step)
+{
+    std::ostringstream text;
+    text << parameter.component << '.' << parameter.parameter << " ← " << step.volume << " (factor "
+         << step.factor << ", weight " << step.weight << ", ";
+    if (step.distance)
+    {
+        text << "distance " << *step.distance << " m";
+    }
+    else
+    {
+        text << "global";
+    }
+    text << ") → " << step.valueText;
+    return text.str();
+}
+
+void PrintObjects(const Explanation& explanation, std::ostream& out)
+{
+    out << "objects:\n";
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        out << "  " << object.name << (object.absence.empty() ? "" : ": not drawn, ")
+            << object.absence << '\n';
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            out << "    " << draw.pass << ", " << draw.material << ": "
+                << (isDrawn ? "drawn" : "left out, ") << (isDrawn ? "" : ToString(draw.verdict))
+                << '\n';
+        }
+    }
+}
+
+void PrintList(const char* title, const std::vector<std::string>& lines, std::ostream& out)
+{
+    out << title << ":\n";
+    for (const std::string& line : lines)
+    {
+        out << "  " << line << '\n';
+    }
+}
+
+void PrintText(const Explanation& explanation, std::ostream& out)
+{
+    std::vector<std::string> lines;
+    for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
+    {
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            lines.push_back(Describe(parameter, step));
+        }
+    }
+    PrintList("volume values", lines, out);
+    lines.clear();
+    for (const ExecutedPassReport& pass : explanation.report.passes)
+    {
+        lines.push_back(std::to_string(static_cast<int>(pass.renderPassEvent)) + " " + pass.name);
+    }
+    PrintList("passes", lines, out);
+    PrintList("textures", explanation.textures, out);
+    PrintList("variants of objects", explanation.variants, out);
+    PrintObjects(explanation, out);
+}
+
+Json ToJson(const VolumeTrace& trace)
+{
+    Json all = Json::array();
+    for (const VolumeParameterTrace& parameter : trace.parameters)
+    {
+        Json steps = Json::array();
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            steps.push_back({{"volume", step.volume},
+                             {"factor", step.factor},
+                             {"weight", step.weight},
+                             {"distance", step.distance ? Json(*step.distance) : Json()},
+                             {"target", step.targetText},
+                             {"value", step.valueText}});
+        }
+        all.push_back({{"component", parameter.component},
+                       {"parameter", parameter.parameter},
+                       {"default", parameter.startText},
+                       {"value", parameter.valueText()},
+                       {"steps", steps}});
+    }
+    return all;
+}
+
+Json ToJson(const std::vector<ExplainedObject>& objects)
+{
+    Json all = Json::array();
+    for (const ExplainedObject& object : objects)
+    {
+        Json draws = Json::array();
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            draws.push_back({{"pass", draw.pass},
+                             {"material", draw.material},
+                             {"drawn", isDrawn},
+                             {"rule", isDrawn ? Json() : Json(ToString(draw.verdict))}});
+        }
+        all.push_back({{"name", object.name},
+                       {"absence", object.absence.empty() ? Json() : Json(object.absence)},
+                       {"draws", draws}});
+    }
+    return all;
+}
+
+Json ToJson(const Explanation& explanation)
+{
+    Json passes = Json::array();
+    for (const ExecutedPassReport& pass : explanation.report.passes)
+    {
+        passes.push_back({{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name}});
+    }
+    return {{"volumes", ToJson(explanation.volumes)}, {"passes", passes},
+            {"textures", explanation.textures},       {"variants", explanation.variants},
+            {"objects", ToJson(explanation.objects)}, {"notes", explanation.report.notes}};
+}
+
+/// Leaves only the objects of this name.
+void Select(Explanation& explanation, const ExplainOptions& options)
+{
+    std::vector<ExplainedObject>& objects = explanation.objects;
+    std::vector<std::string> names;
+    for (const ExplainedObject& object : objects)
+    {
+        names.push_back(object.name);
+    }
+    objects.erase(std::remove_if(objects.begin(), objects.end(),
+                                 [&options](const ExplainedObject& object)
+                                 { return object.name != options.object; }),
+                  objects.end());
+    if (objects.empty())
+    {
+        throw AssetError(options.scene, {},
+                         "unknown object with a mesh " +
+                             UnknownName(options.object, {names.begin(), names.end()}));
+    }
+}
+
+} // namespace
+
+int RunExplain(const ExplainOptions& options, Console& console)
+{
+    RenderOptions rendering;
+    rendering.scene = options.scene;
+    rendering.packages = options.packages;
+    AssetContext assets(ChooseCompilerOptions(rendering, console));
+    SceneAsset asset = LoadForRendering(rendering, assets);
+    console.Print(asset.notes);
+    Explanation explanation = Explain(std::move(asset), assets);
+    if (!options.object.empty())
+    {
+        Select(explanation, options);
+    }
+    if (options.json)
+    {
+        console.out() << ToJson(explanation).dump(2) << '\n';
+        return static_cast<int>(ExitCode::Done);
+    }
+    PrintText(explanation, console.out());
+    for (const std::string& note : explanation.report.notes)
+    {
+        console.Note(note);
+    }
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

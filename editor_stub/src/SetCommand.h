@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// `limn set`, as the command line has it.
+struct SetOptions
+{
+    std::string file;               ///< a profile of limn's or of Unity's form
+    std::vector<std::string> edits; ///< "Component.param=value"
+};
+
+/// Changes values of a profile file in place, all of them or none.
+/// @return an ExitCode
+/// @throws AssetError as SetScalars does
+int RunSet(const SetOptions& options);
+
+} // namespace limn

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <limn/core/Inspector.h>
+#include <limn/core/ScriptableRendererFeature.h>
+#include <limn/editor_stub/LayerNames.h>
+#include <limn/volume/YamlRead.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// A setting or a parameter as text for people.
+struct InspectedValue
+{
+    std::string header; ///< that it stands under; "" for a parameter, or without one
+    std::string name;
+    std::string value;
+    std::string defaultValue;
+    std::optional<ValueRange> range;
+    bool isOverridden = false; ///< of a setting: it differs from its default
+    std::string unit;          ///< "pixels"; "" for none
+    std::string tooltip;
+};
+
+/// A feature's settings in its order.
+std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
+                                            const std::string& type, const LayerNames& layers,
+                                            const LayerNames& renderingLayers);
+
+} // namespace limn

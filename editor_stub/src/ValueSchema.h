@@ -1,0 +1,42 @@
+#pragma once
+
+#include <limn/core/Inspector.h>
+#include <limn/volume/YamlRead.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// Keys keep their order, which is the one an editor offers them in.
+using Json = nlohmann::ordered_json;
+
+// The JSON Schema of values as YamlRead and ReadLayers read them.
+
+Json BoolSchema();
+Json NumberSchema(ValueRange range = {});
+Json IntegerSchema(ValueRange range = {});
+Json TextSchema();
+Json ColorSchema();
+/// @param count  2, 3 or 4
+Json VectorSchema(int count);
+Json LayerMaskSchema();
+Json LayerIndexSchema();
+Json EnumSchema(std::span<const std::string> names);
+Json RenderPassEventSchema();
+
+/// A map that has these keys and no others.
+Json MapSchema(Json properties);
+Json ListSchema(Json items);
+
+/// Adds a key in Unity's and in the plain spelling, of which a file may use one.
+void AddProperty(Json& map, std::string_view name, const Json& value);
+
+/// A whole schema: the map's keys with a title and the schema's version.
+Json RootSchema(std::string_view title, const Json& map);
+
+/// A YAML value as JSON: plain numbers and truth values are such.
+Json ToJson(const YamlNode& node);
+
+} // namespace limn

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <limn/volume/AnimationCurve.h>
+#include <limn/volume/ValueParameter.h>
+
+namespace limn
+{
+
+/// A curve, blended key by key (KeyframeUtility::InterpAnimationCurve). In YAML a list of keys,
+/// [{time: 0, value: 1, inTangent: 0, outTangent: 0}], of which only time and value are needed, or
+/// Unity's {m_Curve: [...]}. Unity: AnimationCurveParameter (URP 14).
+class AnimationCurveParameter : public detail::ValueParameter<AnimationCurve>
+{
+public:
+    using ValueParameter::Interp;
+    using ValueParameter::ValueParameter;
+
+    void Interp(const AnimationCurve& from, const AnimationCurve& to, float t) override;
+    std::string_view typeName() const override { return "AnimationCurve"; }
+};
+
+} // namespace limn

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/volume/VolumeComponentRegistry.h>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// A new value for one parameter of a profile file.
+struct ScalarEdit
+{
+    std::string component; ///< "ScreenSpaceOutline"
+    std::string parameter; ///< "m_OutlineWidth", "outlineWidth", or "active"
+    std::string value;     ///< YAML; a colour's # needs no quotes
+
+    /// @param text  "ScreenSpaceOutline.m_OutlineWidth=4"
+    /// @throws AssetError if the text has another form
+    static ScalarEdit Parse(std::string_view text);
+};
+
+/// The text of a profile file, of limn's or of Unity's form, with new values. Only the characters
+/// of scalars that change are others: a colour stays a map, a list or "#RRGGBB" as it was
+/// (written as a map where eight bits do not hold it). In Unity's form m_OverrideState stays.
+/// @throws AssetError with every problem: an unknown name, a value of the wrong type or outside its
+///     range, a parameter the file does not have, a value written in a way that cannot hold the new
+///     one or that an alias repeats, and whatever else is wrong with the file
+std::string EditVolumeProfile(std::string_view text, const std::string& file,
+                              std::span<const ScalarEdit> edits,
+                              const VolumeComponentRegistry& registry);
+
+/// EditVolumeProfile of a file, which is replaced whole or not at all.
+/// @throws AssetError as EditVolumeProfile and ReplaceContent do; the file is then as it was
+void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
+                const VolumeComponentRegistry& registry);
+
+/// Replaces a file's content, through a link the file behind it, if it still is `expected`.
+/// @throws AssetError if it is something else by now, or cannot be written; the file is then as it
+///     was, and nothing is left beside it
+void ReplaceContent(const std::filesystem::path& path, std::string_view expected,
+                    std::string_view content);
+
+} // namespace limn

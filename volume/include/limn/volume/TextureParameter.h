@@ -1,0 +1,98 @@
+#pragma once
+
+#include <limn/core/Texture.h>
+#include <limn/shaderlab/CompiledPass.h>
+#include <limn/volume/AssetReference.h>
+#include <limn/volume/ValueParameter.h>
+
+namespace limn
+{
+
+using TextureReference = AssetReference<Texture>;
+
+/// A texture of any or of one dimension; blending switches as soon as t > 0. In YAML: a path, ""
+/// or nothing for none, or Unity's {fileID: 2800000, guid: ..., type: 3}. Unity's form cannot name
+/// a path: UnityText of a reference that has only that is none.
+/// Unity: TextureParameter (URP 14).
+class TextureParameter : public detail::ValueParameter<TextureReference>
+{
+public:
+    using ValueParameter::ValueParameter;
+
+    TextureParameter(VolumeComponent* owner, std::string_view name, TextureReference value,
+                     std::optional<TextureDimension> textureDimension, bool overrideState = false,
+                     ParameterInfo info = {})
+        : ValueParameter(owner, name, std::move(value), overrideState, std::move(info)),
+          m_Dimension(textureDimension)
+    {
+    }
+
+    /// What an editor offers, nothing for any; neither blending nor reading looks at it.
+    virtual std::optional<TextureDimension> dimension() const { return m_Dimension; }
+    std::string_view typeName() const override { return "Texture"; }
+
+private:
+    std::optional<TextureDimension> m_Dimension;
+};
+
+/// As TextureParameter, whose blending switches as well. Unity: NoInterpTextureParameter (URP 14).
+class NoInterpTextureParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::string_view typeName() const override { return "NoInterpTexture"; }
+};
+
+/// A flat texture. Unity: Texture2DParameter (URP 14).
+class Texture2DParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
+    std::string_view typeName() const override { return "Texture2D"; }
+};
+
+/// A volume texture. Unity: Texture3DParameter (URP 14).
+class Texture3DParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex3D; }
+    std::string_view typeName() const override { return "Texture3D"; }
+};
+
+/// A texture that is drawn into. Unity: RenderTextureParameter (URP 14).
+class RenderTextureParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
+    std::string_view typeName() const override { return "RenderTexture"; }
+};
+
+/// As RenderTextureParameter. Unity: NoInterpRenderTextureParameter (URP 14).
+class NoInterpRenderTextureParameter : public RenderTextureParameter
+{
+public:
+    using RenderTextureParameter::RenderTextureParameter;
+    std::string_view typeName() const override { return "NoInterpRenderTexture"; }
+};
+
+/// Six faces of a cube. Unity: CubemapParameter (URP 14).
+class CubemapParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Cube; }
+    std::string_view typeName() const override { return "Cubemap"; }
+};
+
+/// As CubemapParameter. Unity: NoInterpCubemapParameter (URP 14).
+class NoInterpCubemapParameter : public CubemapParameter
+{
+public:
+    using CubemapParameter::CubemapParameter;
+    std::string_view typeName() const override { return "NoInterpCubemap"; }
+};
+
+} // namespace limn

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <limn/volume/VolumeComponent.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// One volume's part in a blended value.
+struct VolumeTraceStep
+{
+    std::string volume;  ///< its name
+    float factor = 0.0f; ///< 0...1: weight times fade, how far the value moved to the target
+    float weight = 0.0f; ///< 0...1
+    std::optional<float> distance; ///< metres to the closest collider; nothing: a global volume
+    std::string targetText;        ///< the volume's value, as VolumeParameter::ValueText
+    std::string valueText;         ///< what the value was then
+    std::shared_ptr<const VolumeComponent> target; ///< a copy of the volume's component
+};
+
+/// How one parameter came to its value.
+struct VolumeParameterTrace
+{
+    std::string component; ///< as files call its type: "ScreenSpaceOutline"
+    std::string parameter; ///< serialised name: "m_OutlineWidth"
+    std::size_t index = 0; ///< of the parameter in its component
+    std::string startText; ///< the default value that the first step started from
+    std::shared_ptr<const VolumeComponent> start; ///< a component with its defaults
+    std::vector<VolumeTraceStep> steps;           ///< in the order they were applied; never empty
+
+    const std::string& valueText() const { return steps.back().valueText; }
+
+    /// Sets `value` to the default and takes every step again, which gives the very bits that
+    /// VolumeManager::Update gives, unless a component overrides VolumeComponent::Override.
+    /// @throws ContractError if it holds another type of value
+    void Replay(VolumeParameter& value) const;
+};
+
+/// Where the values of a stack come from: every parameter that a volume overrides, in the order of
+/// registration of the components. Keeps what it refers to. No counterpart in Unity.
+struct VolumeTrace
+{
+    std::vector<VolumeParameterTrace> parameters;
+
+    /// Null for a parameter that no volume overrides. @param parameter  its serialised name
+    const VolumeParameterTrace* Find(std::string_view component, std::string_view parameter) const;
+};
+
+} // namespace limn

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <limn/volume/VolumeComponentRegistry.h>
+
+namespace limn
+{
+
+/// A component of the same type, values and override states, that shares nothing with the given
+/// one.
+/// @throws ContractError if the registry lacks the type
+std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
+                                                const VolumeComponentRegistry& registry);
+
+} // namespace limn

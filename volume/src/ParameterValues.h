@@ -1,0 +1,92 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limn/core/Color.h>
+#include <limn/core/LayerMask.h>
+#include <limn/volume/AssetReference.h>
+#include <limn/volume/TextureCurve.h>
+#include <limn/volume/YamlRead.h>
+
+// How the value of each type of parameter is read, written as limn has it (LimnText) and as Unity
+// does (UnityText). All texts fit on one line.
+
+namespace limn::detail
+{
+
+/// What a reader gets: the node, what errors call it, where they go, and the limits of a number.
+struct ValueSource
+{
+    const YamlNode& node;
+    std::string_view subject;
+    AssetDiagnostics& diagnostics;
+    ValueRange range;
+
+    ValueSource At(const YamlNode& below) const { return {below, subject, diagnostics, range}; }
+    /// Adds "subject: problem" and is false.
+    bool Refuse(std::string_view problem) const;
+};
+
+// Each says whether it set the value; if not, there is an error.
+bool ReadValue(const ValueSource& source, bool& value);
+bool ReadValue(const ValueSource& source, int& value);
+bool ReadValue(const ValueSource& source, float& value);
+bool ReadValue(const ValueSource& source, Color& value);
+bool ReadValue(const ValueSource& source, glm::vec2& value);
+bool ReadValue(const ValueSource& source, glm::vec3& value);
+bool ReadValue(const ValueSource& source, glm::vec4& value);
+bool ReadValue(const ValueSource& source, LayerMask& value);
+bool ReadValue(const ValueSource& source, RenderingLayerMask& value);
+bool ReadValue(const ValueSource& source, AssetLocation& value);
+bool ReadValue(const ValueSource& source, AnimationCurve& value);
+bool ReadValue(const ValueSource& source, TextureCurve& value);
+
+std::string LimnText(bool value);
+std::string LimnText(int value);
+std::string LimnText(float value);
+std::string LimnText(const Color& value);
+std::string LimnText(const glm::vec2& value);
+std::string LimnText(const glm::vec3& value);
+std::string LimnText(const glm::vec4& value);
+std::string LimnText(LayerMask value);
+std::string LimnText(RenderingLayerMask value);
+std::string LimnText(const AssetLocation& value);
+std::string LimnText(const AnimationCurve& value);
+std::string LimnText(const TextureCurve& value);
+
+std::string UnityText(bool value);
+std::string UnityText(int value);
+std::string UnityText(float value);
+std::string UnityText(const Color& value);
+std::string UnityText(const glm::vec2& value);
+std::string UnityText(const glm::vec3& value);
+std::string UnityText(const glm::vec4& value);
+std::string UnityText(LayerMask value);
+std::string UnityText(RenderingLayerMask value);
+std::string UnityText(const AssetLocation& value);
+std::string UnityText(const AnimationCurve& value);
+std::string UnityText(const TextureCurve& value);
+
+template <typename Asset>
+bool ReadValue(const ValueSource& source, AssetReference<Asset>& value)
+{
+    AssetLocation location;
+    const bool isRead = ReadValue(source, location);
+    value = isRead ? AssetReference<Asset>{std::move(location), {}} : value;
+    return isRead;
+}
+
+template <typename Asset>
+std::string LimnText(const AssetReference<Asset>& value)
+{
+    return LimnText(value.location);
+}
+
+template <typename Asset>
+std::string UnityText(const AssetReference<Asset>& value)
+{
+    return UnityText(value.location);
+}
+
+} // namespace limn::detail

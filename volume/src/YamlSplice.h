@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limn/volume/AssetDiagnostics.h>
+#include <limn/volume/YamlNode.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// Replaces scalars of a YAML text and leaves every other byte as it is.
+class YamlSplicer
+{
+public:
+    /// @param subject  what errors call the value
+    YamlSplicer(std::string_view text, std::string subject, AssetDiagnostics& diagnostics);
+
+    /// Makes `old`, a value of the text, say what `fresh` says, in old's own style. A problem is an
+    /// error in the diagnostics.
+    /// @param freshText  `fresh` on one line
+    void Replace(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
+
+    /// The scalars replaced so far.
+    std::size_t count() const { return m_Splices.size(); }
+    std::string Result() const;
+
+private:
+    struct Splice
+    {
+        std::size_t begin;
+        std::size_t end;
+        std::string text;
+    };
+
+    void Refuse(const YamlNode& node, const std::string& problem);
+    void ReplaceMap(const YamlNode& old, const YamlNode& fresh);
+    void ReplaceSequence(const YamlNode& old, const YamlNode& fresh);
+    void ReplaceHex(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
+    void ReplaceScalar(const YamlNode& old, const YamlNode& fresh);
+    /// Where the scalar's own characters are, its quotes among them; empty if it is not on one
+    /// line.
+    std::string_view Extent(const YamlNode& scalar) const;
+    void Add(const YamlNode& old, std::string fresh);
+
+    std::string_view m_Text;
+    std::string m_Subject;
+    AssetDiagnostics& m_Diagnostics;
+    std::vector<Splice> m_Splices;
+};
+
+/// How many scalars of one tree differ from those of the other; a scalar in the place of something
+/// else counts as one.
+std::size_t CountDifferences(const YamlNode& one, const YamlNode& other);
+
+} // namespace limn
