@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 namespace limn
@@ -138,24 +139,27 @@ Json ToJson(const Explanation& explanation)
             {"objects", ToJson(explanation.objects)}, {"notes", explanation.report.notes}};
 }
 
-/// Leaves only the objects of this name.
+/// Leaves only the objects of this name, and what hangs below one of it.
 void Select(Explanation& explanation, const ExplainOptions& options)
 {
     std::vector<ExplainedObject>& objects = explanation.objects;
-    std::vector<std::string> names;
+    std::set<std::string> roots; // names for the message: all would fill the screen
     for (const ExplainedObject& object : objects)
     {
-        names.push_back(object.name);
+        roots.insert(object.parents.empty() ? object.name : object.parents.back());
     }
-    objects.erase(std::remove_if(objects.begin(), objects.end(),
-                                 [&options](const ExplainedObject& object)
-                                 { return object.name != options.object; }),
-                  objects.end());
+    const auto isOther = [&options](const ExplainedObject& object)
+    {
+        return object.name != options.object &&
+               std::find(object.parents.begin(), object.parents.end(), options.object) ==
+                   object.parents.end();
+    };
+    objects.erase(std::remove_if(objects.begin(), objects.end(), isOther), objects.end());
     if (objects.empty())
     {
         throw AssetError(options.scene, {},
                          "unknown object with a mesh " +
-                             UnknownName(options.object, {names.begin(), names.end()}));
+                             UnknownName(options.object, {roots.begin(), roots.end()}));
     }
 }
 

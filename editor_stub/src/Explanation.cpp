@@ -7,6 +7,7 @@
 #include <limn/core/Culling.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/volume/VolumeManager.h>
+#include <unordered_map>
 
 namespace limn
 {
@@ -48,7 +49,7 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
 ExplainedObject ExplainObject(const GameObject& object, const CullingResults& culled,
                               const RenderReport& report, const Camera& camera)
 {
-    ExplainedObject explained{object.name, {}, {}};
+    ExplainedObject explained{object.name, {}, {}, {}};
     bool isSeen = false;
     for (const RendererItem& item : culled.items)
     {
@@ -139,9 +140,11 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
     const CullingResults culled = Cull(asset.scene, camera, aspect);
     std::vector<const GameObject*> objects; // stay where they are when the scene is moved
+    std::unordered_map<const Transform*, const GameObject*> owners;
     for (const auto& object : asset.scene.objects())
     {
         objects.push_back(object.get());
+        owners[&object->transform] = object.get();
     }
 
     RecordingDevice device;
@@ -156,6 +159,10 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
         if (object->renderer)
         {
             explanation.objects.push_back(ExplainObject(*object, culled, result.report, camera));
+            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
+            {
+                explanation.objects.back().parents.push_back(owners.at(t)->name);
+            }
         }
     }
     return explanation;

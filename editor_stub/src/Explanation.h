@@ -19,7 +19,8 @@ struct ExplainedDraw
 struct ExplainedObject
 {
     std::string name;
-    std::string absence; ///< why no pass sees it: "inactive"; "" if passes do
+    std::vector<std::string> parents; ///< names of the objects it hangs below, nearest first
+    std::string absence;              ///< why no pass sees it: "inactive"; "" if passes do
     std::vector<ExplainedDraw> draws;
 };
 

@@ -76,6 +76,16 @@ TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
     EXPECT_THAT(run.out, testing::Not(HasSubstr("Behind")));
 }
 
+TEST(ExplainSample, ShowsWhatHangsBelowTheObjectAskedFor)
+{
+    const CommandRun run = RunCommand(
+        {"explain", LIMN_SOURCE_DIR "/samples/furniture/furniture.scene.yaml", "--object", "Sofa"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Screen Space Outline, petrol: drawn\n"));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("Slab")));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("Screen Space Outline, oak: drawn\n")));
+}
+
 TEST_F(ExplainCommand, RefusesAnObjectThatIsNotThere)
 {
     const CommandRun run = Explain({"--object", "Sen"});
