@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
 #include <core/ThrownMessage.h>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <limits>
 #include <limn/volume/AnimationCurveParameter.h>
@@ -273,6 +275,122 @@ TEST_F(SharedKeys, AreNotSharedAfterABlendOfNothingOrOntoTheTarget)
     EXPECT_EQ(second.value().keys()[0].value, 2.5f);
     Grow(second, 1);
     ExpectLengths(2, 3);
+}
+
+/// The curve of two keys by the definition: the Bezier's point at `u`.
+glm::dvec2 BezierPoint(double outWeight, double outSlope, double inWeight, double inSlope, double u)
+{
+    // From (0, 0) to (2, 1).
+    const glm::dvec2 second(2.0 * outWeight, 2.0 * outWeight * outSlope);
+    const glm::dvec2 third(2.0 - 2.0 * inWeight, 1.0 - 2.0 * inWeight * inSlope);
+    const glm::dvec2 a = glm::mix(glm::dvec2(0.0), second, u);
+    const glm::dvec2 b = glm::mix(second, third, u);
+    const glm::dvec2 c = glm::mix(third, glm::dvec2(2.0, 1.0), u);
+    return glm::mix(glm::mix(a, b, u), glm::mix(b, c, u), u);
+}
+
+TEST(AnimationCurve, BendsByTheWeightsOfItsTangents)
+{
+    struct Case
+    {
+        WeightedMode left;
+        WeightedMode right;
+        double out;
+        double in;
+    };
+    const double third = 1.0 / 3.0;
+    for (const Case& c : {Case{WeightedMode::Out, WeightedMode::In, 0.75, 0.5},
+                          Case{WeightedMode::Both, WeightedMode::Both, 0.75, 0.5},
+                          Case{WeightedMode::Out, WeightedMode::Out, 0.75, third},
+                          Case{WeightedMode::In, WeightedMode::In, third, 0.5}})
+    {
+        const AnimationCurve curve({{0.0f, 0.0f, 0.0f, 3.0f, 0.125f, 0.75f, c.left},
+                                    {2.0f, 1.0f, -2.0f, 0.0f, 0.5f, 0.125f, c.right}});
+        for (int i = 0; i <= 16; ++i)
+        {
+            const glm::dvec2 point = BezierPoint(c.out, 3.0, c.in, -2.0, i / 16.0);
+            EXPECT_NEAR(point.y, static_cast<double>(curve.Evaluate(static_cast<float>(point.x))),
+                        1e-5);
+        }
+    }
+}
+
+TEST(AnimationCurve, WithWeightsOfAThirdIsTheOneWithoutWeights)
+{
+    const AnimationCurve plain({{0, 3, 2, 2}, {4, 2, -1, -1}});
+    const float third = 1.0f / 3.0f;
+    const AnimationCurve weighted({{0, 3, 2, 2, third, third, WeightedMode::Both},
+                                   {4, 2, -1, -1, third, third, WeightedMode::Both}});
+    for (int i = -4; i <= 20; ++i)
+    {
+        const float time = 0.25f * static_cast<float>(i);
+        EXPECT_NEAR(plain.Evaluate(time), weighted.Evaluate(time), 1e-6f) << time;
+    }
+}
+
+TEST(AnimationCurve, TakesAnyWeightAndTangentWithoutANaN)
+{
+    for (const float weight : {-5.0f, 0.0f, 1.0f, 7.0f, k_Infinity})
+    {
+        for (const float tangent : {0.0f, 1e30f, -k_Infinity})
+        {
+            const AnimationCurve curve({{0, 1, 0, tangent, weight, weight, WeightedMode::Both},
+                                        {1, 2, tangent, 0, weight, weight, WeightedMode::Both}});
+            for (const float time : {-1.0f, 0.0f, 0.5f, 1.0f, 2.0f})
+            {
+                EXPECT_TRUE(std::isfinite(curve.Evaluate(time))) << weight << " " << tangent;
+            }
+        }
+    }
+}
+
+TEST(AnimationCurve, WrapsTimeOutsideItsKeys)
+{
+    AnimationCurve ramp({{1, 10, 1, 1}, {5, 14, 1, 1}}); // value = time + 9
+    EXPECT_EQ(WrapMode::ClampForever, ramp.preWrapMode());
+    ramp.SetPreWrapMode(WrapMode::Loop);
+    ramp.SetPostWrapMode(WrapMode::PingPong);
+    EXPECT_FLOAT_EQ(13.5f, ramp.Evaluate(0.5f));   // 4.5
+    EXPECT_FLOAT_EQ(11.0f, ramp.Evaluate(-10.0f)); // 2
+    EXPECT_FLOAT_EQ(13.0f, ramp.Evaluate(6.0f));   // 4
+    EXPECT_FLOAT_EQ(10.0f, ramp.Evaluate(9.0f));   // 1, where it turns
+    EXPECT_FLOAT_EQ(12.0f, ramp.Evaluate(11.0f));  // 3
+    ramp.SetPostWrapMode(WrapMode::Loop);
+    EXPECT_FLOAT_EQ(14.0f, ramp.Evaluate(5.0f)); // the end itself is inside
+    EXPECT_FLOAT_EQ(11.0f, ramp.Evaluate(6.0f));
+    EXPECT_EQ(14.0f, ramp.Evaluate(k_Infinity));
+    EXPECT_EQ(10.0f, ramp.Evaluate(-k_Infinity));
+    EXPECT_EQ(10.0f, ramp.Evaluate(k_NaN));
+    for (const WrapMode mode : {WrapMode::Once, WrapMode::Default, WrapMode::ClampForever})
+    {
+        ramp.SetPostWrapMode(mode);
+        EXPECT_EQ(WrapMode::ClampForever, ramp.postWrapMode());
+        EXPECT_EQ(14.0f, ramp.Evaluate(6.0f));
+    }
+    AnimationCurve single({{1, 10}});
+    single.SetPostWrapMode(WrapMode::Loop);
+    EXPECT_EQ(10.0f, single.Evaluate(100.0f));
+}
+
+TEST(AnimationCurve, SmoothsTheTangentsOfAKeyThatIsAddedByTimeAndValue)
+{
+    AnimationCurve curve;
+    EXPECT_EQ(0, curve.AddKey(0.0f, 1.0f));
+    EXPECT_EQ(0.0f, curve.keys()[0].outTangent);
+    EXPECT_EQ(1, curve.AddKey(4.0f, 9.0f)); // slope 2
+    EXPECT_EQ(2.0f, curve.keys()[1].inTangent);
+    EXPECT_EQ(1, curve.AddKey(1.0f, 6.0f)); // slopes 5 and 1
+    EXPECT_EQ(3.0f, curve.keys()[1].inTangent);
+    EXPECT_EQ(3.0f, curve.keys()[1].outTangent);
+    EXPECT_EQ(-1, curve.AddKey(1.0f, 7.0f));
+    curve.SmoothTangents(1, 1.0f);
+    EXPECT_EQ(5.0f, curve.keys()[1].inTangent);
+    curve.SmoothTangents(1, -1.0f);
+    EXPECT_EQ(1.0f, curve.keys()[1].outTangent);
+    curve.SmoothTangents(0, 0.0f);
+    EXPECT_EQ(5.0f, curve.keys()[0].outTangent);
+    EXPECT_EQ("a curve of 3 keys has no key 3",
+              test::ThrownMessage<ContractError>([&] { curve.SmoothTangents(3, 0.0f); }));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <limn/core/PrimitiveMesh.h>
 
 namespace limn
 {
@@ -177,6 +178,28 @@ TEST_F(LocalVolume, BlendsOntoAGlobalVolumeOfLowerPriority)
     m_Scene.manager.Register(&global);
     EXPECT_EQ(NumberAt({3.0f, 0.0f, 0.0f}), 8.0f); // 2 + 0.75 * 8
     EXPECT_EQ(NumberAt({9.0f, 0.0f, 0.0f}), 2.0f);
+}
+
+TEST_F(LocalVolume, MeasuresDistancesWhoseSquaresNoFloatHolds)
+{
+    m_Volume.blendDistance = 2e30f;
+    const auto cube = CreatePrimitive(PrimitiveType::Cube);
+    for (const Collider& shape : {Collider(BoxCollider{}), Collider(SphereCollider{}),
+                                  Collider(CapsuleCollider{}), Collider(MeshCollider(cube))})
+    {
+        m_Volume.colliders = {shape};
+        EXPECT_FLOAT_EQ(NumberAt({1e30f, 0.0f, 0.0f}), 7.5f);
+        EXPECT_EQ(NumberAt({0.0f, -3e30f, 0.0f}), 0.0f);
+    }
+    m_Volume.blendDistance = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(NumberAt({0.0f, 1e30f, -1e30f}), 10.0f);
+    m_Volume.blendDistance = 1e30f;
+    m_Volume.colliders = {SphereCollider{true, {}, 5e29f}};
+    EXPECT_FLOAT_EQ(NumberAt({1e30f, 0.0f, 0.0f}), 7.5f);
+    m_Volume.colliders = {MeshCollider(cube)};
+    m_Volume.scale = glm::vec3(1e30f); // the faces are 5e29 m from the middle
+    EXPECT_FLOAT_EQ(NumberAt({1e30f, 0.0f, 0.0f}), 7.5f);
+    EXPECT_EQ(NumberAt({4e29f, 0.0f, 1e29f}), 10.0f);
 }
 
 } // namespace

@@ -224,6 +224,36 @@ TEST(ObjectParameter, IsAlwaysOverriddenAndSharesNothing)
     EXPECT_EQ(first.object.value()->size.value(), 7.0f);
 }
 
+TEST(ParameterYaml, WritesAndReadsTheWrapModesOfACurve)
+{
+    AnimationCurve curve({{0, 1}});
+    curve.SetPreWrapMode(WrapMode::Loop);
+    curve.SetPostWrapMode(WrapMode::PingPong);
+    ExpectRoundTrip<AnimationCurveParameter>(
+        curve,
+        "{keys: [{time: 0, value: 1, inTangent: 0, outTangent: 0}], preWrapMode: Loop, "
+        "postWrapMode: PingPong}",
+        "{serializedVersion: 2, m_Curve: [{serializedVersion: 3, time: 0, value: 1, inSlope: 0, "
+        "outSlope: 0, tangentMode: 0, weightedMode: 0, inWeight: 0, outWeight: 0}], "
+        "m_PreInfinity: 1, m_PostInfinity: 0, m_RotationOrder: 4}");
+    AnimationCurveParameter other{nullptr, "b", {}};
+    EXPECT_THAT(Read(other, "{keys: [], preWrapMode: Lop, wrap: 1}"),
+                ElementsAre("1:30: A.b.preWrapMode: found 'Lop'; expected is one of Loop (2), "
+                            "PingPong (4), ClampForever (8), Once (1), Clamp (1), Default (0)",
+                            "1:35: A.b: unknown key 'wrap' (known: preWrapMode, postWrapMode, "
+                            "keys)"));
+    EXPECT_THAT(Read(other, "{m_Curve: [], m_PreInfinity: 3}"),
+                ElementsAre("1:35: A.b.m_PreInfinity: 3 is outside [0, 2]"));
+}
+
+TEST(BoolParameter, HasADisplayTypeForEditors)
+{
+    const BoolParameter plain{nullptr, "b", true};
+    EXPECT_EQ(BoolParameter::DisplayType::Checkbox, plain.displayType);
+    const BoolParameter popup{nullptr, "b", true, BoolParameter::DisplayType::EnumPopup};
+    EXPECT_EQ(1, static_cast<int>(popup.displayType));
+}
+
 } // namespace
 
 } // namespace limn

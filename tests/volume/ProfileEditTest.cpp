@@ -1,13 +1,13 @@
+#include "AllParameters.h"
 #include "Problems.h"
 #include "TestComponents.h"
 
+#include <core/FileSizeLimit.h>
 #include <core/TemporaryFolder.h>
-#include <csignal>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <iterator>
 #include <limn/volume/ProfileEdit.h>
-#include <sys/resource.h>
 
 namespace limn::test
 {
@@ -48,29 +48,6 @@ std::string With(std::string text, const std::string& from, const std::string& t
     EXPECT_EQ(text.find(from, at + 1), std::string::npos) << from;
     return text.replace(at, from.size(), to);
 }
-
-/// While it lives, writing a file beyond so many bytes fails with EFBIG, as on a full disk.
-class FileSizeLimit
-{
-public:
-    explicit FileSizeLimit(rlim_t bytes) : m_Handler(std::signal(SIGXFSZ, SIG_IGN))
-    {
-        getrlimit(RLIMIT_FSIZE, &m_Before);
-        const rlimit limit{bytes, m_Before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit()
-    {
-        setrlimit(RLIMIT_FSIZE, &m_Before);
-        std::signal(SIGXFSZ, m_Handler);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    void (*m_Handler)(int);
-    rlimit m_Before{};
-};
 
 constexpr const char* k_Text = "# A comment, with a ü\n"
                                "ScreenSpaceOutline:   # the outline\n"
@@ -189,7 +166,7 @@ TEST(EditVolumeProfile, RefusesAFormThatCannotHoldTheNewValue)
 
 TEST(ScalarEdit, RefusesATextOfAnotherForm)
 {
-    for (const char* text : {"", "a=1", "a.b", "a.b=", ".b=1", "a.=1"})
+    for (const char* text : {"", "a=1", "a.b", ".b=1", "a.=1"})
     {
         EXPECT_THAT(Problems([text] { ScalarEdit::Parse(text); }),
                     ElementsAre("Component.param=value is expected, "
@@ -236,6 +213,94 @@ TEST(ReplaceContent, RefusesAFileThatChangedMeanwhile)
                             "it; try again"));
     EXPECT_EQ("new: 1\n", ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
+}
+
+namespace
+{
+
+/// Parameters whose values are more than a scalar.
+struct Nested : VolumeComponent
+{
+    struct Inner : VolumeComponent
+    {
+        FloatParameter size{this, "m_Size", 1.0f};
+    };
+    ObjectParameter<Inner> object{this, "m_Object", std::make_unique<Inner>()};
+    AnimationCurveParameter curve{this, "m_Curve", {}};
+    Texture2DParameter ramp{this, "m_Ramp", {}};
+    LayerMaskParameter layers{this, "m_Layers", {}};
+};
+
+std::string EditNested(const std::string& text, const std::string& edit)
+{
+    TestRegistry registry;
+    registry.Register<Nested>("Nested");
+    const std::vector<ScalarEdit> edits{ScalarEdit::Parse(edit)};
+    return EditVolumeProfile(text, "x.yaml", edits, registry);
+}
+
+} // namespace
+
+TEST(EditVolumeProfile, ReachesIntoAnObject)
+{
+    EXPECT_EQ("Nested: {object: {size: 4.5}} # c\n",
+              EditNested("Nested: {object: {size: 1}} # c\n", "Nested.object.size=4.5"));
+    EXPECT_EQ("Nested: {m_Object: {m_Size: {m_OverrideState: 0, m_Value: 2}}}\n",
+              EditNested("Nested: {m_Object: {m_Size: {m_OverrideState: 0, m_Value: 1}}}\n",
+                         "Nested.m_Object.m_Size=2"));
+    EXPECT_THAT(Problems([] { EditNested("Nested: {object: {}}\n", "Nested.object.size=2"); }),
+                ElementsAre("1:18: Nested.m_Object.m_Size: the file does not set it; only values "
+                            "that are in the file can be set, so add a line 'm_Size: 2' by hand"));
+    EXPECT_THAT(Problems([] { EditNested("Nested: {}\n", "Nested.object.sze=2"); }),
+                ElementsAre("Nested.m_Object: unknown parameter 'sze'; did you mean 'size'? "
+                            "(known: size)"));
+}
+
+TEST(EditVolumeProfile, ReplacesACurveInBracketsThatGetsAnotherNumberOfKeys)
+{
+    EXPECT_EQ("Nested:\n  curve: [{time: 0, value: 2, inTangent: 0, outTangent: 0}, {time: 1, "
+              "value: 3, inTangent: 0, outTangent: 0}] # bend\n  ramp: a.png\n",
+              EditNested("Nested:\n  curve: [{time: 0, value: 1}] # bend\n  ramp: a.png\n",
+                         "Nested.curve=[{time: 0, value: 2}, {time: 1, value: 3}]"));
+    EXPECT_EQ("Nested: {curve: []}\n",
+              EditNested("Nested: {curve: [{time: 0, value: 1}]}\n", "Nested.curve=[]"));
+    EXPECT_THAT(
+        Problems(
+            [] { EditNested("Nested:\n  curve:\n  - {time: 0, value: 1}\n", "Nested.curve=[]"); }),
+        ElementsAre("3:3: Nested.m_Curve: the file has a list of 1 here, 0 are needed; "
+                    "change it by hand"));
+}
+
+TEST(EditVolumeProfile, ChangesOneNumberOfACurveThatKeepsItsKeys)
+{
+    const std::string text = "Nested:\n  curve:\n  - {time: 0, value: 1, inTangent: 0, outTangent: "
+                             "0}\n";
+    EXPECT_EQ(With(text, "value: 1", "value: 7"),
+              EditNested(text, "Nested.curve=[{time: 0, value: 7}]"));
+}
+
+TEST(EditVolumeProfile, SetsAndClearsTexts)
+{
+    EXPECT_EQ("Nested: {ramp: \"\"}\n", EditNested("Nested: {ramp: a.png}\n", "Nested.ramp="));
+    EXPECT_EQ("Nested: {ramp: 'b.png'}\n", EditNested("Nested: {ramp: ''}\n", "Nested.ramp=b.png"));
+    EXPECT_EQ("Nested:\n  ramp: \"b.png\" # c\n",
+              EditNested("Nested:\n  ramp: # c\n", "Nested.ramp=b.png"));
+    EXPECT_EQ("Nested: {ramp: \"b.png\" }\n",
+              EditNested("Nested: {ramp: }\n", "Nested.ramp=b.png"));
+    EXPECT_THAT(Problems([] { EditNested("Nested: {ramp: ~}\n", "Nested.ramp=b.png"); }),
+                ElementsAre("1:10: Nested.m_Ramp: the file has nothing here, which cannot become "
+                            "\"b.png\"; change it by hand"));
+    EXPECT_THAT(
+        ProblemsOf("Mixed: {number: 1}\n", {"Mixed.number="}),
+        ElementsAre("Mixed.number: found '' in quotes, which is text; a number is expected"));
+}
+
+TEST(EditVolumeProfile, LetsTheLayersOfASceneBe)
+{
+    EXPECT_EQ("Nested: {layers: [Furniture], ramp: \"b.png\"}\n",
+              EditNested("Nested: {layers: [Furniture], ramp: a.png}\n", "Nested.ramp=b.png"));
+    EXPECT_EQ("Nested: {layers: 33}\n",
+              EditNested("Nested: {layers: [Furniture]}\n", "Nested.layers=[Default, UI]"));
 }
 
 } // namespace limn::test

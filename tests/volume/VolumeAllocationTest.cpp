@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <limn/core/PrimitiveMesh.h>
+#include <limn/volume/AnimationCurveParameter.h>
 #include <new>
 
 namespace
@@ -66,6 +67,38 @@ TEST(VolumeManager, AllocatesNothingInASteadyUpdate)
     EXPECT_EQ(g_Allocations - before, 0u);
     EXPECT_EQ(scene.Param(), 456.0f);
     EXPECT_GT(before, 0u); // the counter counts
+}
+
+class Curved : public VolumeComponent
+{
+public:
+    AnimationCurveParameter curve{this, "curve", AnimationCurve({{0, 1}})};
+};
+
+TEST(VolumeManager, AllocatesNothingWhereASteadyUpdateBlendsCurves)
+{
+    VolumeComponentRegistry registry;
+    registry.Register<Curved>("Curved");
+    VolumeManager manager(registry);
+    VolumeStack stack = manager.CreateStack();
+    std::vector<Volume> volumes;
+    for (int i = 0; i < 10; ++i)
+    {
+        auto profile = std::make_shared<VolumeProfile>();
+        const auto time = static_cast<float>(i);
+        profile->Add<Curved>().curve.Override(AnimationCurve({{time, 1}, {time + 0.5f, 2}}));
+        volumes.push_back(test::GlobalVolume(profile, time));
+        volumes.back().weight = 0.5f;
+    }
+    for (const Volume& volume : volumes)
+    {
+        manager.Register(&volume);
+    }
+    manager.Update(stack, std::nullopt, test::k_DefaultLayer);
+    const std::size_t before = g_Allocations;
+    manager.Update(stack, std::nullopt, test::k_DefaultLayer);
+    EXPECT_EQ(g_Allocations - before, 0u);
+    EXPECT_EQ(20, stack.GetComponent<Curved>()->curve.value().length()); // it does blend
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <core/ThrownMessage.h>
 #include <gtest/gtest.h>
+#include <limn/core/Camera.h>
 
 namespace limn
 {
@@ -288,6 +289,65 @@ TEST(VolumeManager, RefusesNoVolumeAndALayerThatDoesNotExist)
     volume.layer = -1;
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { scene.Update(); }),
               "layer index -1 is outside 0...31");
+}
+
+TEST(VolumeManager, TellsWhetherAComponentIsActiveInAMaskItKnows)
+{
+    VolumeScene scene;
+    const auto profile = ParamProfile(456.0f);
+    Volume volume = GlobalVolume(profile);
+    volume.weight = 0.0f;
+    volume.layer = 3;
+    scene.manager.Register(&volume);
+    const LayerMask mask = LayerMask::FromIndex(3);
+    const auto isActive = [&]
+    {
+        return scene.manager.IsComponentActiveInMask<test::TestVolume>(mask);
+    };
+    EXPECT_FALSE(isActive()); // no list for this mask was asked for yet
+    scene.Update(std::nullopt, LayerMask::Everything());
+    EXPECT_FALSE(isActive());
+    scene.Update(std::nullopt, mask);
+    EXPECT_TRUE(isActive());
+    EXPECT_FALSE(scene.manager.IsComponentActiveInMask<test::Mixed>(mask));
+    profile->TryGet<test::TestVolume>()->active = false;
+    EXPECT_FALSE(isActive());
+    profile->TryGet<test::TestVolume>()->active = true;
+    volume.enabled = false;
+    EXPECT_FALSE(isActive());
+}
+
+TEST(VolumeManager, GivesEveryCameraTheVolumesOfItsMaskAndItsTrigger)
+{
+    VolumeScene scene;
+    Volume usual = GlobalVolume(ParamProfile(1.0f));
+    Volume other = GlobalVolume(ParamProfile(2.0f), 1.0f);
+    other.layer = 7;
+    Volume local = GlobalVolume(ParamProfile(3.0f), 2.0f);
+    local.isGlobal = false;
+    local.position = glm::vec3(100.0f, 0.0f, 0.0f);
+    local.colliders = {BoxCollider{}};
+    for (const Volume* volume : {&usual, &other, &local})
+    {
+        scene.manager.Register(volume);
+    }
+    Camera camera; // by default the layer "Default" alone, seen from where it is
+    const auto param = [&]
+    {
+        scene.Update(camera.volumeTrigger.value_or(camera.transform.position()),
+                     camera.volumeLayerMask);
+        return scene.Param();
+    };
+    EXPECT_EQ(LayerMask(1), camera.volumeLayerMask);
+    EXPECT_EQ(1.0f, param());
+    camera.volumeLayerMask = LayerMask(1 | 128);
+    EXPECT_EQ(2.0f, param());
+    camera.volumeTrigger = local.position;
+    EXPECT_EQ(3.0f, param());
+    camera.volumeLayerMask = LayerMask(128);
+    EXPECT_EQ(2.0f, param());
+    camera.volumeLayerMask = LayerMask(4);
+    EXPECT_EQ(123.0f, param());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <gtest/gtest.h>
+#include <limn/volume/ObjectParameter.h>
 #include <random>
 
 namespace limn
@@ -129,6 +130,89 @@ TEST(VolumeTrace, ReplayedGivesTheValuesOfUpdateBitForBit)
         EXPECT_EQ(BitsOf(scene.Get<Mixed>(), scene.Get<TestVolume>()), BitsOf(mixed, other));
     }
     EXPECT_GT(stepCount, 1000u); // the volumes do count
+}
+
+/// Blends in a way of its own and touches more than what is overridden.
+class Wilful : public VolumeComponent
+{
+public:
+    FloatParameter number{this, "number", 1.0f};
+    FloatParameter echo{this, "echo", 0.0f};
+
+    void Override(VolumeComponent& state, float interpFactor) const override
+    {
+        auto& to = static_cast<Wilful&>(state);
+        to.number.Override(to.number.value() * 3.0f + number.value() * interpFactor);
+        to.echo.SetValue(to.echo.value() + to.number.value());
+    }
+};
+
+class Grouped : public VolumeComponent
+{
+public:
+    ObjectParameter<Mixed> object{this, "object", std::make_unique<Mixed>()};
+};
+
+TEST(VolumeTrace, ReplaysAComponentThatBlendsInItsOwnWay)
+{
+    VolumeComponentRegistry registry;
+    registry.Register<Wilful>("Wilful");
+    VolumeManager manager(registry);
+    VolumeStack stack = manager.CreateStack();
+    std::vector<Volume> volumes;
+    for (const float value : {0.1f, 0.7f, 5.0f})
+    {
+        auto profile = std::make_shared<VolumeProfile>();
+        profile->Add<Wilful>().number.Override(value);
+        volumes.push_back(test::GlobalVolume(profile));
+        volumes.back().weight = 0.3f;
+    }
+    for (const Volume& volume : volumes)
+    {
+        manager.Register(&volume);
+    }
+    manager.Update(stack, std::nullopt, test::k_DefaultLayer);
+    const VolumeTrace trace = manager.Trace(std::nullopt, test::k_DefaultLayer);
+    const auto* expected = stack.GetComponent<Wilful>();
+    Wilful replayed;
+    ASSERT_NE(nullptr, trace.Find("Wilful", "echo")); // changed, though nobody overrides it
+    EXPECT_EQ(3u, trace.Find("Wilful", "echo")->steps.size());
+    trace.Find("Wilful", "echo")->Replay(replayed.echo);
+    trace.Find("Wilful", "number")->Replay(replayed.number);
+    EXPECT_EQ(expected->echo.value(), replayed.echo.value());
+    EXPECT_EQ(expected->number.value(), replayed.number.value());
+    EXPECT_NE(1.0f, replayed.number.value());
+}
+
+TEST(VolumeTrace, ReplaysAnObjectParameter)
+{
+    VolumeComponentRegistry registry;
+    registry.Register<Grouped>("Grouped");
+    VolumeManager manager(registry);
+    VolumeStack stack = manager.CreateStack();
+    std::vector<Volume> volumes;
+    for (const float value : {0.1f, 0.7f, 5.0f})
+    {
+        auto profile = std::make_shared<VolumeProfile>();
+        Mixed& mixed = *profile->Add<Grouped>().object.value();
+        mixed.number.Override(value);
+        mixed.tint.Override({value, 0.3f, 0.1f, value});
+        mixed.tint.SetOverrideState(value < 1.0f);
+        volumes.push_back(test::GlobalVolume(profile));
+        volumes.back().weight = 0.3f;
+    }
+    for (const Volume& volume : volumes)
+    {
+        manager.Register(&volume);
+    }
+    manager.Update(stack, std::nullopt, test::k_DefaultLayer);
+    const VolumeTrace trace = manager.Trace(std::nullopt, test::k_DefaultLayer);
+    Grouped replayed;
+    trace.Find("Grouped", "object")->Replay(replayed.object);
+    const TestVolume unused;
+    EXPECT_EQ(BitsOf(*stack.GetComponent<Grouped>()->object.value(), unused),
+              BitsOf(*replayed.object.value(), unused));
+    EXPECT_EQ(stack.GetComponent<Grouped>()->object.UnityText(), replayed.object.UnityText());
 }
 
 } // namespace

@@ -24,10 +24,12 @@ void AssetDiagnostics::ThrowIfErrors() const
     }
 }
 
-bool AssetDiagnostics::hasErrors() const
+std::size_t AssetDiagnostics::errorCount() const
 {
-    return std::any_of(m_Diagnostics.begin(), m_Diagnostics.end(),
-                       [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    const auto count =
+        std::count_if(m_Diagnostics.begin(), m_Diagnostics.end(),
+                      [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    return static_cast<std::size_t>(count);
 }
 
 std::vector<Diagnostic> AssetDiagnostics::Sorted(Severity severity) const

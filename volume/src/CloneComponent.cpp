@@ -9,13 +9,18 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
     std::unique_ptr<VolumeComponent> copy = registry.Create(typeid(component));
     copy->active = component.active;
     copy->displayName = component.displayName;
-    const std::span<const VolumeParameter* const> parameters = component.parameters();
+    CopyParameters(component, *copy);
+    return copy;
+}
+
+void CopyParameters(const VolumeComponent& from, VolumeComponent& to)
+{
+    const std::span<const VolumeParameter* const> parameters = from.parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i)
     {
-        copy->parameters()[i]->SetValue(*parameters[i]);
-        copy->parameters()[i]->SetOverrideState(parameters[i]->overrideState());
+        to.parameters()[i]->SetValue(*parameters[i]);
+        to.parameters()[i]->SetOverrideState(parameters[i]->overrideState());
     }
-    return copy;
 }
 
 } // namespace limn

@@ -11,4 +11,7 @@ namespace limn
 std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
                                                 const VolumeComponentRegistry& registry);
 
+/// Copies the values and override states of all parameters; both are of one type.
+void CopyParameters(const VolumeComponent& from, VolumeComponent& to);
+
 } // namespace limn

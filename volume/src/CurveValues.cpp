@@ -1,6 +1,9 @@
 #include "ParameterValues.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limn/volume/EnumParameter.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -80,6 +83,50 @@ std::string UnityKeyText(const Keyframe& key)
            "}";
 }
 
+const EnumNames k_WrapModes{{"Loop", 2}, {"PingPong", 4}, {"ClampForever", 8},
+                            {"Once", 1}, {"Clamp", 1},    {"Default", 0}};
+
+/// How Unity writes them: its player's numbers, not those of WrapMode.
+constexpr std::array<WrapMode, 3> k_UnityWrapModes{WrapMode::PingPong, WrapMode::Loop,
+                                                   WrapMode::ClampForever};
+
+WrapMode ReadWrapMode(YamlMapReader& map, std::string_view key, bool isUnitys,
+                      AssetDiagnostics& diagnostics)
+{
+    int number = 2;
+    if (isUnitys)
+    {
+        map.Read(key, number, {0, 2});
+        return k_UnityWrapModes[static_cast<std::size_t>(number)];
+    }
+    const YamlNode* node = map.Find(key);
+    const auto read =
+        node ? ReadEnum(*node, map.SubjectOf(key), diagnostics, k_WrapModes) : std::nullopt;
+    return read ? static_cast<WrapMode>(*read) : WrapMode::ClampForever;
+}
+
+void ReadWrapModes(const ValueSource& source, bool isUnitys, AnimationCurve& curve)
+{
+    YamlMapReader map(source.node, std::string(source.subject), source.diagnostics);
+    const auto read = [&](std::string_view key)
+    {
+        return ReadWrapMode(map, key, isUnitys, source.diagnostics);
+    };
+    curve.SetPreWrapMode(read(isUnitys ? "m_PreInfinity" : "preWrapMode"));
+    curve.SetPostWrapMode(read(isUnitys ? "m_PostInfinity" : "postWrapMode"));
+    if (!isUnitys) // Unity's form holds more, which depends on its version
+    {
+        map.Find("keys");
+        map.Finish();
+    }
+}
+
+std::string UnityWrapMode(WrapMode mode)
+{
+    const auto* found = std::find(k_UnityWrapModes.begin(), k_UnityWrapModes.end(), mode);
+    return std::to_string(found - k_UnityWrapModes.begin());
+}
+
 template <typename Text>
 std::string KeysText(const AnimationCurve& curve, Text&& text)
 {
@@ -95,26 +142,34 @@ std::string KeysText(const AnimationCurve& curve, Text&& text)
 
 bool ReadValue(const ValueSource& source, AnimationCurve& value)
 {
-    const YamlNode* list = source.node.isMap() ? source.node.Find("m_Curve") : &source.node;
+    const bool isUnitys = source.node.Find("m_Curve") != nullptr;
+    const YamlNode* list = isUnitys              ? source.node.Find("m_Curve")
+                           : source.node.isMap() ? source.node.Find("keys")
+                                                 : &source.node;
     if (!list || !list->isSequence())
     {
         return source.Refuse("found " + source.node.Describe() +
                              "; a list of keys is expected, [{time: 0, value: 1}], or Unity's "
                              "{m_Curve: [...]}");
     }
-    const std::size_t before = source.diagnostics.diagnostics().size();
+    const std::size_t before = source.diagnostics.errorCount();
     std::vector<Keyframe> keys;
     for (const YamlNode& item : list->items())
     {
         const std::string subject =
             std::string(source.subject) + "[" + std::to_string(keys.size()) + "]";
-        keys.push_back(ReadKey({item, subject, source.diagnostics, {}}));
+        keys.push_back(ReadKey(source.At(item, subject)));
     }
-    if (source.diagnostics.diagnostics().size() != before)
+    AnimationCurve curve(std::move(keys));
+    if (source.node.isMap())
+    {
+        ReadWrapModes(source, isUnitys, curve);
+    }
+    if (source.diagnostics.errorCount() != before)
     {
         return false;
     }
-    value.SetKeys(std::move(keys));
+    value = std::move(curve);
     return true;
 }
 
@@ -126,14 +181,14 @@ bool ReadValue(const ValueSource& source, TextureCurve& value)
                              "; a map is expected, {keys: [{time: 0, value: 1}], zeroValue: 0, "
                              "loop: false, range: 1}");
     }
-    const std::size_t before = source.diagnostics.diagnostics().size();
+    const std::size_t before = source.diagnostics.errorCount();
     YamlMapReader map(source.node, std::string(source.subject), source.diagnostics);
     const bool isUnitys = source.node.Find("m_Curve") != nullptr;
     const std::string_view key = isUnitys ? "m_Curve" : "keys";
     AnimationCurve curve;
     if (const YamlNode* keys = map.Require(key))
     {
-        ReadValue({*keys, map.SubjectOf(key), source.diagnostics, {}}, curve);
+        ReadValue(source.At(*keys, map.SubjectOf(key)), curve);
     }
     float zeroValue = 0.0f;
     bool loop = false;
@@ -143,7 +198,7 @@ bool ReadValue(const ValueSource& source, TextureCurve& value)
     map.Read("m_Range", range, {0.0});
     map.Find("<length>k__BackingField"); // Unity's count of the keys
     map.Finish();
-    if (source.diagnostics.diagnostics().size() != before)
+    if (source.diagnostics.errorCount() != before)
     {
         return false;
     }
@@ -153,7 +208,18 @@ bool ReadValue(const ValueSource& source, TextureCurve& value)
 
 std::string LimnText(const AnimationCurve& value)
 {
-    return KeysText(value, KeyText);
+    const std::string keys = KeysText(value, KeyText);
+    const auto clamped = WrapMode::ClampForever;
+    if (value.preWrapMode() == clamped && value.postWrapMode() == clamped)
+    {
+        return keys;
+    }
+    const auto name = [](WrapMode mode)
+    {
+        return EnumText(static_cast<std::int64_t>(mode), k_WrapModes);
+    };
+    return "{keys: " + keys + ", preWrapMode: " + name(value.preWrapMode()) +
+           ", postWrapMode: " + name(value.postWrapMode()) + "}";
 }
 
 std::string LimnText(const TextureCurve& value)
@@ -165,7 +231,8 @@ std::string LimnText(const TextureCurve& value)
 std::string UnityText(const AnimationCurve& value)
 {
     return "{serializedVersion: 2, m_Curve: " + KeysText(value, UnityKeyText) +
-           ", m_PreInfinity: 2, m_PostInfinity: 2, m_RotationOrder: 4}";
+           ", m_PreInfinity: " + UnityWrapMode(value.preWrapMode()) +
+           ", m_PostInfinity: " + UnityWrapMode(value.postWrapMode()) + ", m_RotationOrder: 4}";
 }
 
 std::string UnityText(const TextureCurve& value)

@@ -94,15 +94,22 @@ glm::dvec3 ClosestOnTriangle(const Triangle& triangle, const glm::dvec3& point)
     return closest;
 }
 
+/// Whether a mesh is flat at a triangle, as far as floats can tell, whatever its size.
+/// @param normal  as long as an area
+/// @param inward  how far the mesh's middle is from the triangle's plane, times that area
+bool IsThin(const glm::dvec3& normal, double inward)
+{
+    return std::abs(inward) <= 1e-9 * std::pow(glm::length(normal), 1.5);
+}
+
 /// Whether the point is on the inner side of the triangle's plane. Of a flat mesh nothing is.
 bool IsBehind(const Triangle& triangle, const glm::dvec3& point, const glm::dvec3& middle)
 {
     const glm::dvec3 normal = NormalOf(triangle);
     const double inward = glm::dot(normal, middle - triangle[0]);
     const double height = glm::dot(normal, point - triangle[0]);
-    const bool isThin = std::abs(inward) <= 1e-9 * glm::dot(normal, normal);
     return glm::dot(normal, normal) == 0.0 ||
-           (!isThin && (inward > 0.0 ? height >= 0.0 : height <= 0.0));
+           (!IsThin(normal, inward) && (inward > 0.0 ? height >= 0.0 : height <= 0.0));
 }
 
 /// Of the vertices, so that it is inside a convex mesh.
@@ -131,7 +138,7 @@ bool IsClosed(const Mesh& mesh)
         const double inward = glm::dot(normal, middle - triangle[0]);
         sum += inward > 0.0 ? -normal : normal;
         area += glm::length(normal);
-        isFlat = isFlat && std::abs(inward) <= 1e-9 * glm::dot(normal, normal);
+        isFlat = isFlat && IsThin(normal, inward);
     }
     return isFlat || glm::length(sum) <= k_Tolerance * area;
 }

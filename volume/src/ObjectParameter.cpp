@@ -10,18 +10,20 @@ namespace
 
 /// limn names a parameter and its value; Unity puts the override state beside the value.
 void ReadInner(const YamlNode& node, const std::string& subject, VolumeParameter& parameter,
-               AssetDiagnostics& diagnostics)
+               AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     const YamlNode* state = node.Find("m_OverrideState");
     const YamlNode* value = node.Find("m_Value");
     if (!state || !value)
     {
-        parameter.ReadYaml(node, subject, diagnostics);
+        parameter.ReadYaml(node, subject, diagnostics, context);
         parameter.SetOverrideState(true);
         return;
     }
-    parameter.ReadYaml(*value, subject, diagnostics);
-    parameter.SetOverrideState(ReadBool(*state, subject, diagnostics).value_or(false));
+    const bool isOverridden = ReadBool(*state, subject, diagnostics).value_or(false);
+    const ProfileContext plain;
+    parameter.ReadYaml(*value, subject, diagnostics, isOverridden ? context : plain);
+    parameter.SetOverrideState(isOverridden);
 }
 
 } // namespace
@@ -37,21 +39,21 @@ std::span<VolumeParameter* const> ObjectParameterBase::parameters() const
     return m_Value ? m_Value->parameters() : std::span<VolumeParameter* const>();
 }
 
-bool ObjectParameterBase::ReadYaml(const YamlNode& node, std::string_view subject,
-                                   AssetDiagnostics& diagnostics)
+bool ObjectParameterBase::ReadNode(const YamlNode& node, std::string_view subject,
+                                   AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
-    const std::size_t before = diagnostics.diagnostics().size();
+    const std::size_t before = diagnostics.errorCount();
     const std::unique_ptr<VolumeComponent> read = Create();
     YamlMapReader map(node, std::string(subject), diagnostics, "parameter");
     for (VolumeParameter* parameter : read->parameters())
     {
         if (const YamlNode* value = map.Find(parameter->name()))
         {
-            ReadInner(*value, map.SubjectOf(parameter->name()), *parameter, diagnostics);
+            ReadInner(*value, map.SubjectOf(parameter->name()), *parameter, diagnostics, context);
         }
     }
     map.Finish();
-    if (diagnostics.diagnostics().size() != before)
+    if (diagnostics.errorCount() != before)
     {
         return false;
     }

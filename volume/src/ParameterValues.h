@@ -5,7 +5,7 @@
 #include <glm/vec4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
-#include <limn/volume/AssetReference.h>
+#include <limn/volume/ProfileContext.h>
 #include <limn/volume/TextureCurve.h>
 #include <limn/volume/YamlRead.h>
 
@@ -22,8 +22,12 @@ struct ValueSource
     std::string_view subject;
     AssetDiagnostics& diagnostics;
     ValueRange range;
+    const ProfileContext& context;
 
-    ValueSource At(const YamlNode& below) const { return {below, subject, diagnostics, range}; }
+    ValueSource At(const YamlNode& below, std::string_view itsSubject) const
+    {
+        return {below, itsSubject, diagnostics, range, context};
+    }
     /// Adds "subject: problem" and is false.
     bool Refuse(std::string_view problem) const;
 };

@@ -19,7 +19,59 @@ YamlNode ParseValue(const std::string& value, const std::string& file)
 {
     // A colour is typed without the quotes that YAML needs, since a shell takes them away.
     const bool isColor = !value.empty() && value.front() == '#';
-    return ParseYaml(isColor ? "'" + value + "'" : value, file).front();
+    return ParseYaml(isColor || value.empty() ? "'" + value + "'" : value, file).front();
+}
+
+/// The layers of the scene that a profile is made for are not known here; any name may be one.
+class AnyLayer final : public ProfileContext
+{
+public:
+    std::optional<int> FindLayer(std::string_view name) const override
+    {
+        return ProfileContext::FindLayer(name).value_or(31);
+    }
+};
+
+/// "object.size" as ["object", "size"].
+std::vector<std::string> SplitPath(const std::string& path)
+{
+    std::vector<std::string> names;
+    std::size_t begin = 0;
+    for (std::size_t dot = 0; dot != std::string::npos; begin = dot + 1)
+    {
+        dot = path.find('.', begin);
+        names.push_back(path.substr(begin, dot == std::string::npos ? dot : dot - begin));
+    }
+    return names;
+}
+
+VolumeParameter* FindNamed(std::span<VolumeParameter* const> parameters, const std::string& name)
+{
+    const auto found =
+        std::find_if(parameters.begin(), parameters.end(),
+                     [&name](const VolumeParameter* p)
+                     { return p->name() == name || PlainSpelling(p->name()) == name; });
+    return found == parameters.end() ? nullptr : *found;
+}
+
+/// The parameters along a path, from the component's own to the innermost; shorter than the path
+/// where a name is unknown.
+std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
+                                        const std::vector<std::string>& path)
+{
+    std::vector<VolumeParameter*> found;
+    std::span<VolumeParameter* const> known = component.parameters();
+    for (const std::string& name : path)
+    {
+        VolumeParameter* parameter = FindNamed(known, name);
+        if (!parameter)
+        {
+            break;
+        }
+        found.push_back(parameter);
+        known = std::as_const(*parameter).parameters();
+    }
+    return found;
 }
 
 /// The parameter of an edit, with its new value.
@@ -32,13 +84,19 @@ public:
         AssetDiagnostics diagnostics(m_Source);
         Find(edit, registry, diagnostics);
         diagnostics.ThrowIfErrors();
-        subject = edit.component + "." + parameter->name();
+        subject = edit.component;
+        for (const std::string& name : path)
+        {
+            subject += "." + name;
+        }
         parameter->ReadYaml(ParseValue(edit.value, m_Source), subject, diagnostics);
         ThrowWithoutPlaces(diagnostics);
     }
 
     VolumeParameter* parameter = nullptr;
     std::string subject;
+    std::vector<std::string>
+        path; ///< serialised names, of one parameter unless it is inside others
 
 private:
     void Find(const ScalarEdit& edit, const VolumeComponentRegistry& registry,
@@ -51,18 +109,47 @@ private:
             return;
         }
         m_Component = registry.Create(edit.component);
-        parameter =
-            edit.parameter == "active" ? &m_Active : m_Component->FindParameter(edit.parameter);
-        if (!parameter)
+        if (edit.parameter == "active")
         {
-            std::vector<std::string> names{"active"};
-            for (const VolumeParameter* known : m_Component->parameters())
-            {
-                names.push_back(PlainSpelling(known->name()));
-            }
-            diagnostics.Error({}, edit.component + ": unknown parameter " +
-                                      UnknownName(edit.parameter, {names.begin(), names.end()}));
+            parameter = &m_Active;
+            path = {"active"};
+            return;
         }
+        const std::vector<std::string> wanted = SplitPath(edit.parameter);
+        const std::vector<VolumeParameter*> found = FindAlong(*m_Component, wanted);
+        for (VolumeParameter* known : found)
+        {
+            path.push_back(known->name());
+            parameter = known;
+        }
+        if (found.size() < wanted.size())
+        {
+            ReportUnknown(edit.component, wanted[found.size()], found, diagnostics);
+        }
+    }
+
+    void ReportUnknown(const std::string& component, const std::string& name,
+                       const std::vector<VolumeParameter*>& found,
+                       AssetDiagnostics& diagnostics) const
+    {
+        std::string owner = component;
+        std::vector<std::string> names;
+        std::span<VolumeParameter* const> parameters = m_Component->parameters();
+        for (const VolumeParameter* outer : found)
+        {
+            owner += "." + outer->name();
+            parameters = outer->parameters();
+        }
+        if (found.empty())
+        {
+            names.emplace_back("active");
+        }
+        for (const VolumeParameter* known : parameters)
+        {
+            names.push_back(PlainSpelling(known->name()));
+        }
+        diagnostics.Error({}, owner + ": unknown parameter " +
+                                  UnknownName(name, {names.begin(), names.end()}));
     }
 
     /// A place in a value typed on a command line says nothing.
@@ -102,6 +189,16 @@ const YamlNode* FindComponent(const std::vector<YamlNode>& documents, const Unit
     return nullptr;
 }
 
+/// What stands for one parameter in the map of a component or an object; null without it.
+const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isUnity)
+{
+    const YamlNode* value = map.Find(name);
+    value = value || isUnity ? value : map.Find(PlainSpelling(name));
+    // Unity puts the override state beside the value; within an object limn reads that as well.
+    const bool isWrapped = value && value->Find("m_OverrideState") && value->Find("m_Value");
+    return isWrapped ? value->Find("m_Value") : value;
+}
+
 /// The node that holds the parameter's value; an error if there is none.
 const YamlNode* FindValue(const YamlNode* component, bool isUnity, const ScalarEdit& edit,
                           const Wanted& wanted, AssetDiagnostics& diagnostics)
@@ -112,20 +209,20 @@ const YamlNode* FindValue(const YamlNode* component, bool isUnity, const ScalarE
                                   "'; only values that are in the file can be set");
         return nullptr;
     }
-    const std::string& name = wanted.parameter->name();
-    const YamlNode* value = component->Find(name);
-    value = value || isUnity ? value : component->Find(PlainSpelling(name));
-    if (value && isUnity && name != "active")
+    const YamlNode* value = component;
+    SourceLocation place = component->location();
+    for (const std::string& name : wanted.path)
     {
-        value = value->Find("m_Value");
-    }
-    if (!value)
-    {
-        diagnostics.Error(component->location(),
-                          wanted.subject +
-                              ": the file does not set it; only values that are in "
-                              "the file can be set, so add a line '" +
-                              name + ": " + wanted.parameter->ValueText() + "' by hand");
+        place = value->location();
+        value = FindEntry(*value, name, isUnity);
+        if (!value)
+        {
+            diagnostics.Error(place, wanted.subject +
+                                         ": the file does not set it; only values that are in "
+                                         "the file can be set, so add a line '" +
+                                         name + ": " + wanted.parameter->ValueText() + "' by hand");
+            return nullptr;
+        }
     }
     return value;
 }
@@ -135,7 +232,7 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
                  const std::string& file, const YamlSplicer& splicer, const YamlNode& place,
                  const std::string& subject, const VolumeComponentRegistry& registry)
 {
-    ParseVolumeProfile(text, file, registry);
+    ParseVolumeProfile(text, file, registry, AnyLayer());
     const std::vector<YamlNode> after = ParseYaml(text, file);
     std::size_t count = after.size() == before.size() ? 0 : splicer.count() + 1;
     for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
@@ -169,9 +266,10 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
     // A value that says the same in another way stays as it is written.
     AssetDiagnostics ignored(file);
     const auto old = registry.Create(edit.component);
-    VolumeParameter* current = old->FindParameter(wanted.parameter->name());
-    const bool isSame = current && current->ReadYaml(*value, wanted.subject, ignored) &&
-                        current->ValueText() == wanted.parameter->ValueText();
+    const std::vector<VolumeParameter*> current = FindAlong(*old, wanted.path);
+    const bool isSame = !current.empty() &&
+                        current.back()->ReadYaml(*value, wanted.subject, ignored) &&
+                        current.back()->ValueText() == wanted.parameter->ValueText();
     if (!isSame)
     {
         splicer.Replace(*value, ParseYaml(fresh, file).front(), fresh);
@@ -187,9 +285,9 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
 ScalarEdit ScalarEdit::Parse(std::string_view text)
 {
     const std::size_t equals = text.find('=');
-    const std::size_t dot = text.substr(0, equals).rfind('.');
-    const bool hasValue = equals != std::string_view::npos && equals + 1 < text.size();
-    if (!hasValue || dot == std::string_view::npos || dot == 0 || dot + 1 == equals)
+    const std::size_t dot = text.substr(0, equals).find('.');
+    if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 ||
+        dot + 1 == equals)
     {
         throw AssetError(std::string(text), {},
                          "Component.param=value is expected, ScreenSpaceOutline.m_OutlineWidth=4");

@@ -1,7 +1,5 @@
 #include "ParameterValues.h"
 
-#include <algorithm>
-#include <array>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -10,27 +8,28 @@ namespace limn::detail
 namespace
 {
 
-struct NamedLayer
+bool LooksLikeNumber(const YamlNode& node)
 {
-    std::string_view name;
-    int index;
-};
+    const std::string& text = node.scalar();
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    return !node.isQuoted() && text.size() > sign &&
+           text.find_first_not_of("0123456789", sign) == std::string::npos;
+}
 
-/// Layers that every Unity project has.
-constexpr std::array<NamedLayer, 5> k_BuiltInLayers{
-    {{"Default", 0}, {"TransparentFX", 1}, {"Ignore Raycast", 2}, {"Water", 4}, {"UI", 5}}};
-
-/// The index of a list's item; nothing, with an error, if it is none.
+/// The index of a layer by its name or number; nothing, with an error, if there is none.
 std::optional<int> ReadLayer(const ValueSource& item, bool hasNames)
 {
-    const auto named =
-        std::find_if(k_BuiltInLayers.begin(), k_BuiltInLayers.end(),
-                     [&item](const NamedLayer& layer) { return layer.name == item.node.scalar(); });
-    if (hasNames && named != k_BuiltInLayers.end())
+    if (!hasNames || !item.node.isScalar() || LooksLikeNumber(item.node))
     {
-        return named->index;
+        return ReadInt(item.node, item.subject, item.diagnostics, {0, 31});
     }
-    return ReadInt(item.node, item.subject, item.diagnostics, {0, 31});
+    const std::string& name = item.node.scalar();
+    const std::optional<int> index = item.context.FindLayer(name);
+    if (!index)
+    {
+        item.Refuse("unknown layer " + UnknownName(name, item.context.layerNames()));
+    }
+    return index;
 }
 
 template <typename Mask>
@@ -40,7 +39,7 @@ bool ReadList(const ValueSource& source, bool hasNames, Mask& value)
     Mask result;
     for (const YamlNode& item : source.node.items())
     {
-        const std::optional<int> index = ReadLayer(source.At(item), hasNames);
+        const std::optional<int> index = ReadLayer(source.At(item, source.subject), hasNames);
         isGood = isGood && index;
         result = result | Mask::FromIndex(index.value_or(0));
     }
@@ -60,6 +59,12 @@ bool ReadMask(const ValueSource& source, bool hasNames, Mask& value)
     {
         value = node.scalar() == "Everything" ? Mask::Everything() : Mask::Nothing();
         return true;
+    }
+    if (hasNames && node.isScalar() && !LooksLikeNumber(node))
+    {
+        const std::optional<int> index = ReadLayer(source, hasNames);
+        value = index ? Mask::FromIndex(*index) : value;
+        return index.has_value();
     }
     const YamlNode* bits = node.Find("m_Bits");
     const auto number = ReadInteger(bits ? *bits : node, source.subject, source.diagnostics,
@@ -102,7 +107,7 @@ bool ReadValue(const ValueSource& source, AssetLocation& value)
     read.path = node.scalar();
     if (node.isMap())
     {
-        const std::size_t before = source.diagnostics.diagnostics().size();
+        const std::size_t before = source.diagnostics.errorCount();
         YamlMapReader map(node, std::string(source.subject), source.diagnostics);
         if (const YamlNode* fileID = map.Require("fileID"))
         {
@@ -112,7 +117,7 @@ bool ReadValue(const ValueSource& source, AssetLocation& value)
         map.Read("guid", read.guid);
         map.Read("type", read.type);
         map.Finish();
-        if (source.diagnostics.diagnostics().size() != before)
+        if (source.diagnostics.errorCount() != before)
         {
             return false;
         }

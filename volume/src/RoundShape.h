@@ -10,9 +10,12 @@ namespace limn
 /// The point within `radius` of `middle` that is closest to `point`.
 inline glm::vec3 ClosestPointAround(const glm::vec3& middle, float radius, const glm::vec3& point)
 {
-    const glm::vec3 offset = point - middle;
-    const float distance = glm::length(offset);
-    return distance <= radius ? point : middle + offset * (radius / distance);
+    // In double: the square of a length within a float need not fit in one.
+    const glm::dvec3 offset = glm::dvec3(point) - glm::dvec3(middle);
+    const double distance = glm::length(offset);
+    return distance <= static_cast<double>(radius)
+               ? point
+               : glm::vec3(glm::dvec3(middle) + offset * (static_cast<double>(radius) / distance));
 }
 
 } // namespace limn

@@ -31,7 +31,7 @@ bool IsHeaderField(std::string_view name)
 }
 
 void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumeParameter& parameter,
-                   AssetDiagnostics& diagnostics)
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     const YamlNode* state = entry.value.Find("m_OverrideState");
     const YamlNode* value = entry.value.Find("m_Value");
@@ -42,14 +42,16 @@ void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumePar
                                                  "writes both for a parameter");
         return;
     }
-    parameter.ReadYaml(*value, subject, diagnostics);
-    const std::optional<bool> isOverridden =
-        ReadBool(*state, subject + ".m_OverrideState", diagnostics);
-    parameter.SetOverrideState(isOverridden.value_or(false));
+    const bool isOverridden =
+        ReadBool(*state, subject + ".m_OverrideState", diagnostics).value_or(false);
+    // Unity writes every parameter; what none overrides need not be loaded, nor be there.
+    const ProfileContext plain;
+    parameter.ReadYaml(*value, subject, diagnostics, isOverridden ? context : plain);
+    parameter.SetOverrideState(isOverridden);
 }
 
 void ReadComponent(const UnityObject& object, VolumeComponent& component,
-                   AssetDiagnostics& diagnostics)
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     if (const YamlNode* active = object.fields.Find("active"))
     {
@@ -72,7 +74,7 @@ void ReadComponent(const UnityObject& object, VolumeComponent& component,
             diagnostics.Note(entry.keyLocation, subject + ": left out, no such parameter is known");
             continue;
         }
-        ReadParameter(entry, subject, **parameter, diagnostics);
+        ReadParameter(entry, subject, **parameter, diagnostics, context);
     }
 }
 
@@ -109,7 +111,8 @@ std::vector<const UnityObject*> ReferredComponents(const UnityAsset& asset,
 
 std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
                                                       const VolumeComponentRegistry& registry,
-                                                      AssetDiagnostics& diagnostics)
+                                                      AssetDiagnostics& diagnostics,
+                                                      const ProfileContext& context)
 {
     auto profile = std::make_shared<VolumeProfile>();
     const UnityObject* root = asset.FindWithField("components");
@@ -137,7 +140,7 @@ std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
         else
         {
             VolumeComponent& component = profile->Add(registry.Create(object->name));
-            ReadComponent(*object, component, diagnostics);
+            ReadComponent(*object, component, diagnostics, context);
         }
     }
     return profile;

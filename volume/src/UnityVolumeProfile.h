@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/volume/AssetDiagnostics.h>
+#include <limn/volume/ProfileContext.h>
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeProfile.h>
@@ -13,6 +14,7 @@ namespace limn
 /// what is wrong with a known parameter an error. A component is known by its m_Name.
 std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
                                                       const VolumeComponentRegistry& registry,
-                                                      AssetDiagnostics& diagnostics);
+                                                      AssetDiagnostics& diagnostics,
+                                                      const ProfileContext& context);
 
 } // namespace limn

@@ -46,11 +46,11 @@ glm::vec<Count, float> Lerp(const glm::vec<Count, float>& from, const glm::vec<C
 } // namespace
 
 template <typename T>
-bool ValueParameter<T>::ReadYaml(const YamlNode& node, std::string_view subject,
-                                 AssetDiagnostics& diagnostics)
+bool ValueParameter<T>::ReadNode(const YamlNode& node, std::string_view subject,
+                                 AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     const ValueRange limits = this->range().value_or(ValueRange{});
-    return ReadValue({node, subject, diagnostics, limits}, this->m_Value);
+    return ReadValue({node, subject, diagnostics, limits, context}, this->m_Value);
 }
 
 template <typename T>

@@ -11,17 +11,17 @@ namespace limn
 namespace
 {
 
-/// Infinite without an enabled collider.
-float SquaredDistance(const Volume& volume, const glm::vec3& trigger)
+/// Infinite without an enabled collider. In double: the square of a float need not fit in one.
+double SquaredDistance(const Volume& volume, const glm::vec3& trigger)
 {
-    float closest = std::numeric_limits<float>::infinity();
+    double closest = std::numeric_limits<double>::infinity();
     const auto measure = [&](const auto& collider)
     {
         if (collider.enabled)
         {
-            const glm::vec3 offset =
-                collider.ClosestPoint(trigger, volume.position, volume.rotation, volume.scale) -
-                trigger;
+            const glm::vec3 point =
+                collider.ClosestPoint(trigger, volume.position, volume.rotation, volume.scale);
+            const glm::dvec3 offset = glm::dvec3(point) - glm::dvec3(trigger);
             closest = std::min(closest, glm::dot(offset, offset));
         }
     };
@@ -51,14 +51,15 @@ std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
     {
         return std::nullopt;
     }
-    const float distance2 = SquaredDistance(volume, *trigger);
-    const float blend2 = volume.blendDistance * volume.blendDistance;
+    const double distance2 = SquaredDistance(volume, *trigger);
+    const auto blendDistance = static_cast<double>(volume.blendDistance);
+    const double blend2 = blendDistance * blendDistance;
     if (distance2 > blend2 || std::isinf(distance2))
     {
         return std::nullopt;
     }
-    const float fade = blend2 > 0.0f ? 1.0f - distance2 / blend2 : 1.0f;
-    return VolumeInfluence{fade * weight, weight, distance2};
+    const double fade = blend2 > 0.0 ? 1.0 - distance2 / blend2 : 1.0;
+    return VolumeInfluence{static_cast<float>(fade) * weight, weight, distance2};
 }
 
 } // namespace limn

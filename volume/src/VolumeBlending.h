@@ -12,9 +12,9 @@ namespace limn
 /// How much a volume counts, seen from the trigger.
 struct VolumeInfluence
 {
-    float factor;                         ///< 0...1, the fade times the weight
-    float weight;                         ///< 0...1
-    std::optional<float> squaredDistance; ///< to the closest collider; nothing: it is global
+    float factor;                          ///< 0...1, the fade times the weight
+    float weight;                          ///< 0...1
+    std::optional<double> squaredDistance; ///< to the closest collider; nothing: it is global
 };
 
 /// Nothing if the volume does not take part at all. A factor of 0 is not nothing: such a volume

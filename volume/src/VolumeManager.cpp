@@ -103,6 +103,25 @@ std::span<const Volume* const> VolumeManager::GetVolumes(LayerMask layerMask)
     return list->volumes;
 }
 
+bool VolumeManager::IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const
+{
+    const auto isActive = [&type](const std::unique_ptr<VolumeComponent>& owned)
+    {
+        const VolumeComponent& component = *owned;
+        return component.active && typeid(component) == type;
+    };
+    const auto counts = [&isActive](const Volume* volume)
+    {
+        const VolumeProfile* profile = volume->enabled ? volume->profileRef() : nullptr;
+        return profile &&
+               std::any_of(profile->components().begin(), profile->components().end(), isActive);
+    };
+    const auto list =
+        std::find_if(m_Lists.begin(), m_Lists.end(),
+                     [layerMask](const SortedList& l) { return l.mask == layerMask; });
+    return list != m_Lists.end() && std::any_of(list->volumes.begin(), list->volumes.end(), counts);
+}
+
 void VolumeManager::NoticeChanges()
 {
     for (std::size_t i = 0, remaining = m_Registrations.size(); remaining > 0; --remaining)

@@ -12,7 +12,7 @@ namespace
 {
 
 void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
-                   AssetDiagnostics& diagnostics)
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     YamlMapReader map(entry.value, entry.key, diagnostics, "parameter");
     map.Read("active", component.active);
@@ -20,7 +20,7 @@ void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
     {
         if (const YamlNode* value = map.Find(parameter->name()))
         {
-            parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics);
+            parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics, context);
             parameter->SetOverrideState(true);
         }
     }
@@ -29,7 +29,8 @@ void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
 
 std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& documents,
                                               const VolumeComponentRegistry& registry,
-                                              AssetDiagnostics& diagnostics)
+                                              AssetDiagnostics& diagnostics,
+                                              const ProfileContext& context)
 {
     auto profile = std::make_shared<VolumeProfile>();
     const YamlNode& root = documents.front();
@@ -53,23 +54,25 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
             continue;
         }
         VolumeComponent& component = profile->Add(registry.Create(entry.key));
-        ReadComponent(entry, component, diagnostics);
+        ReadComponent(entry, component, diagnostics, context);
     }
     return profile;
 }
 
 VolumeProfileLoadResult ReadProfile(const std::vector<YamlNode>& documents, const std::string& file,
-                                    const VolumeComponentRegistry& registry)
+                                    const VolumeComponentRegistry& registry,
+                                    const ProfileContext& context)
 {
     AssetDiagnostics diagnostics(file);
     std::shared_ptr<VolumeProfile> profile;
     if (IsUnityAsset(documents))
     {
-        profile = ReadUnityVolumeProfile(ReadUnityAsset(documents, file), registry, diagnostics);
+        profile =
+            ReadUnityVolumeProfile(ReadUnityAsset(documents, file), registry, diagnostics, context);
     }
     else
     {
-        profile = ReadOwnProfile(documents, registry, diagnostics);
+        profile = ReadOwnProfile(documents, registry, diagnostics, context);
         profile->name = std::filesystem::path(file).stem().stem().generic_string();
     }
     diagnostics.ThrowIfErrors();
@@ -79,15 +82,17 @@ VolumeProfileLoadResult ReadProfile(const std::vector<YamlNode>& documents, cons
 } // namespace
 
 VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
-                                           const VolumeComponentRegistry& registry)
+                                           const VolumeComponentRegistry& registry,
+                                           const ProfileContext& context)
 {
-    return ReadProfile(ParseYaml(text, file), file, registry);
+    return ReadProfile(ParseYaml(text, file), file, registry, context);
 }
 
 VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
-                                          const VolumeComponentRegistry& registry)
+                                          const VolumeComponentRegistry& registry,
+                                          const ProfileContext& context)
 {
-    return ReadProfile(LoadYamlFile(path), path.generic_string(), registry);
+    return ReadProfile(LoadYamlFile(path), path.generic_string(), registry, context);
 }
 
 } // namespace limn

@@ -22,6 +22,16 @@ struct Contribution
     std::shared_ptr<const VolumeComponent> target;
 };
 
+std::vector<std::string> TextsOf(std::span<const VolumeParameter* const> parameters)
+{
+    std::vector<std::string> texts;
+    for (const VolumeParameter* parameter : parameters)
+    {
+        texts.push_back(parameter->ValueText());
+    }
+    return texts;
+}
+
 VolumeTraceStep MakeStep(const Contribution& contribution, std::size_t index,
                          const VolumeParameter& result)
 {
@@ -32,7 +42,7 @@ VolumeTraceStep MakeStep(const Contribution& contribution, std::size_t index,
     step.weight = influence.weight;
     if (influence.squaredDistance)
     {
-        step.distance = std::sqrt(*influence.squaredDistance);
+        step.distance = static_cast<float>(std::sqrt(*influence.squaredDistance));
     }
     step.targetText = contribution.target->parameters()[index]->ValueText();
     step.valueText = result.ValueText();
@@ -40,21 +50,38 @@ VolumeTraceStep MakeStep(const Contribution& contribution, std::size_t index,
     return step;
 }
 
-/// The traces of one component's overridden parameters.
-void AddTraces(const VolumeComponentRegistry::Entry& entry, VolumeComponent& state,
-               const VolumeComponentRegistry& registry,
-               const std::vector<Contribution>& contributions, VolumeTrace& trace)
+std::shared_ptr<const VolumeComponentTrace>
+MakeComponentTrace(const VolumeComponentRegistry::Entry& entry, const VolumeComponent& state,
+                   const VolumeComponentRegistry& registry,
+                   const std::vector<Contribution>& contributions)
 {
-    const std::shared_ptr<const VolumeComponent> start = CloneComponent(state, registry);
-    std::vector<VolumeParameterTrace> traces(state.parameters().size());
+    auto trace = std::make_shared<VolumeComponentTrace>();
+    trace->component = entry.name;
+    trace->start = CloneComponent(state, registry);
+    trace->create = entry.create;
     for (const Contribution& contribution : contributions)
     {
+        trace->steps.push_back({contribution.target, contribution.influence.factor});
+    }
+    return trace;
+}
+
+/// The traces of one component's parameters that a volume overrides or changes.
+void AddTraces(std::shared_ptr<const VolumeComponentTrace> whole, VolumeComponent& state,
+               const std::vector<Contribution>& contributions, VolumeTrace& trace)
+{
+    const std::span<const VolumeParameter* const> results = std::as_const(state).parameters();
+    std::vector<VolumeParameterTrace> traces(results.size());
+    for (const Contribution& contribution : contributions)
+    {
+        const std::vector<std::string> before = TextsOf(results);
         contribution.target->Override(state, contribution.influence.factor);
         for (std::size_t i = 0; i < traces.size(); ++i)
         {
-            if (contribution.target->parameters()[i]->overrideState())
+            const bool isOverridden = contribution.target->parameters()[i]->overrideState();
+            if (isOverridden || results[i]->ValueText() != before[i])
             {
-                traces[i].steps.push_back(MakeStep(contribution, i, *state.parameters()[i]));
+                traces[i].steps.push_back(MakeStep(contribution, i, *results[i]));
             }
         }
     }
@@ -62,11 +89,11 @@ void AddTraces(const VolumeComponentRegistry::Entry& entry, VolumeComponent& sta
     {
         if (!traces[i].steps.empty())
         {
-            traces[i].component = entry.name;
-            traces[i].parameter = state.parameters()[i]->name();
+            traces[i].component = whole->component;
+            traces[i].parameter = results[i]->name();
             traces[i].index = i;
-            traces[i].startText = start->parameters()[i]->ValueText();
-            traces[i].start = start;
+            traces[i].startText = whole->start->parameters()[i]->ValueText();
+            traces[i].whole = whole;
             trace.parameters.push_back(std::move(traces[i]));
         }
     }
@@ -74,13 +101,21 @@ void AddTraces(const VolumeComponentRegistry::Entry& entry, VolumeComponent& sta
 
 } // namespace
 
+std::unique_ptr<VolumeComponent> VolumeComponentTrace::Replay() const
+{
+    std::unique_ptr<VolumeComponent> state = create();
+    CopyParameters(*start, *state);
+    for (const Step& step : steps)
+    {
+        step.target->Override(*state, step.factor);
+    }
+    return state;
+}
+
 void VolumeParameterTrace::Replay(VolumeParameter& value) const
 {
-    value.SetValue(*start->parameters()[index]);
-    for (const VolumeTraceStep& step : steps)
-    {
-        value.Interp(value, *step.target->parameters()[index], step.factor);
-    }
+    const std::unique_ptr<VolumeComponent> result = whole->Replay();
+    value.SetValue(*result->parameters()[index]);
 }
 
 const VolumeParameterTrace* VolumeTrace::Find(std::string_view component,
@@ -108,7 +143,9 @@ VolumeTrace VolumeManager::Trace(const std::optional<glm::vec3>& trigger, LayerM
     VolumeTrace trace;
     for (const auto& entry : m_Registry.entries())
     {
-        AddTraces(*entry, *stack.Find(entry->type), m_Registry, contributions[entry->type], trace);
+        VolumeComponent& state = *stack.Find(entry->type);
+        const std::vector<Contribution>& steps = contributions[entry->type];
+        AddTraces(MakeComponentTrace(*entry, state, m_Registry, steps), state, steps, trace);
     }
     return trace;
 }

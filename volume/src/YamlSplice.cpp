@@ -71,6 +71,30 @@ std::size_t OffsetOf(std::string_view text, SourceLocation location)
     return offset + static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
 }
 
+/// Whether lists are as long, all the way down, so that scalar by scalar can be replaced. Numbers
+/// may be a list here and a map there; a map may lack keys that stay implied.
+bool HasSameShape(const YamlNode& old, const YamlNode& fresh)
+{
+    if (!old.isSequence() || !fresh.isSequence())
+    {
+        const bool isOtherCurve =
+            (old.isSequence() && fresh.Find("keys")) || (old.Find("keys") && fresh.isSequence());
+        return !isOtherCurve && !(old.isSequence() && fresh.isScalar());
+    }
+    bool isSame = old.items().size() == fresh.items().size();
+    for (std::size_t i = 0; isSame && i < old.items().size(); ++i)
+    {
+        const YamlNode& one = old.items()[i];
+        const YamlNode& other = fresh.items()[i];
+        isSame = one.kind() == other.kind();
+        for (const YamlEntry& entry : other.entries())
+        {
+            isSame = isSame && one.Find(entry.key);
+        }
+    }
+    return isSame;
+}
+
 std::string InQuotes(const std::string& text, char quote)
 {
     std::string quoted(1, quote);
@@ -81,6 +105,25 @@ std::string InQuotes(const std::string& text, char quote)
         quoted += c;
     }
     return quoted + quote;
+}
+
+/// The node on one line.
+std::string FlowText(const YamlNode& node)
+{
+    if (node.isScalar() || node.isNull())
+    {
+        return node.isQuoted() ? InQuotes(node.scalar(), '"') : node.scalar();
+    }
+    std::string text;
+    for (const YamlNode& item : node.items())
+    {
+        text += (text.empty() ? "" : ", ") + FlowText(item);
+    }
+    for (const YamlEntry& entry : node.entries())
+    {
+        text += (text.empty() ? "" : ", ") + entry.key + ": " + FlowText(entry.value);
+    }
+    return node.isMap() ? "{" + text + "}" : "[" + text + "]";
 }
 
 } // namespace
@@ -97,7 +140,16 @@ void YamlSplicer::Refuse(const YamlNode& node, const std::string& problem)
 
 void YamlSplicer::Replace(const YamlNode& old, const YamlNode& fresh, const std::string& freshText)
 {
-    if (old.isMap() && fresh.isMap())
+    if (old.isNull() && !fresh.isNull())
+    {
+        FillIn(old, freshText);
+    }
+    else if (!HasSameShape(old, fresh) && !FlowExtent(old).empty())
+    {
+        const std::string_view extent = FlowExtent(old);
+        AddAt(extent, freshText);
+    }
+    else if (old.isMap() && fresh.isMap())
     {
         ReplaceMap(old, fresh);
     }
@@ -127,7 +179,7 @@ void YamlSplicer::ReplaceMap(const YamlNode& old, const YamlNode& fresh)
         const YamlNode* value = old.Find(entry.key);
         if (value)
         {
-            Replace(*value, entry.value, entry.value.scalar());
+            Replace(*value, entry.value, FlowText(entry.value));
         }
         else if (entry.key != "a" || entry.value.scalar() != "1")
         {
@@ -155,7 +207,7 @@ void YamlSplicer::ReplaceSequence(const YamlNode& old, const YamlNode& fresh)
     }
     for (std::size_t i = 0; i < olds.size(); ++i)
     {
-        Replace(olds[i], items[i], items[i].scalar());
+        Replace(olds[i], items[i], FlowText(items[i]));
     }
 }
 
@@ -214,12 +266,63 @@ void YamlSplicer::Add(const YamlNode& old, std::string fresh)
         return;
     }
     const char quote = extent.front();
-    if (old.isQuoted() && fresh.front() != '{')
+    if (old.isQuoted() && (fresh.empty() || fresh.front() != '{'))
     {
         fresh = InQuotes(fresh, quote);
     }
+    AddAt(extent, std::move(fresh));
+}
+
+void YamlSplicer::AddAt(std::string_view extent, std::string fresh)
+{
     const auto begin = static_cast<std::size_t>(extent.data() - m_Text.data());
     m_Splices.push_back({begin, begin + extent.size(), std::move(fresh)});
+}
+
+std::string_view YamlSplicer::FlowExtent(const YamlNode& node) const
+{
+    const std::string_view text =
+        m_Text.substr(std::min(OffsetOf(m_Text, node.location()), m_Text.size()));
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = 0; i < text.size() && text[i] != '\n'; ++i)
+    {
+        const char c = text[i];
+        if (quote != 0)
+        {
+            i += quote == '"' && c == '\\' ? 1 : 0;
+            quote = c == quote ? 0 : quote;
+            continue;
+        }
+        quote = c == '"' || c == '\'' ? c : quote;
+        depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+        if (depth == 0)
+        {
+            return i > 0 ? text.substr(0, i + 1) : std::string_view();
+        }
+    }
+    return {};
+}
+
+void YamlSplicer::FillIn(const YamlNode& null, const std::string& freshText)
+{
+    // A Null that belongs to a key is where the key is.
+    const std::string_view rest =
+        m_Text.substr(std::min(OffsetOf(m_Text, null.location()), m_Text.size()));
+    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+    const std::size_t colon = line.find(':');
+    const std::size_t value =
+        std::min(colon == std::string_view::npos ? colon : line.find_first_not_of(" \t", colon + 1),
+                 line.size());
+    const std::string_view behind = line.substr(value);
+    if (colon == std::string_view::npos || (!behind.empty() && behind.front() != '#' &&
+                                            behind.front() != '}' && behind.front() != ','))
+    {
+        Refuse(null, "the file has nothing here, which cannot become " + freshText +
+                         "; change it by hand");
+        return;
+    }
+    AddAt(line.substr(colon + 1, 0), " " + freshText);
 }
 
 std::string YamlSplicer::Result() const

@@ -42,6 +42,11 @@ private:
     /// line.
     std::string_view Extent(const YamlNode& scalar) const;
     void Add(const YamlNode& old, std::string fresh);
+    void AddAt(std::string_view extent, std::string fresh);
+    /// Puts a value behind a key that has none.
+    void FillIn(const YamlNode& null, const std::string& freshText);
+    /// The characters of a list or map in brackets; empty if it is not one on one line.
+    std::string_view FlowExtent(const YamlNode& node) const;
 
     std::string_view m_Text;
     std::string m_Subject;

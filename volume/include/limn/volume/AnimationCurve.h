@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/volume/WrapMode.h>
 #include <span>
 #include <vector>
 
@@ -22,15 +23,15 @@ struct Keyframe
     float value = 0.0f;
     float inTangent = 0.0f;  ///< slope before the key; infinite: the value jumps at the key
     float outTangent = 0.0f; ///< slope behind it; infinite: the value waits until the next key
-    float inWeight = 0.0f;
-    float outWeight = 0.0f;
+    float inWeight = 0.0f;   ///< 0...1, the part of the way to the key before that a handle takes
+    float outWeight = 0.0f;  ///< likewise to the key behind; a tangent without weight takes 1/3
     WeightedMode weightedMode = WeightedMode::None;
 
     bool operator==(const Keyframe&) const = default;
 };
 
-/// A function of time through keys, cubic between them. Copies share nothing. Weights are kept and
-/// blended, but do not bend the curve. Unity: UnityEngine.AnimationCurve (2022.3).
+/// A function of time through keys, cubic between them. Copies share nothing.
+/// Unity: UnityEngine.AnimationCurve (2022.3).
 class AnimationCurve
 {
 public:
@@ -42,17 +43,34 @@ public:
 
     /// @return the index of the new key, or -1, with nothing added, if there is one at its time
     int AddKey(const Keyframe& key);
+    /// AddKey of a key whose tangents SmoothTangents makes; those of its neighbours stay.
+    int AddKey(float time, float value);
+
+    /// Gives a key one slope: of the line to its only neighbour, or the mean of the slopes to both,
+    /// of which weight 1 takes the one before alone, -1 the one behind. A curve of one key stays.
+    /// @throws ContractError without such an index
+    void SmoothTangents(int index, float weight);
 
     /// @throws ContractError without such an index
     void RemoveKey(int index);
 
-    /// The first key's value before it (and for NaN), the last one's behind it, 0 without keys. At
-    /// a time that several keys have, the last of them counts.
+    /// 0 without keys, the first key's value for NaN. Outside the keys the wrap modes decide; an
+    /// infinite time is clamped. At a time that several keys have, the last of them counts. Where
+    /// a tangent has a weight (clamped to 0...1), the curve is the Bezier whose handles have the
+    /// tangents' slopes and the weights times the distance of the keys as lengths along time.
     float Evaluate(float time) const;
 
-    /// The cubic Hermite through both keys, time not normalised; a distance below 1e-4 counts as
-    /// 1e-4. Where a tangent between the two is not finite, it is the left key's value with slope
-    /// 0. @return time, value and the slope as both tangents
+    /// What outside the keys counts, before the first and behind the last; ClampForever at first,
+    /// and for everything but Loop and PingPong.
+    void SetPreWrapMode(WrapMode mode) { m_PreWrapMode = Known(mode); }
+    void SetPostWrapMode(WrapMode mode) { m_PostWrapMode = Known(mode); }
+    WrapMode preWrapMode() const { return m_PreWrapMode; }
+    WrapMode postWrapMode() const { return m_PostWrapMode; }
+
+    /// The cubic Hermite through both keys, which blending uses: weights do not bend it. Time is
+    /// not normalised; a distance below 1e-4 counts as 1e-4. Where a tangent between the two is not
+    /// finite, it is the left key's value with slope 0. @return time, value and the slope as both
+    /// tangents
     static Keyframe EvaluateBetween(const Keyframe& left, const Keyframe& right, float time);
 
     std::span<const Keyframe> keys() const { return m_Keys; } ///< by ascending time
@@ -63,7 +81,17 @@ public:
 private:
     friend struct KeyframeUtility;
 
+    static WrapMode Known(WrapMode mode)
+    {
+        const bool repeats = mode == WrapMode::Loop || mode == WrapMode::PingPong;
+        return repeats ? mode : WrapMode::ClampForever;
+    }
+    /// @throws ContractError without such an index
+    void RequireKey(int index) const;
+
     std::vector<Keyframe> m_Keys;
+    WrapMode m_PreWrapMode = WrapMode::ClampForever;
+    WrapMode m_PostWrapMode = WrapMode::ClampForever;
 };
 
 } // namespace limn

@@ -25,7 +25,8 @@ public:
     std::vector<Diagnostic> notes() const { return Sorted(Severity::Note); }
     const std::vector<Diagnostic>& diagnostics() const { return m_Diagnostics; }
     const std::string& file() const { return m_File; }
-    bool hasErrors() const;
+    bool hasErrors() const { return errorCount() > 0; }
+    std::size_t errorCount() const;
 
 private:
     std::vector<Diagnostic> Sorted(Severity severity) const;

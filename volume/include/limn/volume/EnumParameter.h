@@ -58,13 +58,6 @@ public:
         }
     }
 
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override
-    {
-        const auto read = detail::ReadEnum(node, subject, diagnostics, m_Names);
-        this->m_Value = read ? static_cast<T>(*read) : this->m_Value;
-        return read.has_value();
-    }
     std::string ValueText() const override { return detail::EnumText(number(), m_Names); }
     std::string UnityText() const override { return std::to_string(number()); }
     std::string_view typeName() const override { return "Enum"; }
@@ -79,6 +72,13 @@ public:
     }
 
 private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext&) override
+    {
+        const auto read = detail::ReadEnum(node, subject, diagnostics, m_Names);
+        this->m_Value = read ? static_cast<T>(*read) : this->m_Value;
+        return read.has_value();
+    }
     std::int64_t number() const { return static_cast<std::int64_t>(this->m_Value); }
 
     detail::EnumNames m_Names;

@@ -10,13 +10,17 @@ class Material;
 
 using MaterialReference = AssetReference<Material>;
 
-/// A material; blending switches as soon as t > 0. In YAML as a TextureParameter.
+/// A material; blending switches as soon as t > 0. In YAML, and loaded, as a TextureParameter.
 /// Unity: MaterialParameter (URP 14.0.12).
 class MaterialParameter : public detail::ValueParameter<MaterialReference>
 {
 public:
     using ValueParameter::ValueParameter;
     std::string_view typeName() const override { return "Material"; }
+
+private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
 };
 
 } // namespace limn

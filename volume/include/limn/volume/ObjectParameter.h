@@ -17,8 +17,6 @@ public:
     void SetOverrideState(bool) override {}
     std::span<VolumeParameter* const> parameters() const override;
 
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override;
     std::string ValueText() const override; ///< the overridden parameters
     std::string UnityText() const override;
     std::string_view typeName() const override { return "Object"; }
@@ -31,6 +29,8 @@ protected:
 
 private:
     virtual std::unique_ptr<VolumeComponent> Create() const = 0;
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) final;
     void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) final;
     void CopyValue(const VolumeParameter& other) final;
     const ObjectParameterBase& Cast(const VolumeParameter& other) const;

@@ -13,17 +13,20 @@ namespace limn
 struct ScalarEdit
 {
     std::string component; ///< "ScreenSpaceOutline"
-    std::string parameter; ///< "m_OutlineWidth", "outlineWidth", or "active"
-    std::string value;     ///< YAML; a colour's # needs no quotes
+    std::string parameter; ///< "m_OutlineWidth", "outlineWidth", "active"; "object.size" for one
+                           ///< within an ObjectParameter
+    std::string value;     ///< YAML; a colour's # needs no quotes, "" is empty text
 
-    /// @param text  "ScreenSpaceOutline.m_OutlineWidth=4"
+    /// @param text  "ScreenSpaceOutline.m_OutlineWidth=4"; the first dot ends the component
     /// @throws AssetError if the text has another form
     static ScalarEdit Parse(std::string_view text);
 };
 
 /// The text of a profile file, of limn's or of Unity's form, with new values. Only the characters
 /// of scalars that change are others: a colour stays a map, a list or "#RRGGBB" as it was
-/// (written as a map where eight bits do not hold it). In Unity's form m_OverrideState stays.
+/// (written as a map where eight bits do not hold it). A list or map in brackets on one line, as of
+/// a curve, is replaced whole where it changes its length, and a value left empty is filled in. In
+/// Unity's form m_OverrideState stays.
 /// @throws AssetError with every problem: an unknown name, a value of the wrong type or outside its
 ///     range, a parameter the file does not have, a value written in a way that cannot hold the new
 ///     one or that an alias repeats, and whatever else is wrong with the file

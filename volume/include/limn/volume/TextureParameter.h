@@ -10,9 +10,12 @@ namespace limn
 
 using TextureReference = AssetReference<Texture>;
 
-/// A texture of any or of one dimension; blending switches as soon as t > 0. In YAML: a path, ""
-/// or nothing for none, or Unity's {fileID: 2800000, guid: ..., type: 3}. Unity's form cannot name
-/// a path: UnityText of a reference that has only that is none.
+/// A texture of any or of one dimension; blending switches as soon as t > 0. In YAML: a path,
+/// relative to the file, "" or nothing for none, or Unity's {fileID: 2800000, guid: ..., type: 3}.
+/// Unity's form cannot name a path: UnityText of a reference that has only that is none.
+///
+/// Reading loads the texture if the ProfileContext does that and the parameter is overridden. Only
+/// flat textures can be: a cube, a volume or a render texture keeps its location, which is noted.
 /// Unity: TextureParameter (URP 14).
 class TextureParameter : public detail::ValueParameter<TextureReference>
 {
@@ -27,11 +30,19 @@ public:
     {
     }
 
-    /// What an editor offers, nothing for any; neither blending nor reading looks at it.
+    /// What an editor offers, nothing for any; blending does not look at it.
     virtual std::optional<TextureDimension> dimension() const { return m_Dimension; }
+    /// Whether a file can hold such a texture.
+    virtual bool isLoadable() const
+    {
+        return dimension().value_or(TextureDimension::Tex2D) == TextureDimension::Tex2D;
+    }
     std::string_view typeName() const override { return "Texture"; }
 
 private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
+
     std::optional<TextureDimension> m_Dimension;
 };
 
@@ -67,6 +78,7 @@ class RenderTextureParameter : public TextureParameter
 public:
     using TextureParameter::TextureParameter;
     std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
+    bool isLoadable() const override { return false; }
     std::string_view typeName() const override { return "RenderTexture"; }
 };
 

@@ -21,10 +21,12 @@ public:
     {
     }
 
-    bool ReadYaml(const YamlNode& node, std::string_view subject,
-                  AssetDiagnostics& diagnostics) override;
     std::string ValueText() const override;
     std::string UnityText() const override;
+
+protected:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
 };
 
 /// from + (to - from) t, per component; t is not clamped. Sealed, as Unity's are.

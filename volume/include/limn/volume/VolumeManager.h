@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <glm/vec3.hpp>
 #include <limn/core/LayerMask.h>
 #include <limn/volume/Volume.h>
@@ -8,6 +9,7 @@
 #include <limn/volume/VolumeTrace.h>
 #include <optional>
 #include <span>
+#include <typeinfo>
 #include <vector>
 
 namespace limn
@@ -67,6 +69,15 @@ public:
     /// until the next call of any other member.
     std::span<const Volume* const> GetVolumes(LayerMask layerMask);
 
+    /// Whether an enabled volume has an active T in its profile, weight and place aside. As in
+    /// Unity only a mask that Update, Trace or GetVolumes was called with is known; false for any
+    /// other.
+    template <std::derived_from<VolumeComponent> T>
+    bool IsComponentActiveInMask(LayerMask layerMask) const
+    {
+        return IsComponentActiveInMask(typeid(T), layerMask);
+    }
+
 private:
     /// A volume and what is known about it, to notice changes.
     struct Registration
@@ -87,6 +98,7 @@ private:
     template <typename Visitor>
     void ForEachDefaultProfile(Visitor&& visit) const;
     void ResetToDefaults(VolumeStack& stack) const;
+    bool IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const;
     void NoticeChanges();
     void AddToLists(const Registration& registration);
     void RemoveFromLists(const Registration& registration);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/volume/ParameterInfo.h>
+#include <limn/volume/ProfileContext.h>
 #include <limn/volume/YamlRead.h>
 #include <memory>
 #include <optional>
@@ -39,10 +40,14 @@ public:
 
     /// Sets the value, as it is, to what the node says; the override state stays.
     /// @param subject  what errors call it: "ScreenSpaceOutline.m_OutlineWidth"
+    /// @param context  what names of layers mean and who loads references
     /// @return false, with the reason in `diagnostics` and the value untouched, if it says nothing
     ///     that fits this parameter; a number outside range() does not
-    virtual bool ReadYaml(const YamlNode& node, std::string_view subject,
-                          AssetDiagnostics& diagnostics) = 0;
+    bool ReadYaml(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context = {})
+    {
+        return ReadNode(node, subject, diagnostics, context);
+    }
 
     virtual void SetOverrideState(bool state) { m_OverrideState = state; }
 
@@ -74,6 +79,9 @@ protected:
     [[noreturn]] void RefuseOtherType(const VolumeParameter& other) const;
 
 private:
+    /// ReadYaml.
+    virtual bool ReadNode(const YamlNode& node, std::string_view subject,
+                          AssetDiagnostics& diagnostics, const ProfileContext& context) = 0;
     virtual void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) = 0;
     virtual void CopyValue(const VolumeParameter& other) = 0;
 

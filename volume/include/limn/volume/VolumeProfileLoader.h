@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/volume/ProfileContext.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeProfile.h>
 #include <memory>
@@ -24,13 +25,18 @@ struct VolumeProfileLoadResult
 /// or from a VolumeProfile asset as Unity saves it, which is told by its content, not its name. A
 /// Unity asset may hold components and parameters unknown here; they become notes.
 ///
+/// References of overridden parameters are loaded if the context does that.
+/// @param context  what names of layers mean and who loads references; used in this call only
 /// @throws AssetError with every problem of the file: broken YAML, unknown component or parameter
-///     (not in Unity's form), a value of the wrong type or outside its range, a name given twice
+///     (not in Unity's form), a value of the wrong type or outside its range, a name given twice, a
+///     reference that cannot be loaded
 VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
-                                          const VolumeComponentRegistry& registry);
+                                          const VolumeComponentRegistry& registry,
+                                          const ProfileContext& context = {});
 
 /// LoadVolumeProfile of a text that stands for the content of `file`.
 VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
-                                           const VolumeComponentRegistry& registry);
+                                           const VolumeComponentRegistry& registry,
+                                           const ProfileContext& context = {});
 
 } // namespace limn

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/volume/VolumeComponent.h>
+#include <limn/volume/VolumeComponentTrace.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,23 +24,24 @@ struct VolumeTraceStep
 /// How one parameter came to its value.
 struct VolumeParameterTrace
 {
-    std::string component; ///< as files call its type: "ScreenSpaceOutline"
-    std::string parameter; ///< serialised name: "m_OutlineWidth"
-    std::size_t index = 0; ///< of the parameter in its component
-    std::string startText; ///< the default value that the first step started from
-    std::shared_ptr<const VolumeComponent> start; ///< a component with its defaults
-    std::vector<VolumeTraceStep> steps;           ///< in the order they were applied; never empty
+    std::string component;              ///< as files call its type: "ScreenSpaceOutline"
+    std::string parameter;              ///< serialised name: "m_OutlineWidth"
+    std::size_t index = 0;              ///< of the parameter in its component
+    std::string startText;              ///< the default value that the first step started from
+    std::vector<VolumeTraceStep> steps; ///< in the order they were applied; never empty
+    std::shared_ptr<const VolumeComponentTrace> whole; ///< of the component it belongs to
 
     const std::string& valueText() const { return steps.back().valueText; }
 
-    /// Sets `value` to the default and takes every step again, which gives the very bits that
-    /// VolumeManager::Update gives, unless a component overrides VolumeComponent::Override.
+    /// Sets `value` to what taking every step of the component again gives: the very bits that
+    /// VolumeManager::Update gives.
     /// @throws ContractError if it holds another type of value
     void Replay(VolumeParameter& value) const;
 };
 
-/// Where the values of a stack come from: every parameter that a volume overrides, in the order of
-/// registration of the components. Keeps what it refers to. No counterpart in Unity.
+/// Where the values of a stack come from: every parameter that a volume overrides or, where a
+/// component overrides VolumeComponent::Override, changes; in the order of registration of the
+/// components. Keeps what it refers to. No counterpart in Unity.
 struct VolumeTrace
 {
     std::vector<VolumeParameterTrace> parameters;

@@ -79,12 +79,22 @@ struct YamlContent
     std::vector<YamlEntry> entries;
 };
 
+/// What a YAML text may hold, so that a hostile one takes neither all memory nor all time.
+struct YamlLimits
+{
+    std::size_t depth = 64;                 ///< levels of lists and maps
+    std::size_t values = 5'000'000;         ///< in the file itself
+    std::size_t repeatedValues = 1'000'000; ///< by aliases
+    /// Of a list or map in brackets: it is held in some hundred bytes per item until it ends.
+    std::size_t flowBytes = std::size_t{8} * 1024 * 1024;
+};
+
 /// The documents of a YAML text, one root each. `file` is what errors call it.
 /// @throws AssetError for text that is not UTF-8 or holds NUL bytes, for a text without any value,
 ///     broken syntax, every duplicate key, keys that are not plain text, an alias inside its own
-///     anchor, more than 64 levels, more than 5 000 000 values, aliases that repeat more than
-///     1 000 000 values, and a list or map in brackets longer than 8 MiB
-std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file);
+///     anchor, and beyond a limit
+std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
+                                const YamlLimits& limits = {});
 
 /// The bytes of a YAML file.
 /// @throws AssetError for a missing or unreadable file and for one above 64 MiB

@@ -1,0 +1,50 @@
+#include <limn/volume/ProfileContext.h>
+
+#include <algorithm>
+#include <array>
+
+namespace limn
+{
+
+namespace
+{
+
+struct NamedLayer
+{
+    std::string_view name;
+    int index;
+};
+
+constexpr std::array<NamedLayer, 5> k_BuiltInLayers{
+    {{"Default", 0}, {"TransparentFX", 1}, {"Ignore Raycast", 2}, {"Water", 4}, {"UI", 5}}};
+
+} // namespace
+
+std::optional<int> ProfileContext::FindLayer(std::string_view name) const
+{
+    const auto named = std::find_if(k_BuiltInLayers.begin(), k_BuiltInLayers.end(),
+                                    [name](const NamedLayer& layer) { return layer.name == name; });
+    return named == k_BuiltInLayers.end() ? std::nullopt : std::optional(named->index);
+}
+
+std::vector<std::string_view> ProfileContext::layerNames() const
+{
+    std::vector<std::string_view> names;
+    for (const NamedLayer& layer : k_BuiltInLayers)
+    {
+        names.push_back(layer.name);
+    }
+    return names;
+}
+
+LoadedAsset<Texture> ProfileContext::LoadTexture(const AssetLocation&) const
+{
+    return {};
+}
+
+LoadedAsset<Material> ProfileContext::LoadMaterial(const AssetLocation&) const
+{
+    return {};
+}
+
+} // namespace limn

@@ -1,0 +1,97 @@
+#include <limn/volume/MaterialParameter.h>
+#include <limn/volume/TextureParameter.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// "a.png:3:4: what is wrong", for an error of a file that another one refers to.
+std::string InOneLine(const Diagnostic& error)
+{
+    const SourceLocation& place = error.location;
+    const std::string numbers =
+        place.line == 0 ? ""
+                        : ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+    return error.file + numbers + ": " + error.message;
+}
+
+/// Puts what `load` gives into `value`; false, with its errors at the node, if it throws some.
+template <typename Asset, typename Load>
+bool LoadReference(const YamlNode& node, const std::string& subject, AssetDiagnostics& diagnostics,
+                   AssetReference<Asset>& value, Load&& load)
+{
+    try
+    {
+        LoadedAsset<Asset> loaded = load(value.location);
+        value.asset = std::move(loaded.asset);
+        if (!loaded.note.empty())
+        {
+            diagnostics.Note(node.location(), subject + ": " + loaded.note);
+        }
+        return true;
+    }
+    catch (const AssetError& failure)
+    {
+        for (const Diagnostic& error : failure.diagnostics())
+        {
+            diagnostics.Error(node.location(), subject + ": " + InOneLine(error));
+        }
+        return false;
+    }
+}
+
+} // namespace
+
+bool TextureParameter::ReadNode(const YamlNode& node, std::string_view subject,
+                                AssetDiagnostics& diagnostics, const ProfileContext& context)
+{
+    const TextureReference before = m_Value;
+    if (!ValueParameter::ReadNode(node, subject, diagnostics, context))
+    {
+        return false;
+    }
+    if (m_Value.location.isNull() || !context.loadsAssets())
+    {
+        return true;
+    }
+    if (!isLoadable())
+    {
+        diagnostics.Note(node.location(), std::string(subject) + ": stays without a texture, a " +
+                                              std::string(typeName()) +
+                                              " cannot be loaded from a file; only flat textures "
+                                              "can");
+        return true;
+    }
+    const auto load = [&context](const AssetLocation& location)
+    {
+        return context.LoadTexture(location);
+    };
+    const bool isLoaded = LoadReference(node, std::string(subject), diagnostics, m_Value, load);
+    m_Value = isLoaded ? m_Value : before;
+    return isLoaded;
+}
+
+bool MaterialParameter::ReadNode(const YamlNode& node, std::string_view subject,
+                                 AssetDiagnostics& diagnostics, const ProfileContext& context)
+{
+    const MaterialReference before = m_Value;
+    if (!ValueParameter::ReadNode(node, subject, diagnostics, context))
+    {
+        return false;
+    }
+    if (m_Value.location.isNull() || !context.loadsAssets())
+    {
+        return true;
+    }
+    const auto load = [&context](const AssetLocation& location)
+    {
+        return context.LoadMaterial(location);
+    };
+    const bool isLoaded = LoadReference(node, std::string(subject), diagnostics, m_Value, load);
+    m_Value = isLoaded ? m_Value : before;
+    return isLoaded;
+}
+
+} // namespace limn

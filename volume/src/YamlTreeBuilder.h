@@ -1,0 +1,107 @@
+#pragma once
+
+#include <limn/volume/AssetDiagnostics.h>
+#include <limn/volume/YamlNode.h>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/mark.h>
+
+namespace limn
+{
+
+SourceLocation ToLocation(const YAML::Mark& mark);
+
+/// Ends the reading of a file whose last error says why.
+struct StopReading
+{
+};
+
+/// Turns yaml-cpp's events into YamlNodes and fences off what yaml-cpp lets pass: duplicate keys,
+/// bombs, text behind the end of a document.
+class YamlTreeBuilder final : public YAML::EventHandler
+{
+public:
+    YamlTreeBuilder(std::string_view text, const YamlLimits& limits, AssetDiagnostics& diagnostics)
+        : m_Text(text), m_Limits(limits), m_Diagnostics(diagnostics)
+    {
+    }
+
+    std::vector<YamlNode> documents;
+
+    /// What yaml-cpp lets pass without an event. Call when there are no more documents.
+    void CheckEnd();
+
+    /// The innermost sequence or map that has begun; null outside of any.
+    const YamlContent* innermost() const
+    {
+        return m_Open.empty() ? nullptr : &m_Open.back().content;
+    }
+
+    void OnDocumentStart(const YAML::Mark& mark) override;
+    void OnDocumentEnd() override {}
+    void OnAnchor(const YAML::Mark&, const std::string& name) override { m_AnchorName = name; }
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override;
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override;
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override;
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value) override
+    {
+        Open(mark, tag, anchor, YamlKind::Sequence);
+    }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value) override
+    {
+        Open(mark, tag, anchor, YamlKind::Map);
+    }
+    void OnSequenceEnd() override { Close(); }
+    void OnMapEnd() override { Close(); }
+
+private:
+    /// A finished node and what it counts for wherever an alias repeats it.
+    struct BuiltNode
+    {
+        YamlNode node;
+        std::size_t count = 1;
+        std::size_t height = 0; ///< levels of sequences and maps
+    };
+
+    /// A sequence or map whose end has not come yet.
+    struct OpenNode
+    {
+        YamlContent content;
+        YAML::anchor_t anchorId = 0;
+        std::size_t count = 1;
+        std::size_t height = 1;
+        std::optional<YamlEntry> pending; ///< a key that waits for its value
+        bool isPendingText = true;        ///< false: the key was refused, its value goes nowhere
+        std::unordered_map<std::string, SourceLocation> keys;
+    };
+
+    [[noreturn]] void Stop(SourceLocation location, std::string message);
+    YamlContent Begin(const YAML::Mark& mark, const std::string& tag);
+    void Open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlKind kind);
+    void Close();
+    void Finish(const BuiltNode& built, YAML::anchor_t anchor);
+    void CheckDepth(SourceLocation location, const BuiltNode& added);
+    void CheckSize(SourceLocation location, const BuiltNode& added);
+    void Append(SourceLocation location, const BuiltNode& built);
+    YamlEntry MakeKey(SourceLocation location, const YamlNode& node);
+    void AddPending(OpenNode& parent);
+
+    std::string_view m_Text;
+    YamlLimits m_Limits;
+    AssetDiagnostics& m_Diagnostics;
+    std::vector<OpenNode> m_Open;
+    std::unordered_map<YAML::anchor_t, BuiltNode> m_Anchors; ///< finished ones of this document
+    std::string m_AnchorName;                                ///< of the node that comes next
+    std::optional<YAML::Mark> m_LastQuoted;
+    std::size_t m_Count = 0; ///< of values the file holds itself
+    std::size_t m_RepeatedCount = 0;
+};
+
+} // namespace limn
