@@ -1,12 +1,85 @@
+// The built-in pipeline's names of the values that limn feeds, and those that shaders name although
+// limn has no such thing: lights besides the main one, light maps, reflection probes, two eyes.
 #pragma once
+#include "HLSLSupport.cginc"
 #include "limn/PerDraw.hlsl"
 #include "limn/Globals.hlsl"
 
-// The built-in pipeline's names of the same values.
+#if defined(DIRECTIONAL) || defined(DIRECTIONAL_COOKIE)
+#define USING_DIRECTIONAL_LIGHT
+#endif
+#if defined(USING_DIRECTIONAL_LIGHT) || defined(POINT) || defined(SPOT) || defined(POINT_COOKIE)
+#define USING_LIGHT_MULTI_COMPILE
+#endif
+
 #define _WorldSpaceLightPos0 _MainLightPosition
-#define _LightColor0 _MainLightColor
 #define UNITY_LIGHTMODEL_AMBIENT unity_AmbientSky
-#define unity_AmbientEquator unity_AmbientSky
-#define unity_AmbientGround unity_AmbientSky
+#define unity_IndirectSpecColor unity_AmbientSky
+#define glstate_lightmodel_ambient unity_AmbientSky
 #define _Object2World unity_ObjectToWorld
 #define _World2Object unity_WorldToObject
+#define unity_MatrixMVP UNITY_MATRIX_MVP
+
+#define unity_ProbesOcclusion float4(1, 1, 1, 1)
+#define unity_OcclusionMaskSelector float4(1, 0, 0, 0)
+#define unity_ProbeVolumeParams float4(0, 0, 0, 0)
+
+cbuffer UnityLighting
+{
+    float4 unity_4LightPosX0;
+    float4 unity_4LightPosY0;
+    float4 unity_4LightPosZ0;
+    float4 unity_4LightAtten0;
+    float4 unity_LightColor[8];
+    float4 unity_LightPosition[8]; // view space; w: 0 for a direction
+    float4 unity_LightAtten[8];    // x: cos(spot / 2), y: 1 / cos(spot / 4), z: quadratic falloff
+    float4 unity_SpotDirection[8];
+};
+
+cbuffer UnityShadows
+{
+    float4 unity_ShadowSplitSpheres[4];
+    float4 unity_ShadowSplitSqRadii;
+    float4 unity_LightShadowBias;
+    float4 _LightSplitsNear;
+    float4 _LightSplitsFar;
+    float4x4 unity_WorldToShadow[4];
+    float4 _LightShadowData;
+    float4 unity_ShadowFadeCenterAndType;
+    float4 unity_ShadowColor;
+};
+
+cbuffer UnityLightmaps
+{
+    float4 unity_LightmapST;
+    float4 unity_DynamicLightmapST;
+    float4 unity_Lightmap_HDR;
+    float4 unity_DynamicLightmap_HDR;
+};
+
+cbuffer UnityReflectionProbes
+{
+    float4 unity_SpecCube0_BoxMax;
+    float4 unity_SpecCube0_BoxMin;
+    float4 unity_SpecCube0_ProbePosition;
+    float4 unity_SpecCube0_HDR;
+    float4 unity_SpecCube1_BoxMax;
+    float4 unity_SpecCube1_BoxMin;
+    float4 unity_SpecCube1_ProbePosition;
+    float4 unity_SpecCube1_HDR;
+};
+
+UNITY_DECLARE_TEXCUBE(unity_SpecCube0);
+UNITY_DECLARE_TEXCUBE_NOSAMPLER(unity_SpecCube1);
+UNITY_DECLARE_TEX2D_HALF(unity_Lightmap);
+UNITY_DECLARE_TEX2D_NOSAMPLER_HALF(unity_LightmapInd);
+UNITY_DECLARE_TEX2D_HALF(unity_ShadowMask);
+UNITY_DECLARE_TEX2D(unity_DynamicLightmap);
+UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicDirectionality);
+UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicNormal);
+
+// Values of colours as light is added up linearly.
+#define unity_ColorSpaceGrey float4(0.214041144, 0.214041144, 0.214041144, 0.5)
+#define unity_ColorSpaceDouble float4(4.59479380, 4.59479380, 4.59479380, 2.0)
+#define unity_ColorSpaceDielectricSpec half4(0.04, 0.04, 0.04, 1.0 - 0.04)
+#define unity_ColorSpaceLuminance half4(0.0396819152, 0.458021790, 0.00609653955, 1.0)

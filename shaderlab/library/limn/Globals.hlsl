@@ -36,7 +36,16 @@ cbuffer limn_PerFrameLighting
 {
     float4 _MainLightPosition; // xyz: direction to the light, w: 0
     float4 _MainLightColor;
-    float4 unity_AmbientSky;   // ambient light, the same from all sides
+    float4 unity_AmbientSky;   // ambient light from above
+    float4 unity_AmbientEquator;
+    float4 unity_AmbientGround;
+    float4 unity_SHAr; // ambient light by direction: spherical harmonics of order 1 of red
+    float4 unity_SHAg;
+    float4 unity_SHAb;
+    float4 unity_SHBr; // order 2
+    float4 unity_SHBg;
+    float4 unity_SHBb;
+    float4 unity_SHC; // the last of order 2 for red, green, blue
     float4 unity_FogParams;    // density/sqrt(ln 2), density/ln 2, -1/(end - start), end/(end - start)
     float4 unity_FogColor;
 };

@@ -21,14 +21,17 @@
 #define UNITY_SETUP_INSTANCE_ID(input)
 #define UNITY_TRANSFER_INSTANCE_ID(input, output)
 #define UNITY_GET_INSTANCE_ID(input) 0u
+#define unity_InstanceID 0u
 #define UNITY_VERTEX_OUTPUT_STEREO
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
 #define UNITY_TRANSFER_VERTEX_OUTPUT_STEREO(input, output)
 #define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
 #define unity_StereoEyeIndex 0
 
-#define UNITY_INSTANCING_BUFFER_START(buf) cbuffer UnityInstancing_##buf {
-#define UNITY_INSTANCING_BUFFER_END(buf) };
+// Loose uniforms rather than a buffer: many authors write a semicolon after each property, which
+// cannot stand in a buffer by itself.
+#define UNITY_INSTANCING_BUFFER_START(buf)
+#define UNITY_INSTANCING_BUFFER_END(buf)
 #define UNITY_DEFINE_INSTANCED_PROP(type, var) type var;
 #define UNITY_ACCESS_INSTANCED_PROP(buf, var) var
 

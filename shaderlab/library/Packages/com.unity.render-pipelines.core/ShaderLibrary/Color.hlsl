@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
+
 float SRGBToLinear(float c)
 {
     return c <= 0.04045 ? c / 12.92 : pow(abs((c + 0.055) / 1.055), 2.4);
@@ -26,7 +28,10 @@ float LinearToGamma22(float c) { return pow(abs(c), 1.0 / 2.2); }
 float3 LinearToGamma22(float3 c) { return pow(abs(c), 1.0 / 2.2); }
 
 // Rec. 709 weights, linear colours
-float Luminance(float3 linearRgb) { return dot(linearRgb, float3(0.2126729, 0.7151522, 0.0721750)); }
+float Luminance(float3 linearRgb)
+{
+    return dot(linearRgb, float3(0.2126729, 0.7151522, 0.0721750));
+}
 float Luminance(float4 linearRgba) { return Luminance(linearRgba.rgb); }
 
 float3 HsvToRgb(float3 c)
@@ -44,4 +49,125 @@ float3 RgbToHsv(float3 c)
                 : high == c.g ? (c.b - c.r) / safeRange + 2.0
                               : (c.r - c.g) / safeRange + 4.0;
     return float3(frac(hue / 6.0), range / max(high, 1e-10), high);
+}
+
+float2 SRGBToLinear(float2 c) { return float2(SRGBToLinear(c.x), SRGBToLinear(c.y)); }
+float2 LinearToSRGB(float2 c) { return float2(LinearToSRGB(c.x), LinearToSRGB(c.y)); }
+float2 Gamma22ToLinear(float2 c) { return pow(abs(c), 2.2); }
+float4 Gamma22ToLinear(float4 c) { return float4(Gamma22ToLinear(c.rgb), c.a); }
+float2 LinearToGamma22(float2 c) { return pow(abs(c), 1.0 / 2.2); }
+float4 LinearToGamma22(float4 c) { return float4(LinearToGamma22(c.rgb), c.a); }
+float Gamma20ToLinear(float c) { return c * c; }
+float3 Gamma20ToLinear(float3 c) { return c * c; }
+float4 Gamma20ToLinear(float4 c) { return float4(c.rgb * c.rgb, c.a); }
+float LinearToGamma20(float c) { return sqrt(c); }
+float3 LinearToGamma20(float3 c) { return sqrt(c); }
+float4 LinearToGamma20(float4 c) { return float4(sqrt(c.rgb), c.a); }
+
+// The exact curves: these names promise speed, not an error.
+float FastSRGBToLinear(float c) { return SRGBToLinear(c); }
+float3 FastSRGBToLinear(float3 c) { return SRGBToLinear(c); }
+float4 FastSRGBToLinear(float4 c) { return SRGBToLinear(c); }
+float FastLinearToSRGB(float c) { return LinearToSRGB(c); }
+float3 FastLinearToSRGB(float3 c) { return LinearToSRGB(c); }
+float4 FastLinearToSRGB(float4 c) { return LinearToSRGB(c); }
+
+// A colour into one luma and two differences, and back.
+float3 RGBToYCoCg(float3 rgb)
+{
+    return float3(dot(rgb, float3(0.25, 0.5, 0.25)), 0.5 * (rgb.r - rgb.b) + 128.0 / 255.0,
+                  dot(rgb, float3(-0.25, 0.5, -0.25)) + 128.0 / 255.0);
+}
+float3 YCoCgToRGB(float3 yCoCg)
+{
+    float co = yCoCg.y - 128.0 / 255.0;
+    float cg = yCoCg.z - 128.0 / 255.0;
+    return float3(yCoCg.x + co - cg, yCoCg.x + cg, yCoCg.x - co - cg);
+}
+
+// ALEXA LogC of exposure index 1000 (ARRI 2012): a logarithm with a straight foot.
+#define limn_LogCCut 0.011361
+#define limn_LogCA 5.555556
+#define limn_LogCB 0.047996
+#define limn_LogCC 0.244161
+#define limn_LogCD 0.386036
+float3 LinearToLogC(float3 x)
+{
+    return limn_LogCC * log10(max(limn_LogCA * x + limn_LogCB, 0.0)) + limn_LogCD;
+}
+float3 LogCToLinear(float3 x)
+{
+    return (pow(10.0, (x - limn_LogCD) / limn_LogCC) - limn_LogCB) / limn_LogCA;
+}
+
+// SMPTE ST 2084; 1 stands for maxPQValue candela per square metre.
+float3 LinearToPQ(float3 x, float maxPQValue)
+{
+    float3 y = PositivePow(x / maxPQValue, 2610.0 / 16384.0);
+    float3 ratio = (3424.0 / 4096.0 + 2413.0 / 128.0 * y) / (1.0 + 2392.0 / 128.0 * y);
+    return PositivePow(ratio, 2523.0 / 32.0);
+}
+float3 LinearToPQ(float3 x) { return LinearToPQ(x, 100.0); }
+float3 PQToLinear(float3 x, float maxPQValue)
+{
+    float3 y = PositivePow(x, 32.0 / 2523.0);
+    float3 ratio = max(y - 3424.0 / 4096.0, 0.0) / (2413.0 / 128.0 - 2392.0 / 128.0 * y);
+    return PositivePow(ratio, 16384.0 / 2610.0) * maxPQValue;
+}
+float3 PQToLinear(float3 x) { return PQToLinear(x, 100.0); }
+
+// Brings a hue that was moved back into low...high.
+float RotateHue(float value, float low, float hi)
+{
+    return value < low ? value + hi : value > hi ? value - hi : value;
+}
+
+float3 SoftLight(float3 base, float3 blend)
+{
+    float3 dark = 2.0 * base * blend + base * base * (1.0 - 2.0 * blend);
+    float3 light = sqrt(base) * (2.0 * blend - 1.0) + 2.0 * base * (1.0 - blend);
+    return lerp(dark, light, step(0.5, blend));
+}
+
+// John Hable's filmic curve (2010) with its white point.
+float3 NeutralCurve(float3 x, float a, float b, float c, float d, float e, float f)
+{
+    return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
+}
+float3 NeutralTonemap(float3 x)
+{
+    float3 white = 1.0 / NeutralCurve(float3(5.3, 5.3, 5.3), 0.2, 0.29, 0.24, 0.272, 0.02, 0.3);
+    return NeutralCurve(x * white, 0.2, 0.29, 0.24, 0.272, 0.02, 0.3) * white;
+}
+
+// Keeps the sum of many samples from being ruled by a bright one, and back.
+float3 FastTonemap(float3 c) { return c / (Max3(c.r, c.g, c.b) + 1.0); }
+float4 FastTonemap(float4 c) { return float4(FastTonemap(c.rgb), c.a); }
+float3 FastTonemap(float3 c, float w) { return c * (w / (Max3(c.r, c.g, c.b) + 1.0)); }
+float3 FastTonemapInvert(float3 c) { return c / (1.0 - Max3(c.r, c.g, c.b)); }
+float4 FastTonemapInvert(float4 c) { return float4(FastTonemapInvert(c.rgb), c.a); }
+
+// A cube of colours, cut in slices that lie side by side in a strip; scaleOffset: 1/width,
+// 1/height, height - 1 of the strip.
+float3 ApplyLut2D(Texture2D tex, SamplerState smp, float3 uvw, float3 scaleOffset)
+{
+    float slice = uvw.z * scaleOffset.z;
+    float first = floor(slice);
+    float2 uv = uvw.xy * scaleOffset.z * scaleOffset.xy + scaleOffset.xy * 0.5;
+    uv.x += first * scaleOffset.y;
+    float3 low = tex.SampleLevel(smp, uv, 0).rgb;
+    float3 high = tex.SampleLevel(smp, uv + float2(scaleOffset.y, 0.0), 0).rgb;
+    return lerp(low, high, slice - first);
+}
+float3 ApplyLut3D(Texture3D tex, SamplerState smp, float3 uvw, float2 scaleOffset)
+{
+    return tex.SampleLevel(smp, uvw * scaleOffset.y * scaleOffset.x + scaleOffset.x * 0.5, 0).rgb;
+}
+// What colour such a strip holds where nothing is graded; params: height, 0.5/width, 0.5/height,
+// height/(height - 1).
+float3 GetLutStripValue(float2 uv, float4 params)
+{
+    float2 corner = uv - params.yz;
+    float slice = floor(corner.x * params.x);
+    return float3(frac(corner.x * params.x), corner.y, slice / params.x) * params.w;
 }

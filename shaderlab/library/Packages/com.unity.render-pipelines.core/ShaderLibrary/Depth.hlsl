@@ -1,10 +1,12 @@
 // Depth buffer values and positions. zBufferParam is _ZBufferParams.
 #pragma once
 
+#include "limn/Screen.hlsl"
+
 // 0 at the camera, 1 at the far plane; perspective.
 float Linear01Depth(float depth, float4 zBufferParam)
 {
-    return 1.0 / (zBufferParam.x * depth + zBufferParam.y);
+    return limn_Linear01Depth(depth, zBufferParam);
 }
 
 // 0 at the near plane, 1 at the far plane; perspective.
@@ -16,7 +18,7 @@ float Linear01DepthFromNear(float depth, float4 zBufferParam)
 // Distance along the view axis; perspective.
 float LinearEyeDepth(float depth, float4 zBufferParam)
 {
-    return 1.0 / (zBufferParam.z * depth + zBufferParam.w);
+    return limn_LinearEyeDepth(depth, zBufferParam);
 }
 
 // Distance along the view axis; any projection.

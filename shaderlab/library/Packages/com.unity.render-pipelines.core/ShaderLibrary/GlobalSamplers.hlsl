@@ -1,9 +1,15 @@
 // Samplers whose name says what they do.
 #pragma once
 
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
+
 SAMPLER(sampler_PointClamp);
 SAMPLER(sampler_LinearClamp);
 SAMPLER(sampler_TrilinearClamp);
 SAMPLER(sampler_PointRepeat);
 SAMPLER(sampler_LinearRepeat);
 SAMPLER(sampler_TrilinearRepeat);
+#ifndef limn_LinearClampCompare
+#define limn_LinearClampCompare
+SAMPLER_CMP(sampler_LinearClampCompare);
+#endif

@@ -8,6 +8,13 @@ float4x4 GetViewToWorldMatrix() { return UNITY_MATRIX_I_V; }
 float4x4 GetWorldToHClipMatrix() { return UNITY_MATRIX_VP; }
 float4x4 GetViewToHClipMatrix() { return UNITY_MATRIX_P; }
 
+float4x4 GetPrevObjectToWorldMatrix() { return UNITY_PREV_MATRIX_M; }
+float4x4 GetPrevWorldToObjectMatrix() { return UNITY_PREV_MATRIX_I_M; }
+
+// Positions are not relative to the camera.
+float3 GetAbsolutePositionWS(float3 positionRWS) { return positionRWS; }
+float3 GetCameraRelativePositionWS(float3 positionWS) { return positionWS; }
+
 // -1 where the object is mirrored
 float GetOddNegativeScale() { return unity_WorldTransformParams.w >= 0.0 ? 1.0 : -1.0; }
 

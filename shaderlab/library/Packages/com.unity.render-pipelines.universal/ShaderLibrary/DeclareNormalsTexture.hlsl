@@ -3,8 +3,13 @@
 
 TEXTURE2D_X_FLOAT(_CameraNormalsTexture);
 SAMPLER(sampler_CameraNormalsTexture);
+float4 _CameraNormalsTexture_TexelSize;
 
 // World space, signed; zero where nothing was drawn.
+float3 SampleSceneNormals(float2 uv, SAMPLER(samplerParam))
+{
+    return SAMPLE_TEXTURE2D_X(_CameraNormalsTexture, samplerParam, uv).xyz;
+}
 float3 SampleSceneNormals(float2 uv)
 {
     return SAMPLE_TEXTURE2D_X(_CameraNormalsTexture, sampler_CameraNormalsTexture, uv).xyz;

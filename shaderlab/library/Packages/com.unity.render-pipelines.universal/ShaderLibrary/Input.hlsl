@@ -1,5 +1,14 @@
 #pragma once
 
+#define MAX_VISIBLE_LIGHTS_UBO 32
+#define MAX_VISIBLE_LIGHTS 32
+#define MAX_ZBIN_VEC4S 1
+#define URP_FP_DIRECTIONAL_LIGHTS_COUNT 0u
+
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/ShaderTypes.cs.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Deprecated.hlsl"
+
 struct InputData
 {
     float3 positionWS;
@@ -28,6 +37,21 @@ struct VertexNormalInputs
     float3 tangentWS;
     float3 bitangentWS;
     float3 normalWS;
+};
+
+// Lights besides the main one. A scene has none until something sets these values.
+cbuffer AdditionalLights
+{
+    float4 _AdditionalLightsCount; // x
+    float4 _AdditionalLightsPosition[MAX_VISIBLE_LIGHTS]; // w: 0 for a direction, 1 for a place
+    float4 _AdditionalLightsColor[MAX_VISIBLE_LIGHTS];
+    float4 _AdditionalLightsAttenuation[MAX_VISIBLE_LIGHTS]; // see GetAdditionalPerObjectLight
+    float4 _AdditionalLightsSpotDir[MAX_VISIBLE_LIGHTS];
+    float4 _AdditionalLightsOcclusionProbes[MAX_VISIBLE_LIGHTS];
+    float4 _MainLightOcclusionProbes;
+    float4 _AmbientOcclusionParam; // rgb: colour, w: how much direct light it takes
+    float4 _GlossyEnvironmentColor;
+    float4 _SubtractiveShadowColor;
 };
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityInput.hlsl"

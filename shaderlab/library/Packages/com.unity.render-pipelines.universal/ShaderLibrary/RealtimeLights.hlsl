@@ -1,4 +1,12 @@
+// The main light, and lights besides it.
 #pragma once
+
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/AmbientOcclusion.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/LightCookie/LightCookie.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Clustering.hlsl"
 
 struct Light
 {
@@ -8,6 +16,25 @@ struct Light
     float shadowAttenuation;
     uint layerMask;
 };
+
+#define LIGHT_LOOP_BEGIN(lightCount) \
+    for (uint lightIndex = 0u; lightIndex < (uint)(lightCount); ++lightIndex) \
+    {
+#define LIGHT_LOOP_END }
+
+// Karis 2013: the inverse square law, brought to 0 at the range; xy: 1/range^2, -
+float DistanceAttenuation(float distanceSqr, float2 distanceAttenuation)
+{
+    float window = saturate(1.0 - Sq(distanceSqr * distanceAttenuation.x));
+    return Sq(window) / distanceSqr;
+}
+// xy: 1/(cos inner - cos outer), -cos outer/(cos inner - cos outer)
+float AngleAttenuation(float3 spotDirection, float3 lightDirection, float2 spotAttenuation)
+{
+    float cosine = dot(spotDirection, lightDirection);
+    float cone = saturate(cosine * spotAttenuation.x + spotAttenuation.y);
+    return cone * cone;
+}
 
 Light GetMainLight()
 {
@@ -19,20 +46,77 @@ Light GetMainLight()
     light.layerMask = 0xFFFFFFFFu;
     return light;
 }
-
-// There are no shadow maps.
-Light GetMainLight(float4 shadowCoord) { return GetMainLight(); }
-Light GetMainLight(float4 shadowCoord, float3 positionWS, float4 shadowMask) { return GetMainLight(); }
-float4 TransformWorldToShadowCoord(float3 positionWS) { return float4(0, 0, 0, 0); }
-float4 GetShadowCoord(VertexPositionInputs vertexInput) { return float4(0, 0, 0, 0); }
-
-int GetAdditionalLightsCount() { return 0; }
-Light GetAdditionalLight(uint index, float3 positionWS)
+Light GetMainLight(float4 shadowCoord)
 {
     Light light = GetMainLight();
-    light.color = float3(0, 0, 0);
+    light.shadowAttenuation = MainLightRealtimeShadow(shadowCoord);
     return light;
 }
+Light GetMainLight(float4 shadowCoord, float3 positionWS, float4 shadowMask)
+{
+    Light light = GetMainLight();
+    light.shadowAttenuation =
+        MainLightShadow(shadowCoord, positionWS, shadowMask, _MainLightOcclusionProbes);
+    light.color *= SampleMainLightCookie(positionWS);
+    return light;
+}
+Light GetMainLight(InputData inputData, float4 shadowMask, AmbientOcclusionFactor aoFactor)
+{
+    Light light = GetMainLight(inputData.shadowCoord, inputData.positionWS, shadowMask);
+#if defined(_SCREEN_SPACE_OCCLUSION) && !defined(_SURFACE_TYPE_TRANSPARENT)
+    light.color *= aoFactor.directAmbientOcclusion;
+#endif
+    return light;
+}
+
+// _AdditionalLightsAttenuation: xy of DistanceAttenuation, zw of AngleAttenuation.
+Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
+{
+    float4 position = _AdditionalLightsPosition[perObjectLightIndex];
+    float4 attenuation = _AdditionalLightsAttenuation[perObjectLightIndex];
+    float3 toLight = position.xyz - positionWS * position.w;
+    float distanceSqr = max(dot(toLight, toLight), HALF_MIN);
+
+    Light light;
+    light.direction = toLight * rsqrt(distanceSqr);
+    light.color = _AdditionalLightsColor[perObjectLightIndex].rgb;
+    light.distanceAttenuation =
+        DistanceAttenuation(distanceSqr, attenuation.xy) *
+        AngleAttenuation(_AdditionalLightsSpotDir[perObjectLightIndex].xyz, light.direction,
+                         attenuation.zw);
+    light.shadowAttenuation = 1.0;
+    light.layerMask = 0xFFFFFFFFu;
+    return light;
+}
+
+int GetPerObjectLightIndex(uint index) { return (int)index; }
+int GetAdditionalLightsCount() { return (int)min(_AdditionalLightsCount.x, MAX_VISIBLE_LIGHTS); }
+
+Light GetAdditionalLight(uint i, float3 positionWS)
+{
+    return GetAdditionalPerObjectLight(GetPerObjectLightIndex(i), positionWS);
+}
+Light GetAdditionalLight(uint i, float3 positionWS, float4 shadowMask)
+{
+    int index = GetPerObjectLightIndex(i);
+    Light light = GetAdditionalPerObjectLight(index, positionWS);
+    light.shadowAttenuation =
+        AdditionalLightShadow(index, positionWS, light.direction, shadowMask,
+                              _AdditionalLightsOcclusionProbes[index]);
+    light.color *= SampleAdditionalLightCookie(index, positionWS);
+    return light;
+}
+Light GetAdditionalLight(uint i, InputData inputData, float4 shadowMask,
+                         AmbientOcclusionFactor aoFactor)
+{
+    Light light = GetAdditionalLight(i, inputData.positionWS, shadowMask);
+#if defined(_SCREEN_SPACE_OCCLUSION) && !defined(_SURFACE_TYPE_TRANSPARENT)
+    light.color *= aoFactor.directAmbientOcclusion;
+#endif
+    return light;
+}
+
+float4 CalculateShadowMask(InputData inputData) { return float4(1, 1, 1, 1); }
 
 bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers)
 {

@@ -3,9 +3,7 @@
 // Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
 float4 ComputeScreenPos(float4 positionCS)
 {
-    float4 result = positionCS;
-    result.xy = float2(positionCS.x, -positionCS.y) * 0.5 + positionCS.w * 0.5;
-    return result;
+    return limn_ScreenPos(positionCS);
 }
 
 VertexPositionInputs GetVertexPositionInputs(float3 positionOS)
@@ -88,6 +86,53 @@ void AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
 }
 #endif
 
+float AlphaClip(float alpha, float cutoff)
+{
+    clip(alpha - cutoff + 0.0001);
+    return alpha;
+}
+bool IsAlphaDiscardEnabled()
+{
+#ifdef _ALPHATEST_ON
+    return true;
+#else
+    return false;
+#endif
+}
+bool IsSurfaceTypeTransparent(float surfaceType) { return surfaceType == 1.0; }
+bool IsSurfaceTypeOpaque(float surfaceType) { return surfaceType == 0.0; }
+bool IsSurfaceTypeTransparent()
+{
+#ifdef _SURFACE_TYPE_TRANSPARENT
+    return true;
+#else
+    return false;
+#endif
+}
+// What is not transparent covers all that is behind it.
+float OutputAlpha(float alpha, bool isTransparent) { return isTransparent ? alpha : 1.0; }
+float OutputAlpha(float outputAlpha, float surfaceType)
+{
+    return IsSurfaceTypeTransparent(surfaceType) ? outputAlpha : 1.0;
+}
+// Multiplicative blending fades to white.
+float3 AlphaModulate(float3 albedo, float alpha)
+{
+#ifdef _ALPHAMODULATE_ON
+    return lerp(float3(1, 1, 1), albedo, alpha);
+#else
+    return albedo;
+#endif
+}
+float3 AlphaPremultiply(float3 albedo, float alpha)
+{
+#ifdef _ALPHAPREMULTIPLY_ON
+    return albedo * alpha;
+#else
+    return albedo;
+#endif
+}
+
 // Rendering layer bits of the object, and the same in one channel of 8 bits.
 uint GetMeshRenderingLayer() { return asuint(unity_RenderingLayer.x); }
 float EncodeMeshRenderingLayer(uint renderingLayer) { return (renderingLayer & 0xFFu) / 255.0; }
@@ -106,7 +151,7 @@ float ComputeFogFactorZ0ToFar(float z)
 }
 float ComputeFogFactor(float clipZ)
 {
-    return ComputeFogFactorZ0ToFar(max((1.0 - clipZ / _ProjectionParams.y) * _ProjectionParams.z, 0));
+    return ComputeFogFactorZ0ToFar(limn_DistanceFromClipZ(clipZ));
 }
 float ComputeFogIntensity(float fogFactor)
 {
@@ -128,3 +173,21 @@ float3 MixFog(float3 color, float fogFactor)
 {
     return MixFogColor(color, unity_FogColor.rgb, fogFactor);
 }
+
+// Where _FOG_FRAGMENT is set by the view depth of the pixel, else what the vertex function worked
+// out.
+float InitializeInputDataFog(float4 positionWS, float vertFogFactor)
+{
+#if defined(_FOG_FRAGMENT) && (defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2))
+    float viewZ = -mul(UNITY_MATRIX_V, float4(positionWS.xyz, 1.0)).z;
+    return ComputeFogFactorZ0ToFar(max(viewZ - _ProjectionParams.y, 0.0));
+#else
+    return vertFogFactor;
+#endif
+}
+
+void TransformScreenUV(inout float2 uv, float screenHeight) {}
+void TransformScreenUV(inout float2 uv) {}
+float2 TransformStereoScreenSpaceTex(float2 uv, float w) { return uv; }
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/ShaderVariablesFunctions.deprecated.hlsl"

@@ -1,5 +1,6 @@
 #pragma once
 
+// What a surface is like at one point.
 struct SurfaceData
 {
     float3 albedo;

@@ -1,5 +1,5 @@
-// Full-screen passes over a source texture. _BlitTexture_TexelSize is the author's to declare, as in
-// URP 14.
+// Full-screen passes over a source texture. _BlitTexture_TexelSize is the author's to declare, as
+// in URP 14.
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"

@@ -1,0 +1,2 @@
+#pragma once
+#error limn has no tessellation and needs a mesh with enough vertices

@@ -1,0 +1,29 @@
+#pragma once
+
+struct UnityStandardData
+{
+    half3 diffuseColor;
+    half occlusion;
+    half3 specularColor;
+    half smoothness;
+    float3 normalWorld;
+};
+
+void UnityStandardDataToGbuffer(UnityStandardData data, out half4 outGBuffer0,
+                                out half4 outGBuffer1, out half4 outGBuffer2)
+{
+    outGBuffer0 = half4(data.diffuseColor, data.occlusion);
+    outGBuffer1 = half4(data.specularColor, data.smoothness);
+    outGBuffer2 = half4(data.normalWorld * 0.5 + 0.5, 1.0);
+}
+UnityStandardData UnityStandardDataFromGbuffer(half4 inGBuffer0, half4 inGBuffer1,
+                                               half4 inGBuffer2)
+{
+    UnityStandardData data;
+    data.diffuseColor = inGBuffer0.rgb;
+    data.occlusion = inGBuffer0.a;
+    data.specularColor = inGBuffer1.rgb;
+    data.smoothness = inGBuffer1.a;
+    data.normalWorld = normalize((float3)inGBuffer2.rgb * 2.0 - 1.0);
+    return data;
+}

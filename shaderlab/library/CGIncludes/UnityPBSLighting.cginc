@@ -1,0 +1,86 @@
+#pragma once
+#include "UnityShaderVariables.cginc"
+#include "UnityStandardConfig.cginc"
+#include "UnityLightingCommon.cginc"
+#include "UnityGlobalIllumination.cginc"
+#include "UnityStandardBRDF.cginc"
+
+#ifndef UNITY_BRDF_PBS
+#if SHADER_TARGET < 30 || defined(UNITY_PBS_USE_BRDF3)
+#define UNITY_BRDF_PBS BRDF3_Unity_PBS
+#elif defined(UNITY_PBS_USE_BRDF2)
+#define UNITY_BRDF_PBS BRDF2_Unity_PBS
+#else
+#define UNITY_BRDF_PBS BRDF1_Unity_PBS
+#endif
+#endif
+
+// The term is kept for shaders that add it: what it adds is in UNITY_BRDF_PBS already.
+#define UNITY_BRDF_GI BRDF_Unity_Indirect
+half3 BRDF_Unity_Indirect(half3 baseColor, half3 specColor, half oneMinusReflectivity,
+                          half smoothness, half3 normal, half3 viewDir, half occlusion, UnityGI gi)
+{
+    return half3(0, 0, 0);
+}
+
+#define UNITY_GLOSSY_ENV_FROM_SURFACE(x, s, data) \
+    Unity_GlossyEnvironmentData x = UnityGlossyEnvironmentSetup( \
+        s.Smoothness, data.worldViewDir, s.Normal, \
+        lerp(unity_ColorSpaceDielectricSpec.rgb, s.Albedo, s.Metallic))
+#define UNITY_GI(x, s, data) x = UnityGlobalIllumination(data, s.Occlusion, s.Smoothness, s.Normal)
+
+struct SurfaceOutputStandard
+{
+    fixed3 Albedo; // base colour
+    float3 Normal; // tangent space where it is written
+    half3 Emission;
+    half Metallic;
+    half Smoothness;
+    half Occlusion;
+    fixed Alpha;
+};
+
+half4 LightingStandard(SurfaceOutputStandard s, float3 viewDir, UnityGI gi)
+{
+    half oneMinusReflectivity;
+    half3 specColor;
+    half3 albedo =
+        DiffuseAndSpecularFromMetallic(s.Albedo, s.Metallic, specColor, oneMinusReflectivity);
+    half outputAlpha;
+    albedo = PreMultiplyAlpha(albedo, s.Alpha, oneMinusReflectivity, outputAlpha);
+    half4 c = UNITY_BRDF_PBS(albedo, specColor, oneMinusReflectivity, s.Smoothness,
+                             normalize(s.Normal), viewDir, gi.light, gi.indirect);
+    return half4(c.rgb, outputAlpha);
+}
+void LightingStandard_GI(SurfaceOutputStandard s, UnityGIInput data, inout UnityGI gi)
+{
+    gi = UnityGlobalIllumination(data, s.Occlusion, s.Smoothness, s.Normal);
+}
+
+struct SurfaceOutputStandardSpecular
+{
+    fixed3 Albedo; // diffuse colour
+    fixed3 Specular;
+    float3 Normal;
+    half3 Emission;
+    half Smoothness;
+    half Occlusion;
+    fixed Alpha;
+};
+
+half4 LightingStandardSpecular(SurfaceOutputStandardSpecular s, float3 viewDir, UnityGI gi)
+{
+    half oneMinusReflectivity;
+    half3 albedo =
+        EnergyConservationBetweenDiffuseAndSpecular(s.Albedo, s.Specular, oneMinusReflectivity);
+    half outputAlpha;
+    albedo = PreMultiplyAlpha(albedo, s.Alpha, oneMinusReflectivity, outputAlpha);
+    half4 c = UNITY_BRDF_PBS(albedo, s.Specular, oneMinusReflectivity, s.Smoothness,
+                             normalize(s.Normal), viewDir, gi.light, gi.indirect);
+    return half4(c.rgb, outputAlpha);
+}
+void LightingStandardSpecular_GI(SurfaceOutputStandardSpecular s, UnityGIInput data,
+                                 inout UnityGI gi)
+{
+    gi = UnityGlobalIllumination(data, s.Occlusion, s.Smoothness, s.Normal);
+}

@@ -1,0 +1,13 @@
+#pragma once
+#include "UnityShaderVariables.cginc"
+
+float4 UnityWorldToClipPos(float3 pos) { return mul(UNITY_MATRIX_VP, float4(pos, 1.0)); }
+float4 UnityViewToClipPos(float3 pos) { return mul(UNITY_MATRIX_P, float4(pos, 1.0)); }
+float4 UnityObjectToClipPos(float3 pos)
+{
+    return UnityWorldToClipPos(mul(unity_ObjectToWorld, float4(pos, 1.0)).xyz);
+}
+float4 UnityObjectToClipPos(float4 pos) { return UnityObjectToClipPos(pos.xyz); }
+float4 UnityObjectToClipPosInstanced(float3 pos) { return UnityObjectToClipPos(pos); }
+float4 UnityObjectToClipPosInstanced(float4 pos) { return UnityObjectToClipPos(pos.xyz); }
+float4 UnityObjectToClipPosODS(float3 pos) { return UnityObjectToClipPos(pos); }

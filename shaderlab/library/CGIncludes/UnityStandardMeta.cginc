@@ -1,0 +1,41 @@
+#pragma once
+#include "UnityCG.cginc"
+#include "UnityStandardInput.cginc"
+#include "UnityMetaPass.cginc"
+#include "UnityStandardCore.cginc"
+
+struct v2f_meta
+{
+    float4 pos : SV_POSITION;
+    float4 uv : TEXCOORD0;
+};
+
+v2f_meta vert_meta(VertexInput v)
+{
+    v2f_meta o;
+#if defined(DYNAMICLIGHTMAP_ON) || defined(UNITY_PASS_META)
+    float2 uv2 = v.uv2;
+#else
+    float2 uv2 = v.uv1;
+#endif
+    o.pos = UnityMetaVertexPosition(v.vertex, v.uv1, uv2, unity_LightmapST, unity_DynamicLightmapST);
+    o.uv = TexCoords(v);
+    return o;
+}
+
+// Rough metals scatter much of what they mirror.
+half3 UnityLightmappingAlbedo(half3 diffuse, half3 specular, half smoothness)
+{
+    return diffuse + specular * SmoothnessToRoughness(smoothness) * 0.5;
+}
+
+float4 frag_meta(v2f_meta i) : SV_Target
+{
+    FragmentCommonData data = UNITY_SETUP_BRDF_INPUT(i.uv);
+    UnityMetaInput o;
+    UNITY_INITIALIZE_OUTPUT(UnityMetaInput, o);
+    o.Albedo = UnityLightmappingAlbedo(data.diffColor, data.specColor, data.smoothness);
+    o.SpecularColor = data.specColor;
+    o.Emission = Emission(i.uv.xy);
+    return UnityMetaFragment(o);
+}

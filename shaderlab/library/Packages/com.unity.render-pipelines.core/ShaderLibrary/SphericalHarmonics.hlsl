@@ -1,0 +1,24 @@
+// Light by direction as spherical harmonics of orders 0 to 2 (Ramamoorthi and Hanrahan 2001).
+#pragma once
+
+#include "limn/SphericalHarmonics.hlsl"
+
+float3 SHEvalLinearL0L1(float3 N, float4 shAr, float4 shAg, float4 shAb)
+{
+    return limn_ShLinear(float4(N, 1.0), shAr, shAg, shAb);
+}
+float3 SHEvalLinearL1(float3 N, float3 shAr, float3 shAg, float3 shAb)
+{
+    return float3(dot(shAr, N), dot(shAg, N), dot(shAb, N));
+}
+float3 SHEvalLinearL2(float3 N, float4 shBr, float4 shBg, float4 shBb, float4 shC)
+{
+    return limn_ShQuadratic(N, shBr, shBg, shBb, shC);
+}
+// Ar, Ag, Ab, Br, Bg, Bb, C
+float3 SampleSH9(float4 SHCoefficients[7], float3 N)
+{
+    return SHEvalLinearL0L1(N, SHCoefficients[0], SHCoefficients[1], SHCoefficients[2]) +
+           SHEvalLinearL2(N, SHCoefficients[3], SHCoefficients[4], SHCoefficients[5],
+                          SHCoefficients[6]);
+}

@@ -1,0 +1,94 @@
+// Between the structures of a generated shader and its entry points. The shader has defined
+// Attributes, Varyings, PackedVaryings and the functions of its graph, and says by macros which
+// members there are.
+#pragma once
+
+SurfaceDescription BuildSurfaceDescription(Varyings varyings)
+{
+    return SurfaceDescriptionFunction(BuildSurfaceDescriptionInputs(varyings));
+}
+
+#if SHADERPASS == SHADERPASS_SHADOWCASTER
+float3 _LightDirection;
+float3 _LightPosition;
+
+float4 limn_ShadowPosition(float3 positionWS, float3 normalWS)
+{
+#if defined(_CASTING_PUNCTUAL_LIGHT_SHADOW)
+    float3 lightDirection = normalize(_LightPosition - positionWS);
+#else
+    float3 lightDirection = _LightDirection;
+#endif
+    return ApplyShadowClamping(
+        TransformWorldToHClip(ApplyShadowBias(positionWS, normalWS, lightDirection)));
+}
+#endif
+
+Varyings BuildVaryings(Attributes input)
+{
+    Varyings output = (Varyings)0;
+#if defined(FEATURES_GRAPH_VERTEX)
+    VertexDescription vertexDescription =
+        VertexDescriptionFunction(BuildVertexDescriptionInputs(input));
+    input.positionOS = vertexDescription.Position;
+#if defined(ATTRIBUTES_NEED_NORMAL) && defined(VARYINGS_NEED_NORMAL_WS)
+    input.normalOS = vertexDescription.Normal;
+#endif
+#if defined(ATTRIBUTES_NEED_TANGENT) && defined(VARYINGS_NEED_TANGENT_WS)
+    input.tangentOS.xyz = vertexDescription.Tangent;
+#endif
+#endif
+    float3 positionWS = TransformObjectToWorld(input.positionOS);
+    output.positionCS = TransformWorldToHClip(positionWS);
+#if defined(ATTRIBUTES_NEED_NORMAL)
+    float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
+#else
+    float3 normalWS = float3(0.0, 0.0, 0.0);
+#endif
+#if SHADERPASS == SHADERPASS_SHADOWCASTER
+    output.positionCS = limn_ShadowPosition(positionWS, normalWS);
+#elif SHADERPASS == SHADERPASS_META
+    output.positionCS = UnityMetaVertexPosition(input.positionOS, input.uv1.xy, input.uv2.xy);
+#endif
+#ifdef VARYINGS_NEED_POSITION_WS
+    output.positionWS = positionWS;
+#endif
+#ifdef VARYINGS_NEED_NORMAL_WS
+    output.normalWS = normalWS;
+#endif
+#ifdef VARYINGS_NEED_TANGENT_WS
+    output.tangentWS = float4(TransformObjectToWorldDir(input.tangentOS.xyz), input.tangentOS.w);
+#endif
+#ifdef VARYINGS_NEED_VIEWDIRECTION_WS
+    output.viewDirectionWS = GetWorldSpaceViewDir(positionWS);
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD0
+    output.texCoord0 = input.uv0;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD1
+    output.texCoord1 = input.uv1;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD2
+    output.texCoord2 = input.uv2;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD3
+    output.texCoord3 = input.uv3;
+#endif
+#ifdef VARYINGS_NEED_COLOR
+    output.color = input.color;
+#endif
+#ifdef VARYINGS_NEED_SCREENPOSITION
+    output.screenPosition = ComputeScreenPos(output.positionCS);
+#endif
+#if SHADERPASS == SHADERPASS_FORWARD && !defined(LIGHTMAP_ON)
+    OUTPUT_SH(normalWS, output.sh);
+#endif
+#ifdef VARYINGS_NEED_FOG_AND_VERTEX_LIGHT
+    output.fogFactorAndVertexLight =
+        float4(ComputeFogFactor(output.positionCS.z), VertexLighting(positionWS, normalWS));
+#endif
+#if defined(VARYINGS_NEED_SHADOW_COORD) && defined(REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR)
+    output.shadowCoord = TransformWorldToShadowCoord(positionWS);
+#endif
+    return output;
+}

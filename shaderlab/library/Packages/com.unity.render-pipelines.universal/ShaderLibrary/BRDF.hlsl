@@ -1,0 +1,148 @@
+// How a surface reflects: a diffuse part, a highlight of facets (GGX), and surroundings.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"
+
+// What a surface that is no metal reflects straight on, and what it does not.
+#define kDielectricSpec float4(0.04, 0.04, 0.04, 1.0 - 0.04)
+
+struct BRDFData
+{
+    float3 albedo;
+    float3 diffuse;
+    float3 specular;
+    float reflectivity;
+    float perceptualRoughness;
+    float roughness;
+    float roughness2;
+    float grazingTerm;
+    float normalizationTerm;   // 4 roughness + 2
+    float roughness2MinusOne;  // roughness^2 - 1
+};
+
+float ReflectivitySpecular(float3 specular) { return Max3(specular.r, specular.g, specular.b); }
+float OneMinusReflectivityMetallic(float metallic) { return kDielectricSpec.a * (1.0 - metallic); }
+float MetallicFromReflectivity(float reflectivity)
+{
+    return (reflectivity - kDielectricSpec.r) / kDielectricSpec.a;
+}
+
+void InitializeBRDFDataDirect(float3 albedo, float3 diffuse, float3 specular, float reflectivity,
+                              float oneMinusReflectivity, float smoothness, inout float alpha,
+                              out BRDFData outBRDFData)
+{
+    outBRDFData = (BRDFData)0;
+    outBRDFData.albedo = albedo;
+    outBRDFData.diffuse = diffuse;
+    outBRDFData.specular = specular;
+    outBRDFData.reflectivity = reflectivity;
+    outBRDFData.perceptualRoughness = PerceptualSmoothnessToPerceptualRoughness(smoothness);
+    outBRDFData.roughness =
+        max(PerceptualRoughnessToRoughness(outBRDFData.perceptualRoughness), HALF_MIN_SQRT);
+    outBRDFData.roughness2 = max(Sq(outBRDFData.roughness), HALF_MIN);
+    outBRDFData.grazingTerm = saturate(smoothness + reflectivity);
+    outBRDFData.normalizationTerm = outBRDFData.roughness * 4.0 + 2.0;
+    outBRDFData.roughness2MinusOne = outBRDFData.roughness2 - 1.0;
+#ifdef _ALPHAPREMULTIPLY_ON
+    outBRDFData.diffuse *= alpha;
+#endif
+}
+void InitializeBRDFDataDirect(float3 diffuse, float3 specular, float reflectivity,
+                              float oneMinusReflectivity, float smoothness, inout float alpha,
+                              out BRDFData outBRDFData)
+{
+    InitializeBRDFDataDirect(float3(0, 0, 0), diffuse, specular, reflectivity, oneMinusReflectivity,
+                             smoothness, alpha, outBRDFData);
+}
+
+// With _SPECULAR_SETUP by the colour of the highlight, else by how much of a metal it is.
+void InitializeBRDFData(float3 albedo, float metallic, float3 specular, float smoothness,
+                        inout float alpha, out BRDFData outBRDFData)
+{
+#ifdef _SPECULAR_SETUP
+    float reflectivity = ReflectivitySpecular(specular);
+    float oneMinusReflectivity = 1.0 - reflectivity;
+    float3 brdfDiffuse = albedo * oneMinusReflectivity;
+    float3 brdfSpecular = specular;
+#else
+    float oneMinusReflectivity = OneMinusReflectivityMetallic(metallic);
+    float reflectivity = 1.0 - oneMinusReflectivity;
+    float3 brdfDiffuse = albedo * oneMinusReflectivity;
+    float3 brdfSpecular = lerp(kDielectricSpec.rgb, albedo, metallic);
+#endif
+    InitializeBRDFDataDirect(albedo, brdfDiffuse, brdfSpecular, reflectivity, oneMinusReflectivity,
+                             smoothness, alpha, outBRDFData);
+}
+void InitializeBRDFData(inout SurfaceData surfaceData, out BRDFData brdfData)
+{
+    InitializeBRDFData(surfaceData.albedo, surfaceData.metallic, surfaceData.specular,
+                       surfaceData.smoothness, surfaceData.alpha, brdfData);
+}
+
+// f0 of a surface below a coat of index 1.5 instead of below air.
+float3 ConvertF0ForClearCoat15(float3 f0)
+{
+    float3 root = sqrt(f0);
+    return saturate(Sq((1.0 - 5.0 * root) / (5.0 - root)));
+}
+void InitializeBRDFDataClearCoat(float clearCoatMask, float clearCoatSmoothness,
+                                 inout BRDFData baseBRDFData, out BRDFData outBRDFData)
+{
+    float alpha = 1.0;
+    InitializeBRDFDataDirect(float3(1, 1, 1), kDielectricSpec.aaa, kDielectricSpec.rgb,
+                             kDielectricSpec.r, kDielectricSpec.a, clearCoatSmoothness, alpha,
+                             outBRDFData);
+    baseBRDFData.specular = lerp(baseBRDFData.specular,
+                                 ConvertF0ForClearCoat15(baseBRDFData.specular), clearCoatMask);
+}
+BRDFData CreateClearCoatBRDFData(SurfaceData surfaceData, inout BRDFData brdfData)
+{
+    BRDFData brdfDataClearCoat = (BRDFData)0;
+#if defined(_CLEARCOAT) || defined(_CLEARCOATMAP)
+    InitializeBRDFDataClearCoat(surfaceData.clearCoatMask, surfaceData.clearCoatSmoothness,
+                                brdfData, brdfDataClearCoat);
+#endif
+    return brdfDataClearCoat;
+}
+
+// What surroundings of even brightness give, without a table.
+float3 EnvironmentBRDFSpecular(BRDFData brdfData, float fresnelTerm)
+{
+    float reduction = 1.0 / (brdfData.roughness2 + 1.0);
+    return reduction * lerp(brdfData.specular, brdfData.grazingTerm.xxx, fresnelTerm);
+}
+float3 EnvironmentBRDF(BRDFData brdfData, float3 indirectDiffuse, float3 indirectSpecular,
+                       float fresnelTerm)
+{
+    return indirectDiffuse * brdfData.diffuse +
+           indirectSpecular * EnvironmentBRDFSpecular(brdfData, fresnelTerm);
+}
+float3 EnvironmentBRDFClearCoat(BRDFData brdfData, float clearCoatMask, float3 indirectSpecular,
+                                float fresnelTerm)
+{
+    return indirectSpecular * EnvironmentBRDFSpecular(brdfData, fresnelTerm) * clearCoatMask;
+}
+
+// "Optimizing PBR for Mobile" (SIGGRAPH 2015): the GGX distribution times an approximation of
+// visibility and Fresnel, roughness^2 / (d^2 max(0.1, LoH^2) (4 roughness + 2)), without 1/pi.
+float DirectBRDFSpecular(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
+                         float3 viewDirectionWS)
+{
+    float3 halfway = SafeNormalize(lightDirectionWS + viewDirectionWS);
+    float NoH = saturate(dot(normalWS, halfway));
+    float LoH = saturate(dot(lightDirectionWS, halfway));
+    float d = Sq(NoH) * brdfData.roughness2MinusOne + 1.00001;
+    return brdfData.roughness2 / (Sq(d) * max(0.1, Sq(LoH)) * brdfData.normalizationTerm);
+}
+float3 DirectBDRF(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
+                  float3 viewDirectionWS, bool specularHighlightsOff)
+{
+    float highlight = 0.0;
+    if (!specularHighlightsOff)
+    {
+        highlight = DirectBRDFSpecular(brdfData, normalWS, lightDirectionWS, viewDirectionWS);
+    }
+    return brdfData.diffuse + highlight * brdfData.specular;
+}

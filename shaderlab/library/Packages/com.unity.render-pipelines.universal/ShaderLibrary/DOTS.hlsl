@@ -1,0 +1,2 @@
+// Instancing by entities is no part of limn.
+#pragma once

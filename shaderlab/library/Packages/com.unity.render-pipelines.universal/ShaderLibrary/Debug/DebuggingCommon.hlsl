@@ -1,0 +1,18 @@
+// There are no debug views: these names do nothing.
+#pragma once
+
+#define DEBUGLIGHTINGFEATUREFLAGS_NONE 0
+#define DEBUGLIGHTINGFEATUREFLAGS_GLOBAL_ILLUMINATION 1
+#define DEBUGLIGHTINGFEATUREFLAGS_MAIN_LIGHT 2
+#define DEBUGLIGHTINGFEATUREFLAGS_ADDITIONAL_LIGHTS 4
+#define DEBUGLIGHTINGFEATUREFLAGS_VERTEX_LIGHTING 8
+#define DEBUGLIGHTINGFEATUREFLAGS_EMISSION 16
+#define DEBUGLIGHTINGFEATUREFLAGS_AMBIENT_OCCLUSION 32
+
+bool IsLightingFeatureEnabled(uint bitMask) { return true; }
+bool IsOnlyAOLightingFeatureEnabled() { return false; }
+
+#define SETUP_DEBUG_TEXTURE_DATA(inputData, uv, texture)
+#define SETUP_DEBUG_TEXTURE_DATA_FOR_TEX(inputData, uv, texture)
+#define SETUP_DEBUG_TEXTURE_DATA_TERRAIN(inputData, uv)
+#define SETUP_DEBUG_TEXTURE_DATA_NO_UV(inputData)

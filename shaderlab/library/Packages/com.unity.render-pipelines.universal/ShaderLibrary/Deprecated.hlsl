@@ -1,0 +1,2 @@
+// Names of earlier versions of the library; see ShaderVariablesFunctions.deprecated.hlsl.
+#pragma once

@@ -1,0 +1,139 @@
+// Ambient light. There are no light maps and no reflection probes: what is reflected is the ambient
+// light from that side.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/EntityLighting.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ImageBasedLighting.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/BRDF.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/RealtimeLights.hlsl"
+
+// Where harmonics are evaluated: by default all in the fragment function; EVALUATE_SH_VERTEX: all
+// in the vertex function; EVALUATE_SH_MIXED: order 2 there, orders 0 and 1 here.
+float3 SampleSH(float3 normalWS)
+{
+    float3 light = SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb) +
+                   SHEvalLinearL2(normalWS, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC);
+    return max(float3(0, 0, 0), light);
+}
+float3 SampleSHVertex(float3 normalWS)
+{
+#if defined(EVALUATE_SH_VERTEX)
+    return SampleSH(normalWS);
+#elif defined(EVALUATE_SH_MIXED)
+    return SHEvalLinearL2(normalWS, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC);
+#else
+    return float3(0, 0, 0);
+#endif
+}
+float3 SampleSHPixel(float3 L2Term, float3 normalWS)
+{
+#if defined(EVALUATE_SH_VERTEX)
+    return L2Term;
+#elif defined(EVALUATE_SH_MIXED)
+    return max(float3(0, 0, 0),
+               L2Term + SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb));
+#else
+    return SampleSH(normalWS);
+#endif
+}
+
+#define DECLARE_LIGHTMAP_OR_SH(lmName, shName, index) float3 shName : TEXCOORD##index
+#define OUTPUT_LIGHTMAP_UV(lightmapUV, lightmapScaleOffset, OUT)
+#define OUTPUT_SH(normalWS, OUT) OUT.xyz = SampleSHVertex(normalWS)
+#define OUTPUT_SH4(absolutePositionWS, normalWS, viewDir, OUT) OUTPUT_SH(normalWS, OUT)
+#define SAMPLE_GI(lmName, shName, normalWSName) SampleSHPixel(shName, normalWSName)
+
+float3 SampleLightmap(float2 staticLightmapUV, float3 normalWS) { return float3(0, 0, 0); }
+float3 SampleLightmap(float2 staticLightmapUV, float2 dynamicLightmapUV, float3 normalWS)
+{
+    return float3(0, 0, 0);
+}
+
+float3 GlossyEnvironmentReflection(float3 reflectVector, float perceptualRoughness, float occlusion)
+{
+    return SampleSH(reflectVector) * occlusion;
+}
+float3 GlossyEnvironmentReflection(float3 reflectVector, float3 positionWS,
+                                   float perceptualRoughness, float occlusion)
+{
+    return GlossyEnvironmentReflection(reflectVector, perceptualRoughness, occlusion);
+}
+float3 GlossyEnvironmentReflection(float3 reflectVector, float3 positionWS,
+                                   float perceptualRoughness, float occlusion,
+                                   float2 normalizedScreenSpaceUV)
+{
+    return GlossyEnvironmentReflection(reflectVector, perceptualRoughness, occlusion);
+}
+
+// Where a reflection that leaves positionWS meets the box of a probe, seen from the probe. A position
+// with w = 0 is a probe without a box.
+float3 BoxProjectedCubemapDirection(float3 reflectionWS, float3 positionWS,
+                                    float4 cubemapPositionWS, float4 boxMin, float4 boxMax)
+{
+    if (cubemapPositionWS.w <= 0.0)
+    {
+        return reflectionWS;
+    }
+    float3 wall = reflectionWS > 0.0 ? boxMax.xyz : boxMin.xyz;
+    float3 distances = (wall - positionWS) / reflectionWS;
+    float nearest = min(distances.x, min(distances.y, distances.z));
+    return positionWS - cubemapPositionWS.xyz + reflectionWS * nearest;
+}
+
+// Baked light holds no light of the main light: there is nothing to take away.
+float3 SubtractDirectMainLightFromLightmap(Light mainLight, float3 normalWS, float3 bakedGI)
+{
+    return bakedGI;
+}
+void MixRealtimeAndBakedGI(inout Light light, float3 normalWS, inout float3 bakedGI) {}
+void MixRealtimeAndBakedGI(inout Light light, float3 normalWS, inout float3 bakedGI,
+                           float4 shadowMask)
+{
+}
+
+float3 GlobalIllumination(BRDFData brdfData, BRDFData brdfDataClearCoat, float clearCoatMask,
+                          float3 bakedGI, float occlusion, float3 positionWS, float3 normalWS,
+                          float3 viewDirectionWS, float2 normalizedScreenSpaceUV)
+{
+    float3 reflectVector = reflect(-viewDirectionWS, normalWS);
+    float NoV = saturate(dot(normalWS, viewDirectionWS));
+    float fresnelTerm = Pow4(1.0 - NoV);
+    float3 reflected =
+        GlossyEnvironmentReflection(reflectVector, brdfData.perceptualRoughness, 1.0);
+    float3 color = EnvironmentBRDF(brdfData, bakedGI, reflected, fresnelTerm);
+#if defined(_CLEARCOAT) || defined(_CLEARCOATMAP)
+    float3 coatReflected =
+        GlossyEnvironmentReflection(reflectVector, brdfDataClearCoat.perceptualRoughness, 1.0);
+    float3 coat =
+        EnvironmentBRDFClearCoat(brdfDataClearCoat, clearCoatMask, coatReflected, fresnelTerm);
+    float coatFresnel = kDielectricSpec.x + kDielectricSpec.a * fresnelTerm;
+    return (color * (1.0 - coatFresnel * clearCoatMask) + coat) * occlusion;
+#else
+    return color * occlusion;
+#endif
+}
+float3 GlobalIllumination(BRDFData brdfData, BRDFData brdfDataClearCoat, float clearCoatMask,
+                          float3 bakedGI, float occlusion, float3 positionWS, float3 normalWS,
+                          float3 viewDirectionWS)
+{
+    return GlobalIllumination(brdfData, brdfDataClearCoat, clearCoatMask, bakedGI, occlusion,
+                              positionWS, normalWS, viewDirectionWS, float2(0, 0));
+}
+float3 GlobalIllumination(BRDFData brdfData, float3 bakedGI, float occlusion, float3 positionWS,
+                          float3 normalWS, float3 viewDirectionWS)
+{
+    return GlobalIllumination(brdfData, (BRDFData)0, 0.0, bakedGI, occlusion, positionWS, normalWS,
+                              viewDirectionWS, float2(0, 0));
+}
+float3 GlobalIllumination(BRDFData brdfData, BRDFData brdfDataClearCoat, float clearCoatMask,
+                          float3 bakedGI, float occlusion, float3 normalWS, float3 viewDirectionWS)
+{
+    return GlobalIllumination(brdfData, brdfDataClearCoat, clearCoatMask, bakedGI, occlusion,
+                              float3(0, 0, 0), normalWS, viewDirectionWS, float2(0, 0));
+}
+float3 GlobalIllumination(BRDFData brdfData, float3 bakedGI, float occlusion, float3 normalWS,
+                          float3 viewDirectionWS)
+{
+    return GlobalIllumination(brdfData, (BRDFData)0, 0.0, bakedGI, occlusion, float3(0, 0, 0),
+                              normalWS, viewDirectionWS, float2(0, 0));
+}

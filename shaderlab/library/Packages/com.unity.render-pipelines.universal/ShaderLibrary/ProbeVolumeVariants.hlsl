@@ -1,0 +1,2 @@
+// Light probe volumes are no part of limn.
+#pragma once

@@ -1,0 +1,4 @@
+// Names of earlier versions of the library.
+#pragma once
+
+uint GetMeshRenderingLightLayer() { return GetMeshRenderingLayer(); }

@@ -1,0 +1,12 @@
+// What a surface of one colour gives to baked light.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
+
+float4 UniversalFragmentMetaBakedLit(Varyings input) : SV_Target
+{
+    MetaInput metaInput = (MetaInput)0;
+    metaInput.Albedo =
+        _BaseColor.rgb * SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).rgb;
+    return UniversalFragmentMeta(input, metaInput);
+}

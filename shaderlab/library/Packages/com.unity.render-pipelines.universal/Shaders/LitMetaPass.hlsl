@@ -1,0 +1,16 @@
+// What LitInput.hlsl gives to baked light.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
+
+float4 UniversalFragmentMetaLit(Varyings input) : SV_Target
+{
+    SurfaceData surfaceData;
+    InitializeStandardLitSurfaceData(input.uv, surfaceData);
+    BRDFData brdfData;
+    InitializeBRDFData(surfaceData, brdfData);
+    MetaInput metaInput;
+    metaInput.Albedo = brdfData.diffuse + brdfData.specular * brdfData.roughness * 0.5;
+    metaInput.Emission = surfaceData.emission;
+    return UniversalFragmentMeta(input, metaInput);
+}

@@ -1,0 +1,17 @@
+// The deferred pass of SimpleLitInput.hlsl.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
+#include "Packages/com.unity.render-pipelines.universal/Shaders/SimpleLitForwardPass.hlsl"
+
+FragmentOutput LitPassFragmentSimple(Varyings input)
+{
+    SurfaceData surfaceData;
+    InitializeSimpleLitSurfaceData(input.uv, surfaceData);
+    LODFadeCrossFade(input.positionCS);
+    InputData inputData;
+    InitializeInputData(input, surfaceData.normalTS, inputData);
+    return SurfaceDataToGbuffer(surfaceData, inputData,
+                                surfaceData.emission + inputData.bakedGI * surfaceData.albedo,
+                                kLightingSimpleLit);
+}

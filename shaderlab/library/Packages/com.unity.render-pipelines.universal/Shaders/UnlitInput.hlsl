@@ -1,0 +1,11 @@
+// Properties of Universal Render Pipeline/Unlit.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
+
+CBUFFER_START(UnityPerMaterial)
+float4 _BaseMap_ST;
+float4 _BaseColor;
+float _Cutoff;
+float _Surface;
+CBUFFER_END

@@ -1,0 +1,27 @@
+// A pass over the whole target without a vertex buffer.
+#pragma once
+
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+
+struct Attributes
+{
+    uint vertexID : SV_VertexID;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+struct Varyings
+{
+    float4 positionCS : SV_POSITION;
+    float2 uv : TEXCOORD0;
+    UNITY_VERTEX_OUTPUT_STEREO
+};
+
+Varyings FullscreenVert(Attributes input)
+{
+    Varyings output = (Varyings)0;
+    output.positionCS = GetQuadVertexPosition(input.vertexID);
+    output.positionCS.xy = output.positionCS.xy * 2.0 - 1.0;
+    output.uv = GetQuadTexCoord(input.vertexID);
+    return output;
+}
+Varyings Vert(Attributes input) { return FullscreenVert(input); }
