@@ -35,37 +35,81 @@ std::string Join(const std::vector<Diagnostic>& diagnostics)
     return text;
 }
 
-/// Edit distance without case; two neighbours that changed places are one mistake.
+constexpr std::size_t k_MaxName = 64;  ///< longer names are no typo, and comparing them takes long
+constexpr std::size_t k_MaxLine = 160; ///< bytes of a line of the file to show
+
+std::string_view TrimEnd(std::string_view text)
+{
+    while (!text.empty() && isBlank(text.back()))
+    {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool isInsideCharacter(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+/// The first place from `position` on where a character of UTF-8 starts.
+std::size_t CharacterStart(std::string_view text, std::size_t position)
+{
+    while (position < text.size() && isInsideCharacter(text[position]))
+    {
+        ++position;
+    }
+    return std::min(position, text.size());
+}
+
+/// Blanks as wide as the text; tabs stay, so that it does not matter how wide they are.
+std::string Spacing(std::string_view text)
+{
+    std::string spacing;
+    for (const char c : text)
+    {
+        if (!isInsideCharacter(c))
+        {
+            spacing += c == '\t' ? '\t' : ' ';
+        }
+    }
+    return spacing;
+}
+
+} // namespace
+
 std::size_t EditDistance(std::string_view a, std::string_view b)
 {
     const auto isEqual = [](char x, char y)
     {
         return ToLower(x) == ToLower(y);
     };
-    std::vector<std::vector<std::size_t>> cost(a.size() + 1,
-                                               std::vector<std::size_t>(b.size() + 1));
+    // Three rows of the table of distances between the first i and the first j letters.
+    std::vector<std::size_t> beforeLast(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t i = 0; i <= a.size(); ++i)
     {
-        for (std::size_t j = 0; j <= b.size(); ++j)
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j)
         {
-            if (i == 0 || j == 0)
+            if (i == 0)
             {
-                cost[i][j] = i + j;
+                row[j] = j;
                 continue;
             }
             const std::size_t change = isEqual(a[i - 1], b[j - 1]) ? 0 : 1;
-            cost[i][j] =
-                std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
             if (i > 1 && j > 1 && isEqual(a[i - 1], b[j - 2]) && isEqual(a[i - 2], b[j - 1]))
             {
-                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+                row[j] = std::min(row[j], beforeLast[j - 2] + 1);
             }
         }
+        beforeLast.swap(last);
+        last.swap(row);
     }
-    return cost[a.size()][b.size()];
+    return last[b.size()];
 }
-
-} // namespace
 
 std::string ToString(const Diagnostic& diagnostic)
 {
@@ -81,6 +125,38 @@ std::string ToString(const Diagnostic& diagnostic)
     return text + ": " + std::string(SeverityName(diagnostic.severity)) + ": " + diagnostic.message;
 }
 
+std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text)
+{
+    std::string shown = ToString(diagnostic);
+    for (int line = 1; line < diagnostic.location.line; ++line)
+    {
+        const std::size_t end = text.find('\n');
+        text = end == text.npos ? std::string_view{} : text.substr(end + 1);
+    }
+    const std::string_view line = TrimEnd(text.substr(0, text.find('\n')));
+    if (diagnostic.location.line <= 0 || line.empty())
+    {
+        return shown;
+    }
+    // A byte order mark does not count as columns.
+    const std::size_t mark = line.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+    const std::size_t column =
+        static_cast<std::size_t>(std::max(diagnostic.location.column, 1)) - 1 + mark;
+    const std::size_t begin = column > k_MaxLine / 2 && line.size() > k_MaxLine
+                                  ? CharacterStart(line, column - k_MaxLine / 2)
+                                  : mark;
+    const std::size_t end = CharacterStart(line, begin + k_MaxLine);
+    shown += "\n" + std::string(begin > mark ? "..." : "") +
+             std::string(line.substr(begin, end - begin)) + (end < line.size() ? "..." : "");
+    if (diagnostic.location.column > 0)
+    {
+        const std::size_t to = std::min(column, line.size());
+        shown += "\n" + std::string(begin > mark ? 3 : 0, ' ') +
+                 Spacing(line.substr(begin, to - begin)) + "^";
+    }
+    return shown;
+}
+
 AssetError::AssetError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(Join(diagnostics)), m_Diagnostics(std::move(diagnostics))
 {
@@ -94,9 +170,18 @@ AssetError::AssetError(std::string file, SourceLocation location, std::string me
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known)
 {
     std::string_view nearest;
+    if (name.size() > k_MaxName)
+    {
+        return nearest;
+    }
     std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : known)
     {
+        const std::size_t longer = std::max(name.size(), candidate.size());
+        if (longer - std::min(name.size(), candidate.size()) >= best)
+        {
+            continue; // so many letters are missing at least
+        }
         const std::size_t distance = EditDistance(name, candidate);
         if (distance < best)
         {
@@ -109,7 +194,8 @@ std::string_view NearestName(std::string_view name, const std::vector<std::strin
 
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known)
 {
-    std::string text = "'" + std::string(name) + "'";
+    std::string text =
+        "'" + std::string(name.substr(0, k_MaxName)) + (name.size() > k_MaxName ? "..." : "") + "'";
     const std::string_view nearest = NearestName(name, known);
     if (!nearest.empty())
     {

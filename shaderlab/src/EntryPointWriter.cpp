@@ -165,6 +165,12 @@ private:
 
     void AddVaryingInput(const StageValue& value)
     {
+        if (std::find(m_Linkage.unwritten.begin(), m_Linkage.unwritten.end(),
+                      value.semanticName()) != m_Linkage.unwritten.end())
+        {
+            m_Before += value.expression + " = 0;\n";
+            return;
+        }
         const Varying& varying = FindVarying(value);
         const std::string name = NextName();
         const bool isFlat = varying.scalar != "float";

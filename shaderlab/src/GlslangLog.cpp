@@ -119,8 +119,9 @@ bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& 
     return std::any_of(earlier.begin(), earlier.end(),
                        [&](const Diagnostic& known)
                        {
-                           return isAboutReturn || (known.file == diagnostic.file &&
-                                                    known.location == diagnostic.location);
+                           return known.severity == Severity::Error &&
+                                  (isAboutReturn || (known.file == diagnostic.file &&
+                                                     known.location == diagnostic.location));
                        });
 }
 
@@ -145,7 +146,6 @@ std::optional<Place> ReadGivingUp(std::string_view log)
 
 std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile)
 {
-    constexpr std::string_view k_Error = "ERROR: ";
     const auto givingUp = ReadGivingUp(log);
     std::vector<Diagnostic> diagnostics;
     while (!log.empty())
@@ -153,14 +153,15 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
         const std::size_t size = std::min(log.find('\n'), log.size());
         std::string_view line = log.substr(0, size);
         log.remove_prefix(std::min(size + 1, log.size()));
-        if (line.substr(0, k_Error.size()) != k_Error || isSummary(line))
+        const bool isWarning = Consume(line, "WARNING: ");
+        if (!(isWarning || Consume(line, "ERROR: ")) || isSummary(line))
         {
             continue;
         }
-        line.remove_prefix(k_Error.size());
         const auto place = ReadPlace(line);
         const bool hasFile = place && place->line > 0;
-        Diagnostic diagnostic{Severity::Error, hasFile ? place->file : fallbackFile,
+        Diagnostic diagnostic{isWarning ? Severity::Warning : Severity::Error,
+                              hasFile ? place->file : fallbackFile,
                               SourceLocation{place ? place->line : 0, 0},
                               CleanMessage(line.substr(place ? place->end : 0))};
         if (!isConsequence(diagnostic, diagnostics))
@@ -168,7 +169,10 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
             diagnostics.push_back(std::move(diagnostic));
         }
     }
-    if (diagnostics.empty() && givingUp)
+    const bool hasError = std::any_of(diagnostics.begin(), diagnostics.end(),
+                                      [](const Diagnostic& diagnostic)
+                                      { return diagnostic.severity == Severity::Error; });
+    if (!hasError && givingUp)
     {
         diagnostics.push_back({Severity::Error,
                                givingUp->file,

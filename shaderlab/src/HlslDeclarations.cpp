@@ -57,6 +57,18 @@ private:
                                                  : std::string_view();
     }
     bool isWord() const { return !isEnd() && m_Tokens[m_Index].isWord; }
+    /// The source from a token to the one before this.
+    std::string_view Span(std::size_t first) const
+    {
+        const std::size_t end = std::min(m_Index, m_Tokens.size());
+        if (first >= end)
+        {
+            return {};
+        }
+        const char* const begin = m_Tokens[first].text.data();
+        const std::string_view last = m_Tokens[end - 1].text;
+        return {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
+    }
     bool Accept(std::string_view text)
     {
         const bool accepted = Text() == text;
@@ -228,13 +240,13 @@ private:
     {
         while (Accept("["))
         {
-            const std::string_view size = Text();
+            const std::size_t first = m_Index;
             while (!isEnd() && Text() != "]")
             {
                 ++m_Index;
             }
+            variable.dimensions.push_back(Span(first));
             Accept("]");
-            variable.dimensions.push_back(size);
         }
         while (Accept(":"))
         {
@@ -251,10 +263,12 @@ private:
         }
         if (Accept("="))
         {
+            const std::size_t first = m_Index;
             while (!isEnd() && Text() != "," && Text() != ";" && Text() != ")")
             {
                 SkipValue();
             }
+            variable.value = Span(first);
         }
     }
 
@@ -289,6 +303,7 @@ private:
             variable.name = {};
             variable.dimensions.clear();
             variable.semantic = {};
+            variable.value = {};
         } while (Accept(","));
         if (!Accept(";") && m_Index == start)
         {
@@ -312,6 +327,10 @@ private:
                                   (variable.Has("const") && !variable.Has("uniform"));
             if (isStatic)
             {
+                if (variable.Has("const") && variable.dimensions.empty())
+                {
+                    m_Result.constants[std::string(variable.name)] = variable.value;
+                }
                 continue;
             }
             variable.endToken = m_Index - 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "HlslTokens.h"
+#include "IntegerExpression.h"
 
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@ struct HlslVariable
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
+    std::string_view value;   ///< behind `=`
     std::size_t token = 0;    ///< index of the name
     std::size_t endToken = 0; ///< of a uniform: index of the token that ends its declaration
 
@@ -55,6 +57,7 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
+    IntegerNames constants; ///< `static const` scalars
 
     /// The type behind a typedef; other names stay as they are.
     std::string_view ResolveAlias(std::string_view type) const;

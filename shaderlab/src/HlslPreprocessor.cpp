@@ -1,14 +1,18 @@
 #include "HlslPreprocessor.h"
 
+#include <limn/shaderlab/MissingIncludeError.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "GlslangIncluder.h"
 #include "GlslangLog.h"
 #include "GlslangSession.h"
+#include "HlslSpelling.h"
+#include "HlslTokens.h"
 #include "Text.h"
 
 #include <glslang/Public/ResourceLimits.h>
 
-#include <list>
-#include <memory>
-#include <set>
+#include <algorithm>
 
 namespace limn
 {
@@ -16,94 +20,10 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_ByteOrderMark = "\xEF\xBB\xBF";
-
 bool StartsWith(std::string_view text, std::string_view start)
 {
     return text.substr(0, start.size()) == start;
 }
-
-/// Replaces directives that only Unity's preprocessor knows; the number of lines stays.
-std::string TranslateDirectives(std::string_view text)
-{
-    if (StartsWith(text, k_ByteOrderMark))
-    {
-        text.remove_prefix(k_ByteOrderMark.size());
-    }
-    std::string result;
-    result.reserve(text.size() + 1);
-    while (!text.empty())
-    {
-        const std::size_t size = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, size);
-        const std::string_view trimmed = Trim(line);
-        constexpr std::string_view k_WithPragmas = "#include_with_pragmas";
-        if (StartsWith(trimmed, k_WithPragmas))
-        {
-            result.append("#include").append(trimmed.substr(k_WithPragmas.size()));
-        }
-        else if (!StartsWith(trimmed, "#warning"))
-        {
-            result.append(line);
-        }
-        result += '\n';
-        text.remove_prefix(std::min(size + 1, text.size()));
-    }
-    return result;
-}
-
-bool HasPragmaOnce(std::string_view text)
-{
-    const std::size_t pragma = text.find("#pragma once");
-    return pragma != std::string_view::npos && (pragma == 0 || text[pragma - 1] == '\n');
-}
-
-/// Hands files to glslang and keeps them until it is done.
-class Includer final : public glslang::TShader::Includer
-{
-public:
-    explicit Includer(IncludeResolver& resolver) : m_Resolver(resolver) {}
-
-    IncludeResult* includeLocal(const char* header, const char* includer, std::size_t) override
-    {
-        return Include(header, includer);
-    }
-    IncludeResult* includeSystem(const char* header, const char* includer, std::size_t) override
-    {
-        return Include(header, includer);
-    }
-    void releaseInclude(IncludeResult*) override {}
-
-private:
-    struct Loaded
-    {
-        std::string text;
-        std::unique_ptr<IncludeResult> result;
-    };
-
-    IncludeResult* Include(const char* header, const char* includer)
-    {
-        auto file = m_Resolver.Find(header, includer);
-        if (!file)
-        {
-            return nullptr;
-        }
-        if (HasPragmaOnce(file->text) && !m_Once.insert(file->name).second)
-        {
-            file->text.clear();
-        }
-        Loaded& loaded = m_Loaded.emplace_back();
-        // glslang reads the last character of a header unasked.
-        loaded.text = TranslateDirectives(file->text.empty() ? "\n" : file->text);
-        loaded.result = std::make_unique<IncludeResult>(file->name, loaded.text.c_str(),
-                                                        loaded.text.size(), nullptr);
-        return loaded.result.get();
-    }
-
-    IncludeResolver& m_Resolver;
-    std::list<Loaded> m_Loaded;
-    std::set<std::string> m_Once; ///< files with `#pragma once` that were included
-};
 
 void Define(std::string& source, std::string_view name, std::string_view value = "1")
 {
@@ -120,6 +40,19 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
     {
         Define(source, keyword);
     }
+    // Code asks for these with a plain `if`.
+    for (const KeywordSet& set : program.keywordSets)
+    {
+        for (const std::string& keyword : set.keywords)
+        {
+            const bool isOn =
+                std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+            if (set.isDynamic && !keyword.empty() && !isOn)
+            {
+                Define(source, keyword, "0");
+            }
+        }
+    }
     source += "#include \"limn/Prelude.hlsl\"\n";
     if (program.language == ProgramLanguage::Cg)
     {
@@ -133,29 +66,43 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
     return source;
 }
 
-void ExplainMissingIncludes(std::vector<Diagnostic>& diagnostics)
+void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
 {
-    constexpr std::string_view k_Glslang =
-        "'#include': Could not process include directive for header name: ";
+    constexpr std::string_view k_Start = "'#include': ";
+    constexpr std::string_view k_Unsaid = "Could not process include directive";
+    constexpr std::string_view k_File = " for header name: ";
     for (Diagnostic& diagnostic : diagnostics)
     {
-        if (StartsWith(diagnostic.message, k_Glslang))
+        const std::string_view message = diagnostic.message;
+        const std::size_t file = message.rfind(k_File);
+        if (!StartsWith(message, k_Start) || file == message.npos)
         {
-            diagnostic.message = "#include: no such file \"" +
-                                 diagnostic.message.substr(k_Glslang.size()) +
-                                 "\"; it was looked for beside this file, in the project, its "
-                                 "packages and the built-in ShaderLibrary";
+            continue;
         }
+        const std::string_view reason = message.substr(k_Start.size(), file - k_Start.size());
+        const std::string name = "\"" + std::string(message.substr(file + k_File.size())) + "\"";
+        diagnostic.message =
+            reason == k_Unsaid
+                ? "#include: no such file " + name +
+                      "; it was looked for beside this file, in the project, its packages and the "
+                      "built-in ShaderLibrary"
+                : "#include: " + name + " is " + std::string(reason);
     }
 }
 
-/// Blanks the pragmas, which are Unity's; matrix packing alone is the compiler's business.
-void RemovePragmas(std::string& text)
+/// Blanks the pragmas that are left and reports those that stand for `#warning`.
+void TakePragmas(std::string& text, std::vector<Diagnostic>& warnings)
 {
     for (std::size_t line = 0; line < text.size();)
     {
         const std::size_t end = std::min(text.find('\n', line), text.size());
         const std::string_view trimmed = Trim(std::string_view(text).substr(line, end - line));
+        if (const auto message = ReadWarningPragma(trimmed))
+        {
+            const HlslPlace place = PlaceOf(text, line);
+            warnings.push_back(
+                {Severity::Warning, place.file, place.location, "'#warning': " + *message});
+        }
         if (StartsWith(trimmed, "#pragma") && trimmed.find("pack_matrix") == trimmed.npos)
         {
             text.replace(line, end - line, end - line, ' ');
@@ -164,10 +111,36 @@ void RemovePragmas(std::string& text)
     }
 }
 
+/// Sorts what glslang says into warnings and what stops the compilation.
+void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& program,
+           bool hasMissing, std::vector<Diagnostic>& warnings)
+{
+    const auto errors = std::stable_partition(diagnostics.begin(), diagnostics.end(),
+                                              [](const Diagnostic& diagnostic)
+                                              { return diagnostic.severity != Severity::Error; });
+    warnings.insert(warnings.end(), diagnostics.begin(), errors);
+    diagnostics.erase(diagnostics.begin(), errors);
+    if (!good && diagnostics.empty())
+    {
+        diagnostics.push_back({Severity::Error, program.file, program.location,
+                               "program: the preprocessor failed without a message"});
+    }
+    if (!diagnostics.empty())
+    {
+        ExplainIncludes(diagnostics);
+        if (hasMissing)
+        {
+            throw MissingIncludeError(std::move(diagnostics));
+        }
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
 } // namespace
 
 std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
-                           std::span<const std::string> keywords, IncludeResolver& resolver)
+                           std::span<const std::string> keywords, IncludeResolver& resolver,
+                           std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
@@ -177,23 +150,21 @@ std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     glslang::TShader shader(GlslangStage(stage));
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
     SetEnvironment(shader, stage);
-    Includer includer(resolver);
+    GlslangIncluder includer(resolver);
     std::string result;
     const bool good = shader.preprocess(GetDefaultResources(), 500, ENoProfile, false, false,
                                         k_GlslangMessages, &result, includer);
-    std::vector<Diagnostic> diagnostics = ReadGlslangLog(shader.getInfoLog(), program.file);
-    if (!good || !diagnostics.empty())
+    if (includer.needsHighDefinition())
     {
-        ExplainMissingIncludes(diagnostics);
-        if (diagnostics.empty())
-        {
-            diagnostics.push_back({Severity::Error, program.file, program.location,
-                                   "program: the preprocessor failed without a message"});
-        }
-        throw AssetError(std::move(diagnostics));
+        throw UnsupportedProgramError(
+            {Severity::Error, program.file, program.location,
+             "program: it is for the High Definition Render Pipeline, which limn does not stand in "
+             "for"});
     }
-    RemovePragmas(result);
-    return result;
+    Judge(good, ReadGlslangLog(shader.getInfoLog(), program.file), program, includer.hasMissing(),
+          warnings);
+    TakePragmas(result, warnings);
+    return RespellForGlslang(std::move(result));
 }
 
 } // namespace limn

@@ -33,6 +33,57 @@ const EmbeddedFile* FindEmbedded(std::string_view path)
     return nullptr;
 }
 
+/// The path with each part spelt as the disk has it, where one differs in case only.
+std::optional<std::filesystem::path> FindIgnoringCase(const std::filesystem::path& path)
+{
+    std::filesystem::path found;
+    for (const std::filesystem::path& part : path)
+    {
+        std::error_code error;
+        if (std::filesystem::exists(found / part, error))
+        {
+            found /= part;
+            continue;
+        }
+        std::string match;
+        const std::filesystem::path folder = found.empty() ? "." : found;
+        for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error))
+        {
+            const std::string name = entry->path().filename().string();
+            const bool isMatch = EqualsIgnoringCase(name, part.string());
+            match = isMatch && (match.empty() || name < match) ? name : match;
+        }
+        if (match.empty())
+        {
+            return std::nullopt;
+        }
+        found /= match;
+    }
+    return found;
+}
+
+/// The folder that holds the `Assets` or `Packages` folder the file lies in.
+std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path& file)
+{
+    std::filesystem::path folder;
+    for (const std::filesystem::path& part : file)
+    {
+        if (part == "Assets" || part == "Packages")
+        {
+            return folder;
+        }
+        folder /= part;
+    }
+    return std::nullopt;
+}
+
+bool isAbsolute(std::string_view path)
+{
+    const bool hasDrive = path.size() > 1 && isLetter(path[0]) && path[1] == ':';
+    return hasDrive || path.substr(0, 1) == "/";
+}
+
 bool StartsWith(std::string_view text, std::string_view start)
 {
     return text.substr(0, start.size()) == start;
@@ -66,67 +117,141 @@ std::uint64_t HashLibrary()
     return hash;
 }
 
+IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
+                                 const std::string& shaderFile)
+    : m_Options(options)
+{
+    const std::filesystem::path file = std::filesystem::absolute(shaderFile);
+    std::vector<std::filesystem::path> roots = options.includeFolders;
+    roots.push_back(options.projectRoot.empty() ? std::filesystem::current_path()
+                                                : options.projectRoot);
+    roots.push_back(file.parent_path());
+    if (const auto project = UnityProjectOf(file))
+    {
+        roots.push_back(*project);
+    }
+    for (const auto& [name, folder] : options.packages)
+    {
+        roots.push_back(folder);
+    }
+    for (const std::filesystem::path& root : roots)
+    {
+        std::error_code error;
+        m_Roots.push_back(std::filesystem::weakly_canonical(root, error));
+    }
+}
+
 std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
                                                   std::string_view includer)
 {
-    std::string path(include);
+    m_Refusal.clear();
+    std::string path(include.substr(0, include.find('\0')));
     std::replace(path.begin(), path.end(), '\\', '/');
-    return Locate(path, std::string(includer));
-}
-
-std::optional<IncludedFile> IncludeResolver::Locate(const std::string& include,
-                                                    const std::string& includer)
-{
-    const std::filesystem::path folder = std::filesystem::path(includer).parent_path();
-    const std::string beside = (folder / include).lexically_normal().generic_string();
-    if (FindEmbedded(includer))
+    if (isAbsolute(path))
     {
-        if (const EmbeddedFile* file = FindEmbedded(beside))
-        {
-            return IncludedFile{std::string(file->path), std::string(file->text)};
-        }
+        m_Refusal = "an absolute path; write it from this file or from the project's folder";
+        return std::nullopt;
     }
-    else if (auto file = ReadFromDisk(beside))
+    const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
+    const std::string beside = (folder / path).lexically_normal().generic_string();
+    const EmbeddedFile* embedded = FindEmbedded(includer) ? FindEmbedded(beside) : nullptr;
+    if (embedded)
     {
-        return file;
+        return IncludedFile{std::string(embedded->path), std::string(embedded->text)};
     }
-    if (StartsWith(include, "Packages/"))
+    const auto candidates = Candidates(path, std::string(includer));
+    for (const std::filesystem::path& candidate : candidates)
     {
-        if (auto file = ReadFromPackage(include))
+        if (auto file = ReadFromDisk(candidate))
         {
             return file;
         }
     }
-    if (auto file = ReadFromDisk((m_Options.projectRoot / include).lexically_normal()))
+    for (const std::string& name : {path, "CGIncludes/" + path})
     {
-        return file;
-    }
-    for (const std::string& path : {include, "CGIncludes/" + include})
-    {
-        if (const EmbeddedFile* file = FindEmbedded(path))
+        if (const EmbeddedFile* file = FindEmbedded(name))
         {
             return IncludedFile{std::string(file->path), std::string(file->text)};
+        }
+    }
+    // Last, because it lists folders.
+    for (const std::filesystem::path& candidate : candidates)
+    {
+        const auto spelt = FindIgnoringCase(candidate);
+        if (auto file = spelt ? ReadFromDisk(*spelt) : std::nullopt)
+        {
+            return file;
         }
     }
     return std::nullopt;
 }
 
-std::optional<IncludedFile> IncludeResolver::ReadFromPackage(const std::string& include)
+std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
 {
-    const std::size_t nameStart = std::string_view("Packages/").size();
-    const std::size_t nameEnd = std::min(include.find('/', nameStart), include.size());
-    const auto package = m_Options.packages.find(include.substr(nameStart, nameEnd - nameStart));
-    if (package == m_Options.packages.end() || nameEnd == include.size())
+    const EmbeddedFile* embedded = FindEmbedded(name);
+    return embedded ? IncludedFile{name, std::string(embedded->text)} : ReadFromDisk(name);
+}
+
+std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string& include,
+                                                               const std::string& includer) const
+{
+    std::vector<std::filesystem::path> candidates;
+    if (!FindEmbedded(includer))
     {
-        return std::nullopt;
+        candidates.push_back(std::filesystem::path(includer).parent_path() / include);
     }
-    return ReadFromDisk((package->second / include.substr(nameEnd + 1)).lexically_normal());
+    if (StartsWith(include, "Packages/"))
+    {
+        const std::size_t nameStart = std::string_view("Packages/").size();
+        const std::size_t nameEnd = std::min(include.find('/', nameStart), include.size());
+        const auto package =
+            m_Options.packages.find(include.substr(nameStart, nameEnd - nameStart));
+        if (package != m_Options.packages.end() && nameEnd < include.size())
+        {
+            candidates.push_back(package->second / include.substr(nameEnd + 1));
+        }
+    }
+    candidates.push_back(m_Options.projectRoot / include);
+    for (std::filesystem::path& candidate : candidates)
+    {
+        candidate = candidate.lexically_normal();
+    }
+    return candidates;
+}
+
+bool IncludeResolver::isAllowed(const std::filesystem::path& path) const
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+    return std::any_of(
+        m_Roots.begin(), m_Roots.end(),
+        [&](const std::filesystem::path& root) {
+            return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
+                   root.end();
+        });
 }
 
 std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem::path& path)
 {
+    constexpr std::uintmax_t k_MaximumSize = 64 << 20;
     const std::string name = path.generic_string();
-    auto text = ReadTextFile(path);
+    std::error_code error;
+    std::optional<std::string> text;
+    if (std::filesystem::is_regular_file(path, error))
+    {
+        if (!isAllowed(path))
+        {
+            m_Refusal = "outside the folders that includes may lie in; move it into the project";
+        }
+        else if (std::filesystem::file_size(path, error) > k_MaximumSize)
+        {
+            m_Refusal = "larger than 64 MB; split it";
+        }
+        else
+        {
+            text = ReadTextFile(path);
+        }
+    }
     const IncludeDependency dependency{name, text ? HashContent(*text) : 0};
     if (std::find(m_Dependencies.begin(), m_Dependencies.end(), dependency) == m_Dependencies.end())
     {
@@ -136,6 +261,7 @@ std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem:
     {
         return std::nullopt;
     }
+    m_Refusal.clear();
     return IncludedFile{name, std::move(*text)};
 }
 

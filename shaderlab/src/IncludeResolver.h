@@ -34,24 +34,35 @@ std::uint64_t HashFile(const std::string& path);
 std::uint64_t HashLibrary();
 
 /// Finds what #include names, the way Unity does: beside the including file, then from the project
-/// root and its packages, then in the built-in library. One resolver serves one compilation.
+/// root and its packages, then in the built-in library; names may differ in case. One resolver
+/// serves one compilation.
 class IncludeResolver
 {
 public:
-    explicit IncludeResolver(const ShaderCompilerOptions& options) : m_Options(options) {}
+    /// @param shaderFile  the .shader file that the compilation is for
+    IncludeResolver(const ShaderCompilerOptions& options, const std::string& shaderFile);
 
-    /// Nothing where no such file exists.
+    /// Nothing where no such file exists or it may not be read; refusal() says which.
     std::optional<IncludedFile> Find(std::string_view include, std::string_view includer);
+
+    /// A file that Find gave, by its name.
+    std::optional<IncludedFile> Reread(const std::string& name);
+
+    /// Why the last Find gave nothing: "subject; what would be right", or "" for no such file.
+    const std::string& refusal() const { return m_Refusal; }
 
     const std::vector<IncludeDependency>& dependencies() const { return m_Dependencies; }
 
 private:
-    std::optional<IncludedFile> Locate(const std::string& include, const std::string& includer);
+    std::vector<std::filesystem::path> Candidates(const std::string& include,
+                                                  const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
-    std::optional<IncludedFile> ReadFromPackage(const std::string& include);
+    bool isAllowed(const std::filesystem::path& path) const;
 
     const ShaderCompilerOptions& m_Options;
+    std::vector<std::filesystem::path> m_Roots; ///< canonical
     std::vector<IncludeDependency> m_Dependencies;
+    std::string m_Refusal;
 };
 
 } // namespace limn

@@ -7,21 +7,35 @@
 namespace limn
 {
 
+namespace
+{
+
+constexpr std::size_t k_MaxFileSize = 64 << 20;
+constexpr std::size_t k_MaxReference = 128; ///< bytes of a property's name in a command
+
+} // namespace
+
 Parser::Parser(std::string_view text, std::string file) : m_Lexer(text)
 {
     m_Result.document.file = std::move(file);
+    if (text.size() > k_MaxFileSize)
+    {
+        Report(Severity::Error, {},
+               "file: it has " + std::to_string(text.size()) + " bytes; a shader may have " +
+                   std::to_string(k_MaxFileSize));
+        Stop();
+        return;
+    }
     Advance();
 }
 
 ShaderLabParseResult Parser::Parse()
 {
-    ParseFile();
-    const auto isBefore = [](const Diagnostic& a, const Diagnostic& b)
+    if (!m_IsStopped)
     {
-        return a.location.line != b.location.line ? a.location.line < b.location.line
-                                                  : a.location.column < b.location.column;
-    };
-    std::stable_sort(m_Result.diagnostics.begin(), m_Result.diagnostics.end(), isBefore);
+        ParseFile();
+    }
+    FinishDiagnostics();
     return std::move(m_Result);
 }
 
@@ -29,6 +43,17 @@ Token Parser::Advance()
 {
     const Token previous = m_Token;
     m_Token = m_Lexer.Next();
+    while (m_Token.kind == TokenKind::Identifier && m_Token.text.front() == '#' &&
+           (isWord("#warning") || isWord("#error") || isWord("#line")))
+    {
+        TakeDirective();
+    }
+    if (m_Token.kind == TokenKind::End && m_Lexer.openComment().line > 0 && !m_IsStopped)
+    {
+        Report(Severity::Error, m_Lexer.openComment(),
+               "comment: '/*' is never closed; close it with '*/'");
+        m_Lexer.ForgetOpenComment();
+    }
     if (m_Token.unterminated)
     {
         Error("string: '\"' is never closed; close it where the text ends");
@@ -36,17 +61,42 @@ Token Parser::Advance()
     return previous;
 }
 
+/// Unity's lexer knows three preprocessor lines outside programs, none of which says anything about
+/// the shader.
+void Parser::TakeDirective()
+{
+    const SourceLocation location = m_Token.location;
+    const std::string name(m_Token.text);
+    const bool isError = isWord("#error");
+    const bool isLine = isWord("#line");
+    const std::string_view text = Trim(m_Lexer.ReadLine());
+    if (isLine)
+    {
+        Report(Severity::Note, location, "#line: ignored; places are those of this file");
+    }
+    else
+    {
+        Report(isError ? Severity::Error : Severity::Warning, location,
+               name + ": " + std::string(text.substr(0, 200)));
+    }
+    if (!m_IsStopped)
+    {
+        m_Token = m_Lexer.Next();
+    }
+}
+
 bool Parser::isWord(std::string_view word) const
 {
     return m_Token.kind == TokenKind::Identifier && EqualsIgnoringCase(m_Token.text, word);
 }
 
-bool Parser::isPunctuation(std::string_view mark) const
+bool Parser::isPunctuation(char mark) const
 {
-    return m_Token.kind == TokenKind::Punctuation && m_Token.text == mark;
+    return m_Token.kind == TokenKind::Punctuation && m_Token.text.size() == 1 &&
+           m_Token.text[0] == mark;
 }
 
-bool Parser::Accept(std::string_view mark)
+bool Parser::Accept(char mark)
 {
     const bool accepted = isPunctuation(mark);
     if (accepted)
@@ -56,44 +106,14 @@ bool Parser::Accept(std::string_view mark)
     return accepted;
 }
 
-bool Parser::Expect(std::string_view subject, std::string_view mark)
+bool Parser::Expect(std::string_view subject, char mark)
 {
     if (Accept(mark))
     {
         return true;
     }
-    Error(std::string(subject) + ": '" + std::string(mark) + "' is missing before " + Found());
+    Error(std::string(subject) + ": '" + mark + "' is missing before " + Found());
     return false;
-}
-
-std::string Parser::Found() const
-{
-    switch (m_Token.kind)
-    {
-    case TokenKind::End:
-        return "the end of the file";
-    case TokenKind::String:
-        return "\"" + std::string(m_Token.text.substr(0, 40)) + "\"";
-    default:
-        return "'" + std::string(m_Token.text) + "'";
-    }
-}
-
-void Parser::Report(Severity severity, SourceLocation location, std::string message)
-{
-    m_Result.diagnostics.push_back(
-        {severity, m_Result.document.file, location, std::move(message)});
-}
-
-void Parser::Error(std::string message)
-{
-    // A file that breaks off is one mistake, however many scopes were open.
-    if (m_Token.kind == TokenKind::End && m_ReportedEnd)
-    {
-        return;
-    }
-    m_ReportedEnd = m_Token.kind == TokenKind::End;
-    Report(Severity::Error, m_Token.location, std::move(message));
 }
 
 const Parser::Command* Parser::FindCommand(const CommandTable& table) const
@@ -117,9 +137,9 @@ bool Parser::isOuterCommand() const
 
 void Parser::SkipUnknown()
 {
-    while (m_Token.kind != TokenKind::End && !isPunctuation("}") && !isAnyCommand())
+    while (m_Token.kind != TokenKind::End && !isPunctuation('}') && !isAnyCommand())
     {
-        if (isPunctuation("{"))
+        if (isPunctuation('{'))
         {
             SkipBraces();
         }
@@ -130,13 +150,31 @@ void Parser::SkipUnknown()
     }
 }
 
+/// Passes over what a broken command has left on its line, so that it is reported once.
+void Parser::SkipRestOfCommand()
+{
+    while (m_Token.kind != TokenKind::End && m_Token.location.line == m_FailedLine &&
+           !isPunctuation('}') && !isAnyCommand())
+    {
+        if (isPunctuation('{'))
+        {
+            SkipBraces();
+        }
+        else
+        {
+            Advance();
+        }
+    }
+    m_FailedLine = 0;
+}
+
 void Parser::SkipBraces()
 {
-    int depth = 0;
+    std::size_t depth = 0;
     do
     {
-        depth += isPunctuation("{") ? 1 : 0;
-        depth -= isPunctuation("}") ? 1 : 0;
+        depth += isPunctuation('{') ? 1 : 0;
+        depth -= isPunctuation('}') ? 1 : 0;
         Advance();
     } while (depth > 0 && m_Token.kind != TokenKind::End);
 }
@@ -144,27 +182,25 @@ void Parser::SkipBraces()
 void Parser::ParseBlock(std::string_view scope, const CommandTable& table)
 {
     const SourceLocation opening = m_Token.location;
-    if (!Expect(scope, "{"))
+    if (!Expect(scope, '{'))
     {
         SkipUnknown();
         return;
     }
     m_Tables.push_back(&table);
     bool open = true;
-    while (open && !Accept("}"))
+    while (open && !Accept('}'))
     {
         if (m_Token.kind == TokenKind::End)
         {
-            Error(std::string(scope) + ": '{' of line " + std::to_string(opening.line) +
-                  " is never closed; add '}'");
+            ReportNotClosed(scope, opening);
             open = false;
         }
         else if (const Command* command = FindCommand(table))
         {
-            m_Command = m_Token.location;
-            m_WordEnd = m_Lexer.mark();
-            m_Word = Advance().text;
-            (this->*command->parse)();
+            m_FailedLine = 0;
+            ParseCommand(*command);
+            SkipRestOfCommand();
         }
         else if (isOuterCommand())
         {
@@ -180,11 +216,27 @@ void Parser::ParseBlock(std::string_view scope, const CommandTable& table)
     m_Tables.pop_back();
 }
 
+void Parser::ParseCommand(const Command& command)
+{
+    m_Command = m_Token.location;
+    m_Word = command.name;
+    if (!command.isRaw)
+    {
+        Advance();
+    }
+    (this->*command.parse)();
+}
+
 void Parser::ParseUnknown(std::string_view scope, const CommandTable& table)
 {
     if (m_Token.kind != TokenKind::Identifier)
     {
         Error(std::string(scope) + ": unexpected " + Found() + "; a command is expected");
+    }
+    else if (const std::string_view place = PlaceOf(m_Token.text); !place.empty())
+    {
+        Error(std::string(scope) + ": " + Found() + " does not belong here; it is a command of " +
+              std::string(place));
     }
     else
     {
@@ -195,7 +247,7 @@ void Parser::ParseUnknown(std::string_view scope, const CommandTable& table)
         }
         Error(std::string(scope) + ": unknown command " + UnknownName(m_Token.text, known));
     }
-    if (isPunctuation("{"))
+    if (isPunctuation('{'))
     {
         SkipBraces();
     }
@@ -216,14 +268,21 @@ std::optional<std::string> Parser::ParseString(std::string_view subject)
     return std::nullopt;
 }
 
-std::optional<double> Parser::ParseNumber(std::string_view subject)
+std::optional<float> Parser::ParseNumber(std::string_view subject)
 {
-    if (m_Token.kind == TokenKind::Number)
+    if (m_Token.kind != TokenKind::Number)
     {
-        return Advance().number;
+        Error(std::string(subject) + ": a number is missing before " + Found());
+        return std::nullopt;
     }
-    Error(std::string(subject) + ": a number is missing before " + Found());
-    return std::nullopt;
+    if (m_Token.unusual)
+    {
+        Report(Severity::Warning, m_Token.location,
+               std::string(subject) + ": " + Found() +
+                   " is no plain number; write digits, '.' and '-' only, within the limits of a "
+                   "float");
+    }
+    return Advance().number;
 }
 
 std::optional<std::string> Parser::ParseReference(std::string_view subject)
@@ -232,12 +291,12 @@ std::optional<std::string> Parser::ParseReference(std::string_view subject)
     bool closed = false;
     const std::string_view text = Trim(m_Lexer.ReadBracket(closed));
     std::size_t size = 0;
-    while (size < text.size() && (isLetter(text[size]) || isDigit(text[size]) || text[size] == '#'))
+    while (size < text.size() && isWordCharacter(text[size]))
     {
         ++size;
     }
     Advance();
-    if (!closed || size == 0)
+    if (!closed || size == 0 || size > k_MaxReference)
     {
         Report(Severity::Error, start,
                std::string(subject) + ": '[' needs the name of a property and ']', as in [_Name]");
@@ -246,8 +305,8 @@ std::optional<std::string> Parser::ParseReference(std::string_view subject)
     if (size < text.size())
     {
         Report(Severity::Warning, start,
-               std::string(subject) + ": what follows the name in '[" + std::string(text) +
-                   "]' is ignored");
+               std::string(subject) + ": what follows the name in '[" +
+                   std::string(text.substr(0, 80)) + "]' is ignored");
     }
     return std::string(text.substr(0, size));
 }

@@ -3,22 +3,6 @@
 namespace limn
 {
 
-namespace
-{
-
-constexpr EnumName<StencilOp> k_StencilOps[] = {
-    {"Keep", StencilOp::Keep},
-    {"Zero", StencilOp::Zero},
-    {"Replace", StencilOp::Replace},
-    {"IncrSat", StencilOp::IncrementSaturate},
-    {"DecrSat", StencilOp::DecrementSaturate},
-    {"Invert", StencilOp::Invert},
-    {"IncrWrap", StencilOp::IncrementWrap},
-    {"DecrWrap", StencilOp::DecrementWrap},
-};
-
-} // namespace
-
 const Parser::CommandTable& Parser::StencilCommands()
 {
     using Face = StencilFaceState;
@@ -45,29 +29,29 @@ const Parser::CommandTable& Parser::StencilCommands()
 void Parser::ParseStencil()
 {
     // A block replaces what an outer scope set: fields it does not name have their defaults.
-    m_State->stencil = StencilState{};
-    m_State->stencil.enabled = true;
+    m_Scope.state.stencil = PassStencilState{};
+    m_Scope.state.stencil.enabled = true;
     ParseBlock("Stencil", StencilCommands());
 }
 
 void Parser::ParseStencilRef()
 {
-    ParseStencilByte("Ref", m_State->stencil.reference);
+    ParseStencilByte("Ref", m_Scope.state.stencil.reference);
 }
 
 void Parser::ParseStencilReadMask()
 {
-    ParseStencilByte("ReadMask", m_State->stencil.readMask);
+    ParseStencilByte("ReadMask", m_Scope.state.stencil.readMask);
 }
 
 void Parser::ParseStencilWriteMask()
 {
-    ParseStencilByte("WriteMask", m_State->stencil.writeMask);
+    ParseStencilByte("WriteMask", m_Scope.state.stencil.writeMask);
 }
 
 void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
 {
-    if (isPunctuation("["))
+    if (isPunctuation('['))
     {
         const auto property = ParseReference(subject);
         target = property ? StateValue<int>::FromProperty(*property) : target;
@@ -79,7 +63,7 @@ void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
     {
         return;
     }
-    if (*number < 0.0 || *number > 255.0)
+    if (*number < 0.0f || *number > 255.0f)
     {
         Report(Severity::Error, token.location,
                std::string(subject) + ": " + std::string(token.text) +
@@ -93,9 +77,9 @@ template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool
 void Parser::ParseStencilCompare()
 {
     StateValue<CompareFunction> value;
-    if (ParseEnum<CompareFunction>(m_Word, CompareFunctionNames(), value))
+    if (ParseEnum<CompareFunction>(m_Word, k_CompareFunctions, value))
     {
-        StencilState& stencil = m_State->stencil;
+        PassStencilState& stencil = m_Scope.state.stencil;
         stencil.front.*Field = Front ? value : stencil.front.*Field;
         stencil.back.*Field = Back ? value : stencil.back.*Field;
     }
@@ -107,7 +91,7 @@ void Parser::ParseStencilOperation()
     StateValue<StencilOp> value;
     if (ParseEnum<StencilOp>(m_Word, k_StencilOps, value))
     {
-        StencilState& stencil = m_State->stencil;
+        PassStencilState& stencil = m_Scope.state.stencil;
         stencil.front.*Field = Front ? value : stencil.front.*Field;
         stencil.back.*Field = Back ? value : stencil.back.*Field;
     }

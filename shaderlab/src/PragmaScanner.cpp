@@ -1,9 +1,14 @@
 #include "PragmaScanner.h"
 
+#include "DirectiveConditions.h"
+#include "HlslLines.h"
+#include "KeywordSets.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <string_view>
 
 namespace limn
@@ -12,70 +17,7 @@ namespace limn
 namespace
 {
 
-/// Reads lines of a chunk; comments are gone and `\` continues a line.
-class LineReader
-{
-public:
-    explicit LineReader(const SourceChunk& chunk) : m_Text(chunk.text), m_Line(chunk.firstLine) {}
-
-    bool Next(std::string& line, int& number)
-    {
-        line.clear();
-        number = m_Line;
-        bool any = false;
-        for (; m_Position < m_Text.size(); ++m_Position)
-        {
-            any = true;
-            const std::string_view rest = std::string_view(m_Text).substr(m_Position);
-            if (rest[0] == '\n')
-            {
-                ++m_Line;
-                ++m_Position;
-                const std::size_t size = Trim(line).size();
-                if (m_InComment || size == 0 || Trim(line).back() != '\\')
-                {
-                    return true;
-                }
-                line = std::string(Trim(line).substr(0, size - 1)) + " ";
-                --m_Position;
-            }
-            else
-            {
-                Take(rest, line);
-            }
-        }
-        return any;
-    }
-
-private:
-    void Take(std::string_view rest, std::string& line)
-    {
-        if (m_InComment)
-        {
-            m_InComment = rest.substr(0, 2) != "*/";
-            m_Position += m_InComment ? 0 : 1;
-        }
-        else if (rest.substr(0, 2) == "/*")
-        {
-            m_InComment = true;
-            ++m_Position;
-            line += ' ';
-        }
-        else if (rest.substr(0, 2) == "//")
-        {
-            m_Position += std::min(rest.find('\n'), rest.size()) - 1;
-        }
-        else
-        {
-            line += rest[0];
-        }
-    }
-
-    std::string_view m_Text;
-    std::size_t m_Position = 0;
-    int m_Line;
-    bool m_InComment = false;
-};
+constexpr std::string_view k_IncludeWithPragmas = "include_with_pragmas";
 
 std::string_view TakeWord(std::string_view& text)
 {
@@ -90,126 +32,159 @@ std::string_view TakeWord(std::string_view& text)
     return word;
 }
 
-bool isOnlyUnderscores(std::string_view word)
+/// The name of a directive: letters only, so that `#if(X)` and `#include"x"` are understood.
+std::string_view TakeName(std::string_view& text)
 {
-    return word.find_first_not_of('_') == std::string_view::npos;
+    text = Trim(text);
+    std::size_t size = 0;
+    while (size < text.size() && isLetter(text[size]))
+    {
+        ++size;
+    }
+    const std::string_view name = text.substr(0, size);
+    text.remove_prefix(size);
+    return name;
 }
 
-bool StartsWith(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
-
-struct Shortcut
-{
-    std::string_view name;
-    std::string_view keywords;
-};
-
-// Only what decides a default; the shadow keywords of the built-in pipeline are never on here.
-constexpr Shortcut k_Shortcuts[] = {
-    {"multi_compile_fog", "_ FOG_LINEAR FOG_EXP FOG_EXP2"},
-    {"multi_compile_instancing", "_ INSTANCING_ON"},
-    {"multi_compile_particles", "_ SOFTPARTICLES_ON"},
-    {"multi_compile_fwdbase", "DIRECTIONAL"},
-    {"multi_compile_fwdbase_fullshadows", "DIRECTIONAL"},
-    {"multi_compile_fwdbasealpha", "DIRECTIONAL"},
-    {"multi_compile_fwdadd", "POINT DIRECTIONAL SPOT POINT_COOKIE DIRECTIONAL_COOKIE"},
-    {"multi_compile_fwdadd_fullshadows", "POINT DIRECTIONAL SPOT POINT_COOKIE DIRECTIONAL_COOKIE"},
-    {"multi_compile_shadowcaster", "SHADOWS_DEPTH SHADOWS_CUBE"},
-};
-
-bool isKeywordDirective(std::string_view name)
-{
-    return StartsWith(name, "multi_compile") || StartsWith(name, "shader_feature") ||
-           name == "dynamic_branch";
-}
-
-KeywordSet ReadKeywordSet(SourceLocation location, std::string_view name, std::string_view words)
-{
-    KeywordSet set{location, std::string(name), {}};
-    set.isFeature = StartsWith(name, "shader_feature");
-    set.isLocal = name.find("_local") != std::string_view::npos;
-    if (name.find("_vertex") != std::string_view::npos)
-    {
-        set.stages = ShaderStage::Vertex;
-    }
-    else if (name.find("_fragment") != std::string_view::npos)
-    {
-        set.stages = ShaderStage::Fragment;
-    }
-    for (const Shortcut& shortcut : k_Shortcuts)
-    {
-        words = name == shortcut.name ? shortcut.keywords : words;
-    }
-    while (!words.empty())
-    {
-        const std::string_view word = TakeWord(words);
-        set.keywords.emplace_back(isOnlyUnderscores(word) ? "" : word);
-    }
-    if (set.isFeature && set.keywords.size() == 1)
-    {
-        set.keywords.insert(set.keywords.begin(), "");
-    }
-    return set;
-}
-
+/// "4.5" is 45; 0 where it is no number.
 int TargetNumber(std::string_view text)
 {
-    return static_cast<int>(std::lround(std::atof(std::string(text).c_str()) * 10.0));
+    const double number = std::atof(std::string(text).c_str());
+    return number > 0.0 && number < 100.0 ? static_cast<int>(std::lround(number * 10.0)) : 0;
 }
 
-void Apply(PassProgram& program, SourceLocation location, std::string_view text)
+class PragmaReader
 {
-    const std::string_view name = TakeWord(text);
-    std::string_view rest = text;
-    if (name == "vertex")
+public:
+    PragmaReader(PassProgram& program, const PragmaFileReader& files)
+        : m_Program(program), m_Files(files)
     {
-        program.vertex = {std::string(TakeWord(rest)), location};
     }
-    else if (name == "fragment")
+
+    void ReadChunk(const SourceChunk& chunk) { Read(chunk.text, chunk.firstLine, m_Program.file); }
+
+private:
+    void Read(std::string_view text, int firstLine, const std::string& file)
     {
-        program.fragment = {std::string(TakeWord(rest)), location};
+        HlslLines lines(text, firstLine);
+        std::string line;
+        int number = 0;
+        while (lines.Next(line, number))
+        {
+            const std::size_t mark = line.find_first_not_of(" \t\r\f\v");
+            if (mark != line.npos && line[mark] == '#')
+            {
+                // Everything in an included file stands where the .shader file includes it.
+                m_Location =
+                    m_Depth > 0 ? m_Location : SourceLocation{number, static_cast<int>(mark) + 1};
+                ReadDirective(std::string_view(line).substr(mark + 1), file);
+            }
+        }
     }
-    else if (name == "target")
+
+    void ReadDirective(std::string_view rest, const std::string& file)
     {
-        program.target = TargetNumber(TakeWord(rest));
+        const std::string_view name = TakeName(rest);
+        if (name != "pragma" && name != k_IncludeWithPragmas)
+        {
+            m_Conditions.Apply(name, rest);
+            return;
+        }
+        if (name == k_IncludeWithPragmas)
+        {
+            Include(Trim(rest), file);
+            return;
+        }
+        // Real files contain `#pragma x#define y`, a line break forgotten.
+        const std::size_t glued = std::min(rest.find('#'), rest.size());
+        if (m_Conditions.isActive())
+        {
+            Apply(Trim(rest.substr(0, glued)));
+        }
+        if (glued < rest.size())
+        {
+            ReadDirective(rest.substr(glued + 1), file);
+        }
     }
-    else if (isKeywordDirective(name))
+
+    void Include(std::string_view name, const std::string& file)
     {
-        program.keywordSets.push_back(ReadKeywordSet(location, name, text));
+        constexpr int k_MaximumDepth = 32;
+        if (!m_Conditions.isActive())
+        {
+            return;
+        }
+        const std::size_t close = name.size() > 1 ? name.find_first_of("\">", 1) : name.npos;
+        const std::string_view path = close == name.npos ? name : name.substr(1, close - 1);
+        if (m_Depth == 0)
+        {
+            m_Program.pragmas.push_back(
+                {m_Location, std::string(k_IncludeWithPragmas), std::string(path)});
+        }
+        if (!m_Files || m_Depth >= k_MaximumDepth)
+        {
+            return;
+        }
+        const auto found = m_Files(path, file);
+        if (found && m_Read.insert(found->name).second)
+        {
+            ++m_Depth;
+            Read(found->text, 1, found->name);
+            --m_Depth;
+        }
     }
-    else
+
+    void Apply(std::string_view text)
     {
-        program.pragmas.push_back({location, std::string(name), std::string(text)});
+        const std::string_view name = TakeWord(text);
+        std::string_view rest = text;
+        if (name == "vertex")
+        {
+            m_Program.vertex = {std::string(TakeWord(rest)), m_Location};
+        }
+        else if (name == "fragment")
+        {
+            m_Program.fragment = {std::string(TakeWord(rest)), m_Location};
+        }
+        else if (name == "target" && TargetNumber(text) > 0)
+        {
+            m_Program.target = TargetNumber(TakeWord(rest));
+        }
+        else if (isKeywordDirective(name))
+        {
+            for (KeywordSet& set : ReadKeywordSets(m_Location, name, text))
+            {
+                m_Program.keywordSets.push_back(std::move(set));
+            }
+        }
+        else
+        {
+            m_Program.pragmas.push_back({m_Location, std::string(name), std::string(text)});
+        }
     }
-}
+
+    PassProgram& m_Program;
+    const PragmaFileReader& m_Files;
+    DirectiveConditions m_Conditions;
+    SourceLocation m_Location;
+    int m_Depth = 0;
+    std::set<std::string> m_Read; ///< each file counts once, as if guarded
+};
 
 } // namespace
 
-void ScanPragmas(PassProgram& program)
+void ScanPragmas(PassProgram& program, const PragmaFileReader& reader)
 {
+    const PassProgram fresh;
+    program.vertex = fresh.vertex;
+    program.fragment = fresh.fragment;
+    program.target = fresh.target;
+    program.keywordSets.clear();
+    program.pragmas.clear();
+    PragmaReader pragmas(program, reader);
     for (const SourceChunk& chunk : program.chunks)
     {
-        LineReader reader(chunk);
-        std::string line;
-        int number = 0;
-        while (reader.Next(line, number))
-        {
-            std::string_view text = Trim(line);
-            if (text.empty() || text.front() != '#')
-            {
-                continue;
-            }
-            text = Trim(text.substr(1));
-            if (StartsWith(text, "pragma") && text.size() > 6 && isBlank(text[6]))
-            {
-                const int column = static_cast<int>(line.find('#')) + 1;
-                // Real files contain `#pragma x#define y`, a line break forgotten.
-                Apply(program, {number, column},
-                      text.substr(6, text.find('#') == text.npos ? text.npos : text.find('#') - 6));
-            }
-        }
+        pragmas.ReadChunk(chunk);
     }
 }
 

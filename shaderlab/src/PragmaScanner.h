@@ -2,11 +2,21 @@
 
 #include <limn/shaderlab/PassProgram.h>
 
+#include "IncludeResolver.h"
+
+#include <functional>
+
 namespace limn
 {
 
-/// Fills entry points, target, keyword sets and other pragmas of `program` from its chunks. A later
-/// `vertex`, `fragment` or `target` replaces an earlier one.
-void ScanPragmas(PassProgram& program);
+/// Gives the file that `#include_with_pragmas` names, from the file that includes it.
+using PragmaFileReader =
+    std::function<std::optional<IncludedFile>(std::string_view include, std::string_view includer)>;
+
+/// Fills what a program's pragmas say from the text of its chunks; what they said before is gone.
+///
+/// @param reader  none: pragmas of included files are left out. Theirs get the place of the
+///                directive in the .shader file.
+void ScanPragmas(PassProgram& program, const PragmaFileReader& reader = {});
 
 } // namespace limn

@@ -13,7 +13,8 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Magic = "limn pass 1\n";
+constexpr std::string_view k_Magic = "limn pass 2\n";
+constexpr const char* k_Extension = ".limnpass";
 
 // One description of the format serves both directions: Stream is ByteWriter or ByteReader, and the
 // values are const for the one and not for the other.
@@ -92,6 +93,15 @@ void TransferPass(Stream& stream, Pass& pass)
     stream.List(pass.vertexSpirv, word);
     stream.List(pass.fragmentSpirv, word);
     TransferLayout(stream, pass.layout);
+    stream.List(pass.diagnostics,
+                [&](auto& diagnostic)
+                {
+                    stream.Value(diagnostic.severity);
+                    stream.Value(diagnostic.file);
+                    stream.Value(diagnostic.location.line);
+                    stream.Value(diagnostic.location.column);
+                    stream.Value(diagnostic.message);
+                });
 }
 
 template <typename Stream, typename Dependencies>
@@ -122,7 +132,7 @@ std::optional<std::string_view> Payload(std::string_view file)
 
 std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::string& key)
 {
-    return folder / (key + ".limnpass");
+    return folder / (key + k_Extension);
 }
 
 } // namespace
@@ -147,7 +157,15 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
                         { return HashFile(dependency.path) == dependency.contentHash; });
         CompiledPass pass;
         TransferPass(reader, pass);
-        return isCurrent ? std::optional(std::move(pass)) : std::nullopt;
+        if (!isCurrent)
+        {
+            return std::nullopt;
+        }
+        // Trim goes by the time of the last use; that it cannot be set is no reason to compile.
+        std::error_code ignored;
+        std::filesystem::last_write_time(EntryPath(m_Folder, key),
+                                         std::filesystem::file_time_type::clock::now(), ignored);
+        return pass;
     }
     catch (const std::out_of_range&)
     {
@@ -171,8 +189,49 @@ void ShaderCache::Store(const std::string& key, const CompiledPass& pass,
     // Best effort: without an entry the next run compiles again.
     std::error_code error;
     std::filesystem::create_directories(m_Folder, error);
-    error = TryWriteFile(EntryPath(m_Folder, key),
-                         std::string(k_Magic) + payload.bytes() + hash.bytes());
+    const std::string bytes = std::string(k_Magic) + payload.bytes() + hash.bytes();
+    error = TryWriteFile(EntryPath(m_Folder, key), bytes);
+    const std::uintmax_t stored = m_Stored += bytes.size();
+    if (m_Limit > 0 && (!m_HasTrimmed.exchange(true) || stored > m_Limit / 8))
+    {
+        m_Stored = 0;
+        Trim();
+    }
+}
+
+void ShaderCache::Trim() const
+{
+    struct Entry
+    {
+        std::filesystem::file_time_type lastUse;
+        std::filesystem::path path;
+        std::uintmax_t size = 0;
+    };
+    std::vector<Entry> entries;
+    std::uintmax_t total = 0;
+    std::error_code error;
+    for (auto file = std::filesystem::directory_iterator(m_Folder, error);
+         !error && file != std::filesystem::directory_iterator(); file.increment(error))
+    {
+        // Another process may be trimming as well: what is gone already counts nothing.
+        std::error_code gone;
+        const std::uintmax_t size =
+            file->path().extension() == k_Extension ? file->file_size(gone) : 0;
+        const auto lastUse =
+            gone ? std::filesystem::file_time_type::min() : file->last_write_time(gone);
+        if (!gone && size > 0)
+        {
+            entries.push_back({lastUse, file->path(), size});
+            total += size;
+        }
+    }
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.lastUse < b.lastUse; });
+    for (std::size_t i = 0; i < entries.size() && total > m_Limit; ++i)
+    {
+        std::filesystem::remove(entries[i].path, error);
+        total -= entries[i].size;
+    }
 }
 
 } // namespace limn

@@ -4,6 +4,8 @@
 
 #include "IncludeResolver.h"
 
+#include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,12 +16,17 @@ namespace limn
 
 /// A folder of compiled passes, one file each. Nothing that is wrong with it is an error: a
 /// missing, torn or foreign file counts as absent, and a folder that cannot be written keeps
-/// nothing.
+/// nothing. Any number of processes may use one folder at once.
 class ShaderCache
 {
 public:
     /// @param folder  empty = no cache
-    explicit ShaderCache(std::filesystem::path folder) : m_Folder(std::move(folder)) {}
+    /// @param limit  bytes that the entries may take together; 0 = no limit. What was not used for
+    ///     longest goes first. It is looked after whenever an eighth of it has been stored.
+    ShaderCache(std::filesystem::path folder, std::uintmax_t limit)
+        : m_Folder(std::move(folder)), m_Limit(limit)
+    {
+    }
 
     bool isEnabled() const { return !m_Folder.empty(); }
 
@@ -31,7 +38,12 @@ public:
                const std::vector<IncludeDependency>& dependencies) const;
 
 private:
+    void Trim() const;
+
     std::filesystem::path m_Folder;
+    std::uintmax_t m_Limit;
+    mutable std::atomic<std::uintmax_t> m_Stored{0}; ///< bytes since the last Trim
+    mutable std::atomic<bool> m_HasTrimmed{false};
 };
 
 } // namespace limn

@@ -1,16 +1,16 @@
 #include <limn/shaderlab/ShaderCompiler.h>
 
-#include "HlslPreprocessor.h"
-#include "HlslRewriter.h"
+#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "PragmaScanner.h"
+#include "ProgramCompiler.h"
 #include "ShaderCache.h"
-#include "SpirvBuilder.h"
-#include "SpirvReflection.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <mutex>
-#include <tuple>
 
 namespace limn
 {
@@ -19,172 +19,14 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 1;
+constexpr int k_CompilerVersion = 2;
 
-const EntryPoint& EntryOf(const PassProgram& program, ShaderStage stage)
+std::string HashName(const std::string& text)
 {
-    return stage == ShaderStage::Vertex ? program.vertex : program.fragment;
-}
-
-std::string_view StageName(ShaderStage stage)
-{
-    return stage == ShaderStage::Vertex ? "vertex" : "fragment";
-}
-
-void RequireEntryPoints(const PassProgram& program)
-{
-    for (const ProgramPragma& pragma : program.pragmas)
-    {
-        if (pragma.name == "surface")
-        {
-            throw AssetError(program.file, pragma.location,
-                             "#pragma surface: surface shaders are not supported; write a vertex "
-                             "and a fragment function");
-        }
-    }
-    std::vector<Diagnostic> missing;
-    for (const ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment})
-    {
-        if (EntryOf(program, stage).name.empty())
-        {
-            const std::string name(StageName(stage));
-            missing.push_back(
-                {Severity::Error, program.file, program.location,
-                 "program: '#pragma " + name + "' is missing; it names the " + name + " function"});
-        }
-    }
-    if (!missing.empty())
-    {
-        throw AssetError(std::move(missing));
-    }
-}
-
-const HlslFunction& FindEntry(const PassProgram& program, const StageSource& source)
-{
-    const EntryPoint& entry = EntryOf(program, source.stage);
-    if (const HlslFunction* function = source.declarations.FindDefinition(entry.name))
-    {
-        return *function;
-    }
-    std::vector<std::string_view> known;
-    for (const HlslFunction& function : source.declarations.functions)
-    {
-        known.push_back(function.name);
-    }
-    const std::string_view nearest = NearestName(entry.name, known);
-    throw AssetError(program.file, entry.location,
-                     "#pragma " + std::string(StageName(source.stage)) +
-                         ": there is no function '" + entry.name + "'" +
-                         (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
-}
-
-StageInterface InterfaceOf(const StageSource& source, const HlslFunction& function)
-{
-    try
-    {
-        return ReadStageInterface(source.declarations, function, source.stage);
-    }
-    catch (const StageInterfaceError& error)
-    {
-        const std::size_t token = function.begin;
-        const HlslPlace place = PlaceOf(source.text, source.tokens[token].Begin(source.text));
-        throw AssetError(place.file, place.location,
-                         std::string(function.name) + ": " + error.message);
-    }
-}
-
-StageLinkage Link(const PassProgram& program, const StageInterface& vertex,
-                  const StageInterface& fragment)
-{
-    try
-    {
-        return LinkStages(vertex, fragment);
-    }
-    catch (const StageInterfaceError& error)
-    {
-        throw AssetError(program.file, program.fragment.location,
-                         program.fragment.name + ": " + error.message);
-    }
-}
-
-/// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
-/// signature of the author's.
-void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& error,
-                    const PassProgram& program, const EntryPoint& entry)
-{
-    for (Diagnostic diagnostic : error.diagnostics())
-    {
-        if (diagnostic.file == k_EntryFile)
-        {
-            diagnostic.file = program.file;
-            diagnostic.location = entry.location;
-            diagnostic.message = entry.name + ": it cannot be called; " + diagnostic.message;
-        }
-        if (diagnostic.location.line == 0)
-        {
-            diagnostic.location = program.location;
-        }
-        if (std::find(diagnostics.begin(), diagnostics.end(), diagnostic) == diagnostics.end())
-        {
-            diagnostics.push_back(std::move(diagnostic));
-        }
-    }
-}
-
-/// SPIR-V of both stages; the mistakes of both are reported together, each once.
-void BuildStages(CompiledPass& pass, const PassProgram& program, const std::string& vertex,
-                 const std::string& fragment)
-{
-    std::vector<Diagnostic> diagnostics;
-    for (const auto& [stage, hlsl, spirv] :
-         {std::tuple{ShaderStage::Vertex, &vertex, &pass.vertexSpirv},
-          std::tuple{ShaderStage::Fragment, &fragment, &pass.fragmentSpirv}})
-    {
-        try
-        {
-            *spirv = BuildSpirv(*hlsl, stage, program.file);
-        }
-        catch (const AssetError& error)
-        {
-            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage));
-        }
-    }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics));
-    }
-}
-
-CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
-                            IncludeResolver& resolver)
-{
-    RequireEntryPoints(program);
-    const StageSource vertex(PreprocessHlsl(program, ShaderStage::Vertex, keywords, resolver),
-                             ShaderStage::Vertex);
-    const StageSource fragment(PreprocessHlsl(program, ShaderStage::Fragment, keywords, resolver),
-                               ShaderStage::Fragment);
-    const StageInterface vertexInterface = InterfaceOf(vertex, FindEntry(program, vertex));
-    const StageInterface fragmentInterface = InterfaceOf(fragment, FindEntry(program, fragment));
-    const StageLinkage linkage = Link(program, vertexInterface, fragmentInterface);
-    CompiledPass pass;
-    BuildStages(pass, program, RewriteStage(vertex, vertexInterface, linkage),
-                RewriteStage(fragment, fragmentInterface, linkage));
-    std::vector<std::string> messages;
-    std::vector<HlslVariable> objects = vertex.declarations.objects;
-    objects.insert(objects.end(), fragment.declarations.objects.begin(),
-                   fragment.declarations.objects.end());
-    ReflectLayout(pass, linkage, objects, messages);
-    if (!messages.empty())
-    {
-        std::vector<Diagnostic> diagnostics;
-        for (std::string& message : messages)
-        {
-            diagnostics.push_back(
-                {Severity::Error, program.file, program.location, std::move(message)});
-        }
-        throw AssetError(std::move(diagnostics));
-    }
-    return pass;
+    char name[20];
+    std::snprintf(name, sizeof(name), "%016llx",
+                  static_cast<unsigned long long>(HashContent(text)));
+    return name;
 }
 
 std::string CacheKey(const PassProgram& program, std::span<const std::string> keywords,
@@ -202,6 +44,10 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
     {
         parts.push_back(name + "=" + folder.string());
     }
+    for (const std::filesystem::path& folder : options.includeFolders)
+    {
+        parts.push_back("include=" + folder.string());
+    }
     std::vector<std::string> sorted(keywords.begin(), keywords.end());
     std::sort(sorted.begin(), sorted.end());
     parts.insert(parts.end(), sorted.begin(), sorted.end());
@@ -214,9 +60,18 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
     {
         all += std::to_string(part.size()) + ":" + part;
     }
-    char name[20];
-    std::snprintf(name, sizeof(name), "%016llx", static_cast<unsigned long long>(HashContent(all)));
-    return name;
+    return HashName(all);
+}
+
+/// A pass with warnings holds lines of the .shader file: it is another one once it moves.
+std::string PlacedKey(const std::string& key, const PassProgram& program)
+{
+    std::string placed = key;
+    for (const SourceChunk& chunk : program.chunks)
+    {
+        placed += "-" + std::to_string(chunk.firstLine);
+    }
+    return HashName(placed);
 }
 
 } // namespace
@@ -224,7 +79,7 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
 struct ShaderCompiler::State
 {
     explicit State(ShaderCompilerOptions value)
-        : options(std::move(value)), cache(options.cacheFolder)
+        : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
     {
     }
 
@@ -253,25 +108,52 @@ ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
 
 ShaderCompiler::~ShaderCompiler() = default;
 
-std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& program,
+PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
+{
+    const bool isComplete = std::none_of(program.pragmas.begin(), program.pragmas.end(),
+                                         [](const ProgramPragma& pragma)
+                                         { return pragma.name == "include_with_pragmas"; });
+    PassProgram complete = program;
+    if (!isComplete)
+    {
+        IncludeResolver resolver(m_State->options, program.file);
+        ScanPragmas(complete, [&](std::string_view include, std::string_view includer)
+                    { return resolver.Find(include, includer); });
+    }
+    return complete;
+}
+
+std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& written,
                                                             std::span<const std::string> keywords)
 {
+    const PassProgram program = ReadPragmas(written);
+    if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
+    {
+        throw UnsupportedProgramError(std::move(*reason));
+    }
     const std::string key = CacheKey(program, keywords, m_State->options);
     std::vector<IncludeDependency> cachedDependencies;
-    if (auto pass = m_State->cache.Load(key, cachedDependencies))
+    const std::string placedKey = PlacedKey(key, program);
+    auto cached = m_State->cache.Load(key, cachedDependencies);
+    if (!cached)
+    {
+        cached = m_State->cache.Load(placedKey, cachedDependencies);
+    }
+    if (cached)
     {
         ++m_State->loadedFromCache;
         m_State->Remember(cachedDependencies);
-        return std::make_shared<const CompiledPass>(std::move(*pass));
+        return std::make_shared<const CompiledPass>(std::move(*cached));
     }
-    IncludeResolver resolver(m_State->options);
+    IncludeResolver resolver(m_State->options, program.file);
     try
     {
         auto pass =
             std::make_shared<const CompiledPass>(CompileProgram(program, keywords, resolver));
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
-        m_State->cache.Store(key, *pass, resolver.dependencies());
+        m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,
+                             resolver.dependencies());
         return pass;
     }
     catch (...)

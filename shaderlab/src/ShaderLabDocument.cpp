@@ -42,6 +42,14 @@ void ShaderTags::Set(ShaderTag tag)
 
 std::string_view ShaderLabPass::lightMode() const
 {
+    if (kind != ShaderLabPassKind::Pass)
+    {
+        return kind == ShaderLabPassKind::UsePass ? "UsePass" : "GrabPass";
+    }
+    if (isSurface)
+    {
+        return "ForwardBase";
+    }
     const std::string* tag = tags.Find("LightMode");
     return tag ? std::string_view(*tag) : std::string_view("SRPDefaultUnlit");
 }

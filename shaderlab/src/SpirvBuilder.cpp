@@ -53,7 +53,7 @@ void Optimize(std::vector<std::uint32_t>& spirv, const std::string& file)
 } // namespace
 
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file)
+                                      const std::string& file, std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const char* const text = hlsl.c_str();
@@ -68,6 +68,10 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     if (!shader.parse(GetDefaultResources(), 500, false, k_GlslangMessages))
     {
         ThrowLog(shader.getInfoLog(), file, "compiling");
+    }
+    for (Diagnostic& warning : ReadGlslangLog(shader.getInfoLog(), file))
+    {
+        warnings.push_back(std::move(warning));
     }
     glslang::TProgram program;
     program.addShader(&shader);

@@ -11,9 +11,10 @@ namespace limn
 /// Compiles rewritten HLSL to optimised SPIR-V 1.3 with the entry point "main". What the code does
 /// not need is gone: unused inputs, buffers and textures are not declared.
 ///
-/// @param file  named by messages that have no place of their own
+/// @param file      named by messages that have no place of their own
+/// @param warnings  gets those of the compiler
 /// @throws AssetError
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file);
+                                      const std::string& file, std::vector<Diagnostic>& warnings);
 
 } // namespace limn

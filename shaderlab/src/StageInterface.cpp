@@ -147,10 +147,21 @@ public:
         const std::string_view typeName = m_Declarations.ResolveAlias(variable.type);
         if (const HlslStruct* type = m_Declarations.FindStruct(typeName))
         {
+            // Structs may hold themselves, or so many that nobody waits for the end.
+            constexpr int k_MaximumDepth = 16;
+            constexpr std::size_t k_MaximumValues = 256;
+            if (m_Depth == k_MaximumDepth || values.size() > k_MaximumValues)
+            {
+                throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
+                                          std::string(variable.type) +
+                                          "' holds too much to cross the border of a stage"};
+            }
+            ++m_Depth;
             for (const HlslVariable& member : type->members)
             {
                 Expand(member, expression + "." + std::string(member.name), isOutput, values);
             }
+            --m_Depth;
             return;
         }
         const auto type = ReadBuiltInType(typeName);
@@ -217,22 +228,22 @@ private:
         }
     }
 
-    static int ArraySize(const HlslVariable& variable)
+    int ArraySize(const HlslVariable& variable) const
     {
-        int size = 0;
-        const std::string_view text = variable.dimensions[0];
-        std::from_chars(text.data(), text.data() + text.size(), size);
-        if (variable.dimensions.size() > 1 || size < 1)
+        constexpr std::int64_t k_MostVaryings = 32;
+        const std::int64_t size = EvaluateInteger(variable.dimensions[0], m_Declarations.constants);
+        if (variable.dimensions.size() > 1 || size < 1 || size > k_MostVaryings)
         {
             throw StageInterfaceError{"'" + std::string(variable.name) +
-                                      "': an array between stages needs one size, written as a "
-                                      "number"};
+                                      "': an array between stages needs one size, a number from 1 "
+                                      "to 32"};
         }
-        return size;
+        return static_cast<int>(size);
     }
 
     const HlslDeclarations& m_Declarations;
     ShaderStage m_Stage;
+    int m_Depth = 0; ///< structs around what is being expanded
 };
 
 } // namespace

@@ -84,8 +84,8 @@ void MatchFragmentInputs(const StageInterface& fragment, StageLinkage& linkage)
                          [&](const Varying& candidate) { return candidate.semantic == semantic; });
         if (varying == linkage.varyings.end())
         {
-            throw StageInterfaceError{"it reads '" + semantic +
-                                      "', which the vertex function does not write"};
+            linkage.unwritten.push_back(semantic);
+            continue;
         }
         varying->components = std::max(varying->components, value.components);
     }

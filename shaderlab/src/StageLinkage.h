@@ -24,11 +24,12 @@ struct StageLinkage
 {
     std::vector<Varying> varyings;
     std::vector<VertexInput> vertexInputs; ///< all that the vertex function declares
+    /// Semantics that the fragment function reads and the vertex function does not write: 0.
+    std::vector<std::string> unwritten;
     int colorOutputs = 0;
 };
 
-/// @throws StageInterfaceError where the fragment function reads what the vertex function does not
-///         write, or another type of it
+/// @throws StageInterfaceError where a semantic is given to two values
 StageLinkage LinkStages(const StageInterface& vertex, const StageInterface& fragment);
 
 } // namespace limn

@@ -22,6 +22,12 @@ constexpr bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
 }
 
+/// Unity's ShaderLab counts '#' among the letters.
+constexpr bool isWordCharacter(char c)
+{
+    return isLetter(c) || isDigit(c) || c == '#';
+}
+
 /// ASCII case only, which is all that ShaderLab keywords and HLSL semantics need.
 constexpr bool EqualsIgnoringCase(std::string_view a, std::string_view b)
 {

@@ -1,5 +1,7 @@
 #include "ShaderTestSupport.h"
 
+#include <limn/shaderlab/InitialKeywords.h>
+
 #include <cstdlib>
 #include <iostream>
 
@@ -27,6 +29,7 @@ std::ostream& operator<<(std::ostream& stream, const Count& count)
 
 void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, Count& passes)
 {
+    const std::vector<std::string> initial = InitialKeywords(document);
     for (const ShaderLabSubShader& subShader : document.subShaders)
     {
         for (const ShaderLabPass& pass : subShader.passes)
@@ -38,7 +41,7 @@ void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, 
             ++passes.all;
             try
             {
-                compiler.Compile(*pass.program);
+                compiler.Compile(*pass.program, SelectVariant(*pass.program, initial));
                 ++passes.good;
             }
             catch (const AssetError& error)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace limn
 {
 namespace
@@ -18,6 +20,37 @@ TEST(Diagnostic, LeavesOutAPlaceOfZero)
 {
     EXPECT_EQ(ToString({Severity::Error, "a.shader", {3, 0}, "x"}), "a.shader:3: error: x");
     EXPECT_EQ(ToString({Severity::Error, "a.shader", {}, "x"}), "a.shader: error: x");
+}
+
+TEST(ToStringWithSource, ShowsTheLineAndACaretUnderTheColumn)
+{
+    const std::string text = "Shader \"x\"\r\n{\r\n\tCull\t\xC3\xA4 Bak\r\n}";
+    EXPECT_EQ(ToStringWithSource({Severity::Error, "a", {3, 10}, "x"}, text),
+              "a:3:10: error: x\n\tCull\t\xC3\xA4 Bak\n\t    \t  ^");
+    EXPECT_EQ(ToStringWithSource({Severity::Error, "a", {1, 1}, "x"}, "\xEF\xBB\xBFSh"),
+              "a:1:1: error: x\nSh\n^");
+}
+
+TEST(ToStringWithSource, LeavesOutALineThatIsNotThere)
+{
+    EXPECT_EQ(ToStringWithSource({Severity::Note, "a", {}, "x"}, "abc"), "a: note: x");
+    EXPECT_EQ(ToStringWithSource({Severity::Note, "a", {5, 1}, "x"}, "abc\n"), "a:5:1: note: x");
+    EXPECT_EQ(ToStringWithSource({Severity::Note, "a", {1, 0}, "x"}, "abc"), "a:1: note: x\nabc");
+}
+
+TEST(ToStringWithSource, ShowsTheNeighbourhoodOfAColumnInALongLine)
+{
+    const std::string text = std::string(300, 'a') + "!" + std::string(300, 'b');
+    EXPECT_EQ(ToStringWithSource({Severity::Error, "f", {1, 301}, "x"}, text),
+              "f:1:301: error: x\n..." + std::string(80, 'a') + "!" + std::string(79, 'b') +
+                  "...\n" + std::string(83, ' ') + "^");
+}
+
+TEST(NearestName, TakesNoVeryLongNameForATypo)
+{
+    EXPECT_EQ(NearestName(std::string(65, 'a'), {std::string_view("aaaa")}), "");
+    EXPECT_EQ(UnknownName(std::string(70, 'a'), {"b"}),
+              "'" + std::string(64, 'a') + "...' (known: b)");
 }
 
 TEST(AssetError, ShowsEveryDiagnosticOnALineOfItsOwn)

@@ -48,6 +48,27 @@ TEST(LoadShaderLab, SaysThatAFileIsBinary)
               path.string() + ": error: file: it is binary; a shader is a text file in UTF-8");
 }
 
+TEST(LoadShaderLab, SaysThatAFileIsInUtf16)
+{
+    test::TemporaryFolder folder;
+    const auto path = folder.Write("a.shader", std::string_view("\xFF\xFES\0h\0", 6));
+    EXPECT_EQ(LoadMessage(path),
+              path.string() + ": error: file: it is in UTF-16; save it in UTF-8");
+}
+
+TEST(LoadShaderLab, GivesWarningsAndErrorsBesideTheDocument)
+{
+    test::TemporaryFolder folder;
+    const auto path =
+        folder.Write("a.shader", "Shader \"A\" { SubShader { Pass { Cull Bak ZTest [_A b] } } }");
+    const ShaderLabParseResult result = LoadShaderLabWithDiagnostics(path);
+    EXPECT_EQ(result.document.name, "A");
+    ASSERT_EQ(result.diagnostics.size(), 2u);
+    EXPECT_EQ(result.diagnostics[0].severity, Severity::Error);
+    EXPECT_EQ(result.diagnostics[1].severity, Severity::Warning);
+    EXPECT_THROW(LoadShaderLabWithDiagnostics(folder.path() / "none.shader"), AssetError);
+}
+
 TEST(LoadShaderLab, SaysThatAFolderCannotBeRead)
 {
     test::TemporaryFolder folder;

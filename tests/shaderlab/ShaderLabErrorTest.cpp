@@ -99,7 +99,7 @@ TEST(ShaderLabError, ReportsABadPropertyAndReadsTheNext)
 
 TEST(ShaderLabError, ReportsABlockThatNoKeywordCloses)
 {
-    EXPECT_THAT(PassMessages("HLSLPROGRAM\nfloat x;\nENDCG"),
+    EXPECT_THAT(PassMessages("HLSLPROGRAM\nfloat x;\n"),
                 ElementsAre("4:1: error: HLSLPROGRAM: no ENDHLSL closes this block"));
 }
 
@@ -131,16 +131,159 @@ TEST(ShaderLabError, ReportsAReferenceWithoutAName)
                             "ignored"));
 }
 
-TEST(ShaderLabError, SaysWhichCommandsAreNotSupportedYet)
+TEST(ShaderLabError, RefusesGlslAndAUsePassWithoutAPassName)
 {
-    EXPECT_THAT(test::ParseMessages("Shader \"T\" { SubShader {\nUsePass \"A/B\"\nGrabPass { }\n"
-                                    "CGPROGRAM\n#pragma surface s Lambert\nENDCG\n} }"),
-                ElementsAre("2:1: error: UsePass: not supported yet; copy the pass into this "
-                            "shader",
-                            "3:1: error: GrabPass: not supported yet; remove the block",
-                            HasSubstr("4:1: error: CGPROGRAM: a program outside a Pass is a "
-                                      "surface shader")));
+    EXPECT_THAT(test::ParseMessages("Shader \"T\" { GLSLINCLUDE\nENDGLSL SubShader {\nUsePass "
+                                    "\"A\"\nPass { GLSLPROGRAM } {\nENDGLSL } } }"),
+                ElementsAre("1:14: warning: GLSLINCLUDE: ignored; limn compiles HLSL only",
+                            "3:9: error: UsePass: the name of a pass is missing; write \"shader "
+                            "name/PASS NAME\"",
+                            "4:8: error: GLSLPROGRAM: not supported; write the pass in HLSL"));
 }
+
+TEST(ShaderLabError, SaysWhereACommandBelongs)
+{
+    EXPECT_THAT(test::ParseMessages("Shader \"T\" {\nZWrite Off\nSubShader { Comp Less } }"),
+                ElementsAre("2:1: error: Shader: 'ZWrite' does not belong here; it is a command of "
+                            "a Pass",
+                            "3:13: error: SubShader: 'Comp' does not belong here; it is a command "
+                            "of a Stencil block"));
+}
+
+TEST(ShaderLabError, ReportsAProgramThatAnotherKeywordCloses)
+{
+    EXPECT_THAT(PassMessages("CGPROGRAM\nENDHLSL } Pass { CGPROGRAM\nENDCG"),
+                ElementsAre("4:1: error: CGPROGRAM: ENDHLSL stands at its end; write ENDCG"));
+}
+
+TEST(ShaderLabError, WarnsOfAProgramThatEndsInAComment)
+{
+    EXPECT_THAT(
+        PassMessages("CGPROGRAM\nx // ENDCG\n} Pass { CGPROGRAM\nENDCG"),
+        ElementsAre("4:1: warning: CGPROGRAM: the ENDCG that closes it stands in a comment; "
+                    "put it on a line of its own"));
+}
+
+TEST(ShaderLabError, ReportsAnUnclosedPropertiesBlockAtTheNextCommand)
+{
+    EXPECT_THAT(test::ParseMessages("Shader \"T\" { Properties {\n_A(\"a\", Int) = 1\nSubShader { "
+                                    "} }"),
+                ElementsAre("3:1: error: Properties: '}' is missing before 'SubShader'; the '{' of "
+                            "line 1 is still open"));
+}
+
+TEST(ShaderLabError, WarnsOfPropertiesWithTheSameNameAndKeepsThem)
+{
+    const ShaderLabParseResult result = ParseShaderLab(
+        "Shader \"T\" { Properties {\n_A(\"a\", Int) = 1\n_B(\"b\", Int) = 1\n_A(\"c\", "
+        "Int) = 2\n_A(\"d\", Int) = 3 } }",
+        "t.shader");
+    EXPECT_THAT(test::Messages(result.diagnostics),
+                ElementsAre("4:1: warning: _A: a property of this name stands in line 2 already; "
+                            "materials have the first one"));
+    EXPECT_EQ(result.document.properties.size(), 4u);
+}
+
+TEST(ShaderLabError, WarnsOfTagsThatAreNearlyRight)
+{
+    EXPECT_THAT(
+        test::ParseMessages("Shader \"T\" { SubShader { Tags { \"RenderPipeline\" = "
+                            "\"UniversalPipline\" \"Quue\" = \"Geometry\" } Pass {\nTags { "
+                            "\"LightMode\" = \"UniversalForwad\" } } Pass { Tags { \"LightMode\" = "
+                            "\"Outline\" \"MyKey\" = \"x\" } } } }"),
+        ElementsAre(
+            "1:52: warning: Tags: \"UniversalPipline\" is no name that Unity knows; did you "
+            "mean \"UniversalPipeline\"?",
+            "1:71: warning: Tags: \"Quue\" is no name that Unity knows; did you mean "
+            "\"Queue\"?",
+            "2:22: warning: Tags: \"UniversalForwad\" is no name that Unity knows; did you "
+            "mean \"UniversalForward\"?"));
+}
+
+TEST(ShaderLabError, ReportsATagOfWhichOneHalfIsInQuotes)
+{
+    EXPECT_THAT(PassMessages("Tags { LightMode = \"Meta\" }"),
+                ElementsAre("4:8: error: Tags: of a key and its value, one is in quotes; put both "
+                            "in quotes"));
+    EXPECT_THAT(PassMessages("Tags { LightMode = Meta }"), ElementsAre());
+}
+
+TEST(ShaderLabError, WarnsOfNumbersThatUnityDoesNotWrite)
+{
+    EXPECT_THAT(PassMessages("Offset +1, 1e3f"),
+                ElementsAre("4:8: warning: Offset: '+1' is no plain number; write digits, '.' and "
+                            "'-' only, within the limits of a float",
+                            "4:12: warning: Offset: '1e3f' is no plain number; write digits, '.' "
+                            "and '-' only, within the limits of a float"));
+}
+
+TEST(ShaderLabError, ShowsAHundredErrorsAndTellsHowManyMoreThereAre)
+{
+    std::string commands;
+    for (int i = 0; i < 250; ++i)
+    {
+        commands += "Cull Bak\n";
+    }
+    const std::vector<std::string> messages = PassMessages(commands);
+    ASSERT_EQ(messages.size(), 101u);
+    EXPECT_THAT(messages[99], StartsWith("103:6: error: Cull: unknown value 'Bak'"));
+    EXPECT_EQ(messages[100], " error: file: 150 more errors are not shown");
+}
+
+TEST(ShaderLabError, LimitsTheDepthOfCategories)
+{
+    std::string text = "Shader \"T\" {\n";
+    for (int i = 0; i < 33; ++i)
+    {
+        text += "Category {";
+    }
+    EXPECT_THAT(test::ParseMessages(text + std::string(34, '}')),
+                ElementsAre("2:321: error: Category: more than 32 inside one another; take some of "
+                            "the braces away"));
+}
+
+TEST(ShaderLabError, ShowsBytesThatAreNoLettersAsNumbers)
+{
+    EXPECT_THAT(PassMessages("\xE6"),
+                ElementsAre("4:1: error: Pass: unexpected '\\xE6'; a command is expected"));
+}
+
+/// Text that some part of the parser could take too long for; each ends in bounded diagnostics.
+class HostileText : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(HostileText, GivesABoundedNumberOfDiagnosticsInBoundedTime)
+{
+    for (const std::string& start :
+         {std::string(), std::string("Shader \"T\" {"), std::string("Shader \"T\" { Properties {"),
+          std::string("Shader \"T\" { SubShader { Pass {"),
+          std::string("Shader \"T\" { SubShader { Pass { SetTexture [_A] {")})
+    {
+        std::string text = start;
+        while (text.size() < (1u << 16))
+        {
+            text += GetParam();
+        }
+        const ShaderLabParseResult result = ParseShaderLab(text, "t.shader");
+        EXPECT_TRUE(result.hasErrors());
+        EXPECT_LE(result.diagnostics.size(), 303u);
+        for (const Diagnostic& diagnostic : result.diagnostics)
+        {
+            EXPECT_LT(diagnostic.message.size(), 1200u);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, HostileText,
+                         testing::Values("{", "}", "\"", "/*", "/* /* */", "//", "[", "[]", "[\n",
+                                         "Shader", "Shader ", "_ ", "SubShader{", "Pass{}",
+                                         "Category{", "Category{}", "#error\n", "#line 1\n",
+                                         "CGPROGRAM /* ENDCG ", "CGPROGRAM // ENDCG ",
+                                         "CGPROGRAM ENDHLSL \"/*\" ", "HLSLINCLUDE ENDHLSL ",
+                                         "Tags { \"a\"=\"b\" ", "\xC3", "1", "1 ", "-", "Cull ",
+                                         "_A(\"\",Int)=1 ", "_A(\"\",2D)=\"\"{ ", "Combine ",
+                                         "UsePass \"a/b\" "));
 
 TEST(ShaderLabError, SurvivesEveryTruncationOfAFile)
 {

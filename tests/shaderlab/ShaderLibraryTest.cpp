@@ -148,7 +148,8 @@ TEST(ShaderLibrary, CompilesAFullScreenPassThatNeedsNoCamera)
         half4 frag(Varyings input) : SV_Target
         {
             UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
-            return Luminance(SAMPLE_TEXTURE2D_X(_BlitTexture, sampler_LinearClamp, input.texcoord));
+            return Luminance(
+                SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, 0));
         })"));
     ExpectValid(*pass);
     EXPECT_TRUE(pass->layout.vertexInputs.empty());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limn/shaderlab/Diagnostic.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -134,6 +136,7 @@ struct CompiledPass
     std::vector<std::uint32_t> vertexSpirv;
     std::vector<std::uint32_t> fragmentSpirv;
     PropertyLayout layout;
+    std::vector<Diagnostic> diagnostics; ///< warnings of the compiler, pragmas included
 
     bool operator==(const CompiledPass&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,6 +39,14 @@ struct Diagnostic
 /// `file:line:col: error: message`, the form compilers use; a place of 0 is left out.
 std::string ToString(const Diagnostic& diagnostic);
 
+/// ToString(), and below it the line of `text` that it is about with a '^' under the column, as
+/// compilers show it: three lines without a line break at the end, for people to read. Tabs stay
+/// tabs; of a long line the part around the column is shown. Only ToString() where there is no such
+/// line. Takes time proportional to the line's number.
+///
+/// @param text  all of the file that the diagnostic names
+std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text);
+
 /// A file a person wrote cannot be used. Holds everything found in that file, not only the first
 /// problem; what() is all of it, one diagnostic a line.
 class AssetError : public std::runtime_error
@@ -59,8 +68,13 @@ public:
     using std::logic_error::logic_error;
 };
 
+/// How many letters have to be changed, added or left out to make `b` of `a`, without case; two
+/// neighbours that changed places are one mistake. Takes time and memory of a.size() * b.size().
+std::size_t EditDistance(std::string_view a, std::string_view b);
+
 /// The known name closest to `name` by edit distance (case-insensitive), or "" if none is near
-/// enough to be what was meant (distance at most a third of the length, at least 1).
+/// enough to be what was meant (distance at most a third of the length, at least 1). Names of more
+/// than 64 bytes are near to none.
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
 
 /// "'outlneWidth'; did you mean 'outlineWidth'? (known: a, b, c)" for messages about unknown names;

@@ -25,14 +25,18 @@ struct SourceChunk
 };
 
 /// One `#pragma multi_compile…`, `shader_feature…` line: exactly one of `keywords` is on at a time.
+/// A shortcut such as `multi_compile_fwdbase` makes several sets of one line.
 struct KeywordSet
 {
     SourceLocation location;
     std::string directive;             ///< as written, e.g. "shader_feature_local_fragment"
     std::vector<std::string> keywords; ///< "" = no keyword; the first entry is the default
+    /// From the suffix. Like Unity for Vulkan, limn defines the keyword in both stages all the
+    /// same; None: of a stage that limn does not have.
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
     bool isFeature = false; ///< shader_feature: built only where a material asks for it
+    bool isDynamic = false; ///< dynamic_branch: makes no variants
 
     bool operator==(const KeywordSet&) const = default;
 };
@@ -47,7 +51,7 @@ struct EntryPoint
 };
 
 /// A pragma that is kept but has no field of its own, e.g. {"instancing_options",
-/// "renderinglayer"}.
+/// "renderinglayer"}. `#include_with_pragmas "x"` counts as one.
 struct ProgramPragma
 {
     SourceLocation location;
@@ -58,6 +62,9 @@ struct ProgramPragma
 };
 
 /// Everything needed to compile the program of a pass: the include blocks in scope, then its own.
+/// Pragmas count where the `#if` around them holds by the program's own macros and the platform's.
+/// Those of files behind `#include_with_pragmas` are missing: ShaderCompiler::ReadPragmas adds
+/// them.
 struct PassProgram
 {
     std::string file; ///< path of the .shader file; relative includes start from its folder

@@ -3,12 +3,14 @@
 #include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace limn
 {
@@ -20,8 +22,17 @@ struct ShaderCompilerOptions
     std::filesystem::path cacheFolder;
     /// Folders searched before limn's own ShaderLibrary: "com.unity.render-pipelines.core" → DIR.
     std::map<std::string, std::filesystem::path> packages;
-    /// Folder that "Assets/…" includes start from; empty = the working directory.
+    /// Folder that "Assets/…" and "Packages/…" includes start from; empty = the working directory.
     std::filesystem::path projectRoot;
+    /// Includes may lie in the project, in the packages, beside or below the .shader file, in the
+    /// Unity project around it (the folder that holds `Assets`), and in these; nowhere else, not
+    /// even by way of a symbolic link.
+    std::vector<std::filesystem::path> includeFolders = {};
+    /// What the device lacks of RequiredFeatures (ProgramSupport.h).
+    std::vector<std::string> missingFeatures = {};
+    /// Bytes that the entries of the cache folder may take; those not used for longest are removed
+    /// when there are more. 0 = no limit.
+    std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
 };
 
 /// Turns the HLSL of a pass into SPIR-V and its layout. All members may be called from several
@@ -38,10 +49,16 @@ public:
     /// the cache folder. Results are not kept in memory: callers hold on to what they use.
     ///
     /// @param keywords  those that are on, in any order; each becomes a macro of value 1
+    /// @throws UnsupportedProgramError where limn does not do what the program asks for
     /// @throws AssetError with every message of the compiler at the line of the .shader file, or of
     ///         the included file, that causes it
     std::shared_ptr<const CompiledPass> Compile(const PassProgram& program,
                                                 std::span<const std::string> keywords = {});
+
+    /// The program with the pragmas of the files behind its `#include_with_pragmas` taken in, which
+    /// parsing a .shader file leaves out. Compile does this by itself; keywords and variants are
+    /// complete only then. Files that are missing are passed over: Compile names them.
+    PassProgram ReadPragmas(const PassProgram& program) const;
 
     struct Statistics
     {

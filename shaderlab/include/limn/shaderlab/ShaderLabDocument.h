@@ -43,10 +43,13 @@ struct ShaderProperty
     std::string displayName;
     ShaderPropertyType type = ShaderPropertyType::Float;
     TextureDimension dimension = TextureDimension::Tex2D; ///< `Rect` and `Any` count as 2D
-    float rangeMin = 0.0f;                                ///< of a Range
+    std::string textureType; ///< of a Texture: the keyword in Unity's spelling, "2DArray", "Any"
+    float rangeMin = 0.0f;   ///< of a Range
     float rangeMax = 0.0f;
     std::array<float, 4> defaultValue{}; ///< as written: a Color is not converted; numbers in [0]
     std::string defaultTexture;          ///< "white", "bump" …; "" and unknown names mean gray
+    std::string
+        textureMode; ///< what stood in the braces behind it: "TexGen CubeReflect"; no effect
     std::vector<ShaderAttribute> attributes;
 
     /// Whether an attribute has this name; its arguments do not matter.
@@ -77,15 +80,52 @@ struct ShaderTags
     bool operator==(const ShaderTags&) const = default;
 };
 
+/// An entry of PackageRequirements: `"package" : "range"`.
+struct PackageRequirement
+{
+    SourceLocation location;
+    std::string package;
+    std::string range; ///< as written: "1.2", "[1.0,2.0)", "unity=2021.2"; "" = any version
+
+    bool operator==(const PackageRequirement&) const = default;
+};
+
+/// A fixed-function command (Lighting, Fog, SetTexture …) in canonical text. Kept, not used: limn
+/// draws with programs only.
+struct LegacyCommand
+{
+    SourceLocation location;
+    std::string text; ///< "Fog { Mode Off }"
+
+    bool operator==(const LegacyCommand&) const = default;
+};
+
+enum class ShaderLabPassKind
+{
+    Pass,
+    UsePass, ///< a pass of another shader: usePass says which
+    GrabPass ///< copies the screen into the texture grabTexture
+};
+
+/// An entry of a SubShader's list of passes, in the order of the file. Only a Pass that is no
+/// surface shader can have a program to draw with.
 struct ShaderLabPass
 {
     SourceLocation location;
-    std::string name; ///< as written; Unity compares pass names without case
+    ShaderLabPassKind kind = ShaderLabPassKind::Pass;
+    std::string usePass;     ///< "Shader/Path/PASSNAME" as written; the name follows the last '/'
+    std::string grabTexture; ///< "" = _GrabTexture
+    bool isSurface = false;  ///< a program directly in a SubShader: a surface shader
+    std::string name;        ///< as written; Unity compares pass names without case
     ShaderTags tags;
-    RenderState state;                  ///< what the scopes around the pass set is included
-    std::optional<PassProgram> program; ///< absent: a legacy pass of fixed-function commands
+    std::vector<PackageRequirement> packageRequirements;
+    RenderState state;                         ///< what the scopes around the pass set is included
+    std::vector<LegacyCommand> legacyCommands; ///< those of the scopes around it first
+    std::optional<PassProgram> program;        ///< absent: a legacy pass of fixed-function commands
 
     /// The LightMode tag; "SRPDefaultUnlit" where there is none, as URP 14 counts such a pass.
+    /// What URP never draws by itself is given a name that no URP pass asks for: "UsePass",
+    /// "GrabPass", and "ForwardBase" for a surface shader.
     std::string_view lightMode() const;
 
     bool operator==(const ShaderLabPass&) const = default;
@@ -94,6 +134,7 @@ struct ShaderLabPass
 struct ShaderLabSubShader
 {
     SourceLocation location;
+    std::vector<PackageRequirement> packageRequirements;
     ShaderTags tags;
     int lod = 0; ///< 0 = none given
     std::vector<ShaderLabPass> passes;

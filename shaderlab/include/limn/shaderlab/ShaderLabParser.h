@@ -15,13 +15,16 @@ namespace limn
 struct ShaderLabParseResult
 {
     ShaderLabDocument document;
-    std::vector<Diagnostic> diagnostics; ///< in the order of the file; warnings among them
+    /// In the order of the file; warnings and notes among them. At most 100 of each severity, and
+    /// behind them one that tells how many more there are.
+    std::vector<Diagnostic> diagnostics;
 
     bool hasErrors() const;
 };
 
 /// Reads ShaderLab text. Never throws on bad text: after an error it goes on at the next command
-/// or brace, so that one call reports several mistakes.
+/// or brace, so that one call reports several mistakes. Time and memory are proportional to the
+/// text, whatever is in it; text of more than 64 MiB is an error.
 ///
 /// @param file  name that diagnostics carry and that relative includes of programs start from
 ShaderLabParseResult ParseShaderLab(std::string_view text, std::string file);
@@ -30,5 +33,10 @@ ShaderLabParseResult ParseShaderLab(std::string_view text, std::string file);
 ///
 /// @throws AssetError with all errors of the file; also where it is missing, empty or binary
 ShaderLabDocument LoadShaderLab(const std::filesystem::path& path);
+
+/// Reads a .shader file and gives all diagnostics, errors too, with what could be read beside them.
+///
+/// @throws AssetError only where there is no text to read: the file is missing, empty or binary
+ShaderLabParseResult LoadShaderLabWithDiagnostics(const std::filesystem::path& path);
 
 } // namespace limn

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <limn/shaderlab/ShaderLabDocument.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// The keywords that a new material has on, by its properties' defaults and their attributes
+/// Toggle, MaterialToggle, ToggleOff and KeywordEnum; sorted, each once. Whether a program knows
+/// them does not matter. Unity: MaterialPropertyDrawer.Apply (2022.3).
+std::vector<std::string> InitialKeywords(const ShaderLabDocument& document);
+
+/// The variant of a program for a material: of each keyword set the first keyword that is enabled,
+/// else the set's default. Sorted, each once, without "". Made for ShaderCompiler::Compile.
+std::vector<std::string> SelectVariant(const PassProgram& program,
+                                       std::span<const std::string> enabled);
+
+} // namespace limn

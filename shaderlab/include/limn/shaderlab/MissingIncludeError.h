@@ -1,0 +1,16 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+/// A program includes a file that is neither beside it, nor in the project, its packages or limn's
+/// ShaderLibrary: without the file nothing can be said about the program.
+class MissingIncludeError : public AssetError
+{
+public:
+    using AssetError::AssetError;
+};
+
+} // namespace limn

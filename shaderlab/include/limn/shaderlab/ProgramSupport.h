@@ -1,0 +1,31 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/PassProgram.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// The features that `#pragma target` and `#pragma require` ask for, in Unity's names, lower case,
+/// sorted, each once: "2darray", "compute", "derivatives" …. What a pragma restricts to some
+/// keywords does not count. `#pragma geometry` counts as target 4.0, hull and domain as 4.6.
+std::vector<std::string> RequiredFeatures(const PassProgram& program);
+
+/// Why limn does not compile this program although it is well formed: it has a surface function or
+/// a stage other than vertex and fragment, its renderers leave Vulkan out, or it needs a feature
+/// that is missing. Nothing where it can be tried. The severity is Error, the message one sentence.
+///
+/// @param missingFeatures  those of RequiredFeatures that the device lacks
+std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
+                                             std::span<const std::string> missingFeatures = {});
+
+/// Warnings for pragmas, features and renderers that nobody knows, with the nearest known name.
+/// Pragmas that are obsolete or concern other tools are known.
+std::vector<Diagnostic> CheckPragmas(const PassProgram& program);
+
+} // namespace limn

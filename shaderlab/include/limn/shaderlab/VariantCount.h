@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limn/shaderlab/PassProgram.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// A number of shader variants: a whole number without an upper bound, for real shaders have more
+/// variants than 64 bits can count.
+class VariantCount
+{
+public:
+    VariantCount(std::uint32_t value = 0);
+
+    VariantCount& operator+=(const VariantCount& other);
+    VariantCount& operator*=(std::uint32_t factor);
+    std::string ToString() const; ///< decimal digits
+
+    bool operator==(const VariantCount&) const = default;
+
+private:
+    std::vector<std::uint32_t> m_Parts; ///< of nine digits each, lowest first; no zero on top
+};
+
+/// In how many variants the program exists: the product of the sizes of its keyword sets without
+/// what `#pragma skip_variants` drops. Equal sets count once, dynamic_branch sets not at all.
+/// Nothing is compiled.
+VariantCount CountVariants(const PassProgram& program);
+
+} // namespace limn

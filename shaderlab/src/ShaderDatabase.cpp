@@ -1,0 +1,78 @@
+#include <limn/shaderlab/ShaderDatabase.h>
+
+#include <limn/shaderlab/ShaderLabParser.h>
+
+#include <algorithm>
+
+namespace limn
+{
+
+void ShaderDatabase::AddFolder(const std::filesystem::path& folder)
+{
+    for (const std::filesystem::path& file : FindShaderFiles(folder))
+    {
+        try
+        {
+            Add(std::make_shared<const ShaderLabDocument>(LoadShaderLab(file)));
+        }
+        catch (const AssetError&)
+        {
+            continue; // see the header
+        }
+    }
+}
+
+void ShaderDatabase::Add(std::shared_ptr<const ShaderLabDocument> document)
+{
+    if (!document)
+    {
+        throw ContractError("a document is null");
+    }
+    m_Documents.emplace(document->name, document);
+}
+
+const ShaderLabDocument* ShaderDatabase::Find(std::string_view name) const
+{
+    const auto found = m_Documents.find(name);
+    return found == m_Documents.end() ? nullptr : found->second.get();
+}
+
+std::string ShaderDatabase::UnknownShader(std::string_view name) const
+{
+    std::vector<std::string_view> names;
+    for (const auto& [known, document] : m_Documents)
+    {
+        names.push_back(known);
+    }
+    const std::string_view nearest = NearestName(name, names);
+    return "'" + std::string(name) + "'; " +
+           (nearest.empty() ? "no shader of a name like it is among the " +
+                                  std::to_string(names.size()) + " known ones"
+                            : "did you mean '" + std::string(nearest) + "'?");
+}
+
+std::vector<std::filesystem::path> FindShaderFiles(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    const auto options = std::filesystem::directory_options::skip_permission_denied;
+    std::error_code error;
+    auto entry = std::filesystem::recursive_directory_iterator(folder, options, error);
+    while (!error && entry != std::filesystem::recursive_directory_iterator())
+    {
+        std::error_code unreadable;
+        if (entry->path().extension() == ".shader" && entry->is_regular_file(unreadable))
+        {
+            files.push_back(entry->path());
+        }
+        entry.increment(error);
+    }
+    if (error)
+    {
+        throw AssetError(folder.string(), {},
+                         "the folder cannot be searched for shaders: " + error.message());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+} // namespace limn

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <limn/shaderlab/RenderState.h>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace limn
+{
+
+/// How ShaderLab spells a value. Where several names mean the same, the first is the one to write.
+template <typename T>
+struct EnumName
+{
+    std::string_view name;
+    T value;
+};
+
+inline constexpr EnumName<CullMode> k_CullModes[] = {
+    {"Back", CullMode::Back},
+    {"Front", CullMode::Front},
+    {"Off", CullMode::Off},
+    {"False", CullMode::Off},
+};
+
+// `Off` means no depth test at all, which is not the same as `Always`: it writes no depth either.
+inline constexpr EnumName<CompareFunction> k_DepthTests[] = {
+    {"Never", CompareFunction::Never},         {"Less", CompareFunction::Less},
+    {"Equal", CompareFunction::Equal},         {"LEqual", CompareFunction::LessEqual},
+    {"Greater", CompareFunction::Greater},     {"NotEqual", CompareFunction::NotEqual},
+    {"GEqual", CompareFunction::GreaterEqual}, {"Always", CompareFunction::Always},
+    {"NEqual", CompareFunction::NotEqual},     {"Disabled", CompareFunction::Disabled},
+    {"Off", CompareFunction::Disabled},        {"False", CompareFunction::Disabled},
+    {"On", CompareFunction::LessEqual},        {"True", CompareFunction::LessEqual},
+};
+
+/// The comparisons proper, which Stencil and AlphaTest know too.
+inline constexpr std::span<const EnumName<CompareFunction>> k_CompareFunctions =
+    std::span<const EnumName<CompareFunction>>(k_DepthTests).first(9);
+
+inline constexpr EnumName<bool> k_Bools[] = {
+    {"On", true},
+    {"Off", false},
+    {"True", true},
+    {"False", false},
+};
+
+inline constexpr EnumName<BlendMode> k_BlendModes[] = {
+    {"One", BlendMode::One},
+    {"Zero", BlendMode::Zero},
+    {"SrcColor", BlendMode::SrcColor},
+    {"SrcAlpha", BlendMode::SrcAlpha},
+    {"SrcAlphaSaturate", BlendMode::SrcAlphaSaturate},
+    {"DstColor", BlendMode::DstColor},
+    {"DstAlpha", BlendMode::DstAlpha},
+    {"OneMinusSrcColor", BlendMode::OneMinusSrcColor},
+    {"OneMinusSrcAlpha", BlendMode::OneMinusSrcAlpha},
+    {"OneMinusDstColor", BlendMode::OneMinusDstColor},
+    {"OneMinusDstAlpha", BlendMode::OneMinusDstAlpha},
+};
+
+inline constexpr EnumName<BlendOp> k_BlendOps[] = {
+    {"Add", BlendOp::Add}, {"Sub", BlendOp::Subtract}, {"RevSub", BlendOp::ReverseSubtract},
+    {"Min", BlendOp::Min}, {"Max", BlendOp::Max},
+};
+
+inline constexpr EnumName<StencilOp> k_StencilOps[] = {
+    {"Keep", StencilOp::Keep},
+    {"Zero", StencilOp::Zero},
+    {"Replace", StencilOp::Replace},
+    {"IncrSat", StencilOp::IncrementSaturate},
+    {"DecrSat", StencilOp::DecrementSaturate},
+    {"Invert", StencilOp::Invert},
+    {"IncrWrap", StencilOp::IncrementWrap},
+    {"DecrWrap", StencilOp::DecrementWrap},
+};
+
+} // namespace limn

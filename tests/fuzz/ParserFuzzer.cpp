@@ -1,0 +1,58 @@
+#include <limn/shaderlab/PrintShaderLab.h>
+#include <limn/shaderlab/ShaderLabParser.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace
+{
+
+void Require(bool holds, const char* what)
+{
+    if (!holds)
+    {
+        std::fprintf(stderr, "ParserFuzzer: %s\n", what);
+        std::abort();
+    }
+}
+
+/// A program that ends in a comment ends elsewhere once other text stands behind it.
+bool isAmbiguous(const limn::ShaderLabParseResult& result)
+{
+    for (const limn::Diagnostic& diagnostic : result.diagnostics)
+    {
+        if (diagnostic.message.find("stands in a comment") != std::string::npos)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+/// Any bytes give a document or diagnostics, never an exception; what is read without an error can
+/// be printed and read again.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const limn::ShaderLabParseResult result = limn::ParseShaderLab(text, "fuzz.shader");
+    Require(result.diagnostics.size() <= 303, "more diagnostics than are promised");
+    for (const limn::Diagnostic& diagnostic : result.diagnostics)
+    {
+        Require(!limn::ToStringWithSource(diagnostic, text).empty(), "an empty diagnostic");
+    }
+    if (result.hasErrors() || isAmbiguous(result))
+    {
+        return 0;
+    }
+    const std::string printed = limn::PrintShaderLab(result.document);
+    const limn::ShaderLabParseResult again = limn::ParseShaderLab(printed, "printed.shader");
+    Require(!again.hasErrors(), "the canonical text has errors");
+    Require(limn::SameContent(result.document, again.document), "the canonical text says less");
+    Require(limn::PrintShaderLab(again.document) == printed, "the canonical text is not stable");
+    return 0;
+}

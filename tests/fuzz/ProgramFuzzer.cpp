@@ -1,0 +1,115 @@
+#include <limn/shaderlab/InitialKeywords.h>
+#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/VariantCount.h>
+
+#include "GlslangIncluder.h"
+#include "HlslRewriter.h"
+#include "HlslSpelling.h"
+#include "IncludeResolver.h"
+#include "PragmaScanner.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace
+{
+
+using namespace limn;
+
+void Require(bool holds, const char* what)
+{
+    if (!holds)
+    {
+        std::fprintf(stderr, "ProgramFuzzer: %s\n", what);
+        std::abort();
+    }
+}
+
+std::size_t Lines(std::string_view text)
+{
+    std::size_t lines = 0;
+    for (const char c : text)
+    {
+        lines += c == '\n' ? 1 : 0;
+    }
+    return lines;
+}
+
+/// Pragmas, with the bytes as a file behind #include_with_pragmas, too.
+PassProgram ScanAll(const std::string& text)
+{
+    PassProgram program;
+    program.file = "fuzz.shader";
+    program.location = {1, 1};
+    program.chunks = {{text, 1}};
+    ScanPragmas(program,
+                [&](std::string_view include, std::string_view) {
+                    return IncludedFile{std::string(include), text};
+                });
+    Require(!CountVariants(program).ToString().empty(), "no count of variants");
+    SelectVariant(program, {});
+    RequiredFeatures(program);
+    CheckPragmas(program);
+    ReasonNotSupported(program);
+    return program;
+}
+
+/// Everything between the preprocessor and the compiler, with each function as the entry.
+void Rewrite(const std::string& text, ShaderStage stage)
+{
+    const StageSource source(text, stage);
+    int left = 8;
+    for (const HlslFunction& function : source.declarations.functions)
+    {
+        if (!function.hasBody || left-- == 0)
+        {
+            continue;
+        }
+        try
+        {
+            const StageInterface interface =
+                ReadStageInterface(source.declarations, function, stage);
+            const bool isVertex = stage == ShaderStage::Vertex;
+            const StageInterface other;
+            const StageLinkage linkage =
+                LinkStages(isVertex ? interface : other, isVertex ? other : interface);
+            Require(!RewriteStage(source, interface, linkage).empty(), "nothing was written");
+        }
+        catch (const StageInterfaceError& error)
+        {
+            Require(!error.message.empty(), "an empty complaint");
+        }
+    }
+}
+
+void Resolve(const std::string& text)
+{
+    static const ShaderCompilerOptions options;
+    IncludeResolver resolver(options, "fuzz.shader");
+    const std::size_t size = text.find('\n');
+    const std::string name =
+        text.substr(0, size == text.npos ? 200 : std::min<std::size_t>(size, 200));
+    const auto file = resolver.Find(name, "fuzz.shader");
+    Require(!file || !file->name.empty(), "a file without a name");
+}
+
+} // namespace
+
+/// Any bytes as HLSL: pragmas are read, directives translated, names spelt and entry functions
+/// written, or there is a complaint; never an exception of another kind.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    ScanAll(text);
+    Resolve(text);
+    const std::string translated = TranslateDirectives(text);
+    Require(Lines(translated) >= Lines(text), "lines were lost");
+    const std::string spelt = RespellForGlslang(translated);
+    Rewrite(spelt, ShaderStage::Vertex);
+    Rewrite(spelt, ShaderStage::Fragment);
+    return 0;
+}

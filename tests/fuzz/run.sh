@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Builds every fuzz target with Clang, AddressSanitizer and UBSan and runs each for some time.
+# Usage: tests/fuzz/run.sh SECONDS [BUILD_FOLDER]
+# A finding fails the run; the input that shows it lies in BUILD_FOLDER/findings.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+seconds=${1:?usage: tests/fuzz/run.sh SECONDS [BUILD_FOLDER]}
+build=${2:-build/fuzz}
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="-O1 -g1" \
+    -DLIMN_SANITIZE=address,undefined,fuzzer-no-link -DLIMN_BUILD_FUZZERS=ON >/dev/null
+cmake --build "$build" --target fuzzers
+mkdir -p "$build/findings"
+for target in "$build"/tests/*_fuzzer; do
+    name=$(basename "$target" _fuzzer)
+    corpus=$build/corpus/$name
+    mkdir -p "$corpus"
+    echo "== $name, $seconds s"
+    options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536
+        -artifact_prefix="$build/findings/" -verbosity=0 -print_final_stats=1)
+    if [ -f "tests/fuzz/$name.dict" ]; then
+        options+=(-dict="tests/fuzz/$name.dict")
+    fi
+    "$target" "${options[@]}" "$corpus" "tests/fuzz/${name}_seeds"
+done

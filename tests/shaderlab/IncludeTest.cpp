@@ -1,0 +1,120 @@
+#include "ShaderTestSupport.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string k_Functions = "\nfloat4 vert() : SV_POSITION { return 0; }\n"
+                                "float4 frag() : SV_Target { return VALUE; }\n";
+
+class Include : public testing::Test
+{
+protected:
+    /// Compiles a shader in project/Assets/Shaders that holds this and asks for the macro VALUE.
+    std::vector<std::string> Compile(const std::string& hlsl, ShaderCompilerOptions options = {})
+    {
+        PassProgram program = test::Program(hlsl + k_Functions);
+        program.file = Path("project/Assets/Shaders/t.shader");
+        ShaderCompiler compiler(options);
+        try
+        {
+            compiler.Compile(program);
+            return {};
+        }
+        catch (const AssetError& error)
+        {
+            return test::Messages(error.diagnostics());
+        }
+    }
+
+    std::string Path(const std::string& name) const { return (folder.path() / name).string(); }
+
+    test::TemporaryFolder folder;
+};
+
+TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
+{
+    folder.Write("project/Assets/Shaders/a.hlsl", "#include \"sub/b.hlsl\"\n");
+    folder.Write("project/Assets/Shaders/sub/b.hlsl", "#include \"../../Common/c.hlsl\"\n");
+    folder.Write("project/Assets/Common/c.hlsl", "#define VALUE 1\n");
+    folder.Write("project/Packages/com.me.x/d.hlsl", "#include \"e.hlsl\"\n");
+    folder.Write("project/Packages/com.me.x/e.hlsl", "#define VALUE 1\n");
+    folder.Write("elsewhere/f.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
+    ShaderCompilerOptions options;
+    options.projectRoot = Path("project");
+    options.packages["com.me.y"] = Path("elsewhere");
+    EXPECT_THAT(Compile("#include \"Assets/Common/c.hlsl\"", options), ElementsAre());
+    EXPECT_THAT(Compile("#include \"Packages/com.me.x/d.hlsl\"", options), ElementsAre());
+    EXPECT_THAT(Compile("#include <Packages/com.me.y/f.hlsl>", options), ElementsAre());
+}
+
+TEST_F(Include, TakesBackslashesAndNamesThatDifferInCase)
+{
+    folder.Write("project/Assets/Shaders/Sub/File.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"sub\\\\file.HLSL\""), ElementsAre());
+    EXPECT_THAT(Compile("#include \"unitycg.CGINC\"\n#define VALUE 1"), ElementsAre());
+}
+
+TEST_F(Include, StaysInTheFoldersItMayReadFrom)
+{
+    const std::string secret = folder.Write("secret.hlsl", "#define VALUE 1\n").string();
+    const std::string refusal =
+        "is outside the folders that includes may lie in; move it into the project";
+    EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
+                ElementsAre("1: error: #include: \"../../../secret.hlsl\" " + refusal));
+    EXPECT_THAT(Compile("#include \"" + secret + "\""),
+                ElementsAre("1: error: #include: \"" + secret +
+                            "\" is an absolute path; write it from this file or from the project's "
+                            "folder"));
+    EXPECT_THAT(Compile("#include \"C:\\x.hlsl\"").at(0), HasSubstr("is an absolute path"));
+    std::filesystem::create_directories(Path("project/Assets/Shaders"));
+    std::filesystem::create_symlink(secret, Path("project/Assets/Shaders/link.hlsl"));
+    EXPECT_THAT(Compile("#include \"link.hlsl\""),
+                ElementsAre("1: error: #include: \"link.hlsl\" " + refusal));
+    ShaderCompilerOptions options;
+    options.includeFolders = {folder.path()};
+    EXPECT_THAT(Compile("#include \"../../../secret.hlsl\"", options), ElementsAre());
+    EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
+}
+
+TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
+{
+    folder.Write("project/Assets/Shaders/a.hlsl", "#include \"b.hlsl\"\n#include \"b.hlsl\"\n");
+    folder.Write("project/Assets/Shaders/b.hlsl", "\n#include \"a.hlsl\"\n");
+    const std::vector<std::string> messages = Compile("#define VALUE 1\n#include \"a.hlsl\"");
+    ASSERT_EQ(messages.size(), 1u);
+    const std::string a = Path("project/Assets/Shaders/a.hlsl");
+    const std::string b = Path("project/Assets/Shaders/b.hlsl");
+    EXPECT_THAT(messages[0], HasSubstr("is a circle, "));
+    EXPECT_THAT(messages[0], HasSubstr(a + " -> " + b + " -> " + a));
+    EXPECT_THAT(messages[0], HasSubstr("; write '#pragma once' at the top of these files"));
+    folder.Write("project/Assets/Shaders/a.hlsl",
+                 "#ifndef A\n#define A\n#include \"b.hlsl\"\n#define VALUE 1\n#endif\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
+    folder.Write("project/Assets/Shaders/a.hlsl",
+                 "\xEF\xBB\xBF#  pragma  once\n#include \"b.hlsl\"\n#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\"\n#include \"a.hlsl\""), ElementsAre());
+}
+
+TEST_F(Include, MayBeNestedDeeplyButNotWithoutEnd)
+{
+    for (int i = 0; i < 70; ++i)
+    {
+        folder.Write("project/Assets/Shaders/" + std::to_string(i) + ".hlsl",
+                     "#include \"" + std::to_string(i + 1) + ".hlsl\"\n");
+    }
+    folder.Write("project/Assets/Shaders/70.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"20.hlsl\""), ElementsAre());
+    EXPECT_THAT(Compile("#define VALUE 1\n#include \"0.hlsl\"").at(0),
+                HasSubstr("is nested more than 64 files deep; include less"));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,275 @@
+#include "ShaderTestSupport.h"
+#include "SpirvTestSupport.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+// The packages that shaders of the Universal Render Pipeline include.
+
+namespace limn
+{
+namespace
+{
+
+using test::CompileHlsl;
+
+constexpr const char* k_Universal = "Packages/com.unity.render-pipelines.universal/";
+
+std::string Include(const std::string& path)
+{
+    return "#include \"" + path + "\"\n";
+}
+
+/// Every file of the library below a folder, as it is included.
+std::vector<std::string> Headers(const std::string& folder)
+{
+    const std::filesystem::path root = std::string(LIMN_SOURCE_DIR) + "/shaderlab/library";
+    std::vector<std::string> headers;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
+    {
+        if (entry.is_regular_file())
+        {
+            headers.push_back(entry.path().lexically_relative(root).generic_string());
+        }
+    }
+    std::sort(headers.begin(), headers.end());
+    return headers;
+}
+
+/// A program whose functions have nothing to do with what is included.
+std::string Idle(const std::string& includes)
+{
+    return includes + "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                      "float4 frag() : SV_Target { return 1; }\n";
+}
+
+struct PassFiles
+{
+    const char* input; ///< file with the properties
+    const char* pass;
+    const char* vertex;
+    const char* fragment;
+};
+
+constexpr PassFiles k_Passes[] = {
+    {"LitInput", "LitForwardPass", "LitPassVertex", "LitPassFragment"},
+    {"LitInput", "ShadowCasterPass", "ShadowPassVertex", "ShadowPassFragment"},
+    {"LitInput", "DepthOnlyPass", "DepthOnlyVertex", "DepthOnlyFragment"},
+    {"LitInput", "LitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"LitInput", "LitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaLit"},
+    {"SimpleLitInput", "SimpleLitForwardPass", "LitPassVertexSimple", "LitPassFragmentSimple"},
+    {"SimpleLitInput", "SimpleLitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"SimpleLitInput", "SimpleLitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaSimple"},
+    {"UnlitInput", "UnlitForwardPass", "UnlitPassVertex", "UnlitPassFragment"},
+    {"UnlitInput", "DepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"UnlitInput", "UnlitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"UnlitInput", "UnlitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaUnlit"},
+    {"UnlitInput", "Utils/Universal2D", "vert", "frag"},
+    {"BakedLitInput", "BakedLitForwardPass", "BakedLitForwardPassVertex",
+     "BakedLitForwardPassFragment"},
+    {"BakedLitInput", "BakedLitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"BakedLitInput", "BakedLitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaBakedLit"},
+};
+
+/// Compiles all passes of URP's own shaders and expects valid SPIR-V.
+void ExpectPassesCompile(const std::vector<std::string>& keywords)
+{
+    ShaderCompiler compiler;
+    for (const PassFiles& files : k_Passes)
+    {
+        SCOPED_TRACE(files.pass);
+        const std::string folder = std::string(k_Universal) + "Shaders/";
+        PassProgram program = test::Program(Include(folder + files.input + ".hlsl") +
+                                            Include(folder + files.pass + ".hlsl"));
+        program.vertex.name = files.vertex;
+        program.fragment.name = files.fragment;
+        const auto pass = compiler.Compile(program, keywords);
+        EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
+        EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    }
+}
+
+TEST(ShaderLibraryPackages, CanBeIncludedFileByFile)
+{
+    for (const char* folder :
+         {"Packages/com.unity.render-pipelines.core", "Packages/com.unity.postprocessing",
+          "Packages/com.unity.render-pipelines.universal/ShaderLibrary"})
+    {
+        for (const std::string& header : Headers(folder))
+        {
+            SCOPED_TRACE(header);
+            EXPECT_NO_THROW(CompileHlsl(Idle(Include(header))));
+        }
+    }
+}
+
+TEST(ShaderLibraryPackages, CanBeIncludedTogether)
+{
+    std::string all;
+    for (const char* folder : {"Packages/com.unity.render-pipelines.core/ShaderLibrary",
+                               "Packages/com.unity.render-pipelines.universal/ShaderLibrary"})
+    {
+        for (const std::string& header : Headers(folder))
+        {
+            all += header.find("UniversalMetaPass") == std::string::npos ? Include(header) : "";
+        }
+    }
+    EXPECT_NO_THROW(CompileHlsl(Idle(all)));
+    EXPECT_NO_THROW(CompileHlsl(Idle(all + all)));
+}
+
+TEST(ShaderLibraryPackages, CompileThePassesOfUnitysShadersByDefault)
+{
+    ExpectPassesCompile({});
+}
+
+TEST(ShaderLibraryPackages, CompileThePassesOfUnitysShadersWithAllMapsAndLights)
+{
+    ExpectPassesCompile({"_NORMALMAP", "_EMISSION", "_METALLICSPECGLOSSMAP", "_OCCLUSIONMAP",
+                         "_PARALLAXMAP", "_DETAIL_MULX2", "_CLEARCOATMAP", "_ALPHATEST_ON",
+                         "_ADDITIONAL_LIGHTS", "_MAIN_LIGHT_SHADOWS_CASCADE", "_SHADOWS_SOFT",
+                         "_SCREEN_SPACE_OCCLUSION", "_LIGHT_LAYERS", "FOG_EXP2", "_FOG_FRAGMENT",
+                         "_SPECGLOSSMAP", "LOD_FADE_CROSSFADE"});
+}
+
+TEST(ShaderLibraryPackages, CompileThePassesOfUnitysShadersWithTheOtherWorkflow)
+{
+    ExpectPassesCompile({"_SPECULAR_SETUP", "_ADDITIONAL_LIGHTS_VERTEX", "_MAIN_LIGHT_SHADOWS",
+                         "FOG_LINEAR", "_SPECULAR_COLOR", "_CLEARCOAT", "_DETAIL_SCALED",
+                         "EVALUATE_SH_MIXED", "_ALPHAMODULATE_ON", "_CASTING_PUNCTUAL_LIGHT_SHADOW",
+                         "_SPECULARHIGHLIGHTS_OFF", "_SURFACE_TYPE_TRANSPARENT",
+                         "_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A", "_GLOSSINESS_FROM_BASE_ALPHA"});
+}
+
+TEST(ShaderLibraryPackages, CompileAToonShaderWithAllLights)
+{
+    PassProgram program = test::Program(R"(
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+        TEXTURE2D(_RampMap); SAMPLER(sampler_RampMap);
+        CBUFFER_START(UnityPerMaterial)
+        half4 _Tint; half _RimPower; half _Steps;
+        CBUFFER_END
+        struct Attributes
+        {
+            float4 positionOS : POSITION; float3 normalOS : NORMAL; float2 lightmapUV : TEXCOORD1;
+            UNITY_VERTEX_INPUT_INSTANCE_ID
+        };
+        struct Varyings
+        {
+            float4 positionCS : SV_POSITION; float3 positionWS : TEXCOORD0;
+            half3 normalWS : TEXCOORD1; DECLARE_LIGHTMAP_OR_SH(lightmapUV, vertexSH, 2);
+            UNITY_VERTEX_INPUT_INSTANCE_ID UNITY_VERTEX_OUTPUT_STEREO
+        };
+        Varyings vert(Attributes input)
+        {
+            Varyings output;
+            ZERO_INITIALIZE(Varyings, output);
+            UNITY_SETUP_INSTANCE_ID(input);
+            UNITY_TRANSFER_INSTANCE_ID(input, output);
+            output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
+            output.positionCS = TransformWorldToHClip(output.positionWS);
+            output.normalWS = TransformObjectToWorldNormal(input.normalOS);
+            OUTPUT_LIGHTMAP_UV(input.lightmapUV, unity_LightmapST, output.lightmapUV);
+            OUTPUT_SH(output.normalWS, output.vertexSH);
+            return output;
+        }
+        half Band(half x) { return floor(x * _Steps) / max(_Steps, HALF_MIN); }
+        half4 frag(Varyings input) : SV_Target
+        {
+            UNITY_SETUP_INSTANCE_ID(input);
+            float4 shadowCoord = TransformWorldToShadowCoord(input.positionWS);
+            Light mainLight = GetMainLight(shadowCoord, input.positionWS, half4(1, 1, 1, 1));
+            half3 gi = SAMPLE_GI(input.lightmapUV, input.vertexSH, input.normalWS);
+            MixRealtimeAndBakedGI(mainLight, input.normalWS, gi, half4(0, 0, 0, 0));
+            half ndl = saturate(dot(input.normalWS, mainLight.direction));
+            half3 ramp = SAMPLE_TEXTURE2D_LOD(_RampMap, sampler_RampMap, half2(ndl, 0.5), 0).rgb;
+            half3 light = mainLight.color * ramp * mainLight.shadowAttenuation + gi;
+            #ifdef _ADDITIONAL_LIGHTS
+            uint count = GetAdditionalLightsCount();
+            LIGHT_LOOP_BEGIN(count)
+                Light extra = GetAdditionalLight(lightIndex, input.positionWS);
+                if (IsMatchingLightLayer(extra.layerMask, GetMeshRenderingLayer()))
+                {
+                    light += extra.color * Band(extra.distanceAttenuation);
+                }
+            LIGHT_LOOP_END
+            #endif
+            half3 viewDir = SafeNormalize(GetCameraPositionWS() - input.positionWS);
+            half rim = pow(1.0 - saturate(dot(viewDir, input.normalWS)), _RimPower);
+            return half4(light * _Tint.rgb + rim, 1);
+        })");
+    ShaderCompiler compiler;
+    const std::vector<std::string> keywords = {"_ADDITIONAL_LIGHTS", "_MAIN_LIGHT_SHADOWS"};
+    const auto pass = compiler.Compile(program, keywords);
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    EXPECT_EQ(pass->layout.textures.size(), 2u); // the ramp and the shadow map
+}
+
+TEST(ShaderLibraryPackages, TakeInstancedPropertiesWithAndWithoutASemicolon)
+{
+    const auto pass =
+        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+        UNITY_INSTANCING_BUFFER_START(Props)
+            UNITY_DEFINE_INSTANCED_PROP(float4, _Tint)
+            UNITY_DEFINE_INSTANCED_PROP(float, _Width);
+        UNITY_INSTANCING_BUFFER_END(Props)
+        struct v2f { float4 p : SV_POSITION; UNITY_VERTEX_INPUT_INSTANCE_ID };
+        v2f vert(float4 p : POSITION)
+        {
+            v2f o;
+            o.p = p * UNITY_ACCESS_INSTANCED_PROP(Props, _Width);
+            return o;
+        }
+        float4 frag(v2f i) : SV_Target
+        {
+            UNITY_SETUP_INSTANCE_ID(i);
+            return UNITY_ACCESS_INSTANCED_PROP(Props, _Tint);
+        })");
+    ASSERT_EQ(pass->layout.buffers.size(), 1u);
+    EXPECT_EQ(pass->layout.buffers[0].members.size(), 2u);
+}
+
+TEST(ShaderLibraryPackages, CompileAnEffectOfThePostProcessingStack)
+{
+    PassProgram program = test::Program(R"(
+        #include "Packages/com.unity.postprocessing/PostProcessing/Shaders/Colors.hlsl"
+        TEXTURE2D_SAMPLER2D(_MainTex, sampler_MainTex);
+        TEXTURE2D_SAMPLER2D(_CameraDepthTexture, sampler_CameraDepthTexture);
+        float _Blend;
+        float4 Frag(VaryingsDefault i) : SV_Target
+        {
+            float4 color = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, i.texcoord);
+            float depth = Linear01Depth(
+                SAMPLE_DEPTH_TEXTURE(_CameraDepthTexture, sampler_CameraDepthTexture, i.texcoordStereo));
+            float3 hsv = RgbToHsv(SafeHDR(color.rgb));
+            color.rgb = lerp(LinearToSRGB(HsvToRgb(hsv)), Luminance(color).xxx, _Blend * depth);
+            return color;
+        })");
+    program.vertex.name = "VertDefault";
+    program.fragment.name = "Frag";
+    ShaderCompiler compiler;
+    const auto pass = compiler.Compile(program);
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    ASSERT_EQ(pass->layout.vertexInputs.size(), 1u);
+    EXPECT_EQ(pass->layout.vertexInputs[0].semantic, "POSITION");
+}
+
+TEST(ShaderLibraryPackages, AddTheMipBiasOnlyInTheUniversalPipeline)
+{
+    const auto sample = [](const std::string& header)
+    {
+        return CompileHlsl(Include(header) + R"(
+            TEXTURE2D(_Map); SAMPLER(sampler_Map);
+            float4 vert(float4 p : POSITION) : SV_Position { return p; }
+            float4 frag(float4 p : SV_Position) : SV_Target
+            { return SAMPLE_TEXTURE2D(_Map, sampler_Map, p.xy); })");
+    };
+    const auto core = sample("Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl");
+    EXPECT_TRUE(core->layout.buffers.empty());
+    const auto universal = sample(std::string(k_Universal) + "ShaderLibrary/Core.hlsl");
+    ASSERT_EQ(universal->layout.buffers.size(), 1u);
+    EXPECT_EQ(universal->layout.buffers[0].name, "limn_PerCamera");
+}
+
+} // namespace
+} // namespace limn

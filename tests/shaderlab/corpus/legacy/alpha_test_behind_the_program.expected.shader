@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            AlphaTest Greater 0
+            CGPROGRAM float x; ENDCG
+        }
+    }
+}

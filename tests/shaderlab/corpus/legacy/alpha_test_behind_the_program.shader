@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM float x; ENDCG
+            AlphaTest Greater 0
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            AlphaTest Gretaer 0.5
+        }
+    }
+}

@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ColorMaterial AmbientAndDiffuse
+            ColorMaterial Emission
+            CGPROGRAM float x; ENDCG
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Fog { Mode Off }
+            CGPROGRAM float x; ENDCG
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Lighting Off
+            Cull Off
+        }
+    }
+}

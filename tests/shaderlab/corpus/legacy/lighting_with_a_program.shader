@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Lighting Off
+            CGPROGRAM float x; ENDCG
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Material { Diffuse [_Color]
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            SetTexture [_MainTex] { Combine Texture * Primary }
+        }
+    }
+}

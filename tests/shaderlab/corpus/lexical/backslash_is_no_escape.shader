@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("C:\", Float) = 1
+    }
+}

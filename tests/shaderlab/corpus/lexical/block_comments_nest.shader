@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            /* a /* b */ Cull Off */
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,12 @@
+// Copyright
+/* more */
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrite Off
+        }
+    }
+}
+/*ASEBEGIN
+Version=18900
+Node;"{}"
+ASEEND*/
+//CHKSM=ABC

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrite Off
+            /* and the rest
+        }
+    }
+}

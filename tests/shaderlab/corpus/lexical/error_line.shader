@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            #error do not use this
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _Color("ÑÕÉ«", Float) = 1
+    }
+}

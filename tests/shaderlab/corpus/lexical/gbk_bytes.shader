@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Properties
+    {
+        // ÑÕÉ«
+        _Color("ÑÕÉ«", Float) = 1
+    }
+}

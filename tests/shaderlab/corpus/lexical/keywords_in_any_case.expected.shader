@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrite Off
+            ColorMask RGB
+        }
+    }
+    Fallback "X"
+}

@@ -1,0 +1,12 @@
+SHADER "T"
+{
+    subshader
+    {
+        pass
+        {
+            zwrite OFF
+            COLORMASK rgb
+        }
+    }
+    FallBack "X"
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull [Cull]
+            ZWrite [Pass]
+        }
+    }
+}

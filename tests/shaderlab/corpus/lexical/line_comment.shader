@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            // Cull Off }
+            ZWrite Off // Cull Off
+            // }
+        }
+    }
+}

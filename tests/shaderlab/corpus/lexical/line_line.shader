@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            #line 100
+            ZWrite Off
+        }
+    }
+}

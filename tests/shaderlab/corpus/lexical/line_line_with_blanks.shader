@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            #line 1 0 0
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Float) = 1.5
+        _B("b", Float) = 2
+    }
+}

@@ -1,0 +1,1 @@
+Shader"T"{SubShader{Pass{ZWrite	Off	Cull	Off}}}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Name "X
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("色 — größe", Float) = 1
+    }
+}

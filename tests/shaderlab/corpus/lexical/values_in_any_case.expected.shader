@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull Front
+            ZTest Always
+            Blend SrcAlpha OneMinusSrcAlpha
+            BlendOp Max
+        }
+    }
+}

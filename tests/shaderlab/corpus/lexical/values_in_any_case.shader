@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull FRONT
+            ZTest LEQual
+            ZTest always
+            Blend srcalpha ONEMINUSSRCALPHA
+            BlendOp MAX
+        }
+    }
+}

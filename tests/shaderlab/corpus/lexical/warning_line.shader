@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            #warning old shader, Cull Off }
+            ZWrite Off
+        }
+    }
+}

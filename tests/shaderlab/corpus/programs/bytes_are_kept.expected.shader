@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            // größe	色   
+
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM
+            #pragma vertex v
+            #pragma fragment f
+            ENDCG
+        }
+    }
+}

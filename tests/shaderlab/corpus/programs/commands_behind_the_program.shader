@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM
+            float x;
+            ENDCG
+            Cull Off
+            ZWrite Off
+            Blend One One
+        }
+    }
+}

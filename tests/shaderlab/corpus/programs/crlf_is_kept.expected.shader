@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM float a;
+             float b;
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            // no ENDHLSL yet
+            float x;
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        GLSLINCLUDE
+        varying vec4 x;
+        ENDGLSL
+        Pass
+        {
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            GLSLPROGRAM
+            void main() { }
+            ENDGLSL
+            ZWrite Of
+        }
+    }
+}

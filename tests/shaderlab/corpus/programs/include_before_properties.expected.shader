@@ -1,0 +1,17 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Float) = 1
+    }
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM
+    float shared;
+    
+            ENDCG
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM float a; 
+ float b; ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLINCLUDE float a; ENDHLSL
+            HLSLPROGRAM float b; ENDHLSL
+        }
+    }
+}

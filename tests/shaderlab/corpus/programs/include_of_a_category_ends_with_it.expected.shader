@@ -1,0 +1,18 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM float a; 
+ float b; ENDCG
+        }
+    }
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM float c; ENDCG
+        }
+    }
+}

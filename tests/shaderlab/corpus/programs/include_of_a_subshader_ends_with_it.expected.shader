@@ -1,0 +1,18 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM float a; 
+ float b; ENDHLSL
+        }
+    }
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM float c; ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+    float shared;
+    
+            float own;
+            ENDHLSL
+        }
+    }
+}

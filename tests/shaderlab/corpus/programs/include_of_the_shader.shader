@@ -1,0 +1,15 @@
+Shader "T"
+{
+    HLSLINCLUDE
+    float shared;
+    ENDHLSL
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            float own;
+            ENDHLSL
+        }
+    }
+}

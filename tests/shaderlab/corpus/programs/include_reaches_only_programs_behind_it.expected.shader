@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM float a; ENDHLSL
+        }
+        Pass
+        {
+            HLSLPROGRAM float b; 
+ float c; ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            #include_with_pragmas "p.hlsl"
+            ENDHLSL
+        }
+    }
+}

@@ -1,0 +1,14 @@
+Shader "T"
+{
+    CGINCLUDE
+    #pragma vertex v
+    #pragma fragment f
+    ENDCG
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM ENDCG
+        }
+    }
+}

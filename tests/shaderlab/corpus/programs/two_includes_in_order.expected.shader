@@ -1,0 +1,12 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            CGPROGRAM float a; 
+ float b; 
+ float c; ENDCG
+        }
+    }
+}

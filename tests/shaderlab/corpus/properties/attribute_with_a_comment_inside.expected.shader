@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        [Header(a // b)] _A("a", Float) = 1
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        [Space()] _A("a", Float) = 1
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        [ HDR ] _A("a", Color) = (1, 1, 1, 1)
+    }
+}

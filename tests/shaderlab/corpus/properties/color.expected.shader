@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Color) = (1, 0.5, 0.25, 0)
+    }
+}

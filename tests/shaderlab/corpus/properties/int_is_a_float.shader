@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Int) = 1.5
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        width("Width", Float) = 1
+    }
+}

@@ -1,0 +1,5 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Float) = 1

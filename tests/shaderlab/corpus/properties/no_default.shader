@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Float)
+        _B("b", 2D)
+    }
+}

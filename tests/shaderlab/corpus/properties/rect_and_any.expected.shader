@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Rect) = "white" {}
+        _B("b", Any) = "white" {}
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Range(1, -1)) = 0
+    }
+}

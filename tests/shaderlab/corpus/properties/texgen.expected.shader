@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Cube) = "white" { TexGen CubeReflect }
+        _B("b", 2D) = "white" { TexGen SphereMap }
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", 2D) = "white" { Matrix [_M] }
+    }
+}

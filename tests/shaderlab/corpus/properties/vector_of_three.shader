@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Properties
+    {
+        _A("a", Vector) = (1, 2, 3)
+    }
+}

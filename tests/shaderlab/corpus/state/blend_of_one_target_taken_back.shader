@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Blend 1 One One
+            Blend 1 Off
+        }
+    }
+}

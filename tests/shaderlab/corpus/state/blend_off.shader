@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Blend One One
+            Blend Off
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Blend [_Src] [_Dst], [_SrcA] [_DstA]
+        }
+    }
+}

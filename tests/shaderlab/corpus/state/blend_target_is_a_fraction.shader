@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Blend 0.5 One One
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Blend SrcAlpha One, Zero One
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ColorMask 7
+            ZWrite Of
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ColorMask [_Mask] 4
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull 2
+            ZWrite Of
+        }
+    }
+}

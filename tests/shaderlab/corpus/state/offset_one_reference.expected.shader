@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Offset 0, [_Units]
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Offset 1
+            ZWrite Of
+        }
+    }
+}

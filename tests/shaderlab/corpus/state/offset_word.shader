@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Offset Off, 1
+            ZWrite Of
+        }
+    }
+}

@@ -1,0 +1,17 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull Off
+            Stencil
+            {
+                Ref 1
+            }
+        }
+        Pass
+        {
+        }
+    }
+}

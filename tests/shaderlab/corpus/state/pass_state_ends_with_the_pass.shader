@@ -1,0 +1,8 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass { Cull Off Stencil { Ref 1 } }
+        Pass { }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull [_Cull
+            ZWrite Of
+        }
+    }
+}

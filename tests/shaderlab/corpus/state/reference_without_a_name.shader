@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull [ ]
+            ZWrite Of
+        }
+    }
+}

@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil
+            {
+                Comp Equal
+                Pass Zero
+            }
+        }
+    }
+}

@@ -1,0 +1,9 @@
+Shader "T"
+{
+    SubShader
+    {
+        Stencil { Ref 1 Comp Equal }
+        Pass { }
+        Pass { Stencil { Pass Zero } }
+    }
+}

@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil
+            {
+                Ref 2
+                Comp Equal
+                Pass Replace
+            }
+        }
+    }
+}

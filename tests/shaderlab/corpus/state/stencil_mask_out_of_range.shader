@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil { ReadMask 300 WriteMask 999 }
+        }
+    }
+}

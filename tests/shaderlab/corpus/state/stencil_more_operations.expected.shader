@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil
+            {
+                Pass DecrSat
+                Fail Invert
+                ZFail IncrWrap
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil { Ref 1
+            Cull Off
+        }
+    }
+}

@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil
+            {
+                Pass Zero
+                Fail Replace
+                ZFail IncrSat
+            }
+        }
+    }
+}

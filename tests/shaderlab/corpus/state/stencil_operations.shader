@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil { Pass Zero Fail Replace ZFail IncrSat }
+        }
+    }
+}

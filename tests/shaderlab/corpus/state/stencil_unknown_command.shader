@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil { Reff 1 Comp Equal }
+        }
+    }
+}

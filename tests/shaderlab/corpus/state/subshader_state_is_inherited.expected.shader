@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull Off
+        }
+        Pass
+        {
+            Cull Off
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,15 @@
+Shader "T"
+{
+    SubShader
+    {
+        Cull Off
+        ZWrite Off
+        Pass
+        {
+            ZWrite On
+        }
+        Pass
+        {
+        }
+    }
+}

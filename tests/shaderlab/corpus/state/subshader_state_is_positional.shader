@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        ZWrite On
+        Pass { }
+        ZWrite Off
+        Blend SrcAlpha OneMinusSrcAlpha
+        Pass { }
+        Blend Off
+        Pass { }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Blend 1 One One
+        ColorMask RGB 2
+        Pass { Blend 1 Off }
+        Pass { }
+    }
+}

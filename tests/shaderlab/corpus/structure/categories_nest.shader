@@ -1,0 +1,15 @@
+Shader "T"
+{
+    Category
+    {
+        Cull Off
+        ZWrite Off
+        Category
+        {
+            ZWrite On
+            ZTest Always
+            SubShader { Pass { } }
+        }
+        SubShader { Pass { } }
+    }
+}

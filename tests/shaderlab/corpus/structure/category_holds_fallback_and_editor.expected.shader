@@ -1,0 +1,9 @@
+Shader "T"
+{
+    SubShader
+    {
+    }
+    Fallback "F"
+    CustomEditor "E"
+    Dependency "A" = "B"
+}

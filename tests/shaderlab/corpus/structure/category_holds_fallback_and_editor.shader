@@ -1,0 +1,10 @@
+Shader "T"
+{
+    Category
+    {
+        SubShader { }
+        Fallback "F"
+        CustomEditor "E"
+        Dependency "A" = "B"
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        LOD 150
+    }
+    SubShader
+    {
+        LOD 100
+    }
+}

@@ -1,0 +1,9 @@
+Shader "T"
+{
+    Category
+    {
+        LOD 150
+        SubShader { }
+        SubShader { LOD 100 }
+    }
+}

@@ -1,0 +1,16 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cull Off
+        }
+    }
+    SubShader
+    {
+        Pass
+        {
+        }
+    }
+}

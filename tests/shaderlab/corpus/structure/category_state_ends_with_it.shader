@@ -1,0 +1,9 @@
+Shader "T"
+{
+    Category
+    {
+        Cull Off
+        SubShader { Pass { } }
+    }
+    SubShader { Pass { } }
+}

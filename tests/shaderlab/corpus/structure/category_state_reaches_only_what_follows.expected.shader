@@ -1,0 +1,16 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+        }
+    }
+    SubShader
+    {
+        Pass
+        {
+            Cull Off
+        }
+    }
+}

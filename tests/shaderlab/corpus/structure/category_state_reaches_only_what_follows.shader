@@ -1,0 +1,9 @@
+Shader "T"
+{
+    Category
+    {
+        SubShader { Pass { } }
+        Cull Off
+        SubShader { Pass { } }
+    }
+}

@@ -1,0 +1,4 @@
+Shader "T"
+{
+    CustomEditor "UnityEditor.Toon"
+}

@@ -1,0 +1,5 @@
+Shader "T"
+{
+    CustomEditorForRenderPipeline "A.B" "C.D"
+    CustomEditorForRenderPipeline "E" ""
+}

@@ -1,0 +1,5 @@
+Shader "T"
+{
+    CustomEditor
+    Fallback "F"
+}

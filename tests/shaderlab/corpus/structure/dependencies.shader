@@ -1,0 +1,5 @@
+Shader "T"
+{
+    Dependency "BaseMapShader" = "Hidden/Base"
+    Dependency "AddPassShader" = "Hidden/Add"
+}

@@ -1,0 +1,9 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+        }
+    }
+}

@@ -1,0 +1,5 @@
+Shader "T"
+{
+    Properties { }
+    SubShader { Pass { } }
+}

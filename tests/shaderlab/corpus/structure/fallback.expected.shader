@@ -1,0 +1,4 @@
+Shader "T"
+{
+    Fallback "Universal Render Pipeline/Lit"
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Fallback
+    SubShader
+    {
+    }
+}

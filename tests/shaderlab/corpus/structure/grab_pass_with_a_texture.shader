@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        GrabPass { "_Behind" }
+        Pass
+        {
+        }
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        GrabPass { "_G" Tags { "LightMode" = "Always" } }
+    }
+}

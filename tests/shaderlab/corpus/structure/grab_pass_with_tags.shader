@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        GrabPass { Tags { "LightMode" = "Always" } "_G" }
+    }
+}

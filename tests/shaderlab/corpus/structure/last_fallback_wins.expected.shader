@@ -1,0 +1,4 @@
+Shader "T"
+{
+    Fallback "B"
+}

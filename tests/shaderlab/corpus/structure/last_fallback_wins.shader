@@ -1,0 +1,5 @@
+Shader "T"
+{
+    Fallback "A"
+    Fallback "B"
+}

@@ -1,0 +1,8 @@
+Shader "T"
+{
+    SubShader
+    {
+        LOD 200
+        LOD 100
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        Tags { "A" = "3" "B" = "2" }
+    }
+}

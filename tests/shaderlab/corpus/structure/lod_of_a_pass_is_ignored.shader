@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            LOD 100
+            ZWrite Off
+        }
+    }
+}

@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        LOD High
+        Pass
+        {
+        }
+    }
+}

@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Cul Off
+            ZTest Foo
+            ZWrite Off
+            Blend One
+        }
+    }
+}

@@ -1,0 +1,3 @@
+Shader "Hidden/My Shaders/Toon (2)"
+{
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        PackageRequirements { "com.unity.a" : }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            PackageRequirements { "com.unity.a" }
+            Name "X"
+        }
+    }
+}

@@ -1,0 +1,8 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        LOD 100
+    }
+}

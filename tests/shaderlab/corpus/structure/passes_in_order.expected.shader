@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Name "A"
+        }
+        Pass
+        {
+            Name "B"
+        }
+    }
+}

@@ -1,0 +1,7 @@
+Shader "T"
+{
+    Cull Off
+    SubShader
+    {
+    }
+}

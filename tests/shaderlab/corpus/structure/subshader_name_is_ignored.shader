@@ -1,0 +1,8 @@
+Shader "T"
+{
+    SubShader
+    {
+        Name "X"
+        Pass { }
+    }
+}

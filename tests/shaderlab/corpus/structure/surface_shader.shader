@@ -1,0 +1,10 @@
+Shader "T"
+{
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" }
+        CGPROGRAM
+        #pragma surface surf Lambert
+        ENDCG
+    }
+}

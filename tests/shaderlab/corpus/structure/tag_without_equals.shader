@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        Tags { "Queue" "Overlay" }
+    }
+}

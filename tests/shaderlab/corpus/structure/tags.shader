@@ -1,0 +1,7 @@
+Shader "T"
+{
+    SubShader
+    {
+        Tags { "RenderType"="Opaque" "Queue" = "Geometry+1" }
+    }
+}

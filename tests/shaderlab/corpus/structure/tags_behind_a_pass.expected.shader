@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Tags { "Queue" = "Overlay" }
+        Pass
+        {
+        }
+        Pass
+        {
+        }
+    }
+}

@@ -1,0 +1,5 @@
+Shader "T"
+{
+    Settings { A { B "}" } C }
+    Fallback "F"
+}

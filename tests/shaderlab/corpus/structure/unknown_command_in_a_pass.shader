@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrit Off
+            Cull Off
+        }
+    }
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        Paas
+        {
+            Cull Of
+        }
+        LOD 100
+    }
+}

@@ -1,0 +1,8 @@
+Shader "T"
+{
+    Proprties
+    {
+        _A("a", Float) = 1
+    }
+    Fallback "F"
+}

@@ -1,0 +1,11 @@
+Shader "T"
+{
+    SubShader
+    {
+        UsePass "Legacy Shaders/VertexLit/SHADOWCASTER"
+        Pass
+        {
+        }
+        UsePass "A/b"
+    }
+}
