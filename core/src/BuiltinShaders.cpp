@@ -63,22 +63,18 @@ std::vector<std::string_view> BuiltinShaderNames()
 
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name)
 {
-    static const std::shared_ptr<const Texture> white = SolidTexture("white", 255, 255, 255, 255);
-    static const std::shared_ptr<const Texture> black = SolidTexture("black", 0, 0, 0, 255);
-    static const std::shared_ptr<const Texture> gray = SolidTexture("gray", 128, 128, 128, 128);
-    static const std::shared_ptr<const Texture> bump = SolidTexture("bump", 128, 128, 255, 128);
-    static const std::shared_ptr<const Texture> red = SolidTexture("red", 255, 0, 0, 255);
+    static const std::shared_ptr<const Texture> textures[] = {
+        SolidTexture("gray", 128, 128, 128, 128), SolidTexture("white", 255, 255, 255, 255),
+        SolidTexture("black", 0, 0, 0, 255),      SolidTexture("bump", 128, 128, 255, 128),
+        SolidTexture("red", 255, 0, 0, 255),      SolidTexture("green", 0, 255, 0, 255),
+        SolidTexture("blue", 0, 0, 255, 255),     SolidTexture("clear", 0, 0, 0, 0)};
     std::string lower(name);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const auto& texture : {white, black, bump, red})
-    {
-        if (texture->name() == lower)
-        {
-            return texture;
-        }
-    }
-    return gray;
+    lower = lower == "normal" ? "bump" : lower;
+    const auto found = std::find_if(std::begin(textures), std::end(textures),
+                                    [&](const auto& texture) { return texture->name() == lower; });
+    return found == std::end(textures) ? textures[0] : *found;
 }
 
 } // namespace limn

@@ -93,9 +93,21 @@ void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
 {
     const DirectionalLight& light = scene.mainLight;
     Vector(cmd, "_MainLightPosition", glm::vec4(-light.direction, 0.0f));
-    Vector(cmd, "_MainLightColor",
-           glm::vec4(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f));
-    Vector(cmd, "unity_AmbientSky", scene.ambientLight.linear().vector());
+    const glm::vec4 color(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
+    // The second name is the built-in pipeline's, which its shaders may declare by themselves.
+    for (const char* name : {"_MainLightColor", "_LightColor0"})
+    {
+        Vector(cmd, name, color);
+    }
+    const glm::vec4 ambient = scene.ambientLight.linear().vector();
+    for (const char* side : {"unity_AmbientSky", "unity_AmbientEquator", "unity_AmbientGround"})
+    {
+        Vector(cmd, side, ambient);
+    }
+    // The same from all sides: of the spherical harmonics only the constant term.
+    Vector(cmd, "unity_SHAr", {0.0f, 0.0f, 0.0f, ambient.r});
+    Vector(cmd, "unity_SHAg", {0.0f, 0.0f, 0.0f, ambient.g});
+    Vector(cmd, "unity_SHAb", {0.0f, 0.0f, 0.0f, ambient.b});
 }
 
 } // namespace limn

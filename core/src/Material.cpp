@@ -32,6 +32,7 @@ Material::Material(std::shared_ptr<const Shader> shader, std::string name)
     {
         throw ContractError("a material needs a shader, but it is null");
     }
+    m_Keywords = m_Shader->initialKeywords();
     if (m_Name.empty())
     {
         m_Name = m_Shader->name();
@@ -39,6 +40,10 @@ Material::Material(std::shared_ptr<const Shader> shader, std::string name)
     for (const ShaderProperty& property : m_Shader->document().properties)
     {
         const ShaderPropertyId id(property.name);
+        if (Find(id) != nullptr)
+        {
+            continue; // of properties of one name the first counts
+        }
         const auto& v = property.defaultValue;
         switch (property.type)
         {
@@ -71,6 +76,63 @@ void Material::SetColor(ShaderPropertyId id, const Color& value)
         return;
     }
     Set(id, value);
+}
+
+void Material::SetTextureScale(ShaderPropertyId id, const glm::vec2& scale)
+{
+    SetScaleOffset(id, 0, scale);
+}
+
+void Material::SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset)
+{
+    SetScaleOffset(id, 2, offset);
+}
+
+void Material::SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value)
+{
+    const ShaderPropertyId id(texture.name() + "_ST");
+    const ShaderPropertyValue* old = Find(id);
+    const glm::vec4* vector = old != nullptr ? std::get_if<glm::vec4>(old) : nullptr;
+    glm::vec4 changed = vector != nullptr ? *vector : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
+    changed[first] = value.x;
+    changed[first + 1] = value.y;
+    Set(id, changed);
+}
+
+void Material::EnableKeyword(const std::string& keyword)
+{
+    const auto place = std::lower_bound(m_Keywords.begin(), m_Keywords.end(), keyword);
+    if (place == m_Keywords.end() || *place != keyword)
+    {
+        m_Keywords.insert(place, keyword);
+        KeywordsChanged();
+    }
+}
+
+void Material::DisableKeyword(const std::string& keyword)
+{
+    if (std::erase(m_Keywords, keyword) > 0)
+    {
+        KeywordsChanged();
+    }
+}
+
+void Material::KeywordsChanged()
+{
+    m_HasInitialKeywords = m_Keywords == m_Shader->initialKeywords();
+    ++m_Version;
+}
+
+bool Material::IsKeywordEnabled(std::string_view keyword) const
+{
+    return std::binary_search(m_Keywords.begin(), m_Keywords.end(), keyword);
+}
+
+std::shared_ptr<const CompiledPass> Material::Compile(int passIndex) const
+{
+    // Choosing a variant costs more than a draw should.
+    return m_HasInitialKeywords ? m_Shader->Compile(passIndex)
+                                : m_Shader->Compile(passIndex, m_Keywords);
 }
 
 void Material::SetRenderQueue(int queue)

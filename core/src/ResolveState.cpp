@@ -92,7 +92,7 @@ constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::Max);
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
 constexpr int k_MaxStencilOp = static_cast<int>(StencilOp::DecrementWrap);
 
-TargetBlend ResolveBlend(const RenderTargetBlendState& state, const StateReader& reader)
+TargetBlend ResolveBlend(const PassBlendState& state, const StateReader& reader)
 {
     TargetBlend result;
     result.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);

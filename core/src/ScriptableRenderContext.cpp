@@ -75,7 +75,9 @@ public:
     {
         const Material& material = *recorded.material;
         DrawCommand draw;
-        draw.pass = material.shader()->Compile(recorded.shaderPass);
+        draw.pass = material.Compile(recorded.shaderPass);
+        draw.shader = material.shader();
+        draw.shaderPass = recorded.shaderPass;
         draw.state =
             ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals);
         draw.bindings = m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},

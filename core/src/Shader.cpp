@@ -3,6 +3,8 @@
 #include <cctype>
 #include <charconv>
 #include <limn/core/Shader.h>
+#include <limn/shaderlab/InitialKeywords.h>
+#include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
 namespace limn
@@ -63,22 +65,6 @@ std::optional<int> ParseQueue(std::string_view text)
     return std::clamp(queue + std::clamp(number, -5000, 5000), 0, 5000);
 }
 
-const ShaderLabSubShader& FirstUsableSubShader(const ShaderLabDocument& document)
-{
-    for (const ShaderLabSubShader& subShader : document.subShaders)
-    {
-        const std::string* pipeline = subShader.tags.Find("RenderPipeline");
-        const bool ours = pipeline == nullptr || pipeline->starts_with("Universal");
-        if (ours && !subShader.passes.empty())
-        {
-            return subShader;
-        }
-    }
-    throw AssetError(document.file, document.location,
-                     document.name + ": no SubShader with a pass for URP; add one whose "
-                                     "\"RenderPipeline\" tag is absent or \"UniversalPipeline\"");
-}
-
 std::uint64_t NextId()
 {
     static std::atomic<std::uint64_t> next{1};
@@ -87,33 +73,47 @@ std::uint64_t NextId()
 
 } // namespace
 
-Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler)
-    : m_Id(NextId()), m_Document(std::move(document)), m_Compiler(std::move(compiler))
+Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
+               const ShaderDatabase* database)
+    : m_Id(NextId()),
+      m_Document(std::move(document)),
+      m_Compiler(std::move(compiler)),
+      m_InitialKeywords(InitialKeywords(m_Document))
 {
-    const ShaderLabSubShader& subShader = FirstUsableSubShader(m_Document);
-    if (const std::string* queue = subShader.tags.Find("Queue"))
+    ResolvedShader resolved = ResolveShader(m_Document, database);
+    if (!resolved.errors.empty())
+    {
+        throw AssetError(std::move(resolved.errors));
+    }
+    m_SubShader = std::move(resolved.subShader);
+    if (const std::string* queue = m_SubShader.tags.Find("Queue"))
     {
         const std::optional<int> number = ParseQueue(*queue);
         if (!number)
         {
-            throw AssetError(m_Document.file, subShader.location,
+            throw AssetError(m_Document.file, m_SubShader.location,
                              "Queue: '" + *queue +
                                  "' is no render queue; write Background, Geometry, AlphaTest, "
                                  "Transparent or Overlay, with +N or -N behind it if need be");
         }
         m_RenderQueue = *number;
     }
-    for (const ShaderLabPass& pass : subShader.passes)
+    for (ShaderLabPass& pass : m_SubShader.passes)
     {
-        m_Passes.push_back({&pass, ShaderTagId(pass.lightMode())});
+        if (pass.program && m_Compiler)
+        {
+            pass.program = m_Compiler->ReadPragmas(*pass.program);
+        }
+        m_LightModes.emplace_back(pass.lightMode());
     }
-    m_Compiled.resize(m_Passes.size());
+    m_Compiled.resize(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
-                                           std::shared_ptr<ShaderCompiler> compiler)
+                                           std::shared_ptr<ShaderCompiler> compiler,
+                                           const ShaderDatabase* database)
 {
-    return std::make_shared<const Shader>(LoadShaderLab(path), std::move(compiler));
+    return std::make_shared<const Shader>(LoadShaderLab(path), std::move(compiler), database);
 }
 
 std::shared_ptr<const Shader> Shader::FromText(std::string_view text, std::string file,
@@ -129,61 +129,102 @@ std::shared_ptr<const Shader> Shader::FromText(std::string_view text, std::strin
 
 int Shader::FindPassByLightMode(ShaderTagId lightMode) const
 {
-    const auto it = std::find_if(m_Passes.begin(), m_Passes.end(),
-                                 [&](const Pass& pass) { return pass.lightMode == lightMode; });
-    return it == m_Passes.end() ? -1 : static_cast<int>(it - m_Passes.begin());
+    const auto it = std::find(m_LightModes.begin(), m_LightModes.end(), lightMode);
+    return it == m_LightModes.end() ? -1 : static_cast<int>(it - m_LightModes.begin());
 }
 
 int Shader::FindPassByName(std::string_view name) const
 {
-    const auto it = std::find_if(m_Passes.begin(), m_Passes.end(),
-                                 [&](const Pass& pass)
-                                 { return EqualIgnoringCase(pass.declaration->name, name); });
-    return it == m_Passes.end() ? -1 : static_cast<int>(it - m_Passes.begin());
+    const std::vector<ShaderLabPass>& passes = m_SubShader.passes;
+    const auto it =
+        std::find_if(passes.begin(), passes.end(),
+                     [&](const ShaderLabPass& pass) { return EqualIgnoringCase(pass.name, name); });
+    return it == passes.end() ? -1 : static_cast<int>(it - passes.begin());
 }
 
-const Shader::Pass& Shader::PassAt(int passIndex) const
+const ShaderLabPass& Shader::PassAt(int passIndex) const
 {
     if (passIndex < 0 || passIndex >= passCount())
     {
         throw ContractError("shader '" + name() + "' has no pass " + std::to_string(passIndex) +
                             "; it has " + std::to_string(passCount()));
     }
-    return m_Passes[static_cast<std::size_t>(passIndex)];
+    return m_SubShader.passes[static_cast<std::size_t>(passIndex)];
 }
 
 const RenderState& Shader::passState(int passIndex) const
 {
-    return PassAt(passIndex).declaration->state;
+    return PassAt(passIndex).state;
 }
 
 const std::string& Shader::passName(int passIndex) const
 {
-    return PassAt(passIndex).declaration->name;
+    return PassAt(passIndex).name;
+}
+
+bool Shader::HasKeyword(std::string_view keyword) const
+{
+    const auto has = [&](const KeywordSet& set)
+    {
+        return std::find(set.keywords.begin(), set.keywords.end(), keyword) != set.keywords.end();
+    };
+    return !keyword.empty() &&
+           std::any_of(m_SubShader.passes.begin(), m_SubShader.passes.end(),
+                       [&](const ShaderLabPass& pass)
+                       {
+                           return pass.program && std::any_of(pass.program->keywordSets.begin(),
+                                                              pass.program->keywordSets.end(), has);
+                       });
+}
+
+std::vector<std::string> Shader::keywords(int passIndex, std::span<const std::string> enabled) const
+{
+    const ShaderLabPass& pass = PassAt(passIndex);
+    // A fixed-function pass has no keywords.
+    return pass.program ? SelectVariant(*pass.program, enabled) : std::vector<std::string>();
+}
+
+std::shared_ptr<const CompiledPass>
+Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) const
+{
+    const ShaderLabPass& pass = PassAt(passIndex);
+    if (!pass.program)
+    {
+        const bool isPlain = pass.kind == ShaderLabPassKind::Pass;
+        throw AssetError(m_Document.file, pass.location,
+                         name() + (isPlain
+                                       ? ": the pass has no program; fixed-function passes are not "
+                                         "drawn, write an HLSLPROGRAM"
+                                       : ": a GrabPass is not drawn; read _CameraOpaqueTexture"));
+    }
+    return m_Compiler->Compile(*pass.program, variant);
 }
 
 std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex) const
 {
-    const ShaderLabPass& pass = *PassAt(passIndex).declaration;
+    PassAt(passIndex);
     const std::lock_guard lock(m_Mutex);
     std::shared_ptr<const CompiledPass>& compiled = m_Compiled[static_cast<std::size_t>(passIndex)];
     if (!compiled)
     {
-        if (!pass.program)
-        {
-            throw AssetError(m_Document.file, pass.location,
-                             name() + ": the pass has no program; fixed-function passes are not "
-                                      "drawn, write an HLSLPROGRAM");
-        }
-        std::vector<std::string> keywords;
-        for (const KeywordSet& set : pass.program->keywordSets)
-        {
-            if (!set.keywords.empty() && !set.keywords.front().empty())
-            {
-                keywords.push_back(set.keywords.front());
-            }
-        }
-        compiled = m_Compiler->Compile(*pass.program, keywords);
+        compiled = CompileVariant(passIndex, keywords(passIndex));
+    }
+    return compiled;
+}
+
+std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex,
+                                                    std::span<const std::string> enabled) const
+{
+    std::vector<std::string> variant = keywords(passIndex, enabled);
+    if (variant == keywords(passIndex))
+    {
+        return Compile(passIndex);
+    }
+    const std::lock_guard lock(m_Mutex);
+    std::shared_ptr<const CompiledPass>& compiled = m_Variants[{passIndex, variant}];
+    if (!compiled)
+    {
+        compiled = CompileVariant(passIndex, variant);
     }
     return compiled;
 }

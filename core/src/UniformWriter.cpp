@@ -131,6 +131,7 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     const Bytes bytes = buffer.subspan(member.offset, member.size);
     static constexpr std::string_view k_TexelSize = "_TexelSize";
     static constexpr std::string_view k_ScaleOffset = "_ST";
+    static constexpr std::string_view k_Decode = "_HDR";
     if (const ShaderPropertyValue* value = sources.Find(id))
     {
         WriteValue(member, *value, sources, bytes);
@@ -146,6 +147,12 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     }
     else if (member.name.ends_with(k_ScaleOffset))
     {
+        const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
+        WriteComponents(member, values, 4, bytes);
+    }
+    else if (member.name.ends_with(k_Decode))
+    {
+        // No texture of limn's is encoded: value = x * (w * (alpha - 1) + 1)^y * rgb gives rgb.
         const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
         WriteComponents(member, values, 4, bytes);
     }

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// Writes one value of a uniform buffer. A name that nobody set is zero, but for `X_ST`
+/// Writes one value of a uniform buffer. A name that nobody set is zero, but for `X_ST` and `X_HDR`
 /// (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to X).
 /// @param buffer  the whole buffer's bytes
 /// @throws ContractError naming material and property, if the value's kind does not fit

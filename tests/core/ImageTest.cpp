@@ -1,11 +1,10 @@
-#include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <limn/core/Image.h>
 #include <limn/shaderlab/Diagnostic.h>
-#include <sys/resource.h>
 
+#include "FileSizeLimit.h"
 #include "TemporaryFolder.h"
 #include "ThrownMessage.h"
 
@@ -14,6 +13,7 @@ namespace limn
 namespace
 {
 
+using test::FileSizeLimit;
 using test::TemporaryFolder;
 using test::ThrownMessage;
 
@@ -75,31 +75,6 @@ std::string ContentOf(const std::filesystem::path& path)
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
-
-/// While it lives, writing a file beyond so many bytes fails with EFBIG.
-class FileSizeLimit
-{
-public:
-    explicit FileSizeLimit(rlim_t bytes) : m_Handler(std::signal(SIGXFSZ, SIG_IGN))
-    {
-        getrlimit(RLIMIT_FSIZE, &m_Before);
-        const rlimit limit{bytes, m_Before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-
-    ~FileSizeLimit()
-    {
-        setrlimit(RLIMIT_FSIZE, &m_Before);
-        std::signal(SIGXFSZ, m_Handler);
-    }
-
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    void (*m_Handler)(int);
-    rlimit m_Before{};
-};
 
 TEST(ReadPng, ReadsAPaletteWithAlpha)
 {

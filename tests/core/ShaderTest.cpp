@@ -105,7 +105,7 @@ TEST(Shader, RefusesAFileWithoutAPassToDraw)
     const std::string message = test::ThrownMessage<AssetError>(
         [] { test::ShaderOf("Shader \"Test/Empty\" { Fallback Off }"); });
     EXPECT_NE(message.find("test.shader"), std::string::npos) << message;
-    EXPECT_NE(message.find("Test/Empty: no SubShader with a pass for URP; add one whose "
+    EXPECT_NE(message.find("Test/Empty: no SubShader that URP can draw with; add one whose "
                            "\"RenderPipeline\" tag is absent or \"UniversalPipeline\""),
               std::string::npos)
         << message;

@@ -263,6 +263,15 @@ TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
     EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
 }
 
+TEST_F(Pipeline, TellsShadersOfBothPipelinesTheColorOfTheMainLight)
+{
+    for (const char* name : {"_MainLightColor", "_LightColor0"})
+    {
+        EXPECT_THAT(GlobalOf(m_Pipeline, m_Renderer, m_Camera, name), ElementsAre(1, 1, 1, 1))
+            << name;
+    }
+}
+
 TEST_F(Pipeline, DoesNotLoadTheLastPictureIntoTheOutput)
 {
     Render();

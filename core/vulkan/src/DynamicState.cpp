@@ -14,37 +14,34 @@ VkBool32 ToVkBool(bool value)
     return value ? VK_TRUE : VK_FALSE;
 }
 
-void RecordDepth(VkCommandBuffer commands, const PipelineState& state, bool hasDepth)
+VkStencilOpState ToStencilFace(const PipelineState& state, const StencilFace& face)
 {
-    const bool tests = hasDepth && state.zTest != CompareFunction::Disabled;
-    vkCmdSetDepthTestEnable(commands, ToVkBool(tests));
-    vkCmdSetDepthWriteEnable(commands, ToVkBool(tests && state.zWrite));
-    vkCmdSetDepthCompareOp(commands, ToReversedDepthCompare(state.zTest));
-    // Farther is smaller in a reversed buffer, hence the signs.
-    const bool biased = state.offsetFactor != 0.0f || state.offsetUnits != 0.0f;
-    vkCmdSetDepthBiasEnable(commands, ToVkBool(biased));
-    vkCmdSetDepthBias(commands, -state.offsetUnits, 0.0f, -state.offsetFactor);
-}
-
-void RecordStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which, const StencilFace& face)
-{
-    vkCmdSetStencilOp(commands, which, ToVkStencilOp(face.fail), ToVkStencilOp(face.pass),
-                      ToVkStencilOp(face.zFail), ToStencilCompare(face.compare));
-}
-
-void RecordStencil(VkCommandBuffer commands, const PipelineState& state, bool hasStencil)
-{
-    vkCmdSetStencilTestEnable(commands, ToVkBool(hasStencil && state.stencilEnabled));
-    RecordStencilFace(commands, VK_STENCIL_FACE_FRONT_BIT, state.stencilFront);
-    RecordStencilFace(commands, VK_STENCIL_FACE_BACK_BIT, state.stencilBack);
-    constexpr VkStencilFaceFlags both = VK_STENCIL_FACE_FRONT_AND_BACK;
     const auto byte = [](int value)
     {
         return static_cast<std::uint32_t>(value) & 0xFFU;
     };
-    vkCmdSetStencilCompareMask(commands, both, byte(state.stencilReadMask));
-    vkCmdSetStencilWriteMask(commands, both, byte(state.stencilWriteMask));
-    vkCmdSetStencilReference(commands, both, byte(state.stencilReference));
+    return {ToVkStencilOp(face.fail),    ToVkStencilOp(face.pass),
+            ToVkStencilOp(face.zFail),   ToStencilCompare(face.compare),
+            byte(state.stencilReadMask), byte(state.stencilWriteMask),
+            byte(state.stencilReference)};
+}
+
+void RecordDepth(VkCommandBuffer commands, const FixedState& state)
+{
+    vkCmdSetDepthTestEnable(commands, ToVkBool(state.depthTest));
+    vkCmdSetDepthWriteEnable(commands, ToVkBool(state.depthWrite));
+    vkCmdSetDepthCompareOp(commands, state.depthCompare);
+    vkCmdSetDepthBiasEnable(commands, ToVkBool(state.depthBias));
+    vkCmdSetDepthBias(commands, state.depthBiasConstant, 0.0f, state.depthBiasSlope);
+}
+
+void RecordStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which,
+                       const VkStencilOpState& face)
+{
+    vkCmdSetStencilOp(commands, which, face.failOp, face.passOp, face.depthFailOp, face.compareOp);
+    vkCmdSetStencilCompareMask(commands, which, face.compareMask);
+    vkCmdSetStencilWriteMask(commands, which, face.writeMask);
+    vkCmdSetStencilReference(commands, which, face.reference);
 }
 
 void RecordBlend(VkCommandBuffer commands, const PipelineState& state, std::size_t targets,
@@ -88,15 +85,37 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
     return key;
 }
 
+FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats)
+{
+    FixedState result;
+    result.cullMode = ToVkCullMode(state.cull);
+    result.frontFace = ToVkFrontFace(state.frontFaceFlipped);
+    result.depthTest =
+        formats.depth != VK_FORMAT_UNDEFINED && state.zTest != CompareFunction::Disabled;
+    result.depthWrite = result.depthTest && state.zWrite;
+    result.depthCompare = ToReversedDepthCompare(state.zTest);
+    result.depthBias = state.offsetFactor != 0.0f || state.offsetUnits != 0.0f;
+    // Farther is smaller in a reversed buffer, hence the signs.
+    result.depthBiasConstant = -state.offsetUnits;
+    result.depthBiasSlope = -state.offsetFactor;
+    result.stencilTest = formats.stencil != VK_FORMAT_UNDEFINED && state.stencilEnabled;
+    result.stencilFront = ToStencilFace(state, state.stencilFront);
+    result.stencilBack = ToStencilFace(state, state.stencilBack);
+    return result;
+}
+
 void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
                         const TargetFormats& formats, int colorOutputs,
                         const VulkanContext& context)
 {
-    vkCmdSetCullMode(commands, ToVkCullMode(state.cull));
-    vkCmdSetFrontFace(commands, ToVkFrontFace(state.frontFaceFlipped));
+    const FixedState fixed = ToFixedState(state, formats);
+    vkCmdSetCullMode(commands, fixed.cullMode);
+    vkCmdSetFrontFace(commands, fixed.frontFace);
     vkCmdSetPrimitiveTopology(commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
-    RecordDepth(commands, state, formats.depth != VK_FORMAT_UNDEFINED);
-    RecordStencil(commands, state, formats.stencil != VK_FORMAT_UNDEFINED);
+    RecordDepth(commands, fixed);
+    vkCmdSetStencilTestEnable(commands, ToVkBool(fixed.stencilTest));
+    RecordStencilFace(commands, VK_STENCIL_FACE_FRONT_BIT, fixed.stencilFront);
+    RecordStencilFace(commands, VK_STENCIL_FACE_BACK_BIT, fixed.stencilBack);
     if (context.capabilities().dynamicBlend && !formats.colors.empty())
     {
         RecordBlend(commands, state, formats.colors.size(), colorOutputs, context.functions());

@@ -132,6 +132,7 @@ void MeshPool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
     info.memoryBarrierCount = 1;
     info.pMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &info);
+    m_UploadCount += m_Uploads.size();
     m_Uploads.clear();
 }
 

@@ -46,6 +46,7 @@ public:
     void Rollback(std::uint64_t number);
     void Sweep(std::uint64_t finished);
     std::size_t size() const { return m_Meshes.size(); }
+    std::uint64_t uploadCount() const { return m_UploadCount; } ///< since construction
 
     /// One value of each attribute for meshes that lack it, to be read with stride 0: normal +z,
     /// tangent (1, 0, 0, 1), white, all else 0.
@@ -64,6 +65,7 @@ private:
     Buffer m_Constants;
     std::unordered_map<std::uint64_t, PooledMesh> m_Meshes; ///< by Mesh::id
     std::vector<Upload> m_Uploads;
+    std::uint64_t m_UploadCount = 0;
 };
 
 } // namespace limn::vulkan

@@ -145,6 +145,7 @@ VulkanDeviceStatistics VulkanDevice::statistics() const
     statistics.usedBytes = m_Impl->allocator.usedBytes();
     statistics.images = m_Impl->resources.images.size();
     statistics.meshes = m_Impl->resources.meshes.size();
+    statistics.meshUploads = m_Impl->resources.meshes.uploadCount();
     statistics.pipelines = m_Impl->resources.passes.pipelineCount();
     return statistics;
 }

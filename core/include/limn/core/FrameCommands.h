@@ -13,6 +13,8 @@
 namespace limn
 {
 
+class Shader;
+
 /// What of a target is cleared; bit flags, values Unity's. Unity: UnityEngine.Rendering.ClearFlag.
 enum class ClearFlag
 {
@@ -92,6 +94,9 @@ struct DrawCommand
     std::uint32_t vertexCount = 0;   ///< without a mesh
     std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
     std::uint32_t instanceCount = 1;
+    // What `pass` was compiled from: for reports, a device looks at neither.
+    std::shared_ptr<const Shader> shader;
+    int shaderPass = 0;
 };
 
 /// Later draws go here, over the whole target.

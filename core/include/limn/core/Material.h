@@ -35,7 +35,20 @@ public:
     {
         Set(id, std::move(value));
     }
+    /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
+    void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
+    void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);
     const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
+
+    /// Keywords choose the variant of each pass; the shader's initial keywords to begin with. One
+    /// that the shader does not have is kept and does nothing, as in Unity.
+    void EnableKeyword(const std::string& keyword);
+    void DisableKeyword(const std::string& keyword);
+    bool IsKeywordEnabled(std::string_view keyword) const;
+    /// Unity: Material.shaderKeywords. Sorted.
+    const std::vector<std::string>& shaderKeywords() const { return m_Keywords; }
+    /// The pass in the variant of these keywords, as Shader::Compile.
+    std::shared_ptr<const CompiledPass> Compile(int passIndex) const;
 
     /// The queue filtering and sorting go by: the shader's unless set here.
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }
@@ -48,11 +61,15 @@ public:
 
 private:
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
+    void SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value);
+    void KeywordsChanged();
 
     std::uint64_t m_Id;
     std::string m_Name;
     std::shared_ptr<const Shader> m_Shader;
     MaterialPropertyBlock m_Values;
+    std::vector<std::string> m_Keywords; ///< sorted
+    bool m_HasInitialKeywords = true;
     int m_RenderQueue = -1;
     std::uint64_t m_Version = 0;
 };

@@ -4,26 +4,34 @@
 #include <limn/core/ShaderId.h>
 #include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/ShaderCompiler.h>
+#include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabDocument.h>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace limn
 {
 
-/// A ShaderLab file's first usable SubShader, its passes compiled when first drawn.
+/// The SubShader of a ShaderLab file that URP draws with (ResolveShader), its passes compiled when
+/// first drawn.
 /// Unity: UnityEngine.Shader (2022.3).
 class Shader
 {
 public:
-    /// @throws AssetError if the document has no SubShader with a pass
-    Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler);
+    /// @param database  where UsePass and Fallback look, needed no longer than the call; may be
+    /// null
+    /// @throws AssetError if the document has no SubShader to draw with, or a UsePass leads nowhere
+    Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
+           const ShaderDatabase* database = nullptr);
 
     /// @throws AssetError if the file is missing or does not parse
     static std::shared_ptr<const Shader> Load(const std::filesystem::path& path,
-                                              std::shared_ptr<ShaderCompiler> compiler);
+                                              std::shared_ptr<ShaderCompiler> compiler,
+                                              const ShaderDatabase* database = nullptr);
     /// @param file  what error messages call the text
     static std::shared_ptr<const Shader> FromText(std::string_view text, std::string file,
                                                   std::shared_ptr<ShaderCompiler> compiler);
@@ -35,7 +43,9 @@ public:
     const std::string& name() const { return m_Document.name; }
     const ShaderLabDocument& document() const { return m_Document; }
     int renderQueue() const { return m_RenderQueue; } ///< of the Queue tag, 0...5000
-    int passCount() const { return static_cast<int>(m_Passes.size()); }
+    int passCount() const { return static_cast<int>(m_SubShader.passes.size()); }
+    /// What it draws with: UsePass is replaced by the pass it names. As long as the shader.
+    const ShaderLabSubShader& subShader() const { return m_SubShader; }
 
     /// The index of the first pass of this LightMode, or -1. A pass without the tag counts as
     /// SRPDefaultUnlit.
@@ -46,26 +56,44 @@ public:
     const RenderState& passState(int passIndex) const;
     const std::string& passName(int passIndex) const;
 
-    /// The pass ready to draw; compiled on the first call, any thread.
+    /// The keywords that a new material has on, by the defaults of its properties.
+    const std::vector<std::string>& initialKeywords() const { return m_InitialKeywords; }
+    /// Whether a pass has this keyword. Unity: Shader.keywordSpace.
+    bool HasKeyword(std::string_view keyword) const;
+
+    /// The keywords that Compile sets: of each set the first that is `enabled`, else its default;
+    /// sorted. Without `enabled`, by the initial keywords.
+    /// @throws ContractError naming the shader, if there is no such pass
+    std::vector<std::string> keywords(int passIndex, std::span<const std::string> enabled) const;
+    std::vector<std::string> keywords(int passIndex) const
+    {
+        return keywords(passIndex, m_InitialKeywords);
+    }
+
+    /// The pass ready to draw; compiled on the first call, any thread. Equal variants are one
+    /// object. Without `enabled`, by the initial keywords.
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
     std::shared_ptr<const CompiledPass> Compile(int passIndex) const;
+    std::shared_ptr<const CompiledPass> Compile(int passIndex,
+                                                std::span<const std::string> enabled) const;
 
 private:
-    struct Pass
-    {
-        const ShaderLabPass* declaration = nullptr;
-        ShaderTagId lightMode;
-    };
-    const Pass& PassAt(int passIndex) const;
+    const ShaderLabPass& PassAt(int passIndex) const;
+    std::shared_ptr<const CompiledPass>
+    CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
 
     std::uint64_t m_Id;
     ShaderLabDocument m_Document;
     std::shared_ptr<ShaderCompiler> m_Compiler;
+    std::vector<std::string> m_InitialKeywords;
+    ShaderLabSubShader m_SubShader;
+    std::vector<ShaderTagId> m_LightModes; ///< by pass
     int m_RenderQueue = 2000;
-    std::vector<Pass> m_Passes;
     mutable std::mutex m_Mutex;
-    mutable std::vector<std::shared_ptr<const CompiledPass>> m_Compiled;
+    mutable std::vector<std::shared_ptr<const CompiledPass>> m_Compiled; ///< initial, by pass
+    mutable std::map<std::pair<int, std::vector<std::string>>, std::shared_ptr<const CompiledPass>>
+        m_Variants;
 };
 
 } // namespace limn

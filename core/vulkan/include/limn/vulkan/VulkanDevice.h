@@ -30,7 +30,7 @@ struct ValidationMessage
     std::string text;
 };
 
-/// What a device holds at the moment.
+/// What a device holds at the moment and has done so far.
 struct VulkanDeviceStatistics
 {
     std::uint64_t allocatedBytes = 0; ///< taken from the driver
@@ -38,6 +38,7 @@ struct VulkanDeviceStatistics
     std::size_t images = 0;
     std::size_t meshes = 0;
     std::size_t pipelines = 0;
+    std::uint64_t meshUploads = 0; ///< since construction; grows by one for each mesh written
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
