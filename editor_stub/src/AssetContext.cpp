@@ -1,7 +1,15 @@
+#include <limn/editor_stub/AssetContext.h>
+
+#include "GltfBufferFiles.h"
+#include "MaterialReader.h"
+#include "SceneProfileContext.h"
+
+#include <algorithm>
 #include <limn/core/GltfMesh.h>
 #include <limn/core/Image.h>
-#include <limn/editor_stub/AssetContext.h>
 #include <limn/features/Features.h>
+#include <limn/shaderlab/ResolveShader.h>
+#include <limn/shaderlab/ShaderLabParser.h>
 
 namespace limn
 {
@@ -16,6 +24,28 @@ typename Map::mapped_type& Cached(Map& map, const Key& key, Load&& load)
     const auto found = map.find(key);
     return found != map.end() ? found->second
                               : map.emplace(typename Map::key_type(key), load()).first->second;
+}
+
+/// Whether a shader has passes to draw with that are all its own.
+bool isSelfContained(const ShaderLabDocument& document)
+{
+    try
+    {
+        return ResolveShader(document, nullptr).errors.empty();
+    }
+    catch (const AssetError&)
+    {
+        return document.fallback.empty();
+    }
+}
+
+/// Whether a pass of the shader stands in this file.
+bool isFrom(const Shader& shader, const std::filesystem::path& file)
+{
+    const std::vector<ShaderLabPass>& passes = shader.subShader().passes;
+    return std::any_of(passes.begin(), passes.end(),
+                       [&](const ShaderLabPass& pass)
+                       { return pass.program && pass.program->file == file; });
 }
 
 std::shared_ptr<const Texture> ReadTexture(const std::filesystem::path& path)
@@ -42,7 +72,49 @@ std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::pa
 {
     Reach(path);
     return Cached(m_Shaders, path.lexically_normal(),
-                  [&] { return Shader::Load(path.lexically_normal(), m_Compiler); });
+                  [&] { return ReadShader(path.lexically_normal()); });
+}
+
+const ShaderDatabase& AssetContext::DatabaseAround(const std::filesystem::path& shaderFile)
+{
+    std::filesystem::path folder = shaderFile.parent_path();
+    for (std::filesystem::path above = std::filesystem::absolute(folder); above.has_relative_path();
+         above = above.parent_path())
+    {
+        if (above.filename() == "Assets")
+        {
+            folder = above;
+        }
+    }
+    return Cached(m_Databases, folder,
+                  [&]
+                  {
+                      ShaderDatabase database;
+                      database.AddFolder(folder.empty() ? "." : folder);
+                      for (const std::string_view name : ShippedShaderNames())
+                      {
+                          const std::shared_ptr<const Shader> shader = FindShader(name);
+                          database.Add({shader, &shader->document()});
+                      }
+                      return database;
+                  });
+}
+
+std::shared_ptr<const Shader> AssetContext::ReadShader(const std::filesystem::path& path)
+{
+    ShaderLabDocument document = LoadShaderLab(path);
+    // Searching a folder takes its time: only for a shader that cannot do without.
+    if (isSelfContained(document))
+    {
+        return std::make_shared<const Shader>(std::move(document), m_Compiler);
+    }
+    auto shader =
+        std::make_shared<const Shader>(std::move(document), m_Compiler, &DatabaseAround(path));
+    for (const ShaderLabPass& pass : shader->subShader().passes)
+    {
+        Reach(pass.program ? std::filesystem::path(pass.program->file) : path);
+    }
+    return shader;
 }
 
 std::shared_ptr<const Mesh> AssetContext::Primitive(PrimitiveType type)
@@ -53,8 +125,17 @@ std::shared_ptr<const Mesh> AssetContext::Primitive(PrimitiveType type)
 std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& path)
 {
     Reach(path);
-    return Cached(m_Meshes, path.lexically_normal(),
-                  [&] { return LoadGltfMesh(path.lexically_normal()); });
+    const std::filesystem::path normal = path.lexically_normal();
+    const auto load = [&]
+    {
+        for (const std::filesystem::path& buffer : GltfBufferFiles(normal))
+        {
+            Reach(buffer);
+            m_MeshesOfBuffers[buffer].insert(normal);
+        }
+        return LoadGltfMesh(normal);
+    };
+    return Cached(m_Meshes, normal, load);
 }
 
 std::shared_ptr<const Texture> AssetContext::LoadTexture(const std::filesystem::path& path)
@@ -64,11 +145,32 @@ std::shared_ptr<const Texture> AssetContext::LoadTexture(const std::filesystem::
                   [&] { return ReadTexture(path.lexically_normal()); });
 }
 
-const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::path& path)
+std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem::path& path)
 {
     Reach(path);
-    return Cached(m_Profiles, path.lexically_normal(),
-                  [&] { return LoadVolumeProfile(path.lexically_normal(), m_VolumeComponents); });
+    return Cached(m_Materials, path.lexically_normal(),
+                  [&] { return ReadMaterialFile(path.lexically_normal(), *this); });
+}
+
+AssetContext::Profile AssetContext::ReadProfile(const std::filesystem::path& path,
+                                                const LayerNames& layers)
+{
+    const SceneProfileContext context(*this, path, layers);
+    VolumeProfileLoadResult result = LoadVolumeProfile(path, m_VolumeComponents, context);
+    return {std::move(result), layers, context.hasLoaded()};
+}
+
+const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::path& path,
+                                                         const LayerNames& layers)
+{
+    Reach(path);
+    const std::filesystem::path normal = path.lexically_normal();
+    const auto known = m_Profiles.find(normal);
+    if (known != m_Profiles.end() && !(known->second.layers == layers))
+    {
+        m_Profiles.erase(known);
+    }
+    return Cached(m_Profiles, normal, [&] { return ReadProfile(normal, layers); }).result;
 }
 
 std::set<std::filesystem::path> AssetContext::reachedFiles() const
@@ -85,22 +187,37 @@ const VolumeProfileLoadResult* AssetContext::ReloadProfile(const std::filesystem
     {
         return nullptr;
     }
-    VolumeProfileLoadResult fresh = LoadVolumeProfile(found->first, m_VolumeComponents);
-    *found->second.profile = std::move(*fresh.profile);
-    found->second.notes = std::move(fresh.notes);
-    return &found->second;
+    Profile fresh = ReadProfile(found->first, found->second.layers);
+    VolumeProfileLoadResult& result = found->second.result;
+    *result.profile = std::move(*fresh.result.profile);
+    result.notes = std::move(fresh.result.notes);
+    found->second.hasReferences = fresh.hasReferences;
+    return &result;
 }
 
 void AssetContext::Forget(const std::filesystem::path& path)
 {
     const std::filesystem::path normal = path.lexically_normal();
     m_Shaders.erase(normal);
+    std::erase_if(m_Shaders, [&](const auto& entry) { return isFrom(*entry.second, normal); });
+    if (normal.extension() == ".shader")
+    {
+        m_Databases.clear();
+    }
     m_Meshes.erase(normal);
     m_Textures.erase(normal);
     m_Profiles.erase(normal);
+    // What refers to the file in turn is quickly read again.
+    m_Materials.clear();
+    std::erase_if(m_Profiles, [](const auto& entry) { return entry.second.hasReferences; });
+    for (const std::filesystem::path& mesh : m_MeshesOfBuffers[normal])
+    {
+        m_Meshes.erase(mesh);
+    }
     if (m_Compiler->includeFiles().count(normal) > 0)
     {
         m_Shaders.clear();
+        m_ShippedShaders.clear();
     }
 }
 

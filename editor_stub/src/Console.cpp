@@ -1,6 +1,9 @@
 #include "Console.h"
 
+#include <fstream>
 #include <iostream>
+#include <iterator>
+#include <map>
 #include <unistd.h>
 
 namespace limn
@@ -54,7 +57,11 @@ std::string Console::Colored(Severity severity, std::string_view text) const
 
 void Console::Print(const Diagnostic& diagnostic)
 {
-    std::string text = ToString(diagnostic);
+    Print(diagnostic, ToString(diagnostic));
+}
+
+void Console::Print(const Diagnostic& diagnostic, std::string text)
+{
     const std::string word = std::string(": ") + Name(diagnostic.severity) + ": ";
     const std::size_t at = text.find(word);
     if (at != std::string::npos)
@@ -70,6 +77,21 @@ void Console::Print(const std::vector<Diagnostic>& diagnostics)
     for (const Diagnostic& diagnostic : diagnostics)
     {
         Print(diagnostic);
+    }
+}
+
+void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
+{
+    std::map<std::string, std::string> texts;
+    for (const Diagnostic& diagnostic : diagnostics)
+    {
+        const auto [entry, isNew] = texts.try_emplace(diagnostic.file);
+        if (isNew)
+        {
+            std::ifstream stream(diagnostic.file, std::ios::binary);
+            entry->second.assign(std::istreambuf_iterator<char>(stream), {});
+        }
+        Print(diagnostic, ToStringWithSource(diagnostic, entry->second));
     }
 }
 

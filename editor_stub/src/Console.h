@@ -21,6 +21,8 @@ public:
 
     void Print(const Diagnostic& diagnostic);
     void Print(const std::vector<Diagnostic>& diagnostics);
+    /// Each with the line of its file that it is about and a caret, where the file can be read.
+    void PrintWithSource(const std::vector<Diagnostic>& diagnostics);
     void Note(std::string_view sentence);  ///< "note: sentence"
     void Error(std::string_view sentence); ///< "error: sentence"
     void Line(std::string_view text);
@@ -29,6 +31,7 @@ public:
     void Progress(std::string_view text);
 
 private:
+    void Print(const Diagnostic& diagnostic, std::string text);
     std::string Colored(Severity severity, std::string_view text) const;
     void ClearProgress();
 

@@ -60,6 +60,41 @@ void PrintList(const char* title, const std::vector<std::string>& lines, std::os
     }
 }
 
+std::string Describe(const ExplainedVariant& variant)
+{
+    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
+    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
+    text += variant.isFullScreen ? ", full screen:" : ":";
+    for (const std::string& keyword : variant.keywords)
+    {
+        text += " " + keyword;
+    }
+    return text + (variant.keywords.empty() ? " no keywords" : "");
+}
+
+std::string LayersOf(LayerMask mask)
+{
+    if (mask == LayerMask::Everything() || mask == LayerMask::Nothing())
+    {
+        return mask == LayerMask::Nothing() ? "no layer" : "every layer";
+    }
+    std::string text = "layers";
+    for (int layer = 0; layer < 32; ++layer)
+    {
+        text += mask.Intersects(LayerMask::FromIndex(layer)) ? " " + std::to_string(layer) : "";
+    }
+    return text;
+}
+
+std::string Describe(const ExplainedTrigger& trigger)
+{
+    std::ostringstream text;
+    text << "(" << trigger.position.x << ", " << trigger.position.y << ", " << trigger.position.z
+         << "), " << (trigger.isOwn ? "its volumeTrigger" : "its own position") << "; "
+         << LayersOf(trigger.volumeLayerMask);
+    return text.str();
+}
+
 void PrintText(const Explanation& explanation, std::ostream& out)
 {
     std::vector<std::string> lines;
@@ -70,6 +105,7 @@ void PrintText(const Explanation& explanation, std::ostream& out)
             lines.push_back(Describe(parameter, step));
         }
     }
+    PrintList("the camera takes volumes at", {Describe(explanation.trigger)}, out);
     PrintList("volume values", lines, out);
     lines.clear();
     for (const ExecutedPassReport& pass : explanation.report.passes)
@@ -78,7 +114,12 @@ void PrintText(const Explanation& explanation, std::ostream& out)
     }
     PrintList("passes", lines, out);
     PrintList("textures", explanation.textures, out);
-    PrintList("variants of objects", explanation.variants, out);
+    lines.clear();
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        lines.push_back(Describe(variant));
+    }
+    PrintList("variants", lines, out);
     PrintObjects(explanation, out);
 }
 
@@ -134,9 +175,25 @@ Json ToJson(const Explanation& explanation)
     {
         passes.push_back({{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name}});
     }
-    return {{"volumes", ToJson(explanation.volumes)}, {"passes", passes},
-            {"textures", explanation.textures},       {"variants", explanation.variants},
-            {"objects", ToJson(explanation.objects)}, {"notes", explanation.report.notes}};
+    Json variants = Json::array();
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        variants.push_back({{"shader", variant.shader},
+                            {"pass", variant.passIndex},
+                            {"name", variant.passName},
+                            {"keywords", variant.keywords},
+                            {"fullScreen", variant.isFullScreen}});
+    }
+    const ExplainedTrigger& trigger = explanation.trigger;
+    return {{"trigger",
+             {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
+              {"volumeLayerMask", trigger.volumeLayerMask.bits}}},
+            {"volumes", ToJson(explanation.volumes)},
+            {"passes", passes},
+            {"textures", explanation.textures},
+            {"variants", variants},
+            {"objects", ToJson(explanation.objects)},
+            {"notes", explanation.report.notes}};
 }
 
 /// Leaves only the objects of this name, and what hangs below one of it.

@@ -7,6 +7,8 @@
 #include <limn/core/Culling.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/volume/VolumeManager.h>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 
 namespace limn
@@ -15,6 +17,12 @@ namespace limn
 namespace
 {
 
+ExplainedTrigger TriggerOf(const Camera& camera)
+{
+    return {camera.volumeTrigger.value_or(camera.transform.position()),
+            camera.volumeTrigger.has_value(), camera.volumeLayerMask};
+}
+
 VolumeTrace TraceVolumes(const SceneAsset& asset, const AssetContext& assets)
 {
     VolumeManager manager(assets.volumeComponents());
@@ -22,9 +30,7 @@ VolumeTrace TraceVolumes(const SceneAsset& asset, const AssetContext& assets)
     {
         manager.Register(&volume);
     }
-    const Camera& camera = asset.camera;
-    return manager.Trace(camera.volumeTrigger.value_or(camera.transform.position()),
-                         camera.volumeLayerMask);
+    return manager.Trace(TriggerOf(asset.camera).position, asset.camera.volumeLayerMask);
 }
 
 /// Why culling left an object out.
@@ -46,87 +52,98 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
                : "its layer is not in the camera's culling mask";
 }
 
-ExplainedObject ExplainObject(const GameObject& object, const CullingResults& culled,
+using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<const RendererItem*>>;
+
+ItemsOfObjects Group(const CullingResults& culled)
+{
+    ItemsOfObjects items;
+    for (const RendererItem& item : culled.items)
+    {
+        items[item.object].push_back(&item);
+    }
+    return items;
+}
+
+ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& items,
                               const RenderReport& report, const Camera& camera)
 {
     ExplainedObject explained{object.name, {}, {}, {}};
-    bool isSeen = false;
-    for (const RendererItem& item : culled.items)
+    const auto own = items.find(&object);
+    if (own == items.end())
     {
-        if (item.object != &object)
-        {
-            continue;
-        }
-        isSeen = true;
+        explained.absence = AbsenceOf(object, camera);
+        return explained;
+    }
+    for (const RendererItem* item : own->second)
+    {
         for (const DrawRenderersReport& draw : report.draws)
         {
-            explained.draws.push_back({draw.pass, item.material->name(),
-                                       Judge(item.filter, draw.filtering, draw.drawing)});
+            explained.draws.push_back({draw.pass, item->material->name(),
+                                       Judge(item->filter, draw.filtering, draw.drawing)});
         }
     }
-    explained.absence = isSeen ? std::string() : AbsenceOf(object, camera);
     return explained;
 }
 
-std::string Describe(const RenderTexture& texture)
+/// Gathers what the passes of a frame use, each thing once.
+class FrameReader
 {
-    return texture.name() + " " + std::to_string(texture.width()) + "x" +
-           std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat());
-}
+public:
+    explicit FrameReader(Explanation& explanation) : m_Explanation(explanation) {}
 
-void AddOnce(std::vector<std::string>& list, std::string text)
-{
-    if (std::find(list.begin(), list.end(), text) == list.end())
-    {
-        list.push_back(std::move(text));
-    }
-}
-
-std::vector<std::string> TexturesOf(const CompiledFrame& frame)
-{
-    std::vector<std::string> textures;
-    for (const CompiledRenderPass& pass : frame.passes)
+    void Read(const CompiledRenderPass& pass)
     {
         for (const ColorAttachment& color : pass.colors)
         {
-            AddOnce(textures, Describe(*color.texture));
+            Add(*color.texture);
         }
         if (pass.depth)
         {
-            AddOnce(textures, Describe(*pass.depth->texture));
+            Add(*pass.depth->texture);
         }
-    }
-    return textures;
-}
-
-/// The passes of shaders that DrawRenderers calls draw what they let through with.
-std::vector<std::string> VariantsOf(const CullingResults& culled, const RenderReport& report)
-{
-    std::vector<std::string> variants;
-    for (const DrawRenderersReport& draw : report.draws)
-    {
-        for (const RendererItem& item : culled.items)
+        for (const PassCommand& command : pass.commands)
         {
-            if (Judge(item.filter, draw.filtering, draw.drawing) != FilterVerdict::Drawn)
+            if (const auto* draw = std::get_if<DrawCommand>(&command))
             {
-                continue;
-            }
-            const Material& material =
-                draw.drawing.overrideMaterial ? *draw.drawing.overrideMaterial : *item.material;
-            for (const ShaderTagId tag : draw.drawing.shaderTagIds)
-            {
-                const int own = material.shader()->FindPassByLightMode(tag);
-                const int pass =
-                    draw.drawing.overrideMaterial ? draw.drawing.overrideMaterialPassIndex : own;
-                if (pass >= 0)
-                {
-                    AddOnce(variants, material.shader()->name() + ", pass " + std::to_string(pass));
-                }
+                Read(*draw);
             }
         }
     }
-    return variants;
-}
+
+private:
+    void Read(const DrawCommand& draw)
+    {
+        if (m_Bindings.insert(draw.bindings.get()).second)
+        {
+            for (const TextureSlot& slot : draw.bindings->textures)
+            {
+                Add(*slot.texture);
+            }
+        }
+        const bool isFullScreen = draw.mesh == nullptr;
+        if (m_Variants.insert({draw.shader.get(), draw.shaderPass, isFullScreen}).second)
+        {
+            m_Explanation.variants.push_back(
+                {draw.shader->name(), draw.shaderPass, draw.shader->passName(draw.shaderPass),
+                 draw.shader->keywords(draw.shaderPass), isFullScreen});
+        }
+    }
+
+    void Add(const Texture& texture)
+    {
+        if (m_Textures.insert(&texture).second)
+        {
+            m_Explanation.textures.push_back(
+                texture.name() + " " + std::to_string(texture.width()) + "x" +
+                std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat()));
+        }
+    }
+
+    Explanation& m_Explanation;
+    std::set<const DrawBindings*> m_Bindings;
+    std::set<const Texture*> m_Textures;
+    std::set<std::tuple<const Shader*, int, bool>> m_Variants;
+};
 
 } // namespace
 
@@ -135,6 +152,7 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     CompileUsedShaders(asset);
     Explanation explanation;
     explanation.volumes = TraceVolumes(asset, assets);
+    explanation.trigger = TriggerOf(asset.camera);
 
     const Camera camera = asset.camera;
     const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
@@ -152,13 +170,17 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     SceneView view(std::move(asset), assets);
     const RenderResult result = view.Render(pipeline, 0.0f);
     explanation.report = result.report;
-    explanation.textures = TexturesOf(result.frame);
-    explanation.variants = VariantsOf(culled, result.report);
+    FrameReader reader(explanation);
+    for (const CompiledRenderPass& pass : result.frame.passes)
+    {
+        reader.Read(pass);
+    }
+    const ItemsOfObjects items = Group(culled);
     for (const GameObject* object : objects)
     {
         if (object->renderer)
         {
-            explanation.objects.push_back(ExplainObject(*object, culled, result.report, camera));
+            explanation.objects.push_back(ExplainObject(*object, items, result.report, camera));
             for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
             {
                 explanation.objects.back().parents.push_back(owners.at(t)->name);

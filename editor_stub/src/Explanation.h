@@ -24,14 +24,36 @@ struct ExplainedObject
     std::vector<ExplainedDraw> draws;
 };
 
+/// Where the camera asks for volumes.
+struct ExplainedTrigger
+{
+    glm::vec3 position{0.0f}; ///< world, metres
+    bool isOwn = false;       ///< given by the scene; else it is where the camera is
+    LayerMask volumeLayerMask;
+};
+
+/// A pass of a shader as it was drawn with.
+struct ExplainedVariant
+{
+    std::string shader;
+    int passIndex = 0;
+    std::string passName;              ///< "" if it has none
+    std::vector<std::string> keywords; ///< those that are on
+    bool isFullScreen = false;         ///< drawn without a mesh
+
+    bool operator==(const ExplainedVariant&) const = default;
+};
+
 /// What a frame of a scene draws and why, found out without a Vulkan device.
 struct Explanation
 {
     VolumeTrace volumes;
     RenderReport report;
-    std::vector<std::string> textures; ///< "name 640x360 R8G8B8A8_SRGB", once each, as first used
-    std::vector<std::string> variants; ///< "shader, pass 'name'", each that objects are drawn with
-    std::vector<ExplainedObject> objects; ///< scene order
+    ExplainedTrigger trigger;
+    /// "name 640x360 R8G8B8A8_SRGB", drawn into or sampled, once each, in the order of first use
+    std::vector<std::string> textures;
+    std::vector<ExplainedVariant> variants; ///< once each, in the order of first use
+    std::vector<ExplainedObject> objects;   ///< scene order
 };
 
 /// @throws AssetError for a shader with errors

@@ -3,9 +3,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <sys/inotify.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace limn
 {
@@ -15,6 +18,24 @@ namespace
 
 // Not IN_MODIFY: between the truncation and the last byte a file is of no use to anybody.
 constexpr std::uint32_t k_Events = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
+
+/// The kernel stamps files with a clock that moves in steps.
+constexpr auto k_ClockStep = std::chrono::milliseconds(10);
+
+/// When the file was written or put in its place, which its time of writing does not tell of a file
+/// that was renamed; nothing if there is none.
+std::optional<std::chrono::system_clock::time_point> ChangeTime(const std::filesystem::path& file)
+{
+    struct stat status;
+    if (stat(file.c_str(), &status) != 0)
+    {
+        return std::nullopt;
+    }
+    const auto time = std::chrono::seconds(status.st_ctim.tv_sec) +
+                      std::chrono::nanoseconds(status.st_ctim.tv_nsec);
+    return std::chrono::system_clock::time_point(
+        std::chrono::duration_cast<std::chrono::system_clock::duration>(time));
+}
 
 } // namespace
 
@@ -31,7 +52,8 @@ FileWatcher::~FileWatcher()
     close(m_Descriptor);
 }
 
-void FileWatcher::Watch(const std::set<std::filesystem::path>& files)
+void FileWatcher::Watch(const std::set<std::filesystem::path>& files,
+                        std::chrono::system_clock::time_point readSince)
 {
     for (const std::filesystem::path& file : files)
     {
@@ -42,6 +64,11 @@ void FileWatcher::Watch(const std::set<std::filesystem::path>& files)
         if (!failure && target != own)
         {
             WatchPlace(target, file);
+        }
+        const auto changed = m_Known.insert(file).second ? ChangeTime(file) : std::nullopt;
+        if (changed && *changed >= readSince - k_ClockStep)
+        {
+            m_Missed.insert(file);
         }
     }
 }
@@ -65,7 +92,7 @@ void FileWatcher::WatchPlace(const std::filesystem::path& place, const std::file
 
 std::set<std::filesystem::path> FileWatcher::TakeChanges()
 {
-    std::set<std::filesystem::path> changed;
+    std::set<std::filesystem::path> changed = std::exchange(m_Missed, {});
     alignas(inotify_event) std::array<char, 16384> buffer;
     for (ssize_t size = 0; (size = read(m_Descriptor, buffer.data(), buffer.size())) > 0;)
     {

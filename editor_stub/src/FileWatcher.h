@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -20,8 +21,11 @@ public:
     FileWatcher& operator=(const FileWatcher&) = delete;
 
     /// Adds files; those already watched stay. A file whose folder is not there is left out.
+    /// @param readSince  when the caller began to read them: a file that is new here and changed
+    ///                   since then counts as changed
     /// @throws std::system_error if the system cannot watch that many folders
-    void Watch(const std::set<std::filesystem::path>& files);
+    void Watch(const std::set<std::filesystem::path>& files,
+               std::chrono::system_clock::time_point readSince = k_NotReadYet);
 
     /// The files, as given to Watch, that changed since the last call; does not wait.
     std::set<std::filesystem::path> TakeChanges();
@@ -30,12 +34,16 @@ public:
     int descriptor() const { return m_Descriptor; }
 
 private:
+    static constexpr auto k_NotReadYet = std::chrono::system_clock::time_point::max();
+
     void WatchPlace(const std::filesystem::path& place, const std::filesystem::path& file);
 
     int m_Descriptor;
+    std::set<std::filesystem::path> m_Known;        ///< as given to Watch
     std::map<int, std::filesystem::path> m_Folders; ///< by watch descriptor
     /// The names each file is known under: its own and, for a link, that of what it points to.
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_Files;
+    std::set<std::filesystem::path> m_Missed; ///< changed before they were watched
 };
 
 } // namespace limn

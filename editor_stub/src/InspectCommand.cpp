@@ -1,6 +1,6 @@
 #include "InspectCommand.h"
 
-#include "InspectReport.h"
+#include "InspectProfileFile.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
@@ -13,9 +13,8 @@ namespace limn
 namespace
 {
 
-std::string KindOf(const std::filesystem::path& path)
+std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
 {
-    const std::vector<YamlNode> documents = LoadYamlFile(path);
     if (IsUnityAsset(documents))
     {
         const UnityAsset asset = ReadUnityAsset(documents, path.generic_string());
@@ -46,7 +45,8 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
 InspectReport Inspect(const std::string& file, Console& console)
 {
     AssetContext assets;
-    const std::string kind = KindOf(file);
+    const std::vector<YamlNode> documents = LoadYamlFile(file);
+    const std::string kind = KindOf(file, documents);
     InspectReport report;
     if (kind == "scene")
     {
@@ -60,10 +60,8 @@ InspectReport Inspect(const std::string& file, Console& console)
     }
     else
     {
-        const VolumeProfileLoadResult& result = assets.LoadProfile(file);
-        console.Print(result.notes);
         report.volumes.emplace_back().components =
-            InspectProfile(*result.profile, assets.volumeComponents());
+            InspectProfileFile(file, documents, assets, console);
     }
     report.kind = kind;
     return report;

@@ -1,4 +1,5 @@
 #include "FeatureReader.h"
+#include "SceneProfileContext.h"
 
 #include <algorithm>
 #include <limits>
@@ -132,12 +133,13 @@ private:
     void SetParameter(const Override& change, AssetDiagnostics& diagnostics)
     {
         VolumeComponent& component = Component(change.name);
+        const SceneProfileContext context(m_Assets, {}, m_Asset.layers);
         YamlMapReader map(AsMap(change), change.name, diagnostics, "parameter");
         for (VolumeParameter* parameter : component.parameters())
         {
             if (const YamlNode* value = map.Find(parameter->name()))
             {
-                parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics);
+                parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics, context);
                 parameter->SetOverrideState(true);
             }
         }
@@ -227,7 +229,8 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
 {
     AssetDiagnostics diagnostics("--profile");
     const References references(assets, SearchFolders(asset), diagnostics);
-    const VolumeProfileLoadResult& result = assets.LoadProfile(references.Resolve(file));
+    const VolumeProfileLoadResult& result =
+        assets.LoadProfile(references.Resolve(file), asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;
     for (Volume& volume : asset.volumes)

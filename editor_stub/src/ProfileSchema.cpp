@@ -1,5 +1,7 @@
 #include "ProfileSchema.h"
 
+#include "CurveSchema.h"
+
 #include <algorithm>
 
 namespace limn
@@ -7,20 +9,6 @@ namespace limn
 
 namespace
 {
-
-Json CurveSchema()
-{
-    // A vertical tangent is a word, and a mode has names.
-    Json key = MapSchema({{"time", NumberSchema()},
-                          {"value", NumberSchema()},
-                          {"inTangent", Json::object()},
-                          {"outTangent", Json::object()},
-                          {"inWeight", NumberSchema()},
-                          {"outWeight", NumberSchema()},
-                          {"weightedMode", Json::object()}});
-    key["required"] = {"time", "value"};
-    return {{"anyOf", {ListSchema(std::move(key)), {{"type", "object"}}}}};
-}
 
 Json ObjectSchema(const VolumeParameter& parameter);
 
@@ -68,9 +56,17 @@ Json TypeSchema(const VolumeParameter& parameter)
     }
     if (type == "AnimationCurve")
     {
-        return CurveSchema();
+        return AnimationCurveSchema();
     }
-    // References and whatever else comes: the loader knows more than a schema can say.
+    if (type == "TextureCurve")
+    {
+        return TextureCurveSchema();
+    }
+    if (isOneOf({"Texture", "Texture2D", "Texture3D", "RenderTexture", "Cubemap", "Material"}))
+    {
+        return ReferenceSchema();
+    }
+    // A type that a program declares itself: its loader knows more than a schema can say.
     return parameter.parameters().empty() ? Json::object() : ObjectSchema(parameter);
 }
 

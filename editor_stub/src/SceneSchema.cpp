@@ -1,6 +1,7 @@
 #include "SceneSchema.h"
 
 #include "FeatureSchema.h"
+#include "MaterialSchema.h"
 
 #include <limn/core/PrimitiveMesh.h>
 
@@ -78,16 +79,52 @@ Json MeshSchema()
     return schema;
 }
 
+/// What one type of collider holds besides `type` and `enabled`.
+Json ShapeSchema(const char* type)
+{
+    const std::string_view name(type);
+    const Json length = NumberSchema({0.0, k_MaxDistance});
+    Json shape = MapSchema({{"type", Json::object()}, {"enabled", Json::object()}});
+    Json& properties = shape["properties"];
+    if (name == "mesh")
+    {
+        properties["mesh"] = MeshSchema();
+        shape["required"] = {"mesh"};
+        return shape;
+    }
+    properties["center"] = VectorSchema(3);
+    if (name == "box")
+    {
+        properties["size"] = VectorSchema(3);
+        return shape;
+    }
+    properties["radius"] = length;
+    if (name == "capsule")
+    {
+        properties["height"] = length;
+        properties["direction"] = {{"enum", {"x", "y", "z"}}};
+    }
+    return shape;
+}
+
 Json ColliderSchema()
 {
-    return MapSchema({{"type", {{"enum", {"box", "sphere", "capsule", "mesh"}}}},
-                      {"enabled", BoolSchema()},
-                      {"center", VectorSchema(3)},
-                      {"size", VectorSchema(3)},
-                      {"radius", NumberSchema({0.0, k_MaxDistance})},
-                      {"height", NumberSchema({0.0, k_MaxDistance})},
-                      {"direction", {{"enum", {"x", "y", "z"}}}},
-                      {"mesh", MeshSchema()}});
+    Json schema{
+        {"type", "object"},
+        {"properties",
+         {{"type", {{"enum", {"box", "sphere", "capsule", "mesh"}}}}, {"enabled", BoolSchema()}}},
+        {"allOf", Json::array()}};
+    for (const char* type : {"box", "sphere", "capsule", "mesh"})
+    {
+        // Without a type it is a box: a condition on a key that is not there holds.
+        Json isThis{{"properties", {{"type", {{"const", type}}}}}};
+        if (std::string_view(type) != "box")
+        {
+            isThis["required"] = {"type"};
+        }
+        schema["allOf"].push_back({{"if", std::move(isThis)}, {"then", ShapeSchema(type)}});
+    }
+    return schema;
 }
 
 Json VolumeSchema()
@@ -106,15 +143,6 @@ Json VolumeSchema()
     AddTransform(schema);
     schema["required"] = {"profile"};
     return schema;
-}
-
-Json MaterialSchema()
-{
-    // The rest are properties of the shader, which a file of its own declares.
-    return {{"type", {"object", "null"}},
-            {"properties",
-             {{"shader", Described(TextSchema(), "A shader's name or a .shader file")},
-              {"renderQueue", IntegerSchema({-1.0, 5000.0})}}}};
 }
 
 Json ObjectSchema()

@@ -135,9 +135,9 @@ void ReadProfile(YamlMapReader& map, Volume& volume, SceneLoader& loader)
         return;
     }
     References& references = loader.references;
-    const auto load = [&references](const std::filesystem::path& path)
+    const auto load = [&references, &loader](const std::filesystem::path& path)
     {
-        return references.assets().LoadProfile(path);
+        return references.assets().LoadProfile(path, loader.asset.layers);
     };
     VolumeProfileLoadResult result = references.Read(*node, map.SubjectOf("profile"), load);
     volume.sharedProfile = result.profile;

@@ -1,5 +1,6 @@
 #include "SchemaCommand.h"
 
+#include "MaterialSchema.h"
 #include "ProfileSchema.h"
 #include "SceneSchema.h"
 
@@ -9,11 +10,29 @@
 namespace limn
 {
 
-int RunSchema(const std::string& kind, Console& console)
+namespace
 {
+
+Json SchemaOf(const std::string& kind)
+{
+    if (kind == "scene")
+    {
+        return SceneSchema();
+    }
+    if (kind == "material")
+    {
+        return MaterialFileSchema();
+    }
     VolumeComponentRegistry registry;
     RegisterVolumeComponents(registry);
-    console.out() << (kind == "scene" ? SceneSchema() : ProfileSchema(registry)).dump(2) << '\n';
+    return ProfileSchema(registry);
+}
+
+} // namespace
+
+int RunSchema(const std::string& kind, Console& console)
+{
+    console.out() << SchemaOf(kind).dump(2) << '\n';
     return static_cast<int>(ExitCode::Done);
 }
 

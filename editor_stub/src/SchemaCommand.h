@@ -8,7 +8,7 @@ namespace limn
 {
 
 /// Prints the JSON Schema (draft 2020-12) of one kind of file.
-/// @param kind  "scene" or "profile"
+/// @param kind  "scene", "profile" or "material"
 /// @return an ExitCode
 int RunSchema(const std::string& kind, Console& console);
 

@@ -1,23 +1,44 @@
 #pragma once
 
 #include <filesystem>
-#include <limn/core/Shader.h>
+#include <limn/shaderlab/ShaderCompiler.h>
+#include <limn/shaderlab/ShaderLabDocument.h>
+#include <limn/shaderlab/VariantCount.h>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace limn
 {
+
+/// What became of a pass.
+enum class PassOutcome
+{
+    NotTried,       ///< it has no program, or nothing was to be compiled
+    Compiled,       ///< for the keywords asked for
+    Refused,        ///< it is well formed and limn does not do what it asks for
+    MissingInclude, ///< it includes a file that is not there
+    Failed
+};
 
 /// A pass of a shader with what compiling it gave.
 struct CheckedPass
 {
     const ShaderLabPass* pass = nullptr;
-    std::shared_ptr<const CompiledPass> compiled; ///< null: not compiled, or not without errors
+    PassOutcome outcome = PassOutcome::NotTried;
+    std::string reason; ///< of a refusal, one sentence
+    std::shared_ptr<const CompiledPass> compiled;
+    std::vector<std::string> keywords; ///< that it was compiled with
+    VariantCount variants;             ///< 0 without a program
+    /// Which property keeps the SRP Batcher from taking the pass; "" if none does.
+    std::string srpBatcherProblem;
 };
 
 struct CheckedSubShader
 {
     const ShaderLabSubShader* subShader = nullptr;
-    bool isUsed = false; ///< the one that limn draws with; only its passes are compiled
+    bool isUsed = false; ///< the one that limn draws with
     std::vector<CheckedPass> passes;
 };
 
@@ -25,14 +46,23 @@ struct CheckedSubShader
 struct ShaderCheck
 {
     std::filesystem::path file;
-    std::shared_ptr<const ShaderLabDocument> document; ///< null if the file cannot be parsed
+    bool isParsed = false;                             ///< without an error
+    std::shared_ptr<const ShaderLabDocument> document; ///< null if there is no text to read
     std::vector<CheckedSubShader> subShaders;
-    std::vector<Diagnostic> errors;
+    std::vector<Diagnostic> diagnostics; ///< errors, warnings and notes; refusals are notes
+
+    bool hasErrors() const;
 };
 
-/// Parses the file and, unless `parseOnly`, compiles the passes that limn would draw with, with
-/// their keywords' defaults.
-ShaderCheck CheckShader(const std::filesystem::path& file, bool parseOnly,
-                        const std::shared_ptr<ShaderCompiler>& compiler);
+struct ShaderCheckOptions
+{
+    bool compile = true;
+    /// Keywords that are on; without them those that a new material has on.
+    std::optional<std::vector<std::string>> keywords;
+};
+
+/// Parses the file and compiles the passes of its SubShaders. Any thread.
+ShaderCheck CheckShader(const std::filesystem::path& file, const ShaderCheckOptions& options,
+                        ShaderCompiler& compiler);
 
 } // namespace limn

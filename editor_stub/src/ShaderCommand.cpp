@@ -3,30 +3,20 @@
 #include "CacheFolder.h"
 #include "ShaderDescription.h"
 #include "ShaderEmit.h"
+#include "ShaderSummary.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/ShaderDatabase.h>
+#include <thread>
 
 namespace limn
 {
 
 namespace
 {
-
-std::vector<std::filesystem::path> FilesBelow(const std::filesystem::path& folder)
-{
-    std::vector<std::filesystem::path> files;
-    const auto options = std::filesystem::directory_options::skip_permission_denied;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, options))
-    {
-        if (entry.path().extension() == ".shader" && entry.is_regular_file())
-        {
-            files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& paths)
 {
@@ -38,7 +28,7 @@ std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& pat
             files.emplace_back(path);
             continue;
         }
-        const std::vector<std::filesystem::path> found = FilesBelow(path);
+        const std::vector<std::filesystem::path> found = FindShaderFiles(path);
         if (found.empty())
         {
             throw AssetError(path, {}, "the folder has no .shader file in it");
@@ -48,7 +38,7 @@ std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& pat
     return files;
 }
 
-std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
+std::unique_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
 {
     ShaderCompilerOptions compilerOptions;
     const std::filesystem::path cacheFolder = DefaultCacheFolder();
@@ -57,54 +47,75 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
         compilerOptions.cacheFolder = cacheFolder;
     }
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
-    return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
+    return std::make_unique<ShaderCompiler>(std::move(compilerOptions));
 }
 
-std::string Count(std::size_t number, const char* noun)
+/// Checks files on several threads; results are taken in the order of the files.
+class ParallelCheck
 {
-    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
-
-/// "12 files: 11 good, 1 with 3 errors; 30 passes compiled"
-std::string Summary(const std::vector<ShaderCheck>& checks)
-{
-    std::size_t bad = 0;
-    std::size_t errors = 0;
-    std::size_t compiled = 0;
-    for (const ShaderCheck& check : checks)
+public:
+    ParallelCheck(std::vector<std::filesystem::path> files, const ShaderOptions& options)
+        : m_Files(std::move(files)), m_Compiler(MakeCompiler(options)), m_Promises(m_Files.size())
     {
-        bad += check.errors.empty() ? 0 : 1;
-        errors += check.errors.size();
-        for (const CheckedSubShader& subShader : check.subShaders)
+        m_Options.compile = !options.parseOnly && !options.variants;
+        if (!options.keywords.empty())
         {
-            for (const CheckedPass& pass : subShader.passes)
+            m_Options.keywords = options.keywords;
+        }
+        const std::size_t wanted = options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
+                                                    : std::thread::hardware_concurrency();
+        const std::size_t count = std::clamp<std::size_t>(wanted, 1, m_Files.size());
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            m_Threads.push_back(std::async(std::launch::async, [this] { Work(); }));
+        }
+    }
+
+    /// Waits for the files begun; those not begun are left out.
+    ~ParallelCheck() { m_Next = m_Files.size(); }
+    ParallelCheck(const ParallelCheck&) = delete;
+    ParallelCheck& operator=(const ParallelCheck&) = delete;
+
+    std::size_t size() const { return m_Files.size(); }
+    const std::filesystem::path& file(std::size_t index) const { return m_Files[index]; }
+
+    /// Once for each index.
+    ShaderCheck Take(std::size_t index) { return m_Promises[index].get_future().get(); }
+
+private:
+    void Work()
+    {
+        for (std::size_t i = m_Next++; i < m_Files.size(); i = m_Next++)
+        {
+            try
             {
-                compiled += pass.compiled ? 1 : 0;
+                m_Promises[i].set_value(CheckShader(m_Files[i], m_Options, *m_Compiler));
+            }
+            catch (...)
+            {
+                m_Promises[i].set_exception(std::current_exception());
             }
         }
     }
-    const std::string badText =
-        bad == 0 ? std::string() : ", " + std::to_string(bad) + " with " + Count(errors, "error");
-    return Count(checks.size(), "file") + ": " + std::to_string(checks.size() - bad) + " good" +
-           badText + "; " + std::to_string(compiled) + (compiled == 1 ? " pass" : " passes") +
-           " compiled";
-}
 
-} // namespace
+    std::vector<std::filesystem::path> m_Files;
+    std::unique_ptr<ShaderCompiler> m_Compiler;
+    ShaderCheckOptions m_Options;
+    std::vector<std::promise<ShaderCheck>> m_Promises;
+    std::atomic<std::size_t> m_Next{0};
+    std::vector<std::future<void>> m_Threads; ///< last, so that they end first
+};
 
-int RunShader(const ShaderOptions& options, Console& console)
+std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
+                                  Console& console)
 {
-    const std::vector<std::filesystem::path> files = FindFiles(options.paths);
-    const std::shared_ptr<ShaderCompiler> compiler = MakeCompiler(options);
     std::vector<ShaderCheck> checks;
-    bool hasErrors = false;
-    for (const std::filesystem::path& file : files)
+    for (std::size_t i = 0; i < running.size(); ++i)
     {
-        console.Progress(std::to_string(checks.size() + 1) + " of " + std::to_string(files.size()) +
-                         ": " + file.string());
-        ShaderCheck check = CheckShader(file, options.parseOnly, compiler);
-        hasErrors = hasErrors || !check.errors.empty();
-        console.Print(check.errors);
+        console.Progress(std::to_string(i + 1) + " of " + std::to_string(running.size()) + ": " +
+                         running.file(i).string());
+        ShaderCheck check = running.Take(i);
+        console.PrintWithSource(check.diagnostics);
         if (!options.emit.empty())
         {
             for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
@@ -115,9 +126,22 @@ int RunShader(const ShaderOptions& options, Console& console)
         checks.push_back(std::move(check));
     }
     console.Progress("");
+    return checks;
+}
+
+} // namespace
+
+int RunShader(const ShaderOptions& options, Console& console)
+{
+    ParallelCheck running(FindFiles(options.paths), options);
+    const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
     if (options.json)
     {
         console.out() << ShadersAsJson(checks) << '\n';
+    }
+    else if (options.variants)
+    {
+        console.out() << DescribeVariants(checks);
     }
     else if (checks.size() == 1 && options.emit.empty())
     {
@@ -125,8 +149,10 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     else if (options.emit.empty())
     {
-        console.out() << Summary(checks) << '\n';
+        console.out() << ToString(Summarize(checks)) << '\n';
     }
+    const bool hasErrors = std::any_of(checks.begin(), checks.end(),
+                                       [](const ShaderCheck& check) { return check.hasErrors(); });
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
 

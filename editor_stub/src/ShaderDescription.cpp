@@ -66,6 +66,21 @@ std::string LayoutText(const PropertyLayout& layout, const std::string& indent)
     return text;
 }
 
+std::string KindText(const ShaderLabPass& pass)
+{
+    switch (pass.kind)
+    {
+    case ShaderLabPassKind::UsePass:
+        return "UsePass \"" + pass.usePass + "\"";
+    case ShaderLabPassKind::GrabPass:
+        return "GrabPass, which limn does not draw";
+    case ShaderLabPassKind::Pass:
+        break;
+    }
+    return pass.legacyCommands.empty() ? "no program"
+                                       : "no program: fixed-function commands, not synthesised";
+}
+
 std::string PassText(const CheckedPass& checked, std::size_t index)
 {
     const ShaderLabPass& pass = *checked.pass;
@@ -74,18 +89,30 @@ std::string PassText(const CheckedPass& checked, std::size_t index)
                        std::string(pass.lightMode()) + "\n" + indent + StateText(pass.state) + "\n";
     if (!pass.program)
     {
-        return text + indent + "no program\n";
+        return text + indent + KindText(pass) + "\n";
     }
     for (const KeywordSet& set : pass.program->keywordSets)
     {
         text += indent + KeywordsText(set) + "\n";
+    }
+    if (pass.program->keywordSets.size() > 0)
+    {
+        text += indent + checked.variants.ToString() + " variants\n";
+    }
+    if (!checked.reason.empty())
+    {
+        text += indent + ToString(checked.outcome) + ": " + checked.reason + "\n";
     }
     if (checked.compiled)
     {
         text += indent + "SPIR-V: vertex " + std::to_string(checked.compiled->vertexSpirv.size()) +
                 " words, fragment " + std::to_string(checked.compiled->fragmentSpirv.size()) +
                 " words, " + std::to_string(checked.compiled->layout.colorOutputs) +
-                " colour output(s)\n" + LayoutText(checked.compiled->layout, indent);
+                " colour output(s)\n" + LayoutText(checked.compiled->layout, indent) + indent +
+                (checked.srpBatcherProblem.empty()
+                     ? "SRP Batcher: compatible"
+                     : "SRP Batcher: not compatible, " + checked.srpBatcherProblem) +
+                "\n";
     }
     return text;
 }
@@ -170,9 +197,49 @@ std::string KeywordsText(const KeywordSet& set)
     return text;
 }
 
+const char* ToString(PassOutcome outcome)
+{
+    switch (outcome)
+    {
+    case PassOutcome::NotTried:
+        return "not tried";
+    case PassOutcome::Compiled:
+        return "compiled";
+    case PassOutcome::Refused:
+        return "refused";
+    case PassOutcome::MissingInclude:
+        return "missing include";
+    case PassOutcome::Failed:
+        break;
+    }
+    return "failed";
+}
+
+std::string DescribeVariants(const std::vector<ShaderCheck>& checks)
+{
+    std::string text;
+    VariantCount total;
+    for (const ShaderCheck& check : checks)
+    {
+        for (const CheckedSubShader& subShader : check.subShaders)
+        {
+            for (const CheckedPass& pass : subShader.passes)
+            {
+                total += pass.variants;
+                if (pass.pass->program)
+                {
+                    text += check.file.string() + ":" + std::to_string(pass.pass->location.line) +
+                            ": pass '" + pass.pass->name + "': " + pass.variants.ToString() + "\n";
+                }
+            }
+        }
+    }
+    return text + "total: " + total.ToString() + "\n";
+}
+
 std::string DescribeShader(const ShaderCheck& check)
 {
-    if (!check.document)
+    if (!check.isParsed)
     {
         return {};
     }

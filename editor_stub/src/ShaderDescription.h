@@ -11,7 +11,10 @@ namespace limn
 /// that cannot be parsed.
 std::string DescribeShader(const ShaderCheck& check);
 
-/// The same, and the errors, of all files as a JSON array.
+/// How many variants each pass of each file has, and all together, a line each.
+std::string DescribeVariants(const std::vector<ShaderCheck>& checks);
+
+/// All files and their summary as JSON: {files: [...], summary: {...}}.
 std::string ShadersAsJson(const std::vector<ShaderCheck>& checks);
 
 // Names as both forms have them.
@@ -20,5 +23,6 @@ std::string DefaultText(const ShaderProperty& property);
 std::string TypeText(UniformType type, int components, int arraySize = 0); ///< "float4[8]"
 std::string StagesText(ShaderStage stages);      ///< "vertex and fragment"
 std::string KeywordsText(const KeywordSet& set); ///< "multi_compile: (none) A B"
+const char* ToString(PassOutcome outcome);       ///< "compiled", "missing include"
 
 } // namespace limn

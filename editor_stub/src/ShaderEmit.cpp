@@ -23,6 +23,23 @@ std::string ToGlsl(std::vector<std::uint32_t> spirv)
     return compiler.compile();
 }
 
+/// OpenGL ES 3.0, or 3.1 where a structured buffer needs it.
+std::string ToGlslEs(std::vector<std::uint32_t> spirv)
+{
+    spirv_cross::CompilerGLSL compiler(std::move(spirv));
+    spirv_cross::CompilerGLSL::Options options;
+    options.es = true;
+    options.version = compiler.get_shader_resources().storage_buffers.empty() ? 300 : 310;
+    options.emit_push_constant_as_uniform_buffer = true;
+    compiler.set_common_options(options);
+    compiler.build_combined_image_samplers();
+    for (const auto& combined : compiler.get_combined_image_samplers())
+    {
+        compiler.set_name(combined.combined_id, compiler.get_name(combined.image_id));
+    }
+    return compiler.compile();
+}
+
 std::string ToHlsl(std::vector<std::uint32_t> spirv)
 {
     spirv_cross::CompilerHLSL compiler(std::move(spirv));
@@ -47,7 +64,10 @@ std::string Translate(const std::vector<std::uint32_t>& spirv, const std::string
     {
         return {reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(spirv[0])};
     }
-    return language == "glsl" ? ToGlsl(spirv) : language == "msl" ? ToMsl(spirv) : ToHlsl(spirv);
+    return language == "glsl"     ? ToGlsl(spirv)
+           : language == "glsles" ? ToGlslEs(spirv)
+           : language == "msl"    ? ToMsl(spirv)
+                                  : ToHlsl(spirv);
 }
 
 /// A shader's name without what file names cannot have.
@@ -75,6 +95,10 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
     std::vector<std::filesystem::path> files;
     for (const CheckedSubShader& subShader : check.subShaders)
     {
+        if (!subShader.isUsed)
+        {
+            continue;
+        }
         for (std::size_t i = 0; i < subShader.passes.size(); ++i)
         {
             const CompiledPass* pass = subShader.passes[i].compiled.get();

@@ -5,9 +5,10 @@
 namespace limn
 {
 
-/// Writes the vertex and the fragment program of every compiled pass into a folder, which is made
+/// Writes both programs of every compiled pass of the SubShader in use into a folder, which is made
 /// if it is not there: <shader>.<pass>.vert.glsl and the like.
-/// @param language  "spirv", "glsl" (Vulkan's), "msl" or "hlsl" (shader model 5.0)
+/// @param language  "spirv", "glsl" (4.5, Vulkan's), "glsles" (ES 3.0), "msl" or "hlsl" (shader
+///                  model 5.0)
 /// @return the files written
 /// @throws AssetError if a file cannot be written, or the language cannot express a program
 std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const std::string& language,

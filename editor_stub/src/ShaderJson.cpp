@@ -1,4 +1,5 @@
 #include "ShaderDescription.h"
+#include "ShaderSummary.h"
 #include "StateText.h"
 
 #include <nlohmann/json.hpp>
@@ -91,11 +92,19 @@ Json PassJson(const CheckedPass& checked)
         }
     }
     json["keywords"] = std::move(keywords);
+    json["variants"] = checked.variants.ToString();
+    json["outcome"] = ToString(checked.outcome);
+    if (!checked.reason.empty())
+    {
+        json["reason"] = checked.reason;
+    }
     if (checked.compiled)
     {
         json["vertexWords"] = checked.compiled->vertexSpirv.size();
         json["fragmentWords"] = checked.compiled->fragmentSpirv.size();
+        json["enabledKeywords"] = checked.keywords;
         json["layout"] = LayoutJson(checked.compiled->layout);
+        json["srpBatcherProblem"] = checked.srpBatcherProblem;
     }
     return json;
 }
@@ -131,18 +140,28 @@ Json PropertiesJson(const ShaderLabDocument& document)
     return properties;
 }
 
+const char* SeverityName(Severity severity)
+{
+    return severity == Severity::Error     ? "error"
+           : severity == Severity::Warning ? "warning"
+                                           : "note";
+}
+
 Json ShaderJson(const ShaderCheck& check)
 {
-    Json errors = Json::array();
-    for (const Diagnostic& error : check.errors)
+    Json diagnostics = Json::array();
+    for (const Diagnostic& diagnostic : check.diagnostics)
     {
-        errors.push_back({{"file", error.file},
-                          {"line", error.location.line},
-                          {"column", error.location.column},
-                          {"message", error.message}});
+        diagnostics.push_back({{"severity", SeverityName(diagnostic.severity)},
+                               {"file", diagnostic.file},
+                               {"line", diagnostic.location.line},
+                               {"column", diagnostic.location.column},
+                               {"message", diagnostic.message}});
     }
-    Json json{{"file", check.file.string()}, {"errors", std::move(errors)}};
-    if (check.document)
+    Json json{{"file", check.file.string()},
+              {"parsed", check.isParsed},
+              {"diagnostics", std::move(diagnostics)}};
+    if (check.isParsed)
     {
         json["name"] = check.document->name;
         json["properties"] = PropertiesJson(*check.document);
@@ -151,15 +170,29 @@ Json ShaderJson(const ShaderCheck& check)
     return json;
 }
 
+Json SummaryJson(const ShaderSummary& summary)
+{
+    return {{"files", summary.files},
+            {"parsed", summary.parsed},
+            {"errors", summary.errors},
+            {"passesTried", summary.passesTried()},
+            {"passesCompiled", summary.passesOf(PassOutcome::Compiled)},
+            {"passesFailed", summary.passesOf(PassOutcome::Failed)},
+            {"passesRefused", summary.passesOf(PassOutcome::Refused)},
+            {"passesWithMissingIncludes", summary.passesOf(PassOutcome::MissingInclude)},
+            {"text", ToString(summary)}};
+}
+
 } // namespace
 
 std::string ShadersAsJson(const std::vector<ShaderCheck>& checks)
 {
-    Json json = Json::array();
+    Json files = Json::array();
     for (const ShaderCheck& check : checks)
     {
-        json.push_back(ShaderJson(check));
+        files.push_back(ShaderJson(check));
     }
+    const Json json{{"files", std::move(files)}, {"summary", SummaryJson(Summarize(checks))}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

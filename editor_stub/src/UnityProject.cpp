@@ -25,9 +25,11 @@ std::filesystem::path FindRoot(const std::filesystem::path& asset)
     return folder;
 }
 
-bool IsScriptOrShader(const std::filesystem::path& path)
+bool IsReferredTo(const std::filesystem::path& path)
 {
-    return path.extension() == ".cs" || path.extension() == ".shader";
+    const std::filesystem::path extension = path.extension();
+    return extension == ".cs" || extension == ".shader" || extension == ".png" ||
+           extension == ".mat";
 }
 
 /// The guid a .meta file gives; "" if it gives none.
@@ -70,7 +72,7 @@ void UnityProject::Scan()
             entry.disable_recursion_pending();
         }
         const std::filesystem::path described = path.parent_path() / path.stem();
-        if (path.extension() == ".meta" && IsScriptOrShader(described))
+        if (path.extension() == ".meta" && IsReferredTo(described))
         {
             m_Files.emplace(ReadGuid(path), described);
         }

@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// The scripts and shaders of the Unity project around an asset, by guid.
+/// The scripts, shaders, textures and materials of the Unity project around an asset, by guid.
 class UnityProject
 {
 public:
@@ -17,8 +17,8 @@ public:
     /// empty.
     explicit UnityProject(const std::filesystem::path& asset);
 
-    /// The path that a .meta file of a .cs or .shader file belongs to, whether that file is there
-    /// or not; null if no .meta file has the guid.
+    /// The path that a .meta file of a .cs, .shader, .png or .mat file belongs to, whether that
+    /// file is there or not; null if no .meta file has the guid.
     const std::filesystem::path* Find(std::string_view guid) const;
 
     /// "" if there is none.

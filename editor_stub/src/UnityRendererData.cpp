@@ -37,6 +37,17 @@ struct Loading
     LayerNames layers; ///< an asset's masks are numbers, so no names are needed
 };
 
+/// The file of a guid; who watches sees it get another.
+const std::filesystem::path* FindFile(const std::string& guid, Loading& loading)
+{
+    const std::filesystem::path* path = loading.project.Find(guid);
+    if (path)
+    {
+        loading.assets.Reach(path->string() + ".meta");
+    }
+    return path;
+}
+
 std::string GuidOf(const YamlNode& reference)
 {
     const YamlNode* guid = reference.Find("guid");
@@ -53,7 +64,11 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
         return nullptr;
     }
     const std::string guid = GuidOf(node);
-    const std::filesystem::path* path = loading.project.Find(guid);
+    const std::filesystem::path* path = FindFile(guid, loading);
+    if (path)
+    {
+        loading.assets.Reach(*path);
+    }
     std::error_code ignored;
     if (path && std::filesystem::exists(*path, ignored))
     {
@@ -127,7 +142,7 @@ std::string FeatureType(const UnityObject& object, Loading& loading)
 {
     const YamlNode* script = object.fields.Find("m_Script");
     const std::string guid = script ? GuidOf(*script) : std::string();
-    const std::filesystem::path* path = loading.project.Find(guid);
+    const std::filesystem::path* path = FindFile(guid, loading);
     if (!path)
     {
         loading.diagnostics.Note(object.location,

@@ -1,5 +1,8 @@
 #include "UsedShaders.h"
 
+#include "ErrorShader.h"
+
+#include <algorithm>
 #include <future>
 #include <limn/core/Inspector.h>
 #include <map>
@@ -83,12 +86,43 @@ std::vector<Diagnostic> Compile(const Shader& shader, const std::set<int>& passe
     return problems;
 }
 
-} // namespace
+using ShaderProblems = std::map<std::shared_ptr<const Shader>, std::vector<Diagnostic>>;
 
-void CompileUsedShaders(const SceneAsset& asset)
+/// What is wrong with those that do not compile.
+ShaderProblems CompileAll(const ShaderPasses& passes)
+{
+    std::vector<std::future<std::vector<Diagnostic>>> running;
+    for (const auto& [shader, indices] : passes)
+    {
+        running.push_back(
+            std::async(std::launch::async, Compile, std::cref(*shader), std::cref(indices)));
+    }
+    ShaderProblems problems;
+    auto compilation = running.begin();
+    for (const auto& [shader, indices] : passes)
+    {
+        std::vector<Diagnostic> found = (compilation++)->get();
+        if (!found.empty())
+        {
+            problems[shader] = std::move(found);
+        }
+    }
+    return problems;
+}
+
+std::vector<Diagnostic> AllOf(const ShaderProblems& problems)
+{
+    std::vector<Diagnostic> all;
+    for (const auto& [shader, found] : problems)
+    {
+        all.insert(all.end(), found.begin(), found.end());
+    }
+    return all;
+}
+
+ShaderPasses FeatureShaders(const SceneAsset& asset)
 {
     ShaderPasses passes;
-    AddObjectShaders(asset.scene, passes);
     ShaderFinder finder(passes);
     for (const auto& feature : asset.renderer.features)
     {
@@ -97,22 +131,70 @@ void CompileUsedShaders(const SceneAsset& asset)
             feature->Describe(finder);
         }
     }
-    std::vector<std::future<std::vector<Diagnostic>>> running;
-    for (const auto& [shader, indices] : passes)
+    return passes;
+}
+
+void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
+                    const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    const std::shared_ptr<const Shader> magenta = MakeErrorShader(compiler);
+    std::map<const Material*, std::shared_ptr<const Material>> replaced;
+    for (const auto& object : scene.objects())
     {
-        running.push_back(
-            std::async(std::launch::async, Compile, std::cref(*shader), std::cref(indices)));
+        if (!object->renderer)
+        {
+            continue;
+        }
+        for (std::shared_ptr<const Material>& material : object->renderer->sharedMaterials)
+        {
+            if (broken.count(material->shader()) == 0)
+            {
+                continue;
+            }
+            std::shared_ptr<const Material>& replacement = replaced[material.get()];
+            if (!replacement)
+            {
+                auto made = std::make_shared<Material>(magenta, material->name());
+                made->SetRenderQueue(material->renderQueue());
+                replacement = std::move(made);
+            }
+            material = replacement;
+        }
     }
-    std::vector<Diagnostic> problems;
-    for (auto& compilation : running)
+}
+
+} // namespace
+
+void CompileUsedShaders(const SceneAsset& asset)
+{
+    ShaderPasses passes = FeatureShaders(asset);
+    AddObjectShaders(asset.scene, passes);
+    const ShaderProblems problems = CompileAll(passes);
+    if (!problems.empty())
     {
-        const std::vector<Diagnostic> found = compilation.get();
-        problems.insert(problems.end(), found.begin(), found.end());
+        throw AssetError(AllOf(problems));
+    }
+}
+
+std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
+                                                const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    const ShaderPasses ofFeatures = FeatureShaders(asset);
+    ShaderPasses passes = ofFeatures;
+    AddObjectShaders(asset.scene, passes);
+    const ShaderProblems problems = CompileAll(passes);
+    const bool hasFeature =
+        std::any_of(problems.begin(), problems.end(),
+                    [&](const auto& problem) { return ofFeatures.count(problem.first) > 0; });
+    if (hasFeature)
+    {
+        throw AssetError(AllOf(problems));
     }
     if (!problems.empty())
     {
-        throw AssetError(std::move(problems));
+        ReplaceShaders(asset.scene, problems, compiler);
     }
+    return AllOf(problems);
 }
 
 } // namespace limn

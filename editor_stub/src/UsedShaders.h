@@ -10,4 +10,12 @@ namespace limn
 /// @throws AssetError with the errors of all shaders
 void CompileUsedShaders(const SceneAsset& asset);
 
+/// As CompileUsedShaders, but objects whose shader does not compile get the error shader, which is
+/// magenta, in their material's queue.
+/// @return the errors of those shaders
+/// @throws AssetError with the errors of all shaders if one is a feature's: what it would draw
+///         says nothing in magenta
+std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
+                                                const std::shared_ptr<ShaderCompiler>& compiler);
+
 } // namespace limn

@@ -100,7 +100,7 @@ Json LayerIndexSchema()
 
 Json LayerMaskSchema()
 {
-    const Json bits = IntegerSchema({-1.0, 4294967295.0});
+    const Json bits = IntegerSchema({0.0, 4294967295.0});
     Json unity = MapSchema({{"serializedVersion", IntegerSchema()}, {"m_Bits", bits}});
     unity["required"] = {"m_Bits"};
     return AnyOf({{{"enum", {"Everything", "Nothing"}}},
@@ -108,6 +108,15 @@ Json LayerMaskSchema()
                   ListSchema(LayerIndexSchema()),
                   bits,
                   std::move(unity)});
+}
+
+Json ReferenceSchema()
+{
+    const Json guid{{"type", "string"}, {"pattern", "^[0-9a-fA-F]{32}$"}};
+    Json unitys =
+        MapSchema({{"fileID", IntegerSchema()}, {"guid", guid}, {"type", IntegerSchema()}});
+    unitys["required"] = {"fileID"};
+    return AnyOf({{{"type", {"string", "null"}}}, std::move(unitys)});
 }
 
 Json EnumSchema(std::span<const std::string> names)

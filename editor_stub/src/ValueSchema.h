@@ -23,6 +23,8 @@ Json ColorSchema();
 Json VectorSchema(int count);
 Json LayerMaskSchema();
 Json LayerIndexSchema();
+/// A path, nothing, or Unity's {fileID, guid, type}.
+Json ReferenceSchema();
 Json EnumSchema(std::span<const std::string> names);
 Json RenderPassEventSchema();
 

@@ -173,7 +173,7 @@ TEST_F(BadInput, AnHlslErrorIsReportedAtItsLineOfTheShaderFile)
     ExpectRefusal(Render("camera: {}\n"
                          "materials: {a: {shader: bad.shader}}\n"
                          "objects: [{name: A, mesh: cube, material: a}]\n"),
-                  Path("bad.shader") + ":16: error: 'missing': unknown variable\n", 2);
+                  Path("bad.shader") + ":16:24: error: 'missing': unknown variable\n", 2);
 }
 
 TEST_F(BadInput, AMissingMeshIsNamed)

@@ -57,6 +57,66 @@ TEST_F(ExplainCommand, TellsWhereEveryVolumeValueComesFrom)
                           "distance 2 m) → 5.5\n"));
 }
 
+TEST_F(ExplainCommand, TellsWhereTheCameraTakesVolumes)
+{
+    EXPECT_THAT(Explain().out, HasSubstr("the camera takes volumes at:\n"
+                                         "  (0, 0, -5), its own position; layers 0\n"));
+    const std::string own = "{camera: {volumeTrigger: [1, 2, 3], volumeLayerMask: [0, 4]}}";
+    EXPECT_THAT(Explain({}, own).out, HasSubstr("(1, 2, 3), its volumeTrigger; layers 0 4\n"));
+    const auto json = nlohmann::json::parse(Explain({"--json"}, own).out);
+    EXPECT_EQ(nlohmann::json::parse("[1, 2, 3]"), json.at("trigger").at("position"));
+    EXPECT_EQ(17, json.at("trigger").at("volumeLayerMask"));
+    const std::string none = "camera: {volumeLayerMask: Nothing}";
+    EXPECT_THAT(Explain({}, none).out, HasSubstr("its own position; no layer\n"));
+}
+
+TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUsed)
+{
+    m_Folder.Write("own.shader",
+                   "Shader \"Test/Own\" { Properties { _BaseMap (\"Map\", 2D) = \"red\" {} }\n"
+                   "SubShader { Pass { Name \"Only\"\nHLSLPROGRAM\n"
+                   "#pragma vertex V\n#pragma fragment F\n"
+                   "#pragma multi_compile WARM COLD\n#pragma multi_compile _ OFF\n"
+                   "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
+                   "Core.hlsl\"\n"
+                   "TEXTURE2D(_BaseMap); SAMPLER(sampler_BaseMap);\n"
+                   "float4 V(float4 p : POSITION) : SV_POSITION\n"
+                   "{ return TransformObjectToHClip(p.xyz); }\n"
+                   "half4 F() : SV_Target\n"
+                   "{ return SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, float2(0, 0)); }\n"
+                   "ENDHLSL\n} } }\n");
+    const std::string scene = "{camera: {position: [0, 0, -5]}, size: [64, 32],\n"
+                              " materials: {own: {shader: own.shader}},\n"
+                              " objects: [{name: A, mesh: cube, material: own},\n"
+                              "           {name: B, mesh: sphere, material: own}]}\n";
+    const CommandRun run = Explain({}, scene);
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("variants:\n  Test/Own, pass 0 'Only': WARM\n"));
+    EXPECT_THAT(run.out, HasSubstr("full screen: no keywords\n"));
+    EXPECT_THAT(run.out, HasSubstr("  red 1x1 R8G8B8A8_UNorm\n"));
+    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB\n"));
+    const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
+    EXPECT_EQ(nlohmann::json::parse(R"({"shader": "Test/Own", "pass": 0, "name": "Only",
+                                        "keywords": ["WARM"], "fullScreen": false})"),
+              json.at("variants")[0]);
+}
+
+TEST_F(ExplainCommand, NamesEveryOneOfManyObjects)
+{
+    constexpr int k_Count = 1000;
+    std::string scene = "camera: {position: [0, 0, -5]}\nobjects:\n";
+    for (int i = 0; i < k_Count; ++i)
+    {
+        scene += "  - {name: O" + std::to_string(i) + ", mesh: cube}\n";
+    }
+    const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
+    ASSERT_EQ(static_cast<std::size_t>(k_Count), json.at("objects").size());
+    for (const auto& object : json.at("objects"))
+    {
+        EXPECT_TRUE(object.at("draws")[0].at("drawn")) << object.at("name");
+    }
+}
+
 TEST_F(ExplainCommand, TellsWhyEachObjectIsDrawnOrNot)
 {
     const CommandRun run = Explain();
@@ -122,7 +182,7 @@ TEST_F(ExplainCommand, NamesWhatIsWrongWithAShapeAndItsWeight)
         {}, "camera: {}\nvolumes:\n  - name: V\n    profile: p.profile.yaml\n    isGlobal: false\n"
             "    weight: .nan\n    colliders: [{type: spher}, {type: capsule, direction: w}]\n");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, HasSubstr("volume 'V'.weight"));
+    EXPECT_THAT(run.err, HasSubstr("volume 'V'.weight: '.nan' is not a finite number"));
     EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[0].type: unknown shape 'spher'; did you "
                                    "mean 'sphere'?"));
     EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[1].direction: 'w' is no axis; x, y or z "

@@ -1,6 +1,8 @@
 #include "CommandRun.h"
+#include "InspectProfileFile.h"
 
 #include <gmock/gmock.h>
+#include <limn/volume/LayerMaskParameter.h>
 #include <nlohmann/json.hpp>
 
 namespace limn::test
@@ -10,6 +12,13 @@ namespace
 {
 
 using testing::HasSubstr;
+
+struct Filter : VolumeComponent
+{
+    LayerMaskParameter near{this, "m_Near", {}};
+    LayerMaskParameter far{this, "m_Far", {}};
+    LayerMaskParameter sky{this, "m_Sky", {}};
+};
 
 class Inspect : public testing::Test
 {
@@ -92,6 +101,29 @@ TEST_F(Inspect, ShowsAScenesVolumesAndFeatures)
     const std::string text = Run("s.scene.yaml").out;
     EXPECT_THAT(text, HasSubstr("volume 'Room': global, priority 0, weight 1, profile '"));
     EXPECT_THAT(text, HasSubstr("feature 'Outline': ScreenSpaceOutlineRenderFeature\n"));
+}
+
+TEST_F(Inspect, ShowsTheLayersOfASceneAsAProfileHasThem)
+{
+    const auto path = folder.Write("f.profile.yaml", "Filter:\n"
+                                                     "  m_Near: [Default, Furniture]\n"
+                                                     "  far: Walls\n"
+                                                     "  sky: [Water]\n");
+    AssetContext assets;
+    assets.volumeComponents().Register<Filter>("Filter");
+    std::ostringstream out;
+    std::ostringstream err;
+    Console console(out, err);
+    const std::vector<InspectedGroup> groups =
+        InspectProfileFile(path, LoadYamlFile(path), assets, console);
+    ASSERT_EQ(1u, groups.size());
+    EXPECT_EQ("[Default, Furniture]", groups[0].values[0].value);
+    EXPECT_EQ("Walls", groups[0].values[1].value);
+    EXPECT_EQ("16", groups[0].values[2].value); // Water is layer 4 everywhere
+    const std::string sentence = ": shown as written; only a scene can know the layer ";
+    EXPECT_EQ(path.string() + ":2:11: note: Filter.m_Near" + sentence + "'Furniture'\n" +
+                  path.string() + ":3:8: note: Filter.m_Far" + sentence + "'Walls'\n",
+              err.str());
 }
 
 TEST_F(Inspect, ListsTheErrorsOfAWrongFile)

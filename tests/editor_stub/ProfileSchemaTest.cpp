@@ -6,6 +6,7 @@
 #include <limn/volume/FloatParameter.h>
 #include <limn/volume/IntParameter.h>
 #include <limn/volume/LayerMaskParameter.h>
+#include <limn/volume/TextureCurveParameter.h>
 #include <limn/volume/TextureParameter.h>
 #include <limn/volume/VectorParameter.h>
 
@@ -31,6 +32,7 @@ public:
         this, "m_Mode", Mode::Wide, {{"Off", Mode::Off}, {"Wide", Mode::Wide}}};
     LayerMaskParameter layers{this, "m_Layers", LayerMask(1)};
     AnimationCurveParameter curve{this, "m_Curve", AnimationCurve()};
+    TextureCurveParameter textureCurve{this, "m_TextureCurve", TextureCurve()};
     TextureParameter texture{this, "m_Texture", TextureReference()};
 };
 
@@ -69,12 +71,51 @@ TEST(ProfileSchema, TakesACurveAsAListOfKeys)
 {
     const Json key = Schema("curve")["anyOf"][0]["items"];
     EXPECT_EQ(Json::parse(R"(["time", "value"])"), key["required"]);
-    EXPECT_EQ(Json::object(), key["properties"]["inTangent"]);
+    EXPECT_EQ(Json::parse(R"({"type": "number"})"), key["properties"]["inTangent"]["anyOf"][0]);
+    EXPECT_EQ(false, key["additionalProperties"]);
 }
 
-TEST(ProfileSchema, LeavesAReferenceToTheLoader)
+TEST(ProfileSchema, TakesTheWeightsOfTangents)
 {
-    EXPECT_FALSE(Schema("texture").contains("type"));
+    const Json key = Schema("curve")["anyOf"][0]["items"]["properties"];
+    EXPECT_EQ(Json::parse(R"({"type": "number"})"), key["inWeight"]);
+    EXPECT_EQ(Json::parse(R"({"type": "number"})"), key["outWeight"]);
+    EXPECT_EQ(Json::parse(R"({"type": "integer", "minimum": 0, "maximum": 3})"),
+              key["weightedMode"]);
+}
+
+TEST(ProfileSchema, TakesTheWrapModesOfACurveByNameOrInUnitysForm)
+{
+    const Json forms = Schema("curve")["anyOf"];
+    EXPECT_EQ(Json::parse(R"(["keys"])"), forms[1]["required"]);
+    for (const char* mode : {"preWrapMode", "postWrapMode"})
+    {
+        const Json names = forms[1]["properties"][mode]["anyOf"][0]["enum"];
+        EXPECT_EQ(
+            Json::parse(R"(["Loop", "PingPong", "ClampForever", "Once", "Clamp", "Default"])"),
+            names);
+    }
+    EXPECT_EQ(false, forms[1]["additionalProperties"]);
+    EXPECT_EQ(Json::parse(R"(["m_Curve"])"), forms[2]["required"]);
+    EXPECT_EQ(Json::parse(R"({"type": "integer", "minimum": 0, "maximum": 2})"),
+              forms[2]["properties"]["m_PreInfinity"]);
+}
+
+TEST(ProfileSchema, TakesATextureCurveWithItsKeysOrInUnitysForm)
+{
+    const Json schema = Schema("m_TextureCurve");
+    EXPECT_EQ(Json::parse(R"(["keys"])"), schema["anyOf"][0]["required"]);
+    EXPECT_EQ(Json::parse(R"({"type": "number", "minimum": 0})"),
+              schema["anyOf"][0]["properties"]["range"]);
+    EXPECT_EQ(Json::parse(R"(["m_Curve"])"), schema["anyOf"][1]["required"]);
+}
+
+TEST(ProfileSchema, TakesAReferenceAsAPathOrInUnitysForm)
+{
+    const Json schema = Schema("texture");
+    EXPECT_EQ(Json::parse(R"(["string", "null"])"), schema["anyOf"][0]["type"]);
+    EXPECT_EQ(Json::parse(R"(["fileID"])"), schema["anyOf"][1]["required"]);
+    EXPECT_EQ(false, schema["anyOf"][1]["additionalProperties"]);
 }
 
 } // namespace limn::test

@@ -71,6 +71,19 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
               settings["m_RenderPassEvent"]["description"]);
 }
 
+TEST(LimnSchema, OfMaterialsIsWhatAScenesMaterialsHave)
+{
+    const CommandRun run = RunCommand({"schema", "material"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto schema = nlohmann::json::parse(run.out);
+    EXPECT_EQ("limn material", schema["title"]);
+    EXPECT_EQ("A shader's name or a .shader file", schema["properties"]["shader"]["description"]);
+    const auto scene = nlohmann::json::parse(RunCommand({"schema", "scene"}).out);
+    const auto& inScenes = scene["properties"]["materials"]["additionalProperties"];
+    EXPECT_EQ(inScenes["properties"], schema["properties"]);
+    EXPECT_EQ(inScenes["additionalProperties"], schema["additionalProperties"]);
+}
+
 TEST(LimnSchema, OfAnotherKindIsWrongUsage)
 {
     EXPECT_EQ(2, RunCommand({"schema", "shader"}).exitCode);

@@ -1,14 +1,6 @@
-#include "CommandRun.h"
-#include "vulkan/GpuTestDevice.h"
+#include "WatchTest.h"
 
-#include <chrono>
-#include <functional>
 #include <gmock/gmock.h>
-#include <limn/core/Image.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <thread>
-#include <unistd.h>
 
 namespace limn::test
 {
@@ -37,52 +29,15 @@ std::string Profile(const std::string& color)
     return "ScreenSpaceOutline: {m_Enable: true, m_OutlineColor: \"" + color + "\"}\n";
 }
 
-/// `limn watch` as a process of its own. Everything waits for what should happen, at most 20 s.
-class Watch : public GpuTest
+/// A black cube with an outline in the profile's colour.
+class Watch : public WatchTest
 {
 protected:
     void SetUp() override
     {
-        GpuTest::SetUp();
+        WatchTest::SetUp();
         folder.Write("s.scene.yaml", k_Scene);
         folder.Write("p.profile.yaml", Profile("#ff0000"));
-    }
-
-    void TearDown() override
-    {
-        if (m_Child > 0)
-        {
-            kill(m_Child, SIGKILL);
-            waitpid(m_Child, nullptr, 0);
-        }
-        GpuTest::TearDown();
-    }
-
-    std::string Path(const std::string& name) const { return (folder / name).string(); }
-
-    void Start()
-    {
-        const std::string command = "exec '" LIMN_EXECUTABLE "' watch '" + Path("s.scene.yaml") +
-                                    "' --cache-dir '" + Path("cache") + "' -o '" + Path("out.png") +
-                                    "' > '" + Path("out") + "' 2> '" + Path("err") + "'";
-        m_Child = fork();
-        if (m_Child == 0)
-        {
-            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-            _exit(127);
-        }
-    }
-
-    static bool WaitFor(const std::function<bool()>& isDone)
-    {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        bool done = isDone();
-        while (!done && std::chrono::steady_clock::now() < end)
-        {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            done = isDone();
-        }
-        return done;
     }
 
     /// Whether the picture has an outline in this channel and none in the others.
@@ -105,21 +60,6 @@ protected:
     {
         return WaitFor([&] { return IsOutlined(channel); });
     }
-
-    /// The exit code after a signal; -1 if the process did not end by itself.
-    int Stop(int signal)
-    {
-        kill(m_Child, signal);
-        int status = 0;
-        const bool isOver = WaitFor([&] { return waitpid(m_Child, &status, WNOHANG) == m_Child; });
-        m_Child = isOver ? 0 : m_Child;
-        return isOver && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
-    TemporaryFolder folder;
-
-private:
-    pid_t m_Child = 0;
 };
 
 } // namespace

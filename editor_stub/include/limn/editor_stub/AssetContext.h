@@ -1,10 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/core/Material.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/Shader.h>
 #include <limn/core/Texture.h>
+#include <limn/editor_stub/LayerNames.h>
+#include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <map>
 #include <memory>
@@ -25,6 +28,8 @@ public:
 
     /// A shader that comes with limn; null for any other name.
     std::shared_ptr<const Shader> FindShader(std::string_view name);
+    /// A .shader file. What its UsePass and Fallback name is looked for in the files of its folder
+    /// and below, or of the Unity project's Assets folder that it lies in, and among limn's own.
     /// @throws AssetError as Shader::Load
     std::shared_ptr<const Shader> LoadShader(const std::filesystem::path& path);
 
@@ -34,12 +39,19 @@ public:
     /// A PNG file, its colours sRGB.
     /// @throws AssetError as ReadPng
     std::shared_ptr<const Texture> LoadTexture(const std::filesystem::path& path);
+    /// A .material.yaml file: what a scene writes for one of its materials.
+    /// @throws AssetError with every problem of the file
+    std::shared_ptr<const Material> LoadMaterial(const std::filesystem::path& path);
+    /// A profile with the textures and materials it refers to.
+    /// @param layers  of the scene; a profile loaded with other names is loaded anew
     /// @throws AssetError as LoadVolumeProfile
-    const VolumeProfileLoadResult& LoadProfile(const std::filesystem::path& path);
+    const VolumeProfileLoadResult& LoadProfile(const std::filesystem::path& path,
+                                               const LayerNames& layers = {});
 
     /// Adds a file to reachedFiles() that a caller reads itself.
     void Reach(const std::filesystem::path& path) { m_Reached.insert(path.lexically_normal()); }
-    /// Every file asked for so far, found or not, and those that shaders include; normal paths.
+    /// Every file asked for so far, found or not, the buffers of meshes and what shaders include;
+    /// normal paths.
     std::set<std::filesystem::path> reachedFiles() const;
 
     /// Reads a loaded profile again, into the object that everybody shares; null, and nothing read,
@@ -47,23 +59,40 @@ public:
     /// @throws AssetError as LoadVolumeProfile; the profile then stays as it was
     const VolumeProfileLoadResult* ReloadProfile(const std::filesystem::path& path);
     /// Drops what was loaded from a file, so that it is read again when it is next asked for; for
-    /// an include, all shaders that are files. Who owns the old asset keeps it.
+    /// an include, all shaders; for a .gltf file's buffer, its meshes. Who owns the old asset keeps
+    /// it.
     void Forget(const std::filesystem::path& path);
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
-    /// All volume components that come with limn.
+    /// All volume components that come with limn, to which a program adds its own before it loads
+    /// profiles.
+    VolumeComponentRegistry& volumeComponents() { return m_VolumeComponents; }
     const VolumeComponentRegistry& volumeComponents() const { return m_VolumeComponents; }
 
 private:
+    struct Profile
+    {
+        VolumeProfileLoadResult result;
+        LayerNames layers;          ///< that its names of layers stand for
+        bool hasReferences = false; ///< it holds other assets
+    };
+
+    std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);
+    const ShaderDatabase& DatabaseAround(const std::filesystem::path& shaderFile);
+    Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
+
     std::shared_ptr<ShaderCompiler> m_Compiler;
     VolumeComponentRegistry m_VolumeComponents;
     std::map<std::string, std::shared_ptr<const Shader>, std::less<>> m_ShippedShaders;
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;
     // Files go by their normal path.
     std::map<std::filesystem::path, std::shared_ptr<const Shader>> m_Shaders;
+    std::map<std::filesystem::path, ShaderDatabase> m_Databases; ///< by folder
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
+    std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
     std::map<std::filesystem::path, std::shared_ptr<const Texture>> m_Textures;
-    std::map<std::filesystem::path, VolumeProfileLoadResult> m_Profiles;
+    std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
+    std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;
 };
 

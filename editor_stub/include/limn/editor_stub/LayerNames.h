@@ -30,6 +30,8 @@ public:
     /// The names there are, by ascending number.
     std::vector<std::string_view> names() const;
 
+    bool operator==(const LayerNames&) const = default;
+
 private:
     std::array<std::string, 32> m_Names;
 };

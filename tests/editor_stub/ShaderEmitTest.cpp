@@ -1,0 +1,116 @@
+#include "CommandRun.h"
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// A shader that comes with limn, and the name its emitted files begin with.
+struct Sample
+{
+    const char* file;
+    const char* stem;
+};
+
+constexpr Sample k_Samples[] = {
+    {"core/shaders/Lit.shader", "Universal_Render_Pipeline_Lit.0"},
+    {"core/shaders/CoreBlit.shader", "Hidden_Universal_CoreBlit.0"},
+    {"features/screen_space_outline/ScreenSpaceOutline.shader", "Hidden_ScreenSpaceOutline.1"}};
+
+class ShaderEmit : public testing::Test
+{
+protected:
+    /// The files of one language, in the order they were written.
+    std::vector<std::string> Emit(const Sample& sample, const std::string& language)
+    {
+        const CommandRun run = RunCommand({"shader", std::string(LIMN_SOURCE_DIR "/") + sample.file,
+                                           "--emit", language, "-o", (folder / language).string()});
+        EXPECT_EQ(0, run.exitCode) << run.err;
+        std::vector<std::string> files;
+        std::istringstream lines(run.out);
+        for (std::string line; std::getline(lines, line);)
+        {
+            files.push_back(line);
+        }
+        return files;
+    }
+
+    /// Runs a tool that judges each emitted file by itself.
+    void ExpectAccepted(const std::string& language, const std::string& tool)
+    {
+        for (const Sample& sample : k_Samples)
+        {
+            const std::vector<std::string> files = Emit(sample, language);
+            EXPECT_FALSE(files.empty());
+            for (const std::string& file : files)
+            {
+                const bool isVertex = file.find(".vert.") != std::string::npos;
+                const std::string command = tool + (language == "spirv" ? "" : " -S ") +
+                                            (language == "spirv" ? ""
+                                             : isVertex          ? "vert"
+                                                                 : "frag") +
+                                            " '" + file + "' >'" + file + ".log'";
+                EXPECT_EQ(0, std::system(command.c_str())) << command << "\n"
+                                                           << ReadText(file + ".log");
+            }
+        }
+    }
+
+    TemporaryFolder folder;
+};
+
+/// Compares with a text of tests/editor_stub/data/emitted; LIMN_UPDATE_GOLDEN=1 writes it instead.
+void ExpectGolden(const std::string& text, const std::string& name)
+{
+    const std::string path = LIMN_SOURCE_DIR "/tests/editor_stub/data/emitted/" + name;
+    if (std::getenv("LIMN_UPDATE_GOLDEN") != nullptr)
+    {
+        std::ofstream(path) << text;
+        return;
+    }
+    EXPECT_EQ(ReadText(path), text) << name;
+}
+
+} // namespace
+
+TEST_F(ShaderEmit, GivesSpirvThatIsValid)
+{
+    ExpectAccepted("spirv", "spirv-val --target-env vulkan1.1");
+}
+
+TEST_F(ShaderEmit, GivesGlslThatGlslangCompiles)
+{
+    ExpectAccepted("glsl", "glslangValidator -V --target-env vulkan1.1 -o /dev/null");
+}
+
+TEST_F(ShaderEmit, GivesGlslEsThatGlslangCompiles)
+{
+    ExpectAccepted("glsles", "glslangValidator");
+}
+
+TEST_F(ShaderEmit, GivesHlslThatGlslangCompiles)
+{
+    ExpectAccepted("hlsl", "glslangValidator -D -V -e main -o /dev/null");
+}
+
+TEST_F(ShaderEmit, GivesTheMslAndTheGlslEsThatWereLookedAt)
+{
+    for (const Sample& sample : k_Samples)
+    {
+        for (const std::string language : {"msl", "glsles"})
+        {
+            Emit(sample, language);
+            for (const char* stage : {"vert", "frag"})
+            {
+                const std::string name = std::string(sample.stem) + "." + stage + "." + language;
+                ExpectGolden(ReadText((folder / language / name).string()), name);
+            }
+        }
+    }
+}
+
+} // namespace limn::test
