@@ -11,15 +11,31 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
     -DLIMN_SANITIZE=address,undefined,fuzzer-no-link -DLIMN_BUILD_FUZZERS=ON >/dev/null
 cmake --build "$build" --target fuzzers
 mkdir -p "$build/findings"
-for target in "$build"/tests/*_fuzzer; do
-    name=$(basename "$target" _fuzzer)
-    corpus=$build/corpus/$name
+fuzz() {
+    local name=$1
+    local corpus=$build/corpus/$name
     mkdir -p "$corpus"
-    echo "== $name, $seconds s"
-    options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536
+    local options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536
         -artifact_prefix="$build/findings/" -verbosity=0 -print_final_stats=1)
     if [ -f "tests/fuzz/$name.dict" ]; then
         options+=(-dict="tests/fuzz/$name.dict")
     fi
-    "$target" "${options[@]}" "$corpus" "tests/fuzz/${name}_seeds"
+    "$build/tests/${name}_fuzzer" "${options[@]}" "$corpus" "tests/fuzz/${name}_seeds" \
+        >"$build/$name.log" 2>&1
+}
+
+# All at a time, a process each; what they print comes when they are done.
+names=()
+runs=()
+for target in "$build"/tests/*_fuzzer; do
+    names+=("$(basename "$target" _fuzzer)")
+    fuzz "${names[-1]}" &
+    runs+=($!)
 done
+failed=0
+for i in "${!names[@]}"; do
+    wait "${runs[i]}" || failed=1
+    echo "== ${names[i]}, $seconds s"
+    tail -n 20 "$build/${names[i]}.log"
+done
+exit "$failed"

@@ -1,5 +1,8 @@
 #include "ShaderTestSupport.h"
 
+#include <limn/shaderlab/MissingIncludeError.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
 #include <limn/shaderlab/InitialKeywords.h>
 
 #include <cstdlib>
@@ -27,7 +30,14 @@ std::ostream& operator<<(std::ostream& stream, const Count& count)
     return stream << count.good << " of " << count.all;
 }
 
-void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, Count& passes)
+struct PassCounts
+{
+    Count tried;
+    int refused = 0;        ///< with a reason
+    int missingInclude = 0; ///< of a file that is not in the collection
+};
+
+void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, PassCounts& passes)
 {
     const std::vector<std::string> initial = InitialKeywords(document);
     for (const ShaderLabSubShader& subShader : document.subShaders)
@@ -38,14 +48,24 @@ void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, 
             {
                 continue;
             }
-            ++passes.all;
             try
             {
-                compiler.Compile(*pass.program, SelectVariant(*pass.program, initial));
-                ++passes.good;
+                const PassProgram program = compiler.ReadPragmas(*pass.program);
+                compiler.Compile(program, SelectVariant(program, initial));
+                ++passes.tried.good;
+                ++passes.tried.all;
+            }
+            catch (const UnsupportedProgramError&)
+            {
+                ++passes.refused;
+            }
+            catch (const MissingIncludeError&)
+            {
+                ++passes.missingInclude;
             }
             catch (const AssetError& error)
             {
+                ++passes.tried.all;
                 std::cout << error.what() << "\n";
             }
         }
@@ -60,7 +80,7 @@ public:
     {
         ShaderCompiler compiler;
         Count files;
-        Count passes;
+        PassCounts passes;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(CorpusFolder()))
         {
             if (entry.path().extension() != ".shader")
@@ -79,7 +99,9 @@ public:
                 std::cout << error.what() << "\n";
             }
         }
-        std::cout << "corpus: " << files << " files parse, " << passes << " passes compile\n";
+        std::cout << "corpus: " << files << " files parse, " << passes.tried << " passes compile, "
+                  << passes.refused << " refused, " << passes.missingInclude
+                  << " with a missing include\n";
         EXPECT_GT(files.all, 0) << "no .shader file below " << CorpusFolder();
     }
 };

@@ -2,7 +2,11 @@
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
+
+// Unity gives the forward function this name too.
+#define LitPassFragmentSimple limn_ForwardFragmentSimple
 #include "Packages/com.unity.render-pipelines.universal/Shaders/SimpleLitForwardPass.hlsl"
+#undef LitPassFragmentSimple
 
 FragmentOutput LitPassFragmentSimple(Varyings input)
 {
