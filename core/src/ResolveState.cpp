@@ -92,7 +92,7 @@ constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::Max);
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
 constexpr int k_MaxStencilOp = static_cast<int>(StencilOp::DecrementWrap);
 
-TargetBlend ResolveBlend(const RenderTargetBlendState& state, const StateReader& reader)
+TargetBlend ResolveBlend(const PassBlendState& state, const StateReader& reader)
 {
     TargetBlend result;
     result.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
@@ -128,6 +128,7 @@ PipelineState ResolveState(const RenderState& state, const Material& material,
     result.offsetFactor = reader.Read(state.offsetFactor, "Offset");
     result.offsetUnits = reader.Read(state.offsetUnits, "Offset");
     result.alphaToMask = reader.Read(state.alphaToMask, "AlphaToMask");
+    result.conservative = reader.Read(state.conservative, "Conservative");
     for (std::size_t i = 0; i < result.targets.size(); ++i)
     {
         result.targets[i] = ResolveBlend(state.targets[i], reader);

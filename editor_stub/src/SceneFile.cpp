@@ -54,9 +54,9 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     }
     ReadPart(map, "light", loader, ReadLight);
     map.Read("ambientLight", asset.scene.ambientLight);
+    ReadPart(map, "materials", loader, ReadMaterials);
     ReadPart(map, "renderer", loader, ReadRenderer);
     ReadPart(map, "volumes", loader, ReadVolumes);
-    ReadPart(map, "materials", loader, ReadMaterials);
     ReadPart(map, "objects", loader, ReadObjects);
     map.Finish();
 }

@@ -32,9 +32,12 @@ struct SceneLoader
 
 void ReadCamera(const YamlNode& node, SceneLoader& loader);
 void ReadLight(const YamlNode& node, SceneLoader& loader);
-void ReadRenderer(const YamlNode& node, SceneLoader& loader);
+void ReadRenderer(const YamlNode& node, SceneLoader& loader); ///< needs layers and materials
 void ReadVolumes(const YamlNode& node, SceneLoader& loader);
 void ReadMaterials(const YamlNode& node, SceneLoader& loader);
+/// One of the scene's materials by name; null, with an error, if there is none or it is wrong.
+std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
+                                                 SceneLoader& loader);
 /// Needs the layers and the materials.
 void ReadObjects(const YamlNode& node, SceneLoader& loader);
 

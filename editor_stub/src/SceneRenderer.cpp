@@ -30,7 +30,14 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
     }
     feature->name = type;
     map.Read("name", feature->name);
-    ReadFeatureSettings(map, *feature, loader.asset, loader.references, diagnostics);
+    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers,
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  { return loader.references.ReadShader(value, setting); },
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  {
+                                      return ReadMaterialName(value, setting, loader);
+                                  }};
+    ReadFeatureSettings(map, *feature, context, diagnostics);
     map.Finish();
     loader.asset.renderer.features.push_back(std::move(feature));
     loader.asset.renderer.featureTypes.push_back(type);

@@ -52,7 +52,7 @@ std::string NumberOf(const StateValue<Number>& value)
     return value.property.empty() ? text : "[" + value.property + "]";
 }
 
-std::string BlendText(const RenderTargetBlendState& target)
+std::string BlendText(const PassBlendState& target)
 {
     if (!target.enabled)
     {
@@ -72,7 +72,7 @@ std::string BlendText(const RenderTargetBlendState& target)
     return text;
 }
 
-std::string MaskText(const RenderTargetBlendState& target)
+std::string MaskText(const PassBlendState& target)
 {
     if (target.writeMask == StateValue<int>(ColorWriteMask::All))
     {
@@ -97,7 +97,7 @@ std::string FaceText(const StencilFaceState& face)
            " Fail " + Name(face.fail, k_StencilOps) + " ZFail " + Name(face.zFail, k_StencilOps);
 }
 
-std::string StencilText(const StencilState& stencil)
+std::string StencilText(const PassStencilState& stencil)
 {
     if (!stencil.enabled)
     {

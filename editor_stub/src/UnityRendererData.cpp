@@ -107,7 +107,18 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     {
         return ReadShaderReference(node, name, loading);
     };
-    SettingsReader reader(map, loading.layers, loading.layers, readShader, loading.diagnostics);
+    const auto readMaterial = [&loading](const YamlNode& node, const std::string& name)
+    {
+        if (ReadFileID(node) != 0)
+        {
+            loading.diagnostics.Note(node.location(),
+                                     name + ": left out, Unity's .mat files are not read; name a "
+                                            "material of the scene in a scene file instead");
+        }
+        return std::shared_ptr<const Material>();
+    };
+    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, false};
+    SettingsReader reader(map, context, loading.diagnostics);
     feature.Describe(reader);
     const std::vector<std::string>& known = reader.fieldNames();
     for (const YamlEntry& entry : settings.entries())

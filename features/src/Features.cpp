@@ -1,5 +1,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/features/Features.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
+#include <limn/features/RenderObjects.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/shaderlab/EmbeddedFile.h>
@@ -28,6 +30,8 @@ std::unique_ptr<ScriptableRendererFeature> Make()
 }
 
 constexpr FeatureType k_Features[] = {
+    {"FullScreenPassRendererFeature", &Make<FullScreenPassRendererFeature>},
+    {"RenderObjects", &Make<RenderObjects>},
     {"ScreenSpaceOutlineRenderFeature", &Make<ScreenSpaceOutlineRenderFeature>},
 };
 

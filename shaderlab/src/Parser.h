@@ -105,7 +105,7 @@ private:
     void ParseBlendOp();
     void ParseColorMask();
     std::optional<std::size_t> ParseTargetIndex(std::string_view subject);
-    std::span<RenderTargetBlendState> TargetsOf(std::optional<std::size_t> index);
+    std::span<PassBlendState> TargetsOf(std::optional<std::size_t> index);
     bool ParseBool(std::string_view subject, StateValue<bool>& target);
     bool ParseBlendFactor(StateValue<BlendMode>& target);
     bool ParseBlendOperation(StateValue<BlendOp>& target);

@@ -200,7 +200,7 @@ std::optional<std::size_t> Parser::ParseTargetIndex(std::string_view subject)
     return static_cast<std::size_t>(number);
 }
 
-std::span<RenderTargetBlendState> Parser::TargetsOf(std::optional<std::size_t> index)
+std::span<PassBlendState> Parser::TargetsOf(std::optional<std::size_t> index)
 {
     if (!index)
     {
@@ -218,7 +218,7 @@ bool Parser::ParseBlendFactor(StateValue<BlendMode>& target)
 void Parser::ParseBlend()
 {
     const auto index = ParseTargetIndex("Blend");
-    RenderTargetBlendState blend;
+    PassBlendState blend;
     if (isWord("Off") || isWord("False"))
     {
         Advance();
@@ -237,7 +237,7 @@ void Parser::ParseBlend()
             return;
         }
     }
-    for (RenderTargetBlendState& target : TargetsOf(index))
+    for (PassBlendState& target : TargetsOf(index))
     {
         target.enabled = blend.enabled;
         target.srcColor = blend.srcColor;
@@ -275,7 +275,7 @@ void Parser::ParseBlendOp()
     {
         return;
     }
-    for (RenderTargetBlendState& target : TargetsOf(index))
+    for (PassBlendState& target : TargetsOf(index))
     {
         target.colorOp = color;
         target.alphaOp = alpha;
@@ -311,7 +311,7 @@ void Parser::ParseColorMask()
         mask = *letters;
         Advance();
     }
-    for (RenderTargetBlendState& target : TargetsOf(ParseTargetIndex("ColorMask")))
+    for (PassBlendState& target : TargetsOf(ParseTargetIndex("ColorMask")))
     {
         target.writeMask = mask;
     }

@@ -45,7 +45,7 @@ const Parser::CommandTable& Parser::StencilCommands()
 void Parser::ParseStencil()
 {
     // A block replaces what an outer scope set: fields it does not name have their defaults.
-    m_State->stencil = StencilState{};
+    m_State->stencil = PassStencilState{};
     m_State->stencil.enabled = true;
     ParseBlock("Stencil", StencilCommands());
 }
@@ -95,7 +95,7 @@ void Parser::ParseStencilCompare()
     StateValue<CompareFunction> value;
     if (ParseEnum<CompareFunction>(m_Word, CompareFunctionNames(), value))
     {
-        StencilState& stencil = m_State->stencil;
+        PassStencilState& stencil = m_State->stencil;
         stencil.front.*Field = Front ? value : stencil.front.*Field;
         stencil.back.*Field = Back ? value : stencil.back.*Field;
     }
@@ -107,7 +107,7 @@ void Parser::ParseStencilOperation()
     StateValue<StencilOp> value;
     if (ParseEnum<StencilOp>(m_Word, k_StencilOps, value))
     {
-        StencilState& stencil = m_State->stencil;
+        PassStencilState& stencil = m_State->stencil;
         stencil.front.*Field = Front ? value : stencil.front.*Field;
         stencil.back.*Field = Back ? value : stencil.back.*Field;
     }

@@ -101,8 +101,7 @@ TEST(RenderState, TakesEveryBlendFactor)
                                       {"SrcAlphaSaturate", SrcAlphaSaturate},
                                       {"OneMinusSrcAlpha", OneMinusSrcAlpha}})
     {
-        const RenderTargetBlendState target =
-            State("Blend " + std::string(text) + " DstColor").targets[0];
+        const PassBlendState target = State("Blend " + std::string(text) + " DstColor").targets[0];
         EXPECT_TRUE(target.enabled);
         EXPECT_EQ(target.srcColor, value) << text;
         EXPECT_EQ(target.dstColor, DstColor);
@@ -114,7 +113,7 @@ TEST(RenderState, TakesEveryBlendFactor)
 TEST(RenderState, BlendsAlphaByFactorsOfItsOwn)
 {
     const RenderState state = State("Blend One SrcAlpha, Zero One");
-    for (const RenderTargetBlendState& target : state.targets)
+    for (const PassBlendState& target : state.targets)
     {
         EXPECT_EQ(target.srcColor, BlendMode::One);
         EXPECT_EQ(target.dstColor, BlendMode::SrcAlpha);
@@ -149,7 +148,7 @@ TEST(RenderState, TakesEveryBlendOperation)
                                       {"Min", Min},
                                       {"Max", Max}})
     {
-        const RenderTargetBlendState target = State("BlendOp " + std::string(text)).targets[7];
+        const PassBlendState target = State("BlendOp " + std::string(text)).targets[7];
         EXPECT_EQ(target.colorOp, value) << text;
         EXPECT_EQ(target.alphaOp, value) << text;
     }
@@ -209,9 +208,9 @@ TEST(RenderState, TakesPropertiesInThePlaceOfValues)
     EXPECT_EQ(state.targets[0].writeMask.property, "_Mask");
 }
 
-TEST(StencilState, HasItsDefaultsInAnEmptyBlock)
+TEST(PassStencilState, HasItsDefaultsInAnEmptyBlock)
 {
-    const StencilState stencil = State("Stencil { }").stencil;
+    const PassStencilState stencil = State("Stencil { }").stencil;
     EXPECT_TRUE(stencil.enabled);
     EXPECT_EQ(stencil.reference, 0);
     EXPECT_EQ(stencil.readMask, 255);
@@ -220,7 +219,7 @@ TEST(StencilState, HasItsDefaultsInAnEmptyBlock)
     EXPECT_EQ(stencil.front.compare, CompareFunction::Always);
 }
 
-TEST(StencilState, TakesEveryOperation)
+TEST(PassStencilState, TakesEveryOperation)
 {
     using enum StencilOp;
     for (const auto& [text, value] : {ValueCase<StencilOp>{"Keep", Keep},
@@ -232,15 +231,16 @@ TEST(StencilState, TakesEveryOperation)
                                       {"IncrWrap", IncrementWrap},
                                       {"DecrWrap", DecrementWrap}})
     {
-        const StencilState stencil = State("Stencil { Pass " + std::string(text) + " }").stencil;
+        const PassStencilState stencil =
+            State("Stencil { Pass " + std::string(text) + " }").stencil;
         EXPECT_EQ(stencil.front.pass, value) << text;
         EXPECT_EQ(stencil.back.pass, value) << text;
     }
 }
 
-TEST(StencilState, SetsBothFacesOrOneAndTheLaterLineWins)
+TEST(PassStencilState, SetsBothFacesOrOneAndTheLaterLineWins)
 {
-    const StencilState stencil =
+    const PassStencilState stencil =
         State("Stencil { Ref 7 ReadMask 15 WriteMask [_W] Comp Equal CompBack Less "
               "PassFront Replace Pass Zero PassBack Invert FailFront IncrSat ZFailBack DecrWrap }")
             .stencil;

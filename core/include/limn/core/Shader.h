@@ -45,6 +45,11 @@ public:
 
     const RenderState& passState(int passIndex) const;
     const std::string& passName(int passIndex) const;
+    /// The pass's LightMode; "SRPDefaultUnlit" where it has none.
+    std::string_view passLightMode(int passIndex) const;
+
+    /// What compiles the passes; other shaders may be made with it.
+    const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
 
     /// The pass ready to draw; compiled on the first call, any thread.
     /// @throws AssetError with the HLSL errors at their lines

@@ -107,7 +107,7 @@ struct StencilFaceState
     bool operator==(const StencilFaceState&) const = default;
 };
 
-struct StencilState
+struct PassStencilState
 {
     bool enabled = false; ///< the pass has a Stencil block
     StateValue<int> reference = 0;
@@ -116,10 +116,10 @@ struct StencilState
     StencilFaceState front;
     StencilFaceState back;
 
-    bool operator==(const StencilState&) const = default;
+    bool operator==(const PassStencilState&) const = default;
 };
 
-struct RenderTargetBlendState
+struct PassBlendState
 {
     bool enabled = false; ///< `Blend` names factors; Off otherwise
     StateValue<BlendMode> srcColor = BlendMode::One;
@@ -130,7 +130,7 @@ struct RenderTargetBlendState
     StateValue<BlendOp> alphaOp = BlendOp::Add;
     StateValue<int> writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
 
-    bool operator==(const RenderTargetBlendState&) const = default;
+    bool operator==(const PassBlendState&) const = default;
 };
 
 /// The fixed state of a ShaderLab pass; the defaults are ShaderLab's.
@@ -145,9 +145,9 @@ struct RenderState
     StateValue<float> offsetUnits = 0.0f;
     StateValue<bool> alphaToMask = false;
     StateValue<bool> conservative = false;
-    std::array<RenderTargetBlendState, 8> targets;
+    std::array<PassBlendState, 8> targets;
     bool separateBlend = false; ///< some command named a target index: targets differ
-    StencilState stencil;
+    PassStencilState stencil;
 
     bool operator==(const RenderState&) const = default;
 };
