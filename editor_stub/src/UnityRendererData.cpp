@@ -28,6 +28,11 @@ constexpr std::array<std::string_view, 11> k_HeaderFields{"m_ObjectHideFlags",
                                                           "m_EditorClassIdentifier",
                                                           "m_Active"};
 
+/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
+constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
+    {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
+    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
+
 struct Loading
 {
     AssetContext& assets;
@@ -138,6 +143,13 @@ std::string FeatureType(const UnityObject& object, Loading& loading)
 {
     const YamlNode* script = object.fields.Find("m_Script");
     const std::string guid = script ? GuidOf(*script) : std::string();
+    for (const auto& [packageGuid, type] : k_PackageScripts)
+    {
+        if (guid == packageGuid)
+        {
+            return std::string(type);
+        }
+    }
     const std::filesystem::path* path = loading.project.Find(guid);
     if (!path)
     {

@@ -30,9 +30,9 @@ std::unique_ptr<ScriptableRendererFeature> Make()
 }
 
 constexpr FeatureType k_Features[] = {
-    {"FullScreenPassRendererFeature", &Make<FullScreenPassRendererFeature>},
-    {"RenderObjects", &Make<RenderObjects>},
     {"ScreenSpaceOutlineRenderFeature", &Make<ScreenSpaceOutlineRenderFeature>},
+    {"RenderObjects", &Make<RenderObjects>},
+    {"FullScreenPassRendererFeature", &Make<FullScreenPassRendererFeature>},
 };
 
 struct FeatureShader
