@@ -1,6 +1,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 #include "core/ThrownMessage.h"
+#include <cmath>
 
 namespace limn::test
 {

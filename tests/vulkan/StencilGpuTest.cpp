@@ -169,6 +169,7 @@ TEST_F(Stencil, FollowsTheArticlesExampleOf171Through240On242)
     // 171 & 240 = 160 and 242 & 240 = 240.
     EXPECT_FALSE(GetsThrough(CompareFunction::Equal, 171, 240, 242));
     EXPECT_FALSE(GetsThrough(CompareFunction::Greater, 171, 240, 242));
+    EXPECT_TRUE(GetsThrough(CompareFunction::LessEqual, 171, 240, 242));
 }
 
 TEST_F(Stencil, AddsOneUnderWriteMask11100000AndStoresTheThreeHighBitsOfTheSum)
@@ -186,6 +187,16 @@ TEST_F(Stencil, AddsOneUnderWriteMask11100000AndStoresTheThreeHighBitsOfTheSum)
     EXPECT_EQ(0b1111'1111, StencilAfter(state, 0b1111'1111)) << "saturated at 255";
     state.stencilFront.pass = StencilOp::IncrementWrap;
     EXPECT_EQ(0b0001'1111, StencilAfter(state, 0b1111'1111)) << "256 wraps to 0, masked";
+}
+
+TEST_F(Stencil, NeverRunsZFailWithoutADepthTest)
+{
+    PipelineState state = Marking(9);
+    state.stencilFront.zFail = StencilOp::Zero;
+    state.zTest = CompareFunction::Never;
+    EXPECT_EQ(0, StencilAfter(state, 5));
+    state.zTest = CompareFunction::Disabled;
+    EXPECT_EQ(9, StencilAfter(state, 5));
 }
 
 TEST_F(Stencil, OperatesOnTheWholeValueWhateverTheReadMask)

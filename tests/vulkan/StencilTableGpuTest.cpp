@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include <span>
 
 namespace limn::test
 {
