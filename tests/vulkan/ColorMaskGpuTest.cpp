@@ -4,11 +4,13 @@
 namespace limn::test
 {
 
-using ColorMask = GpuTest;
-
-TEST_F(ColorMask, WritesTheNamedChannelsOfEachOfEightTargets)
+namespace
 {
-    const PassPtr eightOutputs = CompilePass(R"(
+
+/// Writes (1, 0.8, 0.6, 0.4) to eight targets.
+PassPtr EightOutputPass()
+{
+    static const PassPtr pass = CompilePass(R"(
         struct Outputs
         {
             float4 a : SV_Target0; float4 b : SV_Target1; float4 c : SV_Target2;
@@ -22,6 +24,15 @@ TEST_F(ColorMask, WritesTheNamedChannelsOfEachOfEightTargets)
             o.a = o.b = o.c = o.d = o.e = o.f = o.g = o.h = float4(1, 0.8, 0.6, 0.4);
             return o;
         })");
+    return pass;
+}
+
+} // namespace
+
+using ColorMask = GpuTest;
+
+TEST_F(ColorMask, WritesTheNamedChannelsOfEachOfEightTargets)
+{
     constexpr int k_Masks = 16;
     CompiledFrame frame;
     CompiledRenderPass pass;
@@ -39,7 +50,7 @@ TEST_F(ColorMask, WritesTheNamedChannelsOfEachOfEightTargets)
             {targets.back(), TextureUsage::ColorAttachment, TextureUsage::CopySource});
     }
     // Target t has mask (column + t) % 16: in no draw do two of them agree.
-    DrawCommand draw = MakeDraw(eightOutputs, MakeQuad());
+    DrawCommand draw = MakeDraw(EightOutputPass(), MakeQuad());
     for (int column = 0; column < k_Masks; ++column)
     {
         for (int t = 0; t < 8; ++t)

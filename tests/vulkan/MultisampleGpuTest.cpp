@@ -2,6 +2,7 @@
 #include "GpuTestFrame.h"
 #include "core/ThrownMessage.h"
 #include <cmath>
+#include <limn/core/FrameCompiler.h>
 
 namespace limn::test
 {
@@ -86,6 +87,24 @@ TEST_F(Multisampling, ReadsBackTheAverageOfTheSamples)
     }
 }
 
+TEST_F(Multisampling, AveragesInTheFormatsOfCameraTargets)
+{
+    const TargetPtr bytes = MakeSmooth(5, GraphicsFormat::R8G8B8A8_UNorm);
+    const TargetPtr halves = MakeSmooth(5, GraphicsFormat::R16G16B16A16_SFloat);
+    SharedDevice().Execute(Staircase(bytes));
+    const Image byteImage = SharedDevice().ReadBack(*bytes);
+    SharedDevice().Execute(Staircase(halves));
+    const Image halfImage = SharedDevice().ReadBack(*halves);
+    constexpr std::array<std::uint16_t, 5> k_QuartersAsHalf = {0, 0x3400, 0x3800, 0x3A00, 0x3C00};
+    for (int k = 0; k <= 4; ++k)
+    {
+        EXPECT_NEAR(63.75 * k, Texel8(byteImage, k, 0)[0], 0.5);
+        std::uint16_t red = 0;
+        std::memcpy(&red, &halfImage.texels.at(static_cast<std::size_t>(k) * 8), 2);
+        EXPECT_EQ(k_QuartersAsHalf.at(static_cast<std::size_t>(k)), red);
+    }
+}
+
 TEST_F(Multisampling, ShowsTheAverageToTheShaderThatReadsIt)
 {
     const TargetPtr smooth = MakeSmooth(5);
@@ -101,6 +120,42 @@ TEST_F(Multisampling, ShowsTheAverageToTheShaderThatReadsIt)
     for (int k = 0; k <= 4; ++k)
     {
         EXPECT_EQ(0.25f * static_cast<float>(k), TexelFloat(image, k, 0)[0]);
+    }
+}
+
+TEST_F(Multisampling, WorksThroughTheFrameCompilerFrameAfterFrame)
+{
+    RenderTextureDescriptor descriptor{1, 1, GraphicsFormat::R32G32B32A32_SFloat, 0};
+    descriptor.msaaSamples = 4;
+    const auto smooth = std::make_shared<RenderTexture>("smooth", descriptor, SamplerState{}, true);
+    descriptor.depthBufferBits = 24;
+    const auto depth = std::make_shared<RenderTexture>("depth", descriptor, SamplerState{}, true);
+    const TargetPtr copy = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "copy");
+    const TargetPtr other = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "other");
+    FrameCompiler compiler;
+    for (int frameNumber = 1; frameNumber <= 2; ++frameNumber)
+    {
+        CompiledFrame uniforms;
+        FrameCommands recorded;
+        const auto draw = [&](const MeshPtr& mesh)
+        {
+            recorded.commands.emplace_back(MakeColorDraw(uniforms, mesh, Color::white));
+        };
+        recorded.commands.emplace_back(SetRenderTargetCommand{{smooth}, depth});
+        recorded.commands.emplace_back(ClearCommand{ClearFlag::All, Color::black, 1.0f, 0});
+        draw(Quarters(0, frameNumber));
+        recorded.commands.emplace_back(SetRenderTargetCommand{{other}, nullptr});
+        recorded.commands.emplace_back(MakeCopyDraw(smooth));
+        recorded.commands.emplace_back(SetRenderTargetCommand{{smooth}, depth});
+        draw(Quarters(3, 4));
+        recorded.commands.emplace_back(SetRenderTargetCommand{{copy}, nullptr});
+        recorded.commands.emplace_back(MakeCopyDraw(smooth));
+        recorded.uniformData = uniforms.uniformData;
+        const std::shared_ptr<const RenderTexture> outputs[] = {copy, other};
+        SharedDevice().Execute(compiler.Compile(std::move(recorded), outputs));
+        const float first = 0.25f * static_cast<float>(frameNumber);
+        EXPECT_EQ(first, TexelFloat(SharedDevice().ReadBack(*other), 0, 0)[0]);
+        EXPECT_EQ(first + 0.25f, TexelFloat(SharedDevice().ReadBack(*copy), 0, 0)[0]);
     }
 }
 
