@@ -24,6 +24,8 @@ struct SceneLoader
     SceneAsset& asset;
     MaterialMap materials;
     std::shared_ptr<const Material> defaultMaterial; ///< of objects without one; made when needed
+    /// By the id of the mesh that they were baked for: objects of one mesh go on sharing one.
+    std::map<std::uint64_t, std::shared_ptr<const Mesh>> outlineMeshes = {};
 
     LayerKind layers() const { return {asset.layers, "layer"}; }
     LayerKind renderingLayers() const { return {asset.renderingLayers, "rendering layer"}; }

@@ -1,6 +1,7 @@
 #include "SceneLoader.h"
 
 #include <algorithm>
+#include <limn/core/OutlineNormals.h>
 
 namespace limn
 {
@@ -19,6 +20,7 @@ struct Inherited
     RenderingLayerMask renderingLayerMask{1};
     Materials materials;
     bool isOneMaterial = true; ///< one for all sub-meshes, from `material`
+    bool bakeOutlineNormals = false;
 };
 
 void ReadMaterialNames(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
@@ -71,6 +73,12 @@ MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& set
         renderer.sharedMaterials.resize(static_cast<std::size_t>(mesh->subMeshCount()),
                                         renderer.sharedMaterials.front());
     }
+    if (settings.bakeOutlineNormals && mesh)
+    {
+        std::shared_ptr<const Mesh>& baked = loader.outlineMeshes[mesh->id()];
+        baked = baked ? baked : WithOutlineNormals(*mesh);
+        mesh = baked;
+    }
     renderer.mesh = std::move(mesh);
     return renderer;
 }
@@ -108,6 +116,7 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     settings.active = settings.active && active;
     ReadLayersOf(map, settings, loader);
     ReadMaterialNames(map, settings, loader);
+    map.Read("bakeOutlineNormals", settings.bakeOutlineNormals);
     object.activeSelf = settings.active;
     object.layer = settings.layer;
     object.transform.parent = settings.parent;

@@ -44,6 +44,9 @@ struct FeatureShader
 
 constexpr FeatureShader k_Shaders[] = {
     {"Hidden/ScreenSpaceOutline", "screen_space_outline", "ScreenSpaceOutline"},
+    {"Limn/TranslucentOutline", "translucent_outline", "TranslucentOutline"},
+    {"Limn/TranslucentOutlineHull", "translucent_outline", "TranslucentOutlineHull"},
+    {"Limn/TranslucentSolid", "translucent_outline", "TranslucentSolid"},
 };
 
 } // namespace

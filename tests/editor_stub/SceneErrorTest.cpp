@@ -193,8 +193,9 @@ TEST(SceneErrors, NameWhatAFeatureCannotBe)
                "8:36: renderer.features[1].m_ScreenSpaceOutlineShader: unknown shader "
                "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? "
                "(known: Universal Render Pipeline/Lit, Universal Render Pipeline/Unlit, "
-               "Hidden/Universal/CoreBlit, Hidden/ScreenSpaceOutline); a file's path ends "
-               "in '.shader'"}),
+               "Hidden/Universal/CoreBlit, Hidden/ScreenSpaceOutline, "
+               "Limn/TranslucentOutline, Limn/TranslucentOutlineHull, "
+               "Limn/TranslucentSolid); a file's path ends in '.shader'"}),
         folder.ProblemsOf("camera: {}\n"
                           "renderer:\n"
                           "  features:\n"
