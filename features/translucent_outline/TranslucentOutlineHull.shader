@@ -1,5 +1,5 @@
-// TranslucentOutline with a width that holds: each vertex moves by so many pixels on the screen, in
-// the direction in which its outline normal (BakeOutlineNormals, TEXCOORD7) appears there. Meshes
+// TranslucentOutline with a width that holds: each vertex moves by so many pixels on the screen,
+// across the silhouette that its outline normal (BakeOutlineNormals, TEXCOORD7) makes there. Meshes
 // without that channel go by their normals. The same passes; the band is drawn once a pixel, which
 // leaves its stencil at 0.
 Shader "Limn/TranslucentOutlineHull"
@@ -52,10 +52,18 @@ Shader "Limn/TranslucentOutlineHull"
         }
 
         // How a point that moves by v moves on the screen, in pixels times an unknown factor.
-        float2 OnScreen(float3 directionVS, float4 positionCS)
+        float2 Movement(float3 v, float4 positionCS)
         {
-            float4 v = mul(UNITY_MATRIX_P, float4(directionVS, 0.0));
-            return (v.xy * positionCS.w - positionCS.xy * v.w) * _ScreenParams.xy;
+            float4 moved = mul(UNITY_MATRIX_P, float4(v, 0.0));
+            return (moved.xy * positionCS.w - positionCS.xy * moved.w) * _ScreenParams.xy;
+        }
+
+        // Across the silhouette, in pixels times an unknown factor. The plane that touches the
+        // object there goes through the camera, so it is a line on the screen: this is its normal,
+        // which is not where the surface's normal seems to point unless it is seen head on.
+        float2 AcrossSilhouette(float3 normalVS)
+        {
+            return normalVS.xy / (float2(UNITY_MATRIX_P._m00, UNITY_MATRIX_P._m11) * _ScreenParams.xy);
         }
 
         float4 HullVertex(Attributes input) : SV_POSITION
@@ -80,14 +88,13 @@ Shader "Limn/TranslucentOutlineHull"
             // screen. At least 1, so that a vertex beside the silhouette is not left behind.
             float3 sight = orthographic ? float3(0.0, 0.0, -1.0) : SafeNormalize(positionVS);
             float along = dot(normalVS, sight);
-            float across = sqrt(saturate(1.0 - along * along));
-            float2 direction = OnScreen(normalVS, positionCS);
-            float reach = max(1.0, miter * across);
-            if (across < 1e-3)
+            float reach = max(1.0, miter * sqrt(saturate(1.0 - along * along)));
+            float2 direction = AcrossSilhouette(normalVS);
+            if (dot(normalVS.xy, normalVS.xy) < 1e-6)
             {
-                // It points at the camera or away: away from the object's middle then.
-                float4 middleVS = mul(UNITY_MATRIX_MV, float4(0.0, 0.0, 0.0, 1.0));
-                direction = OnScreen(positionVS - middleVS.xyz, positionCS);
+                // It points along the view axis: away from the object's middle then.
+                float3 middleVS = mul(UNITY_MATRIX_MV, float4(0.0, 0.0, 0.0, 1.0)).xyz;
+                direction = Movement(positionVS - middleVS, positionCS);
                 reach = 1.0;
             }
             direction *= rsqrt(max(dot(direction, direction), 1e-30));

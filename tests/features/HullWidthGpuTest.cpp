@@ -333,7 +333,8 @@ Reach MeasureCube(const char* shader, const View& view, const glm::vec3& degrees
     static const auto mesh = WithOutlineNormals(*CreatePrimitive(PrimitiveType::Cube));
     GameObject& cube = scene.AddBody(mesh, {0, 0, static_cast<float>(view.distance)});
     cube.transform.localRotation = EulerToRotation(degrees);
-    cube.transform.localScale = glm::vec3(static_cast<float>(0.5 * half * view.distance));
+    cube.transform.localScale =
+        glm::vec3(static_cast<float>(std::min(0.5 * half, 0.4) * view.distance));
     return MeasureReach(scene.Draw(view.width, view.height));
 }
 
@@ -343,8 +344,9 @@ TEST_F(HullWidthGpu, OfTheHardenedHullIsNowhereThinOnACube)
 {
     constexpr double k_Asked = 16.0;
     constexpr double k_Pixel = 0.7; // from a pixel's middle to the body's border in it
-    for (const View& view : {View{3.0, 60.0, 128, 128}, View{50.0, 60.0, 128, 128},
-                             View{3.0, 1.0, 128, 128}, View{3.0, 0.0, 128, 128}})
+    for (const View& view :
+         {View{3.0, 60.0, 128, 128}, View{50.0, 60.0, 128, 128}, View{3.0, 1.0, 128, 128},
+          View{3.0, 120.0, 128, 128}, View{3.0, 0.0, 128, 128}})
     {
         for (const glm::vec3& turn : k_Turns)
         {
@@ -354,6 +356,28 @@ TEST_F(HullWidthGpu, OfTheHardenedHullIsNowhereThinOnACube)
             EXPECT_GE(reach.thinnest, 0.95 * k_Asked + k_Pixel);
             EXPECT_LE(reach.thickest, std::sqrt(3.0) * k_Asked + 1.0 + k_Pixel);
         }
+    }
+}
+
+TEST_F(HullWidthGpu, OfTheHardenedHullIsTheSameAllAroundASphereFarFromTheAxis)
+{
+    constexpr double k_Asked = 7.5;
+    constexpr double k_Pixel = 0.7; // from a pixel's middle to the body's border in it
+    for (const double fieldOfView : {30.0, 90.0, 120.0})
+    {
+        SCOPED_TRACE(fieldOfView);
+        const View view{3.0, fieldOfView, 192, 192};
+        BandScene scene(k_Hull);
+        scene.SetWidth(k_Asked);
+        scene.Look(view);
+        const double reach = HalfHeight(view) * view.distance;
+        scene
+            .AddBody(FineSphere(),
+                     {static_cast<float>(0.4 * reach), static_cast<float>(-0.3 * reach), 3.0f})
+            .transform.localScale = glm::vec3(static_cast<float>(0.4 * std::min(reach, 3.0)));
+        const Reach band = MeasureReach(scene.Draw(view.width, view.height));
+        EXPECT_GE(band.thinnest, k_Asked);
+        EXPECT_LE(band.thickest, k_Asked + k_Pixel);
     }
 }
 

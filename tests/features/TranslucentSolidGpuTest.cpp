@@ -93,6 +93,30 @@ TEST_F(TranslucentSolidGpu, HasThemWithTheArticlesShaders)
     }
 }
 
+TEST_F(TranslucentSolidGpu, GivesTheSamePixelsWithTheArticlesShadersInAPerspectiveView)
+{
+    const EffectShaders article = ArticleShaders();
+    if (!article.outline)
+    {
+        GTEST_SKIP() << "LIMN_CORPUS_DIR names no folder with the article's shaders";
+    }
+    const auto draw = [](const EffectShaders& shaders)
+    {
+        TranslucentScene content(shaders);
+        content.camera.fieldOfView = 50.0f;
+        content.AddBody(CreatePrimitive(PrimitiveType::Torus), {-0.3f, 0.1f, 2.0f})
+            .transform.localRotation = EulerToRotation({60, 20, 10});
+        content.AddBody(CreatePrimitive(PrimitiveType::Cube), {0.6f, -0.2f, 2.5f});
+        content.Add(Rectangle({-1, -1}, {1, 1}), {0, 0, 4}, {TranslucentUnlit(Color::red)});
+        return content.Draw(160, 120);
+    };
+    const EffectPicture ours = draw(ShippedShaders());
+    const EffectPicture theirs = draw(article);
+    EXPECT_GT(CountStencil(ours, 253), 1000);
+    EXPECT_EQ(ours.stencil, theirs.stencil);
+    EXPECT_EQ(ours.color.values, theirs.color.values);
+}
+
 TEST_F(TranslucentSolidGpu, IsTheSameInWhateverOrderItsLayersAreDrawn)
 {
     std::mt19937 random(7);
