@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/core/CoreUtils.h>
 
 namespace limn
 {
@@ -35,13 +36,7 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
 {
     const glm::mat4& view = data.viewMatrix;
     const glm::mat4& projection = data.gpuProjectionMatrix;
-    const glm::mat4 viewProjection = glm::mat4(glm::dmat4(projection) * glm::dmat4(view));
-    Matrix(cmd, "unity_MatrixV", view);
-    Matrix(cmd, "unity_MatrixInvV", Inverse(view));
-    Matrix(cmd, "glstate_matrix_projection", projection);
-    Matrix(cmd, "unity_MatrixInvP", Inverse(projection));
-    Matrix(cmd, "unity_MatrixVP", viewProjection);
-    Matrix(cmd, "unity_MatrixInvVP", Inverse(viewProjection));
+    RenderingUtils::SetViewAndProjectionMatrices(cmd, view, projection, true);
     glm::mat4 zForward(1.0f);
     zForward[2][2] = -1.0f;
     Matrix(cmd, "unity_WorldToCamera", zForward * view);
@@ -51,6 +46,22 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
 }
 
 } // namespace
+
+void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::mat4& viewMatrix,
+                                                  const glm::mat4& gpuProjectionMatrix,
+                                                  bool setInverseMatrices)
+{
+    const glm::mat4 viewProjection(glm::dmat4(gpuProjectionMatrix) * glm::dmat4(viewMatrix));
+    Matrix(cmd, "unity_MatrixV", viewMatrix);
+    Matrix(cmd, "glstate_matrix_projection", gpuProjectionMatrix);
+    Matrix(cmd, "unity_MatrixVP", viewProjection);
+    if (setInverseMatrices)
+    {
+        Matrix(cmd, "unity_MatrixInvV", Inverse(viewMatrix));
+        Matrix(cmd, "unity_MatrixInvP", Inverse(gpuProjectionMatrix));
+        Matrix(cmd, "unity_MatrixInvVP", Inverse(viewProjection));
+    }
+}
 
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
 {

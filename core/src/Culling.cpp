@@ -65,6 +65,7 @@ void AppendItems(const GameObject& object, const glm::mat4& localToWorld,
         RendererItem item;
         item.object = &object;
         item.material = material;
+        item.materialIndex = static_cast<int>(i);
         item.subMesh = std::min(static_cast<int>(i), renderer.mesh->subMeshCount() - 1);
         item.filter = {material->renderQueue(), object.layer, renderer.renderingLayerMask,
                        material->shader().get()};
@@ -134,10 +135,11 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
     {
         int queue = 0;
         float backToFront = 0.0f;
+        int materialIndex = 0;
         int frontToBack = 0;
         std::tuple<std::uint64_t, std::uint64_t, std::uint64_t> state;
 
-        auto tie() const { return std::tie(queue, backToFront, frontToBack, state); }
+        auto tie() const { return std::tie(queue, backToFront, materialIndex, frontToBack, state); }
     };
     const SortingCriteria criteria = sorting.criteria;
     std::vector<Key> keys(items.size());
@@ -147,7 +149,11 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
         Key& key = keys[static_cast<std::size_t>(index)];
         const float distance = SortDistance(item.boundsCenter, sorting);
         key.queue = criteria & SortingCriteria::RenderQueue ? item.filter.renderQueue : 0;
-        key.backToFront = criteria & SortingCriteria::BackToFront ? -distance : 0.0f;
+        if (criteria & SortingCriteria::BackToFront)
+        {
+            key.backToFront = -distance;
+            key.materialIndex = item.materialIndex;
+        }
         key.frontToBack = criteria & SortingCriteria::QuantizedFrontToBack ? Quantise(distance) : 0;
         if (criteria & SortingCriteria::OptimizeStateChanges)
         {

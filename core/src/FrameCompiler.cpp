@@ -1,4 +1,5 @@
 #include "PassSplitter.h"
+#include "UnusedStencil.h"
 
 #include <algorithm>
 #include <limn/core/FrameCompiler.h>
@@ -211,7 +212,9 @@ CompiledFrame FrameCompiler::Compile(FrameCommands commands,
                       }
                       return gone;
                   });
-    Run run(*this, SplitIntoPasses(std::move(commands.commands)), outputs);
+    std::vector<OpenPass> passes = SplitIntoPasses(std::move(commands.commands));
+    LeaveOutUnusedStencil(passes, outputs, m_DepthTwins);
+    Run run(*this, std::move(passes), outputs);
     CompiledFrame frame;
     frame.passes = run.Passes();
     frame.finalBarriers = run.FinalBarriers();

@@ -28,4 +28,25 @@ std::span<const EnumEntry> RenderPassEventEntries()
     return k_Entries;
 }
 
+std::span<const EnumEntry> CompareFunctionEntries()
+{
+    static constexpr EnumEntry k_Entries[] = {{"Disabled", 0}, {"Never", 1},        {"Less", 2},
+                                              {"Equal", 3},    {"LessEqual", 4},    {"Greater", 5},
+                                              {"NotEqual", 6}, {"GreaterEqual", 7}, {"Always", 8}};
+    return k_Entries;
+}
+
+std::span<const EnumEntry> StencilOpEntries()
+{
+    static constexpr EnumEntry k_Entries[] = {{"Keep", 0},
+                                              {"Zero", 1},
+                                              {"Replace", 2},
+                                              {"IncrementSaturate", 3},
+                                              {"DecrementSaturate", 4},
+                                              {"Invert", 5},
+                                              {"IncrementWrap", 6},
+                                              {"DecrementWrap", 7}};
+    return k_Entries;
+}
+
 } // namespace limn

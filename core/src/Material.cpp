@@ -67,6 +67,15 @@ Material::Material(std::shared_ptr<const Shader> shader, std::string name)
     }
 }
 
+Material::Material(const Material& source, std::shared_ptr<const Shader> shader)
+    : Material(std::move(shader), source.m_Name)
+{
+    m_Values.SetAll(source.m_Values);
+    m_RenderQueue = source.m_RenderQueue;
+    m_Keywords = source.m_Keywords;
+    KeywordsChanged();
+}
+
 void Material::SetColor(ShaderPropertyId id, const Color& value)
 {
     const ShaderProperty* property = FindProperty(*m_Shader, id.name());

@@ -99,6 +99,7 @@ std::vector<std::string> MeshProblems(const MeshData& data)
     CheckArray(problems, "tangents", data.tangents, count);
     CheckArray(problems, "colors", data.colors, count);
     CheckArray(problems, "uv", data.uv, count);
+    CheckArray(problems, "uv8", data.uv8, count);
     CheckTriangles(problems, data);
     CheckSubMeshes(problems, data);
     return problems;

@@ -35,16 +35,26 @@ public:
 
     bool Read(const StateValue<bool>& value, const char* command) const
     {
-        return value.property.empty() ? value.value : Number(value.property, command) != 0.0;
+        return value.property.empty() ? value.value : Finite(value.property, command) != 0.0;
     }
 
     float Read(const StateValue<float>& value, const char* command) const
     {
         return value.property.empty() ? value.value
-                                      : static_cast<float>(Number(value.property, command));
+                                      : static_cast<float>(Finite(value.property, command));
     }
 
 private:
+    double Finite(const std::string& property, const char* command) const
+    {
+        const double number = Number(property, command);
+        if (!std::isfinite(number))
+        {
+            Fail(property, command, "is " + Text(number) + "; it must be finite");
+        }
+        return number;
+    }
+
     double Number(const std::string& property, const char* command) const
     {
         const ShaderPropertyId id(property);
@@ -128,6 +138,7 @@ PipelineState ResolveState(const RenderState& state, const Material& material,
     result.offsetFactor = reader.Read(state.offsetFactor, "Offset");
     result.offsetUnits = reader.Read(state.offsetUnits, "Offset");
     result.alphaToMask = reader.Read(state.alphaToMask, "AlphaToMask");
+    result.conservative = reader.Read(state.conservative, "Conservative");
     for (std::size_t i = 0; i < result.targets.size(); ++i)
     {
         result.targets[i] = ResolveBlend(state.targets[i], reader);

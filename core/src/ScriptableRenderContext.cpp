@@ -5,6 +5,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <limn/core/ScriptableRenderContext.h>
+#include <map>
+#include <tuple>
 
 namespace limn
 {
@@ -54,6 +56,19 @@ bool FragmentReadsPerDraw(const CompiledPass& pass)
     return false;
 }
 
+bool Compiles(const Material& material, int pass)
+{
+    try
+    {
+        material.Compile(pass);
+        return true;
+    }
+    catch (const AssetError&)
+    {
+        return false;
+    }
+}
+
 } // namespace
 
 /// Looks recorded draws up and appends them to the frame.
@@ -71,15 +86,18 @@ public:
         ++m_GlobalsVersion;
     }
 
-    void Draw(const RecordedDraw& recorded, RenderingLayerMask renderingLayers)
+    void Draw(const RecordedDraw& recorded, RenderingLayerMask renderingLayers,
+              const RenderStateBlock& stateBlock = RenderStateBlock())
     {
         const Material& material = *recorded.material;
         DrawCommand draw;
         draw.pass = material.Compile(recorded.shaderPass);
         draw.shader = material.shader();
         draw.shaderPass = recorded.shaderPass;
-        draw.state =
-            ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals);
+        draw.state = Override(
+            ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals),
+            stateBlock);
+        ExpectStencil(draw.state, material, recorded.shaderPass);
         draw.bindings = m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},
                                            m_GlobalsVersion, m_Frame.uniformData);
         draw.mesh = recorded.mesh;
@@ -97,7 +115,40 @@ public:
         }
     }
 
+    /// The material's values with another shader; the same one for the rest of the frame.
+    std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
+                                               const std::shared_ptr<const Shader>& shader)
+    {
+        auto& result = m_WithShader[{material, material->version(), shader}];
+        if (!result)
+        {
+            result = std::make_shared<const Material>(*material, shader);
+        }
+        return result;
+    }
+
+    void SetRenderTarget(const SetRenderTargetCommand& command)
+    {
+        m_Depth = command.depth;
+        m_Frame.commands.emplace_back(command);
+    }
+
 private:
+    /// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil
+    /// is a mistake in the set-up.
+    void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const
+    {
+        if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
+        {
+            throw ContractError("material '" + material.name() + "': pass " +
+                                std::to_string(shaderPass) + " of shader '" +
+                                material.shader()->name() +
+                                "' uses the stencil, but the depth target '" + m_Depth->name() +
+                                "' has the format " + ToString(m_Depth->graphicsFormat()) +
+                                "; give it depthBufferBits 24 or 32");
+        }
+    }
+
     /// Draws that differ in their transform only become instances of one. A fragment function that
     /// reads per-draw data finds it by the first instance, so those stay apart.
     bool MergeIntoLast(const DrawCommand& draw)
@@ -118,7 +169,12 @@ private:
     FrameCommands& m_Frame;
     MaterialPropertyBlock& m_Globals;
     std::uint64_t m_GlobalsVersion = 0;
+    std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
+    std::map<
+        std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
+        std::shared_ptr<const Material>>
+        m_WithShader;
 };
 
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
@@ -144,6 +200,10 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 {
                     m_Resolver->SetGlobal(c);
                 }
+                else if constexpr (std::is_same_v<Command, SetRenderTargetCommand>)
+                {
+                    m_Resolver->SetRenderTarget(c);
+                }
                 else
                 {
                     m_Frame.commands.emplace_back(c);
@@ -155,7 +215,8 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
 
 void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults,
                                             const DrawingSettings& drawingSettings,
-                                            const FilteringSettings& filteringSettings)
+                                            const FilteringSettings& filteringSettings,
+                                            const RenderStateBlock& stateBlock)
 {
     DrawRenderersReport report{m_PassName, filteringSettings, drawingSettings, {}};
     std::vector<int> drawn;
@@ -174,24 +235,45 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
 
     for (const int index : drawn)
     {
-        const RendererItem& item = cullingResults.items[static_cast<std::size_t>(index)];
-        const MeshRenderer& renderer = *item.object->renderer;
-        RecordedDraw draw{renderer.mesh, item.subMesh, 0, item.localToWorld, item.material, 0, {}};
-        if (drawingSettings.overrideMaterial)
+        DrawItem(cullingResults.items[static_cast<std::size_t>(index)], drawingSettings,
+                 stateBlock);
+    }
+}
+
+void ScriptableRenderContext::DrawItem(const RendererItem& item, const DrawingSettings& drawing,
+                                       const RenderStateBlock& stateBlock)
+{
+    const MeshRenderer& renderer = *item.object->renderer;
+    RecordedDraw draw{renderer.mesh, item.subMesh, 0, item.localToWorld, item.material, 0, {}};
+    if (drawing.overrideMaterial)
+    {
+        draw.material = drawing.overrideMaterial;
+        draw.shaderPass = drawing.overrideMaterialPassIndex;
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        return;
+    }
+    if (drawing.overrideShader)
+    {
+        draw.material = m_Resolver->WithShader(item.material, drawing.overrideShader);
+        draw.shaderPass = drawing.overrideShaderPassIndex;
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        return;
+    }
+    for (const ShaderTagId tag : drawing.shaderTagIds)
+    {
+        draw.shaderPass = item.filter.shader->FindPassByLightMode(tag);
+        if (draw.shaderPass < 0)
         {
-            draw.material = drawingSettings.overrideMaterial;
-            draw.shaderPass = drawingSettings.overrideMaterialPassIndex;
-            m_Resolver->Draw(draw, renderer.renderingLayerMask);
             continue;
         }
-        for (const ShaderTagId tag : drawingSettings.shaderTagIds)
+        if (drawing.fallbackMaterial && !Compiles(*item.material, draw.shaderPass))
         {
-            draw.shaderPass = item.filter.shader->FindPassByLightMode(tag);
-            if (draw.shaderPass >= 0)
-            {
-                m_Resolver->Draw(draw, renderer.renderingLayerMask);
-            }
+            draw.material = drawing.fallbackMaterial;
+            draw.shaderPass = 0;
+            m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+            return;
         }
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
     }
 }
 

@@ -157,6 +157,11 @@ const RenderState& Shader::passState(int passIndex) const
     return PassAt(passIndex).state;
 }
 
+std::string_view Shader::passLightMode(int passIndex) const
+{
+    return PassAt(passIndex).declaration->lightMode();
+}
+
 const std::string& Shader::passName(int passIndex) const
 {
     return PassAt(passIndex).name;

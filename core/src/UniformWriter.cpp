@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace limn
 {
@@ -112,6 +114,28 @@ void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
     }
 }
 
+bool HasNan(const ShaderPropertyValue& value)
+{
+    if (const auto* number = std::get_if<float>(&value))
+    {
+        return std::isnan(*number);
+    }
+    const auto* vector = std::get_if<glm::vec4>(&value);
+    return vector != nullptr && glm::any(glm::isnan(*vector));
+}
+
+/// A shader makes nothing of NaN but more of it, without a word; limn's own values are not
+/// checked.
+void RefuseNan(const UniformMember& member, ShaderPropertyId id, const ShaderPropertyValue& value,
+               const PropertySources& sources)
+{
+    if (&value == sources.material->Find(id) && HasNan(value))
+    {
+        throw ContractError("material '" + sources.material->name() + "': property '" +
+                            member.name + "' is not a number (NaN)");
+    }
+}
+
 /// The texture behind `X` for a member called `X_TexelSize`, if there is one.
 const Texture* TextureBefore(std::string_view name, std::string_view suffix,
                              const PropertySources& sources)
@@ -134,6 +158,7 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     static constexpr std::string_view k_Decode = "_HDR";
     if (const ShaderPropertyValue* value = sources.Find(id))
     {
+        RefuseNan(member, id, *value, sources);
         WriteValue(member, *value, sources, bytes);
     }
     else if (member.name.ends_with(k_TexelSize))

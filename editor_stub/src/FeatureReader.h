@@ -1,9 +1,8 @@
 #pragma once
 
-#include "References.h"
+#include "SettingsReader.h"
 
-#include <limn/editor_stub/SceneFile.h>
-#include <limn/volume/YamlMapReader.h>
+#include <limn/core/ScriptableRendererFeature.h>
 
 namespace limn
 {
@@ -11,7 +10,6 @@ namespace limn
 /// Sets a feature's `active` and its settings to what a map of a file of limn's own says. The
 /// caller calls map.Finish().
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
-                         const SceneAsset& asset, References& references,
-                         AssetDiagnostics& diagnostics);
+                         const SettingsContext& context, AssetDiagnostics& diagnostics);
 
 } // namespace limn

@@ -1,6 +1,6 @@
 #include "FeatureSchema.h"
 
-#include <limn/core/Shader.h>
+#include <limn/core/Material.h>
 #include <limn/features/Features.h>
 
 namespace limn
@@ -13,7 +13,7 @@ namespace
 class SchemaInspector final : public Inspector
 {
 public:
-    explicit SchemaInspector(Json& map) : m_Map(map) {}
+    explicit SchemaInspector(Json& map) : m_Map(&map), m_Root(map) {}
 
     void Header(std::string_view text) override { m_Header = text; }
     void Field(std::string_view name, bool& value, std::string_view tooltip) override
@@ -49,6 +49,35 @@ public:
                std::string_view tooltip) override
     {
         Add(name, TextSchema(), value ? Json(value->name()) : Json(), tooltip);
+    }
+    void Field(std::string_view name, std::shared_ptr<const Material>& value,
+               std::string_view tooltip) override
+    {
+        Add(name, TextSchema(), value ? Json(value->name()) : Json(), tooltip);
+    }
+    void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) override
+    {
+        Add(name, VectorSchema(4), {value.x, value.y, value.z, value.w}, tooltip);
+    }
+    void Field(std::string_view name, std::string& value, std::string_view tooltip) override
+    {
+        Add(name, TextSchema(), value, tooltip);
+    }
+    void Field(std::string_view name, std::vector<std::string>& value,
+               std::string_view tooltip) override
+    {
+        Add(name, {{"type", "array"}, {"items", TextSchema()}}, value, tooltip);
+    }
+    void BeginGroup(std::string_view name) override
+    {
+        m_GroupName = name;
+        m_GroupSchema = MapSchema(Json::object());
+        m_Map = &m_GroupSchema;
+    }
+    void EndGroup() override
+    {
+        m_Map = &m_Root;
+        AddProperty(m_Root, m_GroupName, m_GroupSchema);
     }
     void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip) override
     {
@@ -86,10 +115,13 @@ private:
         }
         const std::string header = m_Header.empty() ? "" : m_Header + ": ";
         schema["description"] = header + std::string(tooltip);
-        AddProperty(m_Map, name, schema);
+        AddProperty(*m_Map, name, schema);
     }
 
-    Json& m_Map;
+    Json* m_Map; ///< of the group, or the root
+    Json& m_Root;
+    Json m_GroupSchema;
+    std::string m_GroupName;
     std::string m_Header;
 };
 

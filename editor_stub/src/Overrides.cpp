@@ -1,4 +1,5 @@
 #include "FeatureReader.h"
+#include "References.h"
 #include "SceneProfileContext.h"
 
 #include <algorithm>
@@ -161,6 +162,19 @@ private:
         return *component;
     }
 
+    SettingsContext ContextOf(References& references, AssetDiagnostics& diagnostics) const
+    {
+        return {m_Asset.layers, m_Asset.renderingLayers,
+                [&references](const YamlNode& node, const std::string& subject)
+                { return references.ReadShader(node, subject); },
+                [&diagnostics](const YamlNode& node, const std::string& subject)
+                {
+                    diagnostics.Error(node.location(), subject + ": a material can be chosen in "
+                                                                 "the scene file only");
+                    return std::shared_ptr<const Material>();
+                }};
+    }
+
     /// Whether there is a feature of that name or, if there is none, of that type.
     bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
     {
@@ -175,7 +189,7 @@ private:
             if ((isName ? feature.name : renderer.featureTypes[i]) == change.name)
             {
                 YamlMapReader map(AsMap(change), change.name, diagnostics, "setting");
-                ReadFeatureSettings(map, feature, m_Asset, references, diagnostics);
+                ReadFeatureSettings(map, feature, ContextOf(references, diagnostics), diagnostics);
                 map.Finish();
                 isFound = true;
             }

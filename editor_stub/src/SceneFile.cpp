@@ -54,9 +54,13 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     }
     ReadPart(map, "light", loader, ReadLight);
     map.Read("ambientLight", asset.scene.ambientLight);
+    for (const char* key : {"renderer", "volumes"})
+    {
+        map.Find(key); // messages list the keys in this order, though features need the materials
+    }
+    ReadPart(map, "materials", loader, ReadMaterials);
     ReadPart(map, "renderer", loader, ReadRenderer);
     ReadPart(map, "volumes", loader, ReadVolumes);
-    ReadPart(map, "materials", loader, ReadMaterials);
     ReadPart(map, "objects", loader, ReadObjects);
     map.Finish();
 }

@@ -24,6 +24,8 @@ struct SceneLoader
     SceneAsset& asset;
     MaterialMap materials;
     std::shared_ptr<const Material> defaultMaterial; ///< of objects without one; made when needed
+    /// By the id of the mesh that they were baked for: objects of one mesh go on sharing one.
+    std::map<std::uint64_t, std::shared_ptr<const Mesh>> outlineMeshes = {};
 
     LayerKind layers() const { return {asset.layers, "layer"}; }
     LayerKind renderingLayers() const { return {asset.renderingLayers, "rendering layer"}; }
@@ -32,9 +34,12 @@ struct SceneLoader
 
 void ReadCamera(const YamlNode& node, SceneLoader& loader);
 void ReadLight(const YamlNode& node, SceneLoader& loader);
-void ReadRenderer(const YamlNode& node, SceneLoader& loader);
+void ReadRenderer(const YamlNode& node, SceneLoader& loader); ///< needs layers and materials
 void ReadVolumes(const YamlNode& node, SceneLoader& loader);
 void ReadMaterials(const YamlNode& node, SceneLoader& loader);
+/// One of the scene's materials by name; null, with an error, if there is none or it is wrong.
+std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
+                                                 SceneLoader& loader);
 /// Needs the layers and the materials.
 void ReadObjects(const YamlNode& node, SceneLoader& loader);
 

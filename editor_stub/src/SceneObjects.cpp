@@ -1,6 +1,7 @@
 #include "SceneLoader.h"
 
 #include <algorithm>
+#include <limn/core/OutlineNormals.h>
 
 namespace limn
 {
@@ -19,29 +20,8 @@ struct Inherited
     RenderingLayerMask renderingLayerMask{1};
     Materials materials;
     bool isOneMaterial = true; ///< one for all sub-meshes, from `material`
+    bool bakeOutlineNormals = false;
 };
-
-std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
-                                                 SceneLoader& loader)
-{
-    const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
-    const auto found = name ? loader.materials.find(*name) : loader.materials.end();
-    if (found != loader.materials.end())
-    {
-        return found->second;
-    }
-    if (name)
-    {
-        std::vector<std::string_view> names;
-        for (const auto& [known, material] : loader.materials)
-        {
-            names.push_back(known);
-        }
-        loader.diagnostics.Error(node.location(),
-                                 subject + ": unknown material " + UnknownName(*name, names));
-    }
-    return nullptr;
-}
 
 void ReadMaterialNames(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
 {
@@ -93,6 +73,12 @@ MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& set
         renderer.sharedMaterials.resize(static_cast<std::size_t>(mesh->subMeshCount()),
                                         renderer.sharedMaterials.front());
     }
+    if (settings.bakeOutlineNormals && mesh)
+    {
+        std::shared_ptr<const Mesh>& baked = loader.outlineMeshes[mesh->id()];
+        baked = baked ? baked : WithOutlineNormals(*mesh);
+        mesh = baked;
+    }
     renderer.mesh = std::move(mesh);
     return renderer;
 }
@@ -130,6 +116,7 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     settings.active = settings.active && active;
     ReadLayersOf(map, settings, loader);
     ReadMaterialNames(map, settings, loader);
+    map.Read("bakeOutlineNormals", settings.bakeOutlineNormals);
     object.activeSelf = settings.active;
     object.layer = settings.layer;
     object.transform.parent = settings.parent;

@@ -10,6 +10,21 @@ namespace limn
 namespace
 {
 
+/// Settings that are good one by one may not fit each other; better said here, where they stand,
+/// than when the feature is used.
+void TryCreate(ScriptableRendererFeature& feature, const YamlNode& node, const std::string& subject,
+               AssetDiagnostics& diagnostics)
+{
+    try
+    {
+        feature.Create();
+    }
+    catch (const ContractError& error)
+    {
+        diagnostics.Error(node.location(), subject + ": " + error.what());
+    }
+}
+
 void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& loader)
 {
     AssetDiagnostics& diagnostics = loader.diagnostics;
@@ -30,8 +45,16 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
     }
     feature->name = type;
     map.Read("name", feature->name);
-    ReadFeatureSettings(map, *feature, loader.asset, loader.references, diagnostics);
+    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers,
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  { return loader.references.ReadShader(value, setting); },
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  {
+                                      return ReadMaterialName(value, setting, loader);
+                                  }};
+    ReadFeatureSettings(map, *feature, context, diagnostics);
     map.Finish();
+    TryCreate(*feature, node, subject, diagnostics);
     loader.asset.renderer.features.push_back(std::move(feature));
     loader.asset.renderer.featureTypes.push_back(type);
 }

@@ -155,6 +155,8 @@ Json ObjectSchema()
         {"mesh", MeshSchema()},
         {"material", TextSchema()},
         {"materials", ListSchema(TextSchema())},
+        {"bakeOutlineNormals",
+         Described(BoolSchema(), "Gives the mesh what TranslucentOutlineHull goes by")},
         {"children", ListSchema({{"$ref", "#/$defs/object"}})},
     });
     AddTransform(schema);

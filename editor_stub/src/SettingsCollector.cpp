@@ -1,6 +1,6 @@
 #include "SettingsCollector.h"
 
-#include <limn/core/Shader.h>
+#include <limn/core/Material.h>
 #include <limn/features/Features.h>
 
 namespace limn
@@ -90,6 +90,34 @@ public:
     {
         Add(name, value ? value->name() : "none", tooltip);
     }
+    void Field(std::string_view name, std::shared_ptr<const Material>& value,
+               std::string_view tooltip) override
+    {
+        Add(name, value ? value->name() : "none", tooltip);
+    }
+    void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) override
+    {
+        Add(name,
+            "{x: " + NumberText(value.x) + ", y: " + NumberText(value.y) +
+                ", z: " + NumberText(value.z) + ", w: " + NumberText(value.w) + "}",
+            tooltip);
+    }
+    void Field(std::string_view name, std::string& value, std::string_view tooltip) override
+    {
+        Add(name, value, tooltip);
+    }
+    void Field(std::string_view name, std::vector<std::string>& value,
+               std::string_view tooltip) override
+    {
+        std::string list;
+        for (const std::string& item : value)
+        {
+            list += (list.empty() ? "" : ", ") + item;
+        }
+        Add(name, "[" + list + "]", tooltip);
+    }
+    void BeginGroup(std::string_view name) override { m_Group = std::string(name) + "."; }
+    void EndGroup() override { m_Group.clear(); }
     void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip) override
     {
         const std::string& layer = m_RenderingLayers.Name(value);
@@ -114,7 +142,7 @@ private:
     {
         InspectedValue& result = values.emplace_back();
         result.header = m_Header;
-        result.name = name;
+        result.name = m_Group + std::string(name);
         result.value = std::move(value);
         result.range = range;
         result.tooltip = tooltip;
@@ -123,6 +151,7 @@ private:
     const LayerNames& m_Layers;
     const LayerNames& m_RenderingLayers;
     std::string m_Header;
+    std::string m_Group; ///< with a dot, or empty
 };
 
 } // namespace

@@ -5,21 +5,34 @@
 namespace limn
 {
 
-SettingsReader::SettingsReader(YamlMapReader& map, const LayerNames& layers,
-                               const LayerNames& renderingLayers, ShaderReader readShader,
+SettingsReader::SettingsReader(YamlMapReader& map, const SettingsContext& context,
                                AssetDiagnostics& diagnostics)
-    : m_Map(map),
-      m_Layers(layers),
-      m_RenderingLayers(renderingLayers),
-      m_ReadShader(std::move(readShader)),
-      m_Diagnostics(diagnostics)
+    : m_Map(map), m_Context(context), m_Diagnostics(diagnostics)
 {
 }
 
 const YamlNode* SettingsReader::Find(std::string_view name)
 {
-    m_FieldNames.emplace_back(name);
-    return m_Map.Find(name);
+    if (!m_Group)
+    {
+        m_FieldNames.emplace_back(name);
+    }
+    return Map().Find(name);
+}
+
+void SettingsReader::BeginGroup(std::string_view name)
+{
+    const YamlNode* node = Find(name);
+    m_Group.emplace(node ? *node : YamlNode(), m_Map.SubjectOf(name), m_Diagnostics);
+}
+
+void SettingsReader::EndGroup()
+{
+    if (m_Context.refusesUnknownKeys)
+    {
+        m_Group->Finish();
+    }
+    m_Group.reset();
 }
 
 void SettingsReader::Header(std::string_view) {}
@@ -27,25 +40,25 @@ void SettingsReader::Header(std::string_view) {}
 void SettingsReader::Field(std::string_view name, bool& value, std::string_view)
 {
     Find(name);
-    m_Map.Read(name, value);
+    Map().Read(name, value);
 }
 
 void SettingsReader::Field(std::string_view name, int& value, FieldRange range, std::string_view)
 {
     Find(name);
-    m_Map.Read(name, value, {range.minimum, range.maximum});
+    Map().Read(name, value, {range.minimum, range.maximum});
 }
 
 void SettingsReader::Field(std::string_view name, float& value, FieldRange range, std::string_view)
 {
     Find(name);
-    m_Map.Read(name, value, {range.minimum, range.maximum});
+    Map().Read(name, value, {range.minimum, range.maximum});
 }
 
 void SettingsReader::Field(std::string_view name, Color& value, std::string_view)
 {
     Find(name);
-    m_Map.Read(name, value);
+    Map().Read(name, value);
 }
 
 void SettingsReader::Field(std::string_view name, LayerMask& value, std::string_view)
@@ -53,7 +66,7 @@ void SettingsReader::Field(std::string_view name, LayerMask& value, std::string_
     if (const YamlNode* node = Find(name))
     {
         const auto bits =
-            ReadLayerBits(*node, m_Map.SubjectOf(name), {m_Layers, "layer"}, m_Diagnostics);
+            ReadLayerBits(*node, Map().SubjectOf(name), {m_Context.layers, "layer"}, m_Diagnostics);
         value = LayerMask(bits.value_or(value.bits));
     }
 }
@@ -62,7 +75,7 @@ void SettingsReader::Field(std::string_view name, RenderPassEvent& value, std::s
 {
     if (const YamlNode* node = Find(name))
     {
-        value = ReadRenderPassEvent(*node, m_Map.SubjectOf(name), m_Diagnostics).value_or(value);
+        value = ReadRenderPassEvent(*node, Map().SubjectOf(name), m_Diagnostics).value_or(value);
     }
 }
 
@@ -71,7 +84,49 @@ void SettingsReader::Field(std::string_view name, std::shared_ptr<const Shader>&
 {
     if (const YamlNode* node = Find(name))
     {
-        value = m_ReadShader(*node, m_Map.SubjectOf(name));
+        value = m_Context.readShader(*node, Map().SubjectOf(name));
+    }
+}
+
+void SettingsReader::Field(std::string_view name, std::shared_ptr<const Material>& value,
+                           std::string_view)
+{
+    if (const YamlNode* node = Find(name))
+    {
+        value = m_Context.readMaterial(*node, Map().SubjectOf(name));
+    }
+}
+
+void SettingsReader::Field(std::string_view name, glm::vec4& value, std::string_view)
+{
+    Find(name);
+    Map().Read(name, value);
+}
+
+void SettingsReader::Field(std::string_view name, std::string& value, std::string_view)
+{
+    Find(name);
+    Map().Read(name, value);
+}
+
+void SettingsReader::Field(std::string_view name, std::vector<std::string>& value, std::string_view)
+{
+    const YamlNode* node = Find(name);
+    if (node == nullptr)
+    {
+        return;
+    }
+    const std::string subject = Map().SubjectOf(name);
+    if (!node->isSequence() && !node->isNull())
+    {
+        m_Diagnostics.Error(node->location(),
+                            subject + ": found " + node->Describe() + "; a list is expected");
+        return;
+    }
+    value.clear();
+    for (const YamlNode& item : node->items())
+    {
+        value.push_back(ReadString(item, subject, m_Diagnostics).value_or(""));
     }
 }
 
@@ -79,8 +134,8 @@ void SettingsReader::RenderingLayerIndex(std::string_view name, int& value, std:
 {
     if (const YamlNode* node = Find(name))
     {
-        value = ReadLayerIndex(*node, m_Map.SubjectOf(name), {m_RenderingLayers, "rendering layer"},
-                               m_Diagnostics)
+        value = ReadLayerIndex(*node, Map().SubjectOf(name),
+                               {m_Context.renderingLayers, "rendering layer"}, m_Diagnostics)
                     .value_or(value);
     }
 }

@@ -28,6 +28,11 @@ constexpr std::array<std::string_view, 11> k_HeaderFields{"m_ObjectHideFlags",
                                                           "m_EditorClassIdentifier",
                                                           "m_Active"};
 
+/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
+constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
+    {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
+    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
+
 struct Loading
 {
     AssetContext& assets;
@@ -122,7 +127,18 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     {
         return ReadShaderReference(node, name, loading);
     };
-    SettingsReader reader(map, loading.layers, loading.layers, readShader, loading.diagnostics);
+    const auto readMaterial = [&loading](const YamlNode& node, const std::string& name)
+    {
+        if (ReadFileID(node) != 0)
+        {
+            loading.diagnostics.Note(node.location(),
+                                     name + ": left out, Unity's .mat files are not read; name a "
+                                            "material of the scene in a scene file instead");
+        }
+        return std::shared_ptr<const Material>();
+    };
+    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, false};
+    SettingsReader reader(map, context, loading.diagnostics);
     feature.Describe(reader);
     const std::vector<std::string>& known = reader.fieldNames();
     for (const YamlEntry& entry : settings.entries())
@@ -142,6 +158,13 @@ std::string FeatureType(const UnityObject& object, Loading& loading)
 {
     const YamlNode* script = object.fields.Find("m_Script");
     const std::string guid = script ? GuidOf(*script) : std::string();
+    for (const auto& [packageGuid, type] : k_PackageScripts)
+    {
+        if (guid == packageGuid)
+        {
+            return std::string(type);
+        }
+    }
     const std::filesystem::path* path = FindFile(guid, loading);
     if (!path)
     {

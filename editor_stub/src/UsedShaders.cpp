@@ -36,6 +36,19 @@ public:
             m_Passes[shader].insert(pass);
         }
     }
+    void Field(std::string_view, std::shared_ptr<const Material>& material,
+               std::string_view) override
+    {
+        for (int pass = 0; material && pass < material->passCount(); ++pass)
+        {
+            m_Passes[material->shader()].insert(pass);
+        }
+    }
+    void Field(std::string_view, glm::vec4&, std::string_view) override {}
+    void Field(std::string_view, std::string&, std::string_view) override {}
+    void Field(std::string_view, std::vector<std::string>&, std::string_view) override {}
+    void BeginGroup(std::string_view) override {}
+    void EndGroup() override {}
     void RenderingLayerIndex(std::string_view, int&, std::string_view) override {}
     void EnumField(std::string_view, int&, std::span<const EnumEntry>, std::string_view) override {}
 

@@ -1,5 +1,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/features/Features.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
+#include <limn/features/RenderObjects.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/shaderlab/EmbeddedFile.h>
@@ -29,6 +31,8 @@ std::unique_ptr<ScriptableRendererFeature> Make()
 
 constexpr FeatureType k_Features[] = {
     {"ScreenSpaceOutlineRenderFeature", &Make<ScreenSpaceOutlineRenderFeature>},
+    {"RenderObjects", &Make<RenderObjects>},
+    {"FullScreenPassRendererFeature", &Make<FullScreenPassRendererFeature>},
 };
 
 struct FeatureShader
@@ -40,6 +44,9 @@ struct FeatureShader
 
 constexpr FeatureShader k_Shaders[] = {
     {"Hidden/ScreenSpaceOutline", "screen_space_outline", "ScreenSpaceOutline"},
+    {"Limn/TranslucentOutline", "translucent_outline", "TranslucentOutline"},
+    {"Limn/TranslucentOutlineHull", "translucent_outline", "TranslucentOutlineHull"},
+    {"Limn/TranslucentSolid", "translucent_outline", "TranslucentSolid"},
 };
 
 } // namespace

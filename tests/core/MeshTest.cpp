@@ -77,8 +77,10 @@ TEST(Mesh, RejectsAnArrayOfAnotherLength)
 {
     MeshData data = Square();
     data.uv.resize(3);
+    data.uv8.resize(5);
     EXPECT_EQ(ErrorOf(data),
-              "mesh 'square': uv: 3 elements for 4 vertices; one a vertex or none is right");
+              "mesh 'square': uv: 3 elements for 4 vertices; one a vertex or none is right\n"
+              "mesh 'square': uv8: 5 elements for 4 vertices; one a vertex or none is right");
 }
 
 TEST(Mesh, RejectsAnIndexOutOfRange)

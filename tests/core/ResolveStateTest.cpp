@@ -122,6 +122,56 @@ TEST_F(ResolvedState, RefusesANumberThatIsNoMemberOfTheEnum)
                        "which is outside 0...255");
 }
 
+TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)
+{
+    struct Case
+    {
+        const char* state;
+        const char* command;
+        int highest;
+    };
+    for (const Case& one :
+         {Case{"Cull [_P]", "Cull", 2}, Case{"ZTest [_P]", "ZTest", 8},
+          Case{"Blend [_P] Zero", "Blend", 10}, Case{"Blend One [_P]", "Blend", 10},
+          Case{"Blend One Zero, [_P] Zero", "Blend", 10},
+          Case{"Blend One Zero, One [_P]", "Blend", 10}, Case{"BlendOp [_P]", "BlendOp", 4},
+          Case{"BlendOp Add, [_P]", "BlendOp", 4}, Case{"ColorMask [_P]", "ColorMask", 15},
+          Case{"Stencil { Ref [_P] }", "Ref", 255},
+          Case{"Stencil { ReadMask [_P] }", "ReadMask", 255},
+          Case{"Stencil { WriteMask [_P] }", "WriteMask", 255},
+          Case{"Stencil { Comp [_P] }", "Comp", 8}, Case{"Stencil { Pass [_P] }", "Pass", 7},
+          Case{"Stencil { Fail [_P] }", "Fail", 7}, Case{"Stencil { ZFail [_P] }", "ZFail", 7},
+          Case{"Stencil { CompBack [_P] }", "Comp", 8},
+          Case{"Stencil { ZFailFront [_P] }", "ZFail", 7}})
+    {
+        Make(one.state, "_P (\"\", Float) = " + std::to_string(one.highest));
+        EXPECT_NO_THROW(static_cast<void>(Resolve())) << one.state;
+        for (const int outside : {-1, one.highest + 1})
+        {
+            Make(one.state, "_P (\"\", Float) = " + std::to_string(outside));
+            EXPECT_EQ(Error(),
+                      "material 'Glass', shader 'Test/State': " + std::string(one.command) +
+                          " [_P]: the property is " + std::to_string(outside) +
+                          ", which is outside 0..." + std::to_string(one.highest));
+        }
+    }
+}
+
+TEST_F(ResolvedState, RefusesAnOffsetOrASwitchThatIsNotFinite)
+{
+    Make("Offset [_Factor], 0", "_Factor (\"\", Float) = 0");
+    m_Material->SetFloat(ShaderPropertyId("_Factor"), std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Offset [_Factor]: the property is "
+                       "nan; it must be finite");
+    m_Material->SetFloat(ShaderPropertyId("_Factor"), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Offset [_Factor]: the property is "
+                       "inf; it must be finite");
+    Make("ZClip [_Clip]", "_Clip (\"\", Float) = 0");
+    m_Material->SetFloat(ShaderPropertyId("_Clip"), std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': ZClip [_Clip]: the property is "
+                       "nan; it must be finite");
+}
+
 TEST_F(ResolvedState, RefusesValuesThatAreNoNumber)
 {
     Make("Cull [_Cull]", "_Cull (\"\", Vector) = (1, 1, 1, 1)");

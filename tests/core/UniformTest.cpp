@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "DrawHarness.h"
 #include "ThrownMessage.h"
@@ -220,6 +221,16 @@ TEST_F(Uniforms, RefuseAValueOfAnotherKind)
     number->SetTexture(_Value, test::Target("map"));
     EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to a texture, but the "
                                "shader declares a number or vector");
+}
+
+TEST_F(Uniforms, RefuseAMaterialsValueThatIsNoNumber)
+{
+    constexpr float k_Nan = std::numeric_limits<float>::quiet_NaN();
+    const auto material = MaterialOf("", "float4 _Value;", "_Value");
+    material->SetFloat(_Value, k_Nan);
+    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
+    material->SetVector(_Value, {0.0f, 1.0f, 2.0f, k_Nan});
+    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
 }
 
 TEST_F(Uniforms, BeginAtOffsetsThatAnyDeviceAccepts)

@@ -33,7 +33,7 @@ TEST(Features, VolumeComponentsAreKnownByTheirTypesName)
 TEST(Features, EveryShippedShaderIsFoundByItsName)
 {
     const auto compiler = std::make_shared<ShaderCompiler>();
-    ASSERT_EQ(4u, ShippedShaderNames().size());
+    ASSERT_EQ(7u, ShippedShaderNames().size());
     for (const std::string_view name : ShippedShaderNames())
     {
         const auto shader = FindShippedShader(name, compiler);

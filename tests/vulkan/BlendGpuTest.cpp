@@ -105,6 +105,19 @@ TEST_P(Blending, MixesByAlpha)
               BlendOn(Device(), k_Source, k_Destination, blend));
 }
 
+TEST_P(Blending, MixesLinearColorsInAnSrgbTarget)
+{
+    const TargetPtr target = MakeTarget(1, 1, GraphicsFormat::R8G8B8A8_SRGB);
+    CompiledFrame frame = FrameOf({ClearPass(target, Color::black)}, target);
+    PipelineState state = PlainState();
+    state.targets[0] = Factors(BlendMode::SrcAlpha, BlendMode::OneMinusSrcAlpha, BlendMode::One,
+                               BlendMode::OneMinusSrcAlpha);
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), {1, 1, 1, 0.5f}, state));
+    Device().Execute(frame);
+    // Linear 0.5 is 187.5 in sRGB; mixed as bytes it would be 128.
+    EXPECT_NEAR(187.5, Texel8(Device().ReadBack(*target), 0, 0)[0], 1.0);
+}
+
 TEST_P(Blending, SubtractsInBothDirections)
 {
     TargetBlend blend = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);

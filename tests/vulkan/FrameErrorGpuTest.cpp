@@ -192,17 +192,19 @@ TEST_F(FrameErrors, ReadBackNamesATextureThatIsNoOutput)
               ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*target); }));
 }
 
-TEST_F(FrameErrors, ReadBackRefusesSeveralSamplesATexel)
+TEST_F(FrameErrors, ReadBackRefusesDepthWithSeveralSamplesATexel)
 {
     RenderTextureDescriptor descriptor{1, 1, GraphicsFormat::R8G8B8A8_UNorm};
     descriptor.msaaSamples = 4;
     const auto target = std::make_shared<RenderTexture>("smooth", descriptor);
-    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::red));
+    descriptor.graphicsFormat = GraphicsFormat::D32_SFloat;
+    const auto depth = std::make_shared<RenderTexture>("depth", descriptor);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, depth);
+    AddDepth(frame.passes[0], depth);
     SharedDevice().Execute(frame);
-    EXPECT_EQ("texture 'smooth' cannot be read back: it has 4 samples a texel; resolve it into a "
-              "texture of one",
-              ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*target); }));
+    EXPECT_EQ("texture 'depth' cannot be read back: it is depth with 4 samples a texel, which is "
+              "not resolved; draw it with one",
+              ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*depth); }));
 }
 
 } // namespace limn::test

@@ -33,14 +33,13 @@ inline TargetPtr MakeTarget(int width, int height,
     return std::make_shared<RenderTexture>(name, RenderTextureDescriptor(width, height, format));
 }
 
-/// A depth target; 32 bits = no stencil.
+/// A depth target, with a stencil where asked for.
 inline TargetPtr MakeDepth(int width, int height, bool stencil = false)
 {
     return std::make_shared<RenderTexture>(
         "depth", RenderTextureDescriptor(width, height,
                                          stencil ? GraphicsFormat::D32_SFloat_S8_UInt
-                                                 : GraphicsFormat::D32_SFloat,
-                                         32));
+                                                 : GraphicsFormat::D32_SFloat));
 }
 
 /// A pass that clears one colour target, barrier included.

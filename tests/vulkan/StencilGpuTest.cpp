@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include "core/ThrownMessage.h"
 
 namespace limn::test
 {
@@ -41,6 +42,28 @@ std::array<bool, 2> IsWhite(const PipelineState& mark, const PipelineState& test
     SharedDevice().Execute(frame);
     const Image image = SharedDevice().ReadBack(*target);
     return {Texel8(image, 0, 0)[0] == 255, Texel8(image, 1, 0)[0] == 255};
+}
+
+/// One texel of stencil `stored` after a draw with the state.
+int StencilAfter(const PipelineState& state, int stored)
+{
+    const TargetPtr target = MakeTarget(1, 1);
+    const TargetPtr depth = MakeDepth(1, 1, true);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, depth);
+    AddDepth(frame.passes[0], depth);
+    frame.passes[0].depth->clearStencil = stored;
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::white, state));
+    SharedDevice().Execute(frame);
+    return std::to_integer<int>(SharedDevice().ReadBackStencil(*depth).texels.at(0));
+}
+
+/// Whether a draw that compares so gets through the mask onto the stored value.
+bool GetsThrough(CompareFunction compare, int reference, int readMask, int stored)
+{
+    PipelineState state = Testing(compare, reference);
+    state.stencilReadMask = readMask;
+    state.stencilFront.pass = StencilOp::Invert;
+    return StencilAfter(state, stored) == 255 - stored;
 }
 
 using Halves = std::array<bool, 2>;
@@ -132,6 +155,65 @@ TEST_F(Stencil, IsClearedByTheClearCommand)
     const Image image = SharedDevice().ReadBack(*target);
     EXPECT_EQ(0, Texel8(image, 0, 0)[0]);
     EXPECT_EQ(255, Texel8(image, 1, 0)[0]);
+}
+
+TEST_F(Stencil, FollowsTheArticlesExampleOf171Through15On18)
+{
+    // 171 & 15 = 11 and 18 & 15 = 2.
+    EXPECT_FALSE(GetsThrough(CompareFunction::Equal, 171, 15, 18));
+    EXPECT_TRUE(GetsThrough(CompareFunction::Greater, 171, 15, 18));
+}
+
+TEST_F(Stencil, FollowsTheArticlesExampleOf171Through240On242)
+{
+    // 171 & 240 = 160 and 242 & 240 = 240.
+    EXPECT_FALSE(GetsThrough(CompareFunction::Equal, 171, 240, 242));
+    EXPECT_FALSE(GetsThrough(CompareFunction::Greater, 171, 240, 242));
+    EXPECT_TRUE(GetsThrough(CompareFunction::LessEqual, 171, 240, 242));
+}
+
+TEST_F(Stencil, AddsOneUnderWriteMask11100000AndStoresTheThreeHighBitsOfTheSum)
+{
+    // The article's open question: 1 or 0010 0000? The sum is stored + 1; of it the mask lets the
+    // high three bits through, the low five stay as they were.
+    PipelineState state = Marking(0);
+    state.stencilWriteMask = 0b1110'0000;
+    state.stencilFront.pass = StencilOp::IncrementSaturate;
+    EXPECT_EQ(0b0000'0000, StencilAfter(state, 0b0000'0000)) << "0 + 1: bit 0 is not written";
+    EXPECT_EQ(0b0010'0000, StencilAfter(state, 0b0010'0000));
+    EXPECT_EQ(0b0011'1111, StencilAfter(state, 0b0001'1111)) << "the carry gets through";
+    EXPECT_EQ(0b0101'1111, StencilAfter(state, 0b0011'1111));
+    EXPECT_EQ(0b1110'0000, StencilAfter(state, 0b1110'0000));
+    EXPECT_EQ(0b1111'1111, StencilAfter(state, 0b1111'1111)) << "saturated at 255";
+    state.stencilFront.pass = StencilOp::IncrementWrap;
+    EXPECT_EQ(0b0001'1111, StencilAfter(state, 0b1111'1111)) << "256 wraps to 0, masked";
+}
+
+TEST_F(Stencil, NeverRunsZFailWithoutADepthTest)
+{
+    PipelineState state = Marking(9);
+    state.stencilFront.zFail = StencilOp::Zero;
+    state.zTest = CompareFunction::Never;
+    EXPECT_EQ(0, StencilAfter(state, 5));
+    state.zTest = CompareFunction::Disabled;
+    EXPECT_EQ(9, StencilAfter(state, 5));
+}
+
+TEST_F(Stencil, OperatesOnTheWholeValueWhateverTheReadMask)
+{
+    PipelineState state = Marking(0b1010'1010);
+    state.stencilReadMask = 0b0000'1111;
+    EXPECT_EQ(0b1010'1010, StencilAfter(state, 0b0101'0101)) << "Replace";
+    state.stencilFront.pass = StencilOp::Invert;
+    EXPECT_EQ(0b1010'1010, StencilAfter(state, 0b0101'0101)) << "Invert";
+}
+
+TEST_F(Stencil, CannotBeReadBackFromATextureWithoutOne)
+{
+    EXPECT_EQ("texture 'depth' has no stencil to read back: it is D32_SFloat, not "
+              "D32_SFloat_S8_UInt",
+              ThrownMessage<ContractError>(
+                  [] { SharedDevice().ReadBackStencil(*MakeDepth(1, 1, false)); }));
 }
 
 } // namespace limn::test

@@ -66,15 +66,30 @@ void RecordBlend(VkCommandBuffer commands, const PipelineState& state, std::size
     functions.setColorWriteMask(commands, 0, count, masks.data());
 }
 
+void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabilities)
+{
+    if (!state.zClip && !capabilities.depthClamp)
+    {
+        throw ContractError("a draw has ZClip False, and the device lacks depthClamp; it draws "
+                            "ZClip True only");
+    }
+    if (state.conservative)
+    {
+        throw ContractError("a draw has Conservative True; limn draws the texels whose centre is "
+                            "covered only");
+    }
+}
+
 } // namespace
 
 PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& formats,
                             const DeviceCapabilities& capabilities)
 {
+    RequireSupport(state, capabilities);
     PipelineKey key;
     key.formats = formats;
     key.alphaToMask = state.alphaToMask;
-    key.depthClamp = !state.zClip && capabilities.depthClamp;
+    key.depthClamp = !state.zClip;
     if (!capabilities.dynamicBlend)
     {
         for (std::size_t i = 0; i < formats.colors.size(); ++i)

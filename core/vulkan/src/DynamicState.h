@@ -6,6 +6,7 @@ namespace limn::vulkan
 {
 
 /// What of a pipeline state is baked into the pipeline on this device.
+/// @throws ContractError if the device cannot draw so
 PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& formats,
                             const DeviceCapabilities& capabilities);
 

@@ -101,6 +101,17 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
     }
 }
 
+/// Colour with several samples is read resolved; depth has no such copy.
+void RequireOneSample(const PooledImage& image, const std::string& property)
+{
+    if (image.samples > 1 && !image.resolved)
+    {
+        throw ContractError("texture '" + image.name + "' is read as '" + property +
+                            "': it is depth with " + std::to_string(image.samples) +
+                            " samples a texel, which is not resolved; draw it with one");
+    }
+}
+
 void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
                  DeviceResources& resources)
 {
@@ -115,6 +126,7 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
                                 "' while its use is " + ToString(image.usage) +
                                 "; a barrier must make it ShaderRead");
         }
+        RequireOneSample(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
         writer.AddImage(
             texture.binding,

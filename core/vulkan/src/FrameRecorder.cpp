@@ -115,6 +115,11 @@ void FrameRecorder::RecordBarrierList(const std::vector<TextureBarrier>& barrier
         PooledImage& image = *m_Resources.images.Find(*barrier.texture);
         RequireBarrierFits(barrier, image, where);
         recorded.push_back(UsageBarrier(image, barrier.before, barrier.after));
+        if (image.resolved)
+        {
+            recorded.push_back(recorded.back());
+            recorded.back().image = image.resolved->image.get();
+        }
         image.usage = barrier.after;
     }
     RecordBarriers(m_Slot.commands(), recorded);

@@ -109,7 +109,8 @@ PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::
     image.name = texture->name();
     image.createdBy = number;
     image.lastUse = number;
-    Create(image, *texture, SampleCount(*texture));
+    image.samples = SampleCount(*texture);
+    Create(image, *texture);
     PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
     if (auto source = std::dynamic_pointer_cast<const Texture2D>(texture))
     {
@@ -174,7 +175,7 @@ void ImagePool::Sweep(std::uint64_t finished)
                   { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
 }
 
-void ImagePool::Create(PooledImage& image, const Texture& texture, std::uint32_t samples) const
+void ImagePool::Create(PooledImage& image, const Texture& texture) const
 {
     const GraphicsFormat format = texture.graphicsFormat();
     image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
@@ -187,26 +188,41 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, std::uint32_t
                    static_cast<std::uint32_t>(texture.height()), 1};
     info.mipLevels = 1;
     info.arrayLayers = 1;
-    info.samples = static_cast<VkSampleCountFlagBits>(samples);
+    info.samples = static_cast<VkSampleCountFlagBits>(image.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = UsageFlags(image.isRenderTexture, IsDepthFormat(format));
     RequireSupport(info, texture);
 
-    VkImage handle = VK_NULL_HANDLE;
-    Check(vkCreateImage(m_Context.device(), &info, nullptr, &handle), "vkCreateImage", image.name);
-    image.image = UniqueImage{m_Context.device(), handle};
-    VkMemoryRequirements needs{};
-    vkGetImageMemoryRequirements(m_Context.device(), handle, &needs);
-    image.memory = m_Allocator.Allocate(needs, MemoryUse::Gpu, MemoryContent::Images, image.name);
-    Check(
-        vkBindImageMemory(m_Context.device(), handle, image.memory.memory(), image.memory.offset()),
-        "vkBindImageMemory", image.name);
-    image.view = CreateView(image, info.format, image.aspects);
+    image.image = CreateImage(info, image.name, image.memory);
+    image.view = CreateView(image.image.get(), image.name, info.format, image.aspects);
     if (HasStencil(format))
     {
-        image.depthView = CreateView(image, info.format, VK_IMAGE_ASPECT_DEPTH_BIT);
+        image.depthView =
+            CreateView(image.image.get(), image.name, info.format, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
-    m_Context.SetName(VK_OBJECT_TYPE_IMAGE, handle, image.name);
+    if (image.samples > 1 && !IsDepthFormat(format))
+    {
+        ResolvedImage& resolved = image.resolved.emplace();
+        info.samples = VK_SAMPLE_COUNT_1_BIT;
+        resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
+        resolved.view = CreateView(resolved.image.get(), image.name, info.format, image.aspects);
+    }
+}
+
+UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::string& name,
+                                   MemoryAllocation& memory) const
+{
+    const VkDevice device = m_Context.device();
+    VkImage handle = VK_NULL_HANDLE;
+    Check(vkCreateImage(device, &info, nullptr, &handle), "vkCreateImage", name);
+    UniqueImage image{device, handle};
+    VkMemoryRequirements needs{};
+    vkGetImageMemoryRequirements(device, handle, &needs);
+    memory = m_Allocator.Allocate(needs, MemoryUse::Gpu, MemoryContent::Images, name);
+    Check(vkBindImageMemory(device, handle, memory.memory(), memory.offset()), "vkBindImageMemory",
+          name);
+    m_Context.SetName(VK_OBJECT_TYPE_IMAGE, handle, name);
+    return image;
 }
 
 void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const
@@ -237,18 +253,17 @@ void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& tex
     }
 }
 
-UniqueImageView ImagePool::CreateView(const PooledImage& image, VkFormat format,
+UniqueImageView ImagePool::CreateView(VkImage image, const std::string& name, VkFormat format,
                                       VkImageAspectFlags aspects) const
 {
     VkImageViewCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    info.image = image.image.get();
+    info.image = image;
     info.viewType = VK_IMAGE_VIEW_TYPE_2D;
     info.format = format;
     info.subresourceRange = {aspects, 0, 1, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
-    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView",
-          image.name);
+    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView", name);
     return {m_Context.device(), view};
 }
 

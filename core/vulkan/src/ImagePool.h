@@ -8,6 +8,15 @@
 namespace limn::vulkan
 {
 
+/// One sample a texel of a colour image with several: what readers of the texture get to see. Each
+/// pass that stores the texture resolves into it; the two are in the same use always.
+struct ResolvedImage
+{
+    MemoryAllocation memory;
+    UniqueImage image;
+    UniqueImageView view;
+};
+
 /// The image behind one texture.
 struct PooledImage
 {
@@ -15,16 +24,23 @@ struct PooledImage
     std::string name;
     MemoryAllocation memory;
     UniqueImage image;
-    UniqueImageView view;      ///< all aspects, for attachments
-    UniqueImageView depthView; ///< the depth alone, where there is stencil too
+    UniqueImageView view;                  ///< all aspects, for attachments
+    UniqueImageView depthView;             ///< the depth alone, where there is stencil too
+    std::optional<ResolvedImage> resolved; ///< of colour with several samples
     VkImageAspectFlags aspects = 0;
+    std::uint32_t samples = 1; ///< a texel
     bool isRenderTexture = false;
     TextureUsage usage = TextureUsage::Undefined;          ///< after what is recorded so far
     TextureUsage submittedUsage = TextureUsage::Undefined; ///< after the last submission
     std::uint64_t createdBy = 0;                           ///< number of the submission
     std::uint64_t lastUse = 0;                             ///< likewise
 
-    VkImageView sampledView() const { return depthView ? depthView.get() : view.get(); }
+    VkImage readImage() const { return resolved ? resolved->image.get() : image.get(); }
+    VkImageView sampledView() const
+    {
+        const UniqueImageView& whole = resolved ? resolved->view : view;
+        return depthView ? depthView.get() : whole.get();
+    }
 };
 
 /// All images, found by their texture; made on first use, freed when the texture is gone and the
@@ -58,9 +74,11 @@ private:
         std::shared_ptr<const Texture2D> texture;
     };
 
-    void Create(PooledImage& image, const Texture& texture, std::uint32_t samples) const;
+    void Create(PooledImage& image, const Texture& texture) const;
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
-    UniqueImageView CreateView(const PooledImage& image, VkFormat format,
+    UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
+                            MemoryAllocation& memory) const;
+    UniqueImageView CreateView(VkImage image, const std::string& name, VkFormat format,
                                VkImageAspectFlags aspects) const;
 
     const VulkanContext& m_Context;
@@ -69,7 +87,7 @@ private:
     std::vector<Upload> m_Uploads;
 };
 
-/// A barrier over the whole image from one use to another.
+/// A barrier over the whole image from one use to another; the resolved image needs one, too.
 VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
                                    TextureUsage after);
 

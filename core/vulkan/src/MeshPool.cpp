@@ -10,7 +10,7 @@ namespace limn::vulkan
 namespace
 {
 
-using AttributeBytes = std::array<std::span<const std::byte>, 5>;
+using AttributeBytes = std::array<std::span<const std::byte>, 6>;
 
 template <typename T>
 std::span<const std::byte> Bytes(const std::vector<T>& values)
@@ -21,17 +21,18 @@ std::span<const std::byte> Bytes(const std::vector<T>& values)
 AttributeBytes AttributesOf(const MeshData& data)
 {
     return {Bytes(data.vertices), Bytes(data.normals), Bytes(data.tangents), Bytes(data.colors),
-            Bytes(data.uv)};
+            Bytes(data.uv), Bytes(data.uv8)};
 }
 
-constexpr std::array<VkDeviceSize, 5> k_Strides = {12, 12, 16, 16, 8};
+constexpr std::array<VkDeviceSize, 6> k_Strides = {12, 12, 16, 16, 8, 12};
 
-constexpr std::array<std::array<float, 4>, 6> k_Constants = {{
+constexpr std::array<std::array<float, 4>, 7> k_Constants = {{
     {0.0f, 0.0f, 0.0f, 0.0f}, // position
     {0.0f, 0.0f, 1.0f, 0.0f}, // normal
     {1.0f, 0.0f, 0.0f, 1.0f}, // tangent
     {1.0f, 1.0f, 1.0f, 1.0f}, // colour
     {0.0f, 0.0f, 0.0f, 0.0f}, // uv
+    {0.0f, 0.0f, 0.0f, 0.0f}, // uv8
     {0.0f, 0.0f, 0.0f, 0.0f}, // none
 }};
 

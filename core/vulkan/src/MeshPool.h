@@ -15,6 +15,7 @@ enum class VertexAttribute
     Tangent,
     Color,
     Uv,
+    Uv8,
     None ///< a semantic no mesh carries: reads as zero
 };
 
@@ -29,7 +30,7 @@ struct PooledMesh
 
     std::weak_ptr<const Mesh> owner;
     Buffer buffer;
-    Array arrays[5]; ///< by VertexAttribute
+    Array arrays[6]; ///< by VertexAttribute
     VkDeviceSize indexOffset = 0;
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;

@@ -29,6 +29,7 @@ VertexFetch FetchFor(const VertexInput& input)
         {"TANGENT", VertexAttribute::Tangent, VK_FORMAT_R32G32B32A32_SFLOAT},
         {"COLOR", VertexAttribute::Color, VK_FORMAT_R32G32B32A32_SFLOAT},
         {"TEXCOORD0", VertexAttribute::Uv, VK_FORMAT_R32G32_SFLOAT},
+        {"TEXCOORD7", VertexAttribute::Uv8, VK_FORMAT_R32G32B32_SFLOAT},
     };
     for (const Known& known : k_Known)
     {

@@ -116,9 +116,17 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
     std::vector<VkRenderingAttachmentInfo> colors;
     for (const ColorAttachment& color : pass.colors)
     {
-        colors.push_back(Attachment(images.Find(*color.texture)->view.get(),
-                                    VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, color.load,
-                                    color.store, ColorClearValue(color.clearColor)));
+        const PooledImage& image = *images.Find(*color.texture);
+        constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        VkRenderingAttachmentInfo target = Attachment(
+            image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
+        if (image.resolved && color.store == StoreOp::Store)
+        {
+            target.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+            target.resolveImageView = image.resolved->view.get();
+            target.resolveImageLayout = layout;
+        }
+        colors.push_back(target);
     }
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;

@@ -9,17 +9,28 @@ namespace limn::vulkan
 namespace
 {
 
+GraphicsFormat CopiedFormat(GraphicsFormat format, VkImageAspectFlagBits aspect)
+{
+    switch (aspect)
+    {
+    case VK_IMAGE_ASPECT_DEPTH_BIT:
+        return GraphicsFormat::D32_SFloat;
+    case VK_IMAGE_ASPECT_STENCIL_BIT:
+        return GraphicsFormat::R8_UNorm;
+    default:
+        return format;
+    }
+}
+
 void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image& size,
-                VkBuffer target)
+                VkImageAspectFlagBits aspect, VkBuffer target)
 {
     VkBufferImageCopy region{};
-    region.imageSubresource.aspectMask = (image.aspects & VK_IMAGE_ASPECT_DEPTH_BIT) != 0
-                                             ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                             : VK_IMAGE_ASPECT_COLOR_BIT;
+    region.imageSubresource.aspectMask = static_cast<VkImageAspectFlags>(aspect);
     region.imageSubresource.layerCount = 1;
     region.imageExtent = {static_cast<std::uint32_t>(size.width),
                           static_cast<std::uint32_t>(size.height), 1};
-    vkCmdCopyImageToBuffer(commands, image.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+    vkCmdCopyImageToBuffer(commands, image.readImage(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            target, 1, &region);
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
@@ -37,14 +48,13 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image&
 } // namespace
 
 Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
-                PooledImage& image, const RenderTexture& texture)
+                const PooledImage& image, const RenderTexture& texture,
+                VkImageAspectFlagBits aspect)
 {
     Image result;
     result.width = texture.width();
     result.height = texture.height();
-    // Of depth with stencil only the depth is copied.
-    result.format = IsDepthFormat(texture.graphicsFormat()) ? GraphicsFormat::D32_SFloat
-                                                            : texture.graphicsFormat();
+    result.format = CopiedFormat(texture.graphicsFormat(), aspect);
     const auto size = static_cast<std::size_t>(result.width) *
                       static_cast<std::size_t>(result.height) *
                       static_cast<std::size_t>(BytesPerTexel(result.format));
@@ -53,7 +63,7 @@ Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, Submit
         MemoryUse::ReadBack, "read-back buffer"};
     FrameSlot slot{context, allocator};
     slot.Begin(0);
-    RecordCopy(slot.commands(), image, result, buffer.handle.get());
+    RecordCopy(slot.commands(), image, result, aspect, buffer.handle.get());
     slot.Submit(queue);
     queue.Wait(slot.number());
     const std::byte* texels = buffer.memory.mapped();

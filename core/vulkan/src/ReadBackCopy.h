@@ -6,9 +6,11 @@
 namespace limn::vulkan
 {
 
-/// Copies the image to the CPU and waits for it.
-/// @pre its use is CopySource and it has one sample a texel
+/// Copies one aspect of the image to the CPU and waits for it. Stencil comes as R8_UNorm, depth as
+/// D32_SFloat, colour with several samples resolved.
+/// @pre its use is CopySource; of depth and stencil it has one sample a texel
 Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
-                PooledImage& image, const RenderTexture& texture);
+                const PooledImage& image, const RenderTexture& texture,
+                VkImageAspectFlagBits aspect);
 
 } // namespace limn::vulkan

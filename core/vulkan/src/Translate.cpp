@@ -278,9 +278,4 @@ VkAttachmentStoreOp ToVkStoreOp(StoreOp op)
     RefuseValue("StoreOp", static_cast<int>(op));
 }
 
-bool HasStencil(GraphicsFormat format)
-{
-    return format == GraphicsFormat::D32_SFloat_S8_UInt;
-}
-
 } // namespace limn::vulkan

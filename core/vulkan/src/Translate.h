@@ -45,6 +45,4 @@ const char* ToString(TextureUsage usage);
 VkAttachmentLoadOp ToVkLoadOp(LoadOp op);
 VkAttachmentStoreOp ToVkStoreOp(StoreOp op);
 
-bool HasStencil(GraphicsFormat format);
-
 } // namespace limn::vulkan

@@ -24,6 +24,7 @@ public:
     vulkan::FrameSlot& TakeSlot();
     void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
     void KeepTimings(const vulkan::FrameSlot& slot);
+    Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
 
     vulkan::VulkanContext context;
     vulkan::MemoryAllocator allocator;
@@ -89,10 +90,10 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 
-Image VulkanDevice::ReadBack(const RenderTexture& texture)
+Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
 {
     const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";
-    vulkan::PooledImage* image = m_Impl->resources.images.Find(texture);
+    const vulkan::PooledImage* image = resources.images.Find(texture);
     if (image == nullptr)
     {
         throw ContractError(subject + "no frame has drawn it");
@@ -102,12 +103,29 @@ Image VulkanDevice::ReadBack(const RenderTexture& texture)
         throw ContractError(subject + "the last frame left it as " +
                             vulkan::ToString(image->usage) + "; make it an output (CopySource)");
     }
-    if (texture.descriptor().msaaSamples > 1)
+    if (image->samples > 1 && !image->resolved)
     {
-        throw ContractError(subject + "it has " + std::to_string(texture.descriptor().msaaSamples) +
-                            " samples a texel; resolve it into a texture of one");
+        throw ContractError(subject + "it is depth with " + std::to_string(image->samples) +
+                            " samples a texel, which is not resolved; draw it with one");
     }
-    return vulkan::CopyToCpu(m_Impl->context, m_Impl->allocator, m_Impl->queue, *image, texture);
+    return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+}
+
+Image VulkanDevice::ReadBack(const RenderTexture& texture)
+{
+    return m_Impl->ReadBack(texture, IsDepthFormat(texture.graphicsFormat())
+                                         ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                         : VK_IMAGE_ASPECT_COLOR_BIT);
+}
+
+Image VulkanDevice::ReadBackStencil(const RenderTexture& texture)
+{
+    if (!HasStencil(texture.graphicsFormat()))
+    {
+        throw ContractError("texture '" + texture.name() + "' has no stencil to read back: it is " +
+                            ToString(texture.graphicsFormat()) + ", not D32_SFloat_S8_UInt");
+    }
+    return m_Impl->ReadBack(texture, VK_IMAGE_ASPECT_STENCIL_BIT);
 }
 
 std::vector<PassTiming> VulkanDevice::LastFrameTimings()

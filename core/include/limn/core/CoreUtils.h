@@ -21,6 +21,20 @@ std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> sha
 
 } // namespace CoreUtils
 
+/// Unity: UnityEngine.Rendering.Universal.RenderingUtils (URP 14).
+namespace RenderingUtils
+{
+
+/// Draws that follow see the world through these matrices.
+/// @param viewMatrix            world to view space, looking along -z
+/// @param gpuProjectionMatrix   as Camera::gpuProjectionMatrix gives it
+/// @param setInverseMatrices    unity_MatrixInvV and its like as well, which few vertex functions
+///                              need
+void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::mat4& viewMatrix,
+                                  const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
+
+} // namespace RenderingUtils
+
 /// Unity: UnityEngine.Rendering.Blitter (core 14).
 namespace Blitter
 {

@@ -14,6 +14,7 @@ struct RendererItem
 {
     const GameObject* object = nullptr; ///< never null; its renderer is set
     std::shared_ptr<const Material> material;
+    int materialIndex = 0; ///< among the renderer's materials
     int subMesh = 0;
     FilterItem filter;
     glm::mat4 localToWorld{1.0f};

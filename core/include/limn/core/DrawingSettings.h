@@ -9,6 +9,7 @@ namespace limn
 {
 
 class Material;
+class Shader;
 
 /// How a DrawRenderers call draws what passed its filter: for each tag in turn, the first pass of
 /// the object's shader with that LightMode; a pass without LightMode counts as SRPDefaultUnlit.
@@ -24,6 +25,15 @@ struct DrawingSettings
     /// material is still what is filtered and what must have a pass of one of the tags.
     std::shared_ptr<const Material> overrideMaterial;
     int overrideMaterialPassIndex = 0;
+
+    /// Draws everything with this pass of this shader, fed with the properties of the object's own
+    /// material. Filtering is as with overrideMaterial, which wins where both are set.
+    std::shared_ptr<const Shader> overrideShader;
+    int overrideShaderPassIndex = 0;
+
+    /// Draws, with its first pass, what has a pass to draw that does not compile. Without it such a
+    /// pass is an error.
+    std::shared_ptr<const Material> fallbackMaterial;
 
     /// @throws ContractError outside 0...15
     void SetShaderPassName(int index, ShaderTagId tag);

@@ -65,6 +65,12 @@ constexpr bool IsDepthFormat(GraphicsFormat format)
     return format == GraphicsFormat::D32_SFloat || format == GraphicsFormat::D32_SFloat_S8_UInt;
 }
 
+/// Whether the format holds a stencil beside the depth.
+constexpr bool HasStencil(GraphicsFormat format)
+{
+    return format == GraphicsFormat::D32_SFloat_S8_UInt;
+}
+
 /// Unity's spelling, e.g. "R8_UNorm".
 const char* ToString(GraphicsFormat format);
 

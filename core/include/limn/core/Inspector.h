@@ -1,15 +1,19 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/RenderPassEvent.h>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn
 {
 
+class Material;
 class Shader;
 
 /// One member of an enum setting.
@@ -49,11 +53,22 @@ public:
     virtual void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) = 0;
     virtual void Field(std::string_view name, std::shared_ptr<const Shader>& value,
                        std::string_view tooltip) = 0;
+    virtual void Field(std::string_view name, std::shared_ptr<const Material>& value,
+                       std::string_view tooltip) = 0;
+    virtual void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) = 0;
+    virtual void Field(std::string_view name, std::string& value, std::string_view tooltip) = 0;
+    virtual void Field(std::string_view name, std::vector<std::string>& value,
+                       std::string_view tooltip) = 0;
     /// The index 0...31 of a rendering layer; may be given by the layer's name.
     virtual void RenderingLayerIndex(std::string_view name, int& value,
                                      std::string_view tooltip) = 0;
     virtual void EnumField(std::string_view name, int& value, std::span<const EnumEntry> entries,
                            std::string_view tooltip) = 0;
+
+    /// Fields until EndGroup are members of one setting: `stencilSettings: {stencilReference: 1}`.
+    /// Groups are not nested. Unity: a field whose type is a [Serializable] class.
+    virtual void BeginGroup(std::string_view name) = 0;
+    virtual void EndGroup() = 0;
 
     template <typename Enum>
     void Field(std::string_view name, Enum& value, std::span<const EnumEntry> entries,
@@ -65,7 +80,9 @@ public:
     }
 };
 
-/// All members of RenderPassEvent.
+/// All members of RenderPassEvent, CompareFunction and StencilOp, for settings of these types.
 std::span<const EnumEntry> RenderPassEventEntries();
+std::span<const EnumEntry> CompareFunctionEntries();
+std::span<const EnumEntry> StencilOpEntries();
 
 } // namespace limn

@@ -17,6 +17,10 @@ class Material
 public:
     /// @throws ContractError if shader is null
     explicit Material(std::shared_ptr<const Shader> shader, std::string name = {});
+    /// The values of `source` for another shader, whose own defaults fill in what `source` lacks:
+    /// what assigning Material.shader does in Unity.
+    /// @throws ContractError if shader is null
+    Material(const Material& source, std::shared_ptr<const Shader> shader);
 
     std::uint64_t id() const { return m_Id; } ///< unique in the process
     const std::string& name() const { return m_Name; }

@@ -32,6 +32,14 @@ public:
         Set(id, std::move(v));
     }
     void Set(ShaderPropertyId id, ShaderPropertyValue value) { m_Values[id] = std::move(value); }
+    /// Takes over all values of another block.
+    void SetAll(const MaterialPropertyBlock& other)
+    {
+        for (const auto& [id, value] : other.m_Values)
+        {
+            m_Values[id] = value;
+        }
+    }
 
     /// The value, or null if none was set.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const

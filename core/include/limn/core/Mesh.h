@@ -37,10 +37,13 @@ struct SubMesh
 struct MeshData
 {
     std::vector<glm::vec3> vertices;
-    std::vector<glm::vec3> normals;       ///< unit length
-    std::vector<glm::vec4> tangents;      ///< xyz unit length, towards larger u
-    std::vector<glm::vec4> colors;        ///< linear RGBA
-    std::vector<glm::vec2> uv;            ///< v = 0 at the bottom of the picture, as in Unity
+    std::vector<glm::vec3> normals;  ///< unit length
+    std::vector<glm::vec4> tangents; ///< xyz unit length, towards larger u
+    std::vector<glm::vec4> colors;   ///< linear RGBA
+    std::vector<glm::vec2> uv;       ///< v = 0 at the bottom of the picture, as in Unity
+    /// A spare channel, read as TEXCOORD7. Unity: mesh.SetUVs(7, ...), called uv8.
+    /// BakeOutlineNormals fills it.
+    std::vector<glm::vec3> uv8;
     std::vector<std::uint32_t> triangles; ///< three vertex indices a triangle
     std::vector<SubMesh> subMeshes;       ///< empty = one over all of `triangles`
 };

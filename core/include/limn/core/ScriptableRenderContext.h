@@ -3,6 +3,7 @@
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/Culling.h>
 #include <limn/core/RenderReport.h>
+#include <limn/core/RenderStateBlock.h>
 
 namespace limn
 {
@@ -24,9 +25,12 @@ public:
 
     /// Appends draws of what passes the filter into the target that is bound, and counts in the
     /// report what became of every item.
-    /// @throws AssetError if a shader pass does not compile
+    /// @param stateBlock  replaces groups of the passes' own state
+    /// @throws AssetError if a shader pass does not compile and there is no fallbackMaterial
+    /// @throws ContractError if an override's pass index is none of its shader's
     void DrawRenderers(const CullingResults& cullingResults, const DrawingSettings& drawingSettings,
-                       const FilteringSettings& filteringSettings);
+                       const FilteringSettings& filteringSettings,
+                       const RenderStateBlock& stateBlock = RenderStateBlock());
 
     /// Whose calls these are, for the report.
     void SetPassName(std::string name) { m_PassName = std::move(name); }
@@ -36,6 +40,9 @@ public:
 
 private:
     class Resolver;
+
+    void DrawItem(const RendererItem& item, const DrawingSettings& drawing,
+                  const RenderStateBlock& stateBlock);
 
     RenderReport& m_Report;
     std::string m_PassName;

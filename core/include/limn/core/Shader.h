@@ -55,6 +55,11 @@ public:
 
     const RenderState& passState(int passIndex) const;
     const std::string& passName(int passIndex) const;
+    /// The pass's LightMode; "SRPDefaultUnlit" where it has none.
+    std::string_view passLightMode(int passIndex) const;
+
+    /// What compiles the passes; other shaders may be made with it.
+    const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
 
     /// The keywords that a new material has on, by the defaults of its properties.
     const std::vector<std::string>& initialKeywords() const { return m_InitialKeywords; }

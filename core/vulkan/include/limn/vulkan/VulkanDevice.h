@@ -59,10 +59,15 @@ public:
     /// @throws VulkanError   if the driver fails
     void Execute(const CompiledFrame& frame) override;
 
-    /// Depth comes back as D32_SFloat, 1 = near; its stencil does not.
-    /// @throws ContractError if the last frame did not leave the texture as CopySource, or it has
-    ///         several samples a texel
+    /// Depth comes back as D32_SFloat, 1 = near; colour with several samples a texel as their
+    /// average.
+    /// @throws ContractError if the last frame did not leave the texture as CopySource, or it is
+    ///         depth with several samples a texel
     Image ReadBack(const RenderTexture& texture) override;
+
+    /// The stencil of a D32_SFloat_S8_UInt texture as R8_UNorm: a byte is the stored value.
+    /// @throws ContractError as ReadBack, or if the texture has no stencil
+    Image ReadBackStencil(const RenderTexture& texture);
 
     std::vector<PassTiming> LastFrameTimings() override;
 

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <limn/core/PipelineState.h>
+
+namespace limn
+{
+
+/// The groups of state that a RenderStateBlock replaces; bit flags.
+/// Unity: UnityEngine.Rendering.RenderStateMask (2022.3).
+enum class RenderStateMask
+{
+    Nothing = 0,
+    Blend = 1,
+    Raster = 2,
+    Depth = 4,
+    Stencil = 8,
+    Everything = 15
+};
+constexpr RenderStateMask operator|(RenderStateMask a, RenderStateMask b)
+{
+    return static_cast<RenderStateMask>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr RenderStateMask& operator|=(RenderStateMask& a, RenderStateMask b)
+{
+    return a = a | b;
+}
+constexpr bool operator&(RenderStateMask a, RenderStateMask b)
+{
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
+/// Unity: UnityEngine.Rendering.RenderTargetBlendState (2022.3); the defaults mean no blending.
+struct RenderTargetBlendState
+{
+    int writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
+    BlendMode sourceColorBlendMode = BlendMode::One;
+    BlendMode destinationColorBlendMode = BlendMode::Zero;
+    BlendMode sourceAlphaBlendMode = BlendMode::One;
+    BlendMode destinationAlphaBlendMode = BlendMode::Zero;
+    BlendOp colorBlendOperation = BlendOp::Add;
+    BlendOp alphaBlendOperation = BlendOp::Add;
+
+    bool operator==(const RenderTargetBlendState&) const = default;
+};
+
+/// Unity: UnityEngine.Rendering.BlendState (2022.3).
+struct BlendState
+{
+    bool separateMRTBlendStates = false; ///< false: blendStates[0] holds for all targets
+    bool alphaToMask = false;
+    std::array<RenderTargetBlendState, 8> blendStates; ///< Unity: blendState0 ... blendState7
+
+    bool operator==(const BlendState&) const = default;
+};
+
+/// Unity: UnityEngine.Rendering.RasterState (2022.3).
+struct RasterState
+{
+    CullMode cullingMode = CullMode::Back;
+    float offsetUnits = 0.0f;
+    float offsetFactor = 0.0f;
+    bool depthClip = true;
+    bool conservative = false;
+
+    bool operator==(const RasterState&) const = default;
+};
+
+/// Unity: UnityEngine.Rendering.DepthState (2022.3). Its default compares with Less, not with
+/// ShaderLab's LessEqual.
+struct DepthState
+{
+    bool writeEnabled = true;
+    CompareFunction compareFunction = CompareFunction::Less;
+
+    bool operator==(const DepthState&) const = default;
+};
+
+/// Unity: UnityEngine.Rendering.StencilState (2022.3). A value made here is Unity's defaultValue;
+/// what C# makes of `new StencilState()`, disabled and all zero, has to be written out.
+struct StencilState
+{
+    bool enabled = true;
+    int readMask = 255;  ///< 0...255
+    int writeMask = 255; ///< 0...255
+    StencilFace front;
+    StencilFace back;
+
+    /// These set both faces, as Unity's do.
+    void SetCompareFunction(CompareFunction value) { front.compare = back.compare = value; }
+    void SetPassOperation(StencilOp value) { front.pass = back.pass = value; }
+    void SetFailOperation(StencilOp value) { front.fail = back.fail = value; }
+    void SetZFailOperation(StencilOp value) { front.zFail = back.zFail = value; }
+
+    bool operator==(const StencilState&) const = default;
+};
+
+/// State that a DrawRenderers call puts in place of the shader passes' own. Each group in `mask`
+/// is replaced wholesale: Depth replaces ZWrite and ZTest, Stencil the reference, both masks and
+/// all operations. Groups outside `mask` stay as the pass has them.
+/// Unity: UnityEngine.Rendering.RenderStateBlock (2022.3).
+struct RenderStateBlock
+{
+    explicit RenderStateBlock(RenderStateMask replaced = RenderStateMask::Nothing) : mask(replaced)
+    {
+    }
+
+    RenderStateMask mask;
+    BlendState blendState;
+    RasterState rasterState;
+    DepthState depthState;
+    StencilState stencilState;
+    int stencilReference = 0; ///< 0...255
+
+    bool operator==(const RenderStateBlock&) const = default;
+};
+
+/// `state` with the block's groups in place of its own.
+/// @throws ContractError if a stencil reference or mask is outside 0...255, or a writeMask outside
+///         0...15
+PipelineState Override(const PipelineState& state, const RenderStateBlock& block);
+
+} // namespace limn

@@ -1,0 +1,71 @@
+#include "FullScreenRenderPass.h"
+
+#include <limn/core/Inspector.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr EnumEntry k_InjectionPoints[] = {{"BeforeRenderingTransparents", 450},
+                                           {"BeforeRenderingPostProcessing", 550},
+                                           {"AfterRenderingPostProcessing", 600}};
+constexpr EnumEntry k_Requirements[] = {
+    {"None", 0}, {"Depth", 1}, {"Normal", 2}, {"Color", 4}, {"Motion", 8}};
+
+} // namespace
+
+FullScreenPassRendererFeature::FullScreenPassRendererFeature()
+{
+    name = "FullScreenPassRendererFeature";
+}
+
+FullScreenPassRendererFeature::~FullScreenPassRendererFeature() = default;
+
+void FullScreenPassRendererFeature::Describe(Inspector& inspector)
+{
+    inspector.Field("injectionPoint", injectionPoint, k_InjectionPoints,
+                    "When in the frame the pass is drawn");
+    inspector.Field("fetchColorBuffer", fetchColorBuffer,
+                    "Whether the shader reads the picture so far, as _BlitTexture");
+    inspector.Field("requirements", requirements, k_Requirements,
+                    "What else the shader reads of the camera");
+    inspector.Field("passMaterial", passMaterial, "Drawn over the whole picture");
+    inspector.Field("passIndex", passIndex, FieldRange{0, 255},
+                    "Which pass of the material, counted from 0");
+    inspector.Field("bindDepthStencilAttachment", bindDepthStencilAttachment,
+                    "Whether the pass can test the camera's depth and stencil");
+}
+
+void FullScreenPassRendererFeature::Create()
+{
+    m_FullScreenPass = std::make_unique<FullScreenRenderPass>(name);
+}
+
+void FullScreenPassRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
+                                                    RenderingData& renderingData)
+{
+    std::vector<std::string>& notes = renderingData.report->notes;
+    if (!passMaterial)
+    {
+        notes.push_back(name + ": not drawn, passMaterial is not assigned");
+        return;
+    }
+    if (passIndex < 0 || passIndex >= passMaterial->passCount())
+    {
+        notes.push_back(name + ": not drawn, passIndex is " + std::to_string(passIndex) +
+                        ", but the material '" + passMaterial->name() + "' has the passes 0..." +
+                        std::to_string(passMaterial->passCount() - 1));
+        return;
+    }
+    m_FullScreenPass->renderPassEvent =
+        static_cast<RenderPassEvent>(static_cast<int>(injectionPoint));
+    m_FullScreenPass->SetupMembers(passMaterial, passIndex, fetchColorBuffer,
+                                   bindDepthStencilAttachment, requirements);
+    renderer.EnqueuePass(*m_FullScreenPass);
+}
+
+} // namespace limn

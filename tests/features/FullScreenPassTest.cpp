@@ -1,0 +1,107 @@
+#include "core/TestScene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
+
+using namespace limn;
+using testing::ElementsAre;
+
+namespace
+{
+
+class FullScreenPass : public testing::Test
+{
+protected:
+    FullScreenPass() { feature->passMaterial = material; }
+
+    RenderResult Render()
+    {
+        UniversalRenderer renderer(test::Compiler());
+        renderer.AddFeature(std::move(feature));
+        RenderRequest request;
+        request.scene = &scene;
+        request.camera = &camera;
+        request.width = 64;
+        request.height = 32;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+
+    /// "name → first colour target" of each compiled pass.
+    static std::vector<std::string> Targets(const RenderResult& result)
+    {
+        std::vector<std::string> names;
+        for (const CompiledRenderPass& pass : result.frame.passes)
+        {
+            names.push_back(pass.colors.front().texture->name());
+        }
+        return names;
+    }
+
+    std::unique_ptr<FullScreenPassRendererFeature> feature =
+        std::make_unique<FullScreenPassRendererFeature>();
+    const std::shared_ptr<const Material> material = std::make_shared<Material>(
+        test::ShaderWithProgram("", "Texture2D _BlitTexture;", "_BlitTexture.Load(int3(0, 0, 0))"));
+    Scene scene;
+    Camera camera;
+    RecordingDevice device;
+    UniversalRenderPipeline pipeline{device};
+};
+
+TEST_F(FullScreenPass, HasUnitysDefaults)
+{
+    using Point = FullScreenPassRendererFeature::InjectionPoint;
+    EXPECT_EQ(feature->injectionPoint, Point::AfterRenderingPostProcessing);
+    EXPECT_EQ(static_cast<int>(Point::BeforeRenderingTransparents), 450);
+    EXPECT_EQ(static_cast<int>(Point::BeforeRenderingPostProcessing), 550);
+    EXPECT_EQ(static_cast<int>(Point::AfterRenderingPostProcessing), 600);
+    EXPECT_TRUE(feature->fetchColorBuffer);
+    EXPECT_EQ(feature->requirements, ScriptableRenderPassInput::None);
+    EXPECT_EQ(feature->passIndex, 0);
+    EXPECT_FALSE(feature->bindDepthStencilAttachment);
+}
+
+TEST_F(FullScreenPass, ReadsACopyOfThePictureAndDrawsIntoThePicture)
+{
+    const RenderResult result = Render();
+    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_FullscreenPassColorCopy",
+                                             "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_FALSE(result.frame.passes[2].depth);
+    EXPECT_TRUE(result.report.notes.empty());
+}
+
+TEST_F(FullScreenPass, LeavesTheCopyOutWhereNothingIsFetched)
+{
+    feature->fetchColorBuffer = false;
+    feature->passMaterial = std::make_shared<Material>(test::ShaderWithProgram(""));
+    EXPECT_THAT(Targets(Render()),
+                ElementsAre("_CameraColorAttachmentA", "_CameraColorAttachmentA", "limn_Output"));
+}
+
+TEST_F(FullScreenPass, BindsTheCamerasDepthWhereAsked)
+{
+    feature->bindDepthStencilAttachment = true;
+    EXPECT_TRUE(Render().frame.passes.at(2).depth);
+}
+
+TEST_F(FullScreenPass, DrawsNothingWithoutAMaterialAndSaysSo)
+{
+    feature->passMaterial = nullptr;
+    const RenderResult result = Render();
+    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre("FullScreenPassRendererFeature: not drawn, passMaterial is not "
+                            "assigned"));
+}
+
+TEST_F(FullScreenPass, DrawsNothingWithAPassThatIsNotThereAndSaysSo)
+{
+    feature->passIndex = 1;
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre("FullScreenPassRendererFeature: not drawn, passIndex is 1, but the "
+                            "material 'Test/Program' has the passes 0...0"));
+}
+
+} // namespace
