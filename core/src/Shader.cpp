@@ -159,7 +159,7 @@ const RenderState& Shader::passState(int passIndex) const
 
 std::string_view Shader::passLightMode(int passIndex) const
 {
-    return PassAt(passIndex).declaration->lightMode();
+    return PassAt(passIndex).lightMode();
 }
 
 const std::string& Shader::passName(int passIndex) const

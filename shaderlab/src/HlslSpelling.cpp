@@ -110,6 +110,11 @@ private:
         {
             m_Spelling[index] = std::string(word) + "_";
         }
+        else if (word == "noise" && Text(index + 1) == "(")
+        {
+            // The language has a function of this name that no device knows; glslang crashes on it.
+            m_Spelling[index] = "noise_";
+        }
         else if (word == "sampler" && isSampledBy(Text(index + 1)))
         {
             m_Spelling[index] = "SamplerState";

@@ -165,6 +165,25 @@ TEST(BuiltinLibrary, LeavesTheLightColorToShadersThatDeclareIt)
     EXPECT_THAT(test::Disassemble(pass->fragmentSpirv), HasSubstr("\"_LightColor0\""));
 }
 
+TEST(BuiltinLibrary, TellsADirectionalLightFromOneWithAPlace)
+{
+    const char* const text = R"(
+        #include "Lighting.cginc"
+        #include "AutoLight.cginc"
+        float4 vert(float4 p : POSITION) : SV_Position { return UnityObjectToClipPos(p); }
+        fixed4 frag(float4 p : SV_Position) : SV_Target
+        {
+        #ifdef USING_DIRECTIONAL_LIGHT
+            return 1;
+        #else
+            float3 at = mul(unity_WorldToLight, p).xyz;
+            return tex2D(_LightTexture0, dot(at, at).rr).UNITY_ATTEN_CHANNEL;
+        #endif
+        })";
+    EXPECT_THAT(TextureNames(*CompileCg(text, {"DIRECTIONAL"})), testing::IsEmpty());
+    EXPECT_THAT(TextureNames(*CompileCg(text, {"POINT"})), ElementsAre("_LightTexture0"));
+}
+
 TEST(BuiltinLibrary, CompilesShadowCasters)
 {
     const char* const text = R"(

@@ -319,6 +319,23 @@ TEST(HlslDialect, LetsVariablesBeCalledAsGeometryModifiersAre)
         })");
 }
 
+TEST(HlslDialect, LeavesTheNameNoiseToTheAuthor)
+{
+    CompileFragment(R"(
+        float noise(float2 p) { return frac(sin(dot(p, float2(12.9, 78.2))) * 43758.5); }
+        fixed4 frag(v2f i) : SV_Target { float noise2 = noise(i.uv); return noise2; })");
+    // The language's own function exists on no device.
+    try
+    {
+        test::CompileHlsl(k_Vertex + "float4 frag(v2f i) : SV_Target { return noise(i.uv); }");
+        FAIL();
+    }
+    catch (const AssetError& error)
+    {
+        EXPECT_THAT(error.what(), HasSubstr("'noise_': no matching overloaded function found"));
+    }
+}
+
 TEST(HlslDialect, SwizzlesMatrices)
 {
     const auto pass = CompileFragment(R"(

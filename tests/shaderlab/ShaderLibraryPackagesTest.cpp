@@ -56,9 +56,11 @@ constexpr PassFiles k_Passes[] = {
     {"LitInput", "ShadowCasterPass", "ShadowPassVertex", "ShadowPassFragment"},
     {"LitInput", "DepthOnlyPass", "DepthOnlyVertex", "DepthOnlyFragment"},
     {"LitInput", "LitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"LitInput", "LitGBufferPass", "LitGBufferPassVertex", "LitGBufferPassFragment"},
     {"LitInput", "LitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaLit"},
     {"SimpleLitInput", "SimpleLitForwardPass", "LitPassVertexSimple", "LitPassFragmentSimple"},
     {"SimpleLitInput", "SimpleLitDepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
+    {"SimpleLitInput", "SimpleLitGBufferPass", "LitPassVertexSimple", "LitPassFragmentSimple"},
     {"SimpleLitInput", "SimpleLitMetaPass", "UniversalVertexMeta", "UniversalFragmentMetaSimple"},
     {"UnlitInput", "UnlitForwardPass", "UnlitPassVertex", "UnlitPassFragment"},
     {"UnlitInput", "DepthNormalsPass", "DepthNormalsVertex", "DepthNormalsFragment"},
@@ -269,6 +271,36 @@ TEST(ShaderLibraryPackages, AddTheMipBiasOnlyInTheUniversalPipeline)
     const auto universal = sample(std::string(k_Universal) + "ShaderLibrary/Core.hlsl");
     ASSERT_EQ(universal->layout.buffers.size(), 1u);
     EXPECT_EQ(universal->layout.buffers[0].name, "limn_PerCamera");
+}
+
+TEST(ShaderLibraryPackages, WriteFourTargetsInADeferredPass)
+{
+    ShaderCompiler compiler;
+    const std::string folder = std::string(k_Universal) + "Shaders/";
+    PassProgram program = test::Program(Include(folder + "SimpleLitInput.hlsl") +
+                                        Include(folder + "SimpleLitGBufferPass.hlsl"));
+    program.vertex.name = "LitPassVertexSimple";
+    program.fragment.name = "LitPassFragmentSimple";
+    EXPECT_EQ(compiler.Compile(program)->layout.colorOutputs, 4);
+}
+
+TEST(ShaderLibraryPackages, BringColorsProbesAndOldNamesWithTheLighting)
+{
+    const auto pass =
+        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
+                    R"(
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            half3 mirrored = BoxProjectedCubemapDirection(
+                p.xyz, p.xyz, unity_SpecCube0_ProbePosition, unity_SpecCube0_BoxMin,
+                unity_SpecCube0_BoxMax);
+            half shadow = ApplyShadowFade(0.5, p.xyz);
+            mirrored += TransformTangentToWorld(p.xyz, UNITY_MATRIX_M);
+            return float4(HsvToRgb(RgbToHsv(mirrored)), Luminance(p.rgb) * shadow)
+                * kDieletricSpec;
+        })");
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
 }
 
 } // namespace

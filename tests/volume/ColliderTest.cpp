@@ -153,7 +153,8 @@ TEST(MeshCollider, RefusesWhatIsNotAConvexSolid)
 {
     EXPECT_EQ("a mesh collider needs a mesh",
               test::ThrownMessage<ContractError>([] { MeshCollider(nullptr); }));
-    MeshData corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {}, {}, {}, {}, {}};
+    MeshData corner;
+    corner.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const auto empty = std::make_shared<const Mesh>("points", corner);
     EXPECT_EQ("the mesh 'points' cannot be a collider: it has no triangle",
               test::ThrownMessage<ContractError>([&] { MeshCollider{empty}; }));

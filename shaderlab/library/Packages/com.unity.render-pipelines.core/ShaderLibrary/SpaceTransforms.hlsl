@@ -107,6 +107,11 @@ float3 TransformTangentToWorld(float3 v, float3x3 tangentToWorld, bool doNormali
 {
     return limn_NormalizeIf(mul(v, tangentToWorld), doNormalize);
 }
+// HLSL cuts a 4x4 argument down to 3x3 by itself; glslang does not.
+float3 TransformTangentToWorld(float3 v, float4x4 tangentToWorld, bool doNormalize = false)
+{
+    return TransformTangentToWorld(v, (float3x3)tangentToWorld, doNormalize);
+}
 float3 TransformTangentToWorldDir(float3 v, float3x3 tangentToWorld, bool doNormalize = false)
 {
     return TransformTangentToWorld(v, tangentToWorld, doNormalize);

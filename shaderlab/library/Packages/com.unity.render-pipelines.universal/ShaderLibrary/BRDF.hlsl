@@ -7,6 +7,7 @@
 
 // What a surface that is no metal reflects straight on, and what it does not.
 #define kDielectricSpec float4(0.04, 0.04, 0.04, 1.0 - 0.04)
+#define kDieletricSpec kDielectricSpec // as spelt until URP 11
 
 struct BRDFData
 {

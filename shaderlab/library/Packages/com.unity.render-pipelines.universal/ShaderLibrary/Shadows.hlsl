@@ -180,6 +180,10 @@ float GetMainLightShadowFade(float3 positionWS)
     float distanceSqr = Length2(positionWS - _WorldSpaceCameraPos);
     return saturate(distanceSqr * _MainLightShadowParams.z + _MainLightShadowParams.w);
 }
+float ApplyShadowFade(float shadowAttenuation, float3 positionWS)
+{
+    return lerp(shadowAttenuation, 1.0, GetMainLightShadowFade(positionWS));
+}
 float GetAdditionalLightShadowFade(float3 positionWS) { return 0.0; }
 
 float MixRealtimeAndBakedShadows(float realtimeShadow, float bakedShadow, float shadowFade)

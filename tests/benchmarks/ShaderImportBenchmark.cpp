@@ -1,0 +1,373 @@
+#include <limn/shaderlab/ShaderCompiler.h>
+#include <limn/shaderlab/ShaderLabParser.h>
+
+#include "GlslangSession.h"
+#include "HlslPreprocessor.h"
+#include "HlslRewriter.h"
+#include "SpirvBuilder.h"
+#include "SpirvReflection.h"
+
+#include <benchmark/benchmark.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <thread>
+#include <unistd.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// A folder that is gone when the benchmark ends.
+class BenchmarkFolder
+{
+public:
+    BenchmarkFolder()
+        : m_Path(std::filesystem::temp_directory_path() /
+                 ("limn_import_benchmark_" + std::to_string(getpid())))
+    {
+        std::filesystem::remove_all(m_Path);
+        std::filesystem::create_directories(m_Path);
+    }
+    ~BenchmarkFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_Path, ignored);
+    }
+    BenchmarkFolder(const BenchmarkFolder&) = delete;
+    BenchmarkFolder& operator=(const BenchmarkFolder&) = delete;
+
+    const std::filesystem::path& path() const { return m_Path; }
+
+private:
+    std::filesystem::path m_Path;
+};
+
+constexpr const char* k_UnlitBody = R"(
+            half4 frag(Varyings input) : SV_Target
+            {
+                return SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
+            }
+)";
+
+constexpr const char* k_LitBody = R"(
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+            half4 frag(Varyings input) : SV_Target
+            {
+                InputData inputData = (InputData)0;
+                inputData.positionWS = input.positionWS;
+                inputData.normalWS = normalize(input.normalWS);
+                inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(input.positionWS);
+                inputData.shadowCoord = TransformWorldToShadowCoord(input.positionWS);
+                SurfaceData surface = (SurfaceData)0;
+                surface.albedo =
+                    SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).rgb * _BaseColor.rgb;
+                surface.smoothness = 0.5;
+                surface.occlusion = 1.0;
+                surface.alpha = 1.0;
+                return UniversalFragmentPBR(inputData, surface);
+            }
+)";
+
+/// A pass as URP projects write them, with the fragment function of `body`.
+std::string ShaderText(const std::string& name, const std::string& body)
+{
+    return "Shader \"Bench/" + name + R"("
+{
+    Properties
+    {
+        _BaseMap ("Albedo", 2D) = "white" {}
+        _BaseColor ("Color", Color) = (1, 1, 1, 1)
+    }
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" }
+        Pass
+        {
+            Tags { "LightMode" = "UniversalForward" }
+            HLSLPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            struct Attributes
+            {
+                float4 positionOS : POSITION;
+                float3 normalOS : NORMAL;
+                float2 uv : TEXCOORD0;
+            };
+            struct Varyings
+            {
+                float4 positionCS : SV_POSITION;
+                float2 uv : TEXCOORD0;
+                float3 positionWS : TEXCOORD1;
+                float3 normalWS : TEXCOORD2;
+            };
+            TEXTURE2D(_BaseMap);
+            SAMPLER(sampler_BaseMap);
+            CBUFFER_START(UnityPerMaterial)
+                float4 _BaseMap_ST;
+                half4 _BaseColor;
+            CBUFFER_END
+            Varyings vert(Attributes input)
+            {
+                Varyings output;
+                output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
+                output.positionCS = TransformWorldToHClip(output.positionWS);
+                output.normalWS = TransformObjectToWorldNormal(input.normalOS);
+                output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
+                return output;
+            }
+)" + body + "            ENDHLSL\n        }\n    }\n}\n";
+}
+
+PassProgram OnlyProgram(const std::string& body)
+{
+    const ShaderLabParseResult result =
+        ParseShaderLab(ShaderText("One", body), "/nowhere/bench.shader");
+    return result.document.subShaders.at(0).passes.at(0).program.value();
+}
+
+/// Milliseconds of each step over all iterations, for medians: one slow or lucky run moves none.
+class StepTimes
+{
+public:
+    template <typename Function>
+    double Measure(const std::string& step, Function&& function)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        function();
+        const std::chrono::duration<double, std::milli> taken =
+            std::chrono::steady_clock::now() - start;
+        Add(step, taken.count());
+        return taken.count();
+    }
+    void Add(const std::string& step, double value) { m_Values[step].push_back(value); }
+
+    /// The median of each step as a counter, and the quartiles of those named.
+    void Report(benchmark::State& state, const std::vector<std::string>& spreads)
+    {
+        for (auto& [step, values] : m_Values)
+        {
+            std::sort(values.begin(), values.end());
+            state.counters[step] = values[values.size() / 2];
+        }
+        for (const std::string& step : spreads)
+        {
+            const std::vector<double>& values = m_Values.at(step);
+            state.counters[step + "_q1"] = values[values.size() / 4];
+            state.counters[step + "_q3"] = values[values.size() * 3 / 4];
+        }
+    }
+
+private:
+    std::map<std::string, std::vector<double>> m_Values;
+};
+
+/// What glslang by itself does with HLSL that includes nothing, with limn's options.
+///
+/// @param legalize  glslang's own call of the optimiser, which makes the SPIR-V of HLSL legal
+void RunGlslang(const std::string& hlsl, ShaderStage stage, bool legalize)
+{
+    const char* const text = hlsl.c_str();
+    glslang::TShader shader(GlslangStage(stage));
+    shader.setStrings(&text, 1);
+    SetEnvironment(shader, stage);
+    shader.setEntryPoint("main");
+    shader.setSourceEntryPoint(std::string(k_EntryName).c_str());
+    shader.setAutoMapBindings(true);
+    const bool parsed = shader.parse(GetDefaultResources(), 500, false, k_GlslangMessages);
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!parsed || !program.link(k_GlslangMessages) || !program.mapIO())
+    {
+        throw std::runtime_error(shader.getInfoLog());
+    }
+    glslang::SpvOptions options;
+    options.disableOptimizer = !legalize;
+    std::vector<std::uint32_t> spirv;
+    glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
+    benchmark::DoNotOptimize(spirv.data());
+}
+
+/// The steps of an import one by one, each with its time.
+struct Steps
+{
+    std::string vertexHlsl;
+    std::string fragmentHlsl;
+
+    void Run(const PassProgram& program, StepTimes& times)
+    {
+        const ShaderCompilerOptions options;
+        IncludeResolver resolver(options, program.file);
+        CompiledPass pass;
+        std::string vertexText;
+        std::string fragmentText;
+        times.Measure("ms_preprocess",
+                      [&]
+                      {
+                          vertexText = PreprocessHlsl(program, ShaderStage::Vertex, {}, resolver,
+                                                      pass.diagnostics);
+                          fragmentText = PreprocessHlsl(program, ShaderStage::Fragment, {},
+                                                        resolver, pass.diagnostics);
+                      });
+        const auto start = std::chrono::steady_clock::now();
+        const StageSource vertex(vertexText, ShaderStage::Vertex);
+        const StageSource fragment(fragmentText, ShaderStage::Fragment);
+        const StageInterface vertexInterface = ReadStageInterface(
+            vertex.declarations, *vertex.declarations.FindDefinition("vert"), ShaderStage::Vertex);
+        const StageInterface fragmentInterface =
+            ReadStageInterface(fragment.declarations, *fragment.declarations.FindDefinition("frag"),
+                               ShaderStage::Fragment);
+        const StageLinkage linkage = LinkStages(vertexInterface, fragmentInterface);
+        vertexHlsl = RewriteStage(vertex, vertexInterface, linkage);
+        fragmentHlsl = RewriteStage(fragment, fragmentInterface, linkage);
+        const std::chrono::duration<double, std::milli> rewriting =
+            std::chrono::steady_clock::now() - start;
+        times.Add("ms_rewrite", rewriting.count());
+        times.Measure("ms_build",
+                      [&]
+                      {
+                          pass.vertexSpirv = BuildSpirv(vertexHlsl, ShaderStage::Vertex,
+                                                        program.file, pass.diagnostics);
+                          pass.fragmentSpirv = BuildSpirv(fragmentHlsl, ShaderStage::Fragment,
+                                                          program.file, pass.diagnostics);
+                      });
+        std::vector<HlslVariable> objects = vertex.declarations.objects;
+        objects.insert(objects.end(), fragment.declarations.objects.begin(),
+                       fragment.declarations.objects.end());
+        std::vector<std::string> messages;
+        times.Measure("ms_reflect", [&] { ReflectLayout(pass, linkage, objects, messages); });
+    }
+};
+
+/// Importing a pass without a cache, and glslang by itself on the HLSL that limn gives to it; in
+/// turn, so that what else the machine does hits both.
+void ImportAgainstGlslang(benchmark::State& state, const char* body)
+{
+    const PassProgram program = OnlyProgram(body);
+    ShaderCompiler compiler;
+    StepTimes times;
+    StepTimes unused;
+    Steps steps;
+    steps.Run(program, unused);
+    compiler.Compile(program);
+    for (auto _ : state)
+    {
+        const double import = times.Measure("ms_import", [&] { compiler.Compile(program); });
+        const auto glslang = [&](bool legalize)
+        {
+            RunGlslang(steps.vertexHlsl, ShaderStage::Vertex, legalize);
+            RunGlslang(steps.fragmentHlsl, ShaderStage::Fragment, legalize);
+        };
+        const double plain = times.Measure("ms_glslang", [&] { glslang(false); });
+        const double legal = times.Measure("ms_glslang_legal", [&] { glslang(true); });
+        times.Add("ratio", import / plain);
+        times.Add("ratio_legal", import / legal);
+        steps.Run(program, times);
+    }
+    times.Report(state, {"ratio", "ratio_legal"});
+    state.counters["kb_hlsl"] =
+        static_cast<double>(steps.vertexHlsl.size() + steps.fragmentHlsl.size()) / 1024.0;
+}
+BENCHMARK_CAPTURE(ImportAgainstGlslang, unlit, k_UnlitBody)
+    ->Iterations(31)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ImportAgainstGlslang, lit, k_LitBody)
+    ->Iterations(31)
+    ->Unit(benchmark::kMillisecond);
+
+/// The same import with an empty cache folder and with one that has the pass.
+void ImportColdAgainstWarm(benchmark::State& state, const char* body)
+{
+    const BenchmarkFolder folder;
+    const PassProgram program = OnlyProgram(body);
+    StepTimes times;
+    ShaderCompiler().Compile(program);
+    for (auto _ : state)
+    {
+        ShaderCompilerOptions options;
+        options.cacheFolder = folder.path() / "cache";
+        std::filesystem::remove_all(options.cacheFolder);
+        const double cold =
+            times.Measure("ms_cold", [&] { ShaderCompiler(options).Compile(program); });
+        ShaderCompiler second(options);
+        const double warm = times.Measure("ms_warm", [&] { second.Compile(program); });
+        times.Add("ratio", cold / warm);
+        if (second.statistics().loadedFromCache != 1)
+        {
+            state.SkipWithError("the cache did not have the pass");
+        }
+    }
+    times.Report(state, {"ratio"});
+}
+BENCHMARK_CAPTURE(ImportColdAgainstWarm, unlit, k_UnlitBody)
+    ->Iterations(31)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ImportColdAgainstWarm, lit, k_LitBody)
+    ->Iterations(31)
+    ->Unit(benchmark::kMillisecond);
+
+std::vector<std::filesystem::path> WriteShaders(const std::filesystem::path& folder, int count)
+{
+    std::vector<std::filesystem::path> files;
+    for (int i = 0; i < count; ++i)
+    {
+        const std::string n = std::to_string(i);
+        const std::string body =
+            "            half4 frag(Varyings input) : SV_Target\n            {\n"
+            "                return _BaseColor * " +
+            n + ".5 + half4(frac(input.uv), 0.0, 1.0);\n            }\n";
+        files.push_back(folder / ("Shader" + n + ".shader"));
+        std::ofstream(files.back()) << ShaderText("Many" + n, body);
+    }
+    return files;
+}
+
+/// Reads and compiles all files on a number of threads, without a cache.
+void ImportAll(const std::vector<std::filesystem::path>& files, int threadCount)
+{
+    ShaderCompiler compiler;
+    std::atomic<std::size_t> next{0};
+    const auto work = [&]
+    {
+        for (std::size_t i = next++; i < files.size(); i = next++)
+        {
+            const ShaderLabDocument document = LoadShaderLab(files[i]);
+            compiler.Compile(*document.subShaders.at(0).passes.at(0).program);
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < threadCount; ++i)
+    {
+        threads.emplace_back(work);
+    }
+}
+
+/// A folder of 1 000 files, imported with one thread and with two in turn.
+void ImportFolder(benchmark::State& state)
+{
+    const BenchmarkFolder folder;
+    const std::vector<std::filesystem::path> files =
+        WriteShaders(folder.path(), static_cast<int>(state.range(0)));
+    StepTimes times;
+    for (auto _ : state)
+    {
+        const double one = times.Measure("ms_1_thread", [&] { ImportAll(files, 1); });
+        const double two = times.Measure("ms_2_threads", [&] { ImportAll(files, 2); });
+        times.Add("speedup", one / two);
+    }
+    times.Report(state, {"speedup"});
+}
+BENCHMARK(ImportFolder)->Arg(1000)->Iterations(3)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+} // namespace limn

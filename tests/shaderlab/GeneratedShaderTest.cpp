@@ -1,0 +1,139 @@
+#include "ShaderTestSupport.h"
+#include "SpirvTestSupport.h"
+
+// Shaders as shader graphs and node editors write them.
+
+namespace limn
+{
+namespace
+{
+
+constexpr const char* k_Includes = "Packages/com.unity.render-pipelines.universal/";
+
+std::string Include(const std::string& path)
+{
+    return "#include \"" + path + "\"\n";
+}
+
+const std::string k_Libraries =
+    Include(std::string(k_Includes) + "ShaderLibrary/Core.hlsl") +
+    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") +
+    Include(std::string(k_Includes) + "ShaderLibrary/Lighting.hlsl") +
+    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/TextureStack.hlsl") +
+    Include(std::string(k_Includes) + "ShaderLibrary/ShaderGraphFunctions.hlsl") +
+    Include(std::string(k_Includes) + "Editor/ShaderGraph/Includes/ShaderPass.hlsl");
+
+constexpr const char* k_Members = R"(
+    #define ATTRIBUTES_NEED_NORMAL
+    #define ATTRIBUTES_NEED_TANGENT
+    #define VARYINGS_NEED_POSITION_WS
+    #define VARYINGS_NEED_NORMAL_WS
+    #define VARYINGS_NEED_TANGENT_WS
+    #define VARYINGS_NEED_TEXCOORD0
+    #define VARYINGS_NEED_FOG_AND_VERTEX_LIGHT
+    #define FEATURES_GRAPH_VERTEX
+    #define _NORMALMAP 1
+    #define _NORMAL_DROPOFF_TS 1
+)";
+
+constexpr const char* k_Graph = R"(
+    struct Attributes { float3 positionOS : POSITION; float3 normalOS : NORMAL;
+                        float4 tangentOS : TANGENT; float4 uv0 : TEXCOORD0; float4 uv1 : TEXCOORD1;
+                        float4 uv2 : TEXCOORD2; };
+    struct Varyings { float4 positionCS : SV_POSITION; float3 positionWS; float3 normalWS;
+                      float4 tangentWS; float4 texCoord0; float3 sh;
+                      float4 fogFactorAndVertexLight; };
+    struct PackedVaryings { float4 positionCS : SV_POSITION; float3 a : INTERP0; float3 b : INTERP1;
+                            float4 c : INTERP2; float4 d : INTERP3; float3 e : INTERP4;
+                            float4 f : INTERP5; };
+    PackedVaryings PackVaryings(Varyings i)
+    {
+        PackedVaryings o; ZERO_INITIALIZE(PackedVaryings, o); o.positionCS = i.positionCS;
+        o.a = i.positionWS; o.b = i.normalWS; o.c = i.tangentWS; o.d = i.texCoord0; o.e = i.sh;
+        o.f = i.fogFactorAndVertexLight; return o;
+    }
+    Varyings UnpackVaryings(PackedVaryings i)
+    {
+        Varyings o; o.positionCS = i.positionCS; o.positionWS = i.a; o.normalWS = i.b;
+        o.tangentWS = i.c; o.texCoord0 = i.d; o.sh = i.e; o.fogFactorAndVertexLight = i.f; return o;
+    }
+    TEXTURE2D(_Map); SAMPLER(sampler_Map); SAMPLER(SamplerState_Linear_Repeat);
+    CBUFFER_START(UnityPerMaterial)
+    float4 _Map_ST; float4 _Map_TexelSize; float4 _Tint;
+    CBUFFER_END
+    struct VertexDescriptionInputs { float3 ObjectSpacePosition; float3 ObjectSpaceNormal;
+                                     float3 ObjectSpaceTangent; };
+    struct VertexDescription { float3 Position; float3 Normal; float3 Tangent; };
+    VertexDescription VertexDescriptionFunction(VertexDescriptionInputs IN)
+    {
+        VertexDescription o = (VertexDescription)0; o.Position = IN.ObjectSpacePosition * 2;
+        o.Normal = IN.ObjectSpaceNormal; o.Tangent = IN.ObjectSpaceTangent; return o;
+    }
+    struct SurfaceDescriptionInputs { float4 uv0; float4 ScreenPosition; };
+    struct SurfaceDescription { float3 BaseColor; float3 NormalTS; float3 Emission; float Metallic;
+                                float Smoothness; float Occlusion; float Alpha;
+                                float AlphaClipThreshold; };
+    SurfaceDescription SurfaceDescriptionFunction(SurfaceDescriptionInputs IN)
+    {
+        SurfaceDescription o = (SurfaceDescription)0;
+        UnityTexture2D map = UnityBuildTexture2DStruct(_Map);
+        UnityTexture2D plain = UnityBuildTexture2DStructNoScale(_Map);
+        UnitySamplerState state = UnityBuildSamplerStateStruct(SamplerState_Linear_Repeat);
+        float4 tint = IsGammaSpace() ? LinearToSRGB(_Tint) : _Tint;
+        o.BaseColor = (SAMPLE_TEXTURE2D(map.tex, map.samplerstate,
+                                        map.GetTransformedUV(IN.uv0.xy)) * tint).rgb
+            + plain.Sample(state, IN.ScreenPosition.xy).rgb;
+        Gradient g = NewGradient(0, 2, 2, float4(0, 0, 0, 0), float4(1, 1, 1, 1), 0, 0, 0, 0, 0, 0,
+                                 float2(1, 0), float2(1, 1), 0, 0, 0, 0, 0, 0);
+        o.Emission = g.colors[1].rgb; o.NormalTS = float3(0, 0, 1); o.Smoothness = 0.5;
+        o.Occlusion = 1; o.Alpha = tint.a; o.AlphaClipThreshold = 0.5; return o;
+    }
+    VertexDescriptionInputs BuildVertexDescriptionInputs(Attributes i)
+    {
+        VertexDescriptionInputs o; ZERO_INITIALIZE(VertexDescriptionInputs, o);
+        o.ObjectSpacePosition = i.positionOS; o.ObjectSpaceNormal = i.normalOS;
+        o.ObjectSpaceTangent = i.tangentOS.xyz; return o;
+    }
+    SurfaceDescriptionInputs BuildSurfaceDescriptionInputs(Varyings i)
+    {
+        SurfaceDescriptionInputs o; ZERO_INITIALIZE(SurfaceDescriptionInputs, o);
+        o.uv0 = i.texCoord0; o.ScreenPosition = ComputeScreenPos(
+            TransformWorldToHClip(i.positionWS), _ProjectionParams.x); return o;
+    }
+)";
+
+struct GraphPass
+{
+    const char* file;
+    const char* kind;
+};
+
+TEST(GeneratedShader, CompilesEveryPassOfAShaderGraph)
+{
+    const std::string folder = std::string(k_Includes) + "Editor/ShaderGraph/Includes/";
+    for (const GraphPass& item : {GraphPass{"PBRForwardPass", "SHADERPASS_FORWARD"},
+                                  {"UnlitPass", "SHADERPASS_UNLIT"},
+                                  {"DepthOnlyPass", "SHADERPASS_DEPTHONLY"},
+                                  {"ShadowCasterPass", "SHADERPASS_SHADOWCASTER"},
+                                  {"DepthNormalsOnlyPass", "SHADERPASS_DEPTHNORMALSONLY"},
+                                  {"LightingMetaPass", "SHADERPASS_META"}})
+    {
+        SCOPED_TRACE(item.file);
+        const bool isMeta = std::string(item.kind) == "SHADERPASS_META";
+        const std::string text =
+            k_Members + ("#define SHADERPASS " + std::string(item.kind) + "\n") + k_Libraries +
+            (isMeta ? Include(std::string(k_Includes) + "ShaderLibrary/MetaInput.hlsl") : "") +
+            k_Graph + Include(folder + "Varyings.hlsl") + Include(folder + item.file + ".hlsl");
+        for (const std::vector<std::string>& keywords :
+             {std::vector<std::string>{}, {"_ALPHATEST_ON", "_SURFACE_TYPE_TRANSPARENT"}})
+        {
+            ShaderCompiler compiler;
+            const auto pass = compiler.Compile(test::Program(text), keywords);
+            EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
+            EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+        }
+    }
+}
+
+} // namespace
+} // namespace limn
