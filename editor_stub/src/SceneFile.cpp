@@ -1,6 +1,7 @@
 #include "SceneLoader.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn
 {
@@ -75,6 +76,20 @@ void SceneLoader::AddNotes(const std::vector<Diagnostic>& notes)
         {
             asset.notes.push_back(note);
         }
+    }
+}
+
+void TurnObjects(const std::vector<Turn>& turns, double seconds)
+{
+    for (const Turn& turn : turns)
+    {
+        glm::vec3 degrees;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double rate = static_cast<double>(turn.degreesPerSecond[axis]);
+            degrees[axis] = static_cast<float>(std::fmod(rate * seconds, 360.0));
+        }
+        turn.object->transform.localRotation = turn.rest * EulerToRotation(degrees);
     }
 }
 

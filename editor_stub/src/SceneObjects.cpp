@@ -121,6 +121,11 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     object.layer = settings.layer;
     object.transform.parent = settings.parent;
     ReadTransform(map, object.transform, loader.diagnostics);
+    glm::vec3 turn(0.0f);
+    if (map.Read("turn", turn))
+    {
+        loader.asset.turns.push_back({&object, object.transform.localRotation, turn});
+    }
     if (const YamlNode* mesh = map.Find("mesh"))
     {
         object.renderer =

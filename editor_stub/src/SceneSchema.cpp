@@ -157,6 +157,7 @@ Json ObjectSchema()
         {"materials", ListSchema(TextSchema())},
         {"bakeOutlineNormals",
          Described(BoolSchema(), "Gives the mesh what TranslucentOutlineHull goes by")},
+        {"turn", Described(VectorSchema(3), "Euler degrees a second on top of the rotation")},
         {"children", ListSchema({{"$ref", "#/$defs/object"}})},
     });
     AddTransform(schema);

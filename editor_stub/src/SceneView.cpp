@@ -85,6 +85,7 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
 
 RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, float time)
 {
+    TurnObjects(m_Asset.turns, static_cast<double>(time));
     const Camera& camera = m_Asset.camera;
     m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
                      camera.volumeLayerMask);

@@ -31,7 +31,7 @@ public:
     SceneView(SceneAsset asset, const AssetContext& assets);
 
     /// Blends the volumes as they are now and draws.
-    /// @param time  seconds, what _Time shows
+    /// @param time  seconds, what _Time shows and where turning objects are
     RenderResult Render(UniversalRenderPipeline& pipeline, float time);
 
 private:

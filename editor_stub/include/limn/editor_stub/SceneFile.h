@@ -23,6 +23,14 @@ struct RendererAsset
     LayerMask transparentLayerMask = LayerMask::Everything();
 };
 
+/// An object that turns by itself.
+struct Turn
+{
+    GameObject* object = nullptr; ///< of the scene, never null
+    glm::quat rest;               ///< its rotation at time 0
+    glm::vec3 degreesPerSecond{0.0f};
+};
+
 /// All that a scene file says, everything it refers to loaded.
 struct SceneAsset
 {
@@ -35,8 +43,13 @@ struct SceneAsset
     LayerNames renderingLayers;
     RendererAsset renderer;
     std::vector<Volume> volumes;
+    std::vector<Turn> turns;
     std::vector<Diagnostic> notes; ///< what of Unity's assets was left out, and the like
 };
+
+/// Puts the objects that turn where they are at `seconds`. Whole turns are taken off in double
+/// precision, so that the angle is good after days as well.
+void TurnObjects(const std::vector<Turn>& turns, double seconds);
 
 /// A scene from a *.scene.yaml file. Paths in it start from its folder.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
