@@ -18,8 +18,9 @@ namespace
 struct Version
 {
     std::array<int, 3> numbers{};
-    bool isRelease = true; ///< sorts behind the pre-releases of the same numbers
-    std::string_view preRelease;
+    bool isRelease = true;           ///< sorts behind the pre-releases of the same numbers
+    std::string_view preReleaseName; ///< "-preview.", "b"
+    int preReleaseNumber = 0;        ///< that ends it: preview.10 is behind preview.9
 
     auto operator<=>(const Version&) const = default;
 };
@@ -48,7 +49,9 @@ std::optional<Version> ReadVersion(std::string_view text)
     if (text.starts_with('-') || text.starts_with('a') || text.starts_with('b'))
     {
         version.isRelease = false;
-        version.preRelease = text;
+        const std::size_t digits = text.find_last_not_of("0123456789") + 1;
+        version.preReleaseName = text.substr(0, digits);
+        std::from_chars(text.data() + digits, text.data() + text.size(), version.preReleaseNumber);
     }
     return version;
 }

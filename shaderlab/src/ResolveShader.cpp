@@ -24,13 +24,13 @@ std::string UnmetRequirement(const std::vector<PackageRequirement>& requirements
         std::string_view package = requirement.package;
         std::string_view range = requirement.range;
         const bool isOfEditor = range.starts_with(k_Unity);
-        const auto found = criteria.packages.find(package);
-        if (found == criteria.packages.end())
+        const auto present = criteria.packages.find(package);
+        const auto found = isOfEditor ? criteria.packages.find("unity") : present;
+        if (present == criteria.packages.end() || found == criteria.packages.end())
         {
             return "it requires the package '" + requirement.package + "'";
         }
-        const std::string version =
-            isOfEditor ? criteria.packages.find("unity")->second : found->second;
+        const std::string& version = found->second;
         range.remove_prefix(isOfEditor ? k_Unity.size() : 0);
         if (!isInPackageRange(version, range))
         {

@@ -20,8 +20,8 @@ std::span<const std::byte> Bytes(const std::vector<T>& values)
 
 AttributeBytes AttributesOf(const MeshData& data)
 {
-    return {Bytes(data.vertices), Bytes(data.normals), Bytes(data.tangents), Bytes(data.colors),
-            Bytes(data.uv), Bytes(data.uv8)};
+    return {Bytes(data.vertices), Bytes(data.normals), Bytes(data.tangents),
+            Bytes(data.colors),   Bytes(data.uv),      Bytes(data.uv8)};
 }
 
 constexpr std::array<VkDeviceSize, 6> k_Strides = {12, 12, 16, 16, 8, 12};

@@ -1,0 +1,146 @@
+#include <limn/shaderlab/ResolveShader.h>
+#include <limn/shaderlab/ShaderLabParser.h>
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+std::shared_ptr<const ShaderLabDocument> Parse(const char* text, const char* file = "u.shader")
+{
+    return std::make_shared<const ShaderLabDocument>(ParseShaderLab(text, file).document);
+}
+
+ShaderDatabase BaseDatabase()
+{
+    ShaderDatabase database;
+    database.Add(Parse("Shader \"Lib/Base\" { SubShader { Pass { Name \"One\" Cull Off } "
+                       "Pass { Name \"one\" Cull Front } UsePass \"Loop/A/BACK\" } }"));
+    database.Add(Parse("Shader \"Loop/A\" { SubShader { Pass { Name \"P\" } "
+                       "UsePass \"Lib/Base/BACK\" } }"));
+    return database;
+}
+
+std::string ChosenPass(const std::string& subShaders)
+{
+    const auto document = Parse(("Shader \"U\" { " + subShaders + " }").c_str());
+    return ResolveShader(*document, nullptr).subShader.passes.at(0).name;
+}
+
+} // namespace
+
+TEST(ResolveShader, UsePassTakesTheLastOfEqualNamesInItsPlace)
+{
+    const ShaderDatabase database = BaseDatabase();
+    const auto user = Parse("Shader \"U\" { SubShader { UsePass \"Lib/Base/ONE\" GrabPass { } "
+                            "Pass { Name \"Own\" } } }");
+    const ResolvedShader resolved = ResolveShader(*user, &database);
+    ASSERT_EQ(resolved.subShader.passes.size(), 3U);
+    EXPECT_EQ(resolved.subShader.passes[0].name, "one");
+    EXPECT_EQ(resolved.subShader.passes[1].kind, ShaderLabPassKind::GrabPass);
+    EXPECT_EQ(resolved.subShader.passes[2].name, "Own");
+    EXPECT_TRUE(resolved.errors.empty());
+}
+
+TEST(ResolveShader, UsePassOfAnUnknownShaderOrACycleIsAnError)
+{
+    const ShaderDatabase database = BaseDatabase();
+    for (const auto& [use, message] :
+         {std::pair("Lib/Bas/ONE", "UsePass: unknown shader 'Lib/Bas'; did you mean 'Lib/Base'?"),
+          std::pair("Lib/Base/BACK", "leads back to itself; name a pass with a program")})
+    {
+        const auto user =
+            Parse(("Shader \"U\" { SubShader { UsePass \"" + std::string(use) + "\" Pass { } } }")
+                      .c_str());
+        const ResolvedShader resolved = ResolveShader(*user, &database);
+        ASSERT_EQ(resolved.errors.size(), 1U) << use;
+        EXPECT_NE(resolved.errors[0].message.find(message), std::string::npos)
+            << resolved.errors[0].message;
+    }
+}
+
+TEST(ResolveShader, TakesTheFirstSubShaderOfAPipelineThatSuits)
+{
+    const std::string foreign =
+        "SubShader { Tags { \"RenderPipeline\" = \"HDRenderPipeline\" } Pass { Name \"H\" } } ";
+    EXPECT_EQ(ChosenPass(foreign + "SubShader { Tags { \"RenderPipeline\" = "
+                                   "\"UniversalPipeline\" } Pass { Name \"A\" } }"),
+              "A");
+    EXPECT_EQ(ChosenPass(foreign + "SubShader { Tags { \"RenderPipeline\" = "
+                                   "\"UniversalRenderPipeline\" } Pass { Name \"B\" } }"),
+              "B");
+    EXPECT_EQ(ChosenPass(foreign + "SubShader { Pass { Name \"C\" } }"), "C");
+}
+
+TEST(ResolveShader, FollowsTheFallbackAndNamesIt)
+{
+    const ShaderDatabase database = BaseDatabase();
+    const auto user = Parse("Shader \"U\" { SubShader { Tags { \"RenderPipeline\" = "
+                            "\"HDRenderPipeline\" } Pass { } } Fallback \"Lib/Base\" }");
+    EXPECT_EQ(ResolveShader(*user, &database).fallback, "Lib/Base");
+    EXPECT_THROW(ResolveShader(*user, nullptr), AssetError);
+}
+
+TEST(ResolveShader, PassesOverASubShaderAboveTheMaximumLod)
+{
+    ShaderCriteria criteria;
+    criteria.maximumLod = 200;
+    const auto user = Parse("Shader \"U\" { SubShader { LOD 300 Pass { } } "
+                            "SubShader { LOD 200 Pass { } } }");
+    const ResolvedShader resolved = ResolveShader(*user, nullptr, criteria);
+    EXPECT_EQ(resolved.subShaderIndex, 1);
+    ASSERT_EQ(resolved.notes.size(), 1U);
+    EXPECT_EQ(resolved.notes[0].message,
+              "SubShader 0 is passed over: its LOD 300 is above the maximum, 200");
+}
+
+TEST(ResolveShader, PassesOverASubShaderWhosePackageRequirementsDoNotHold)
+{
+    const std::string universal = "\"com.unity.render-pipelines.universal\" : ";
+    EXPECT_EQ(ChosenPass("SubShader { PackageRequirements { " + universal +
+                         "\"15.0\" } Pass { Name \"later\" } } "
+                         "SubShader { PackageRequirements { \"com.foo\" } Pass { Name \"foo\" } } "
+                         "SubShader { PackageRequirements { " +
+                         universal + "\"[12,15)\" } Pass { Name \"holds\" } }"),
+              "holds");
+}
+
+TEST(ResolveShader, PassesOverASubShaderWithAProgramThatCannotRun)
+{
+    EXPECT_EQ(ChosenPass("SubShader { Pass { Name \"g\" HLSLPROGRAM\n#pragma vertex v\n"
+                         "#pragma fragment f\n#pragma geometry g\nENDHLSL\n } } "
+                         "SubShader { Pass { Name \"plain\" } }"),
+              "plain");
+}
+
+TEST(ResolveShader, UsePassOfAMissingPassIsAnErrorThatNamesTheNearest)
+{
+    const ShaderDatabase database = BaseDatabase();
+    const auto user = Parse("Shader \"U\" { SubShader { UsePass \"Lib/Base/ONEE\" Pass { } } }");
+    const ResolvedShader resolved = ResolveShader(*user, &database);
+    ASSERT_EQ(resolved.errors.size(), 1U);
+    EXPECT_EQ(resolved.errors[0].message.find(
+                  "UsePass: shader 'Lib/Base' has no pass named 'ONEE'; did you mean "),
+              0U)
+        << resolved.errors[0].message;
+}
+
+TEST(ResolveShader, ThrowsWhereFallbacksRunInACircleOrAreOff)
+{
+    const std::string foreign =
+        "SubShader { Tags { \"RenderPipeline\" = \"HDRenderPipeline\" } Pass { } } ";
+    ShaderDatabase database;
+    database.Add(Parse(("Shader \"F/A\" { " + foreign + "Fallback \"F/B\" }").c_str()));
+    database.Add(Parse("Shader \"F/B\" { Fallback \"F/A\" }"));
+    database.Add(Parse(("Shader \"Off\" { " + foreign + "Fallback Off }").c_str()));
+    EXPECT_THROW(ResolveShader(*database.Find("F/A"), &database), AssetError);
+    EXPECT_THROW(ResolveShader(*database.Find("Off"), &database), AssetError);
+}
+
+} // namespace limn
