@@ -1,11 +1,13 @@
 #include "HlslSpelling.h"
 
+#include "HlslLoops.h"
 #include "HlslTokens.h"
 #include "Text.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limn
@@ -232,6 +234,7 @@ private:
 
 std::string RespellForGlslang(std::string text)
 {
+    text = HoistLoopVariables(std::move(text));
     return Speller(text).Spell();
 }
 

@@ -376,5 +376,17 @@ TEST(BuiltinLibrary, CompilesLightingFunctionsCalledByHand)
         })");
 }
 
+TEST(BuiltinLibrary, KnowsClipPlanesRgbmAndTheScaleOfAnEye)
+{
+    CompileCg(R"(
+        #include "UnityCG.cginc"
+        float4 vert(float4 p : POSITION) : SV_Position { return UnityObjectToClipPos(p); }
+        half4 frag(float4 p : SV_Position) : SV_Target
+        {
+            float inside = dot(unity_CameraWorldClipPlanes[4], p);
+            return UnityEncodeRGBM(p.rgb, 5.0) * inside * unity_StereoScaleOffset[0];
+        })");
+}
+
 } // namespace
 } // namespace limn

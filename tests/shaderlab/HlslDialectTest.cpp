@@ -352,6 +352,36 @@ TEST(HlslDialect, SwizzlesMatrices)
     EXPECT_EQ(Member(*pass, "_M").type, UniformType::Matrix4x4);
 }
 
+TEST(HlslDialect, KeepsLoopVariablesThatAreUsedAfterTheirLoop)
+{
+    CompileFragment(R"(
+        float4 frag(v2f i) : SV_Target
+        {
+            float sum = 0;
+            for (int n = 0; n < 4; n++) { sum += n; }
+            for (n = 0; n < 3; n++) sum += i.uv.x;
+            [unroll] for (int k = 0; k < 4; k++) if (k > 1) { sum += k; } else sum -= k;
+            sum += k;
+            for (int k = 0; k < 2; k++) sum += k;
+            return sum + k + n;
+        })");
+}
+
+TEST(HlslDialect, LeavesLoopVariablesAloneThatAreDeclaredAgain)
+{
+    CompileFragment(R"(
+        float Sum(int n) { float s = n; { for (int n = 0; n < 3; ++n) { s += n; } } return s + n; }
+        float4 frag(v2f i) : SV_Target
+        {
+            float sum = 0;
+            for (int n = 0; n < 4; n++) { sum += n; }
+            for (uint n = 0; n < 4; n++) { sum += n; }
+            float a = 1, n = 2;
+            for (int j = 0, k = 1; j < 4; j++) { sum += k; }
+            return sum + a + n + Sum(2);
+        })");
+}
+
 TEST(HlslDialect, RefusesTexturesOfOneDimensionAndTypedBuffers)
 {
     EXPECT_THAT(test::CompileMessages(test::Program(

@@ -303,5 +303,26 @@ TEST(ShaderLibraryPackages, BringColorsProbesAndOldNamesWithTheLighting)
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
 }
 
+TEST(ShaderLibraryPackages, KnowHairWrappedLightWhiteBalanceAndNamesOfOlderVersions)
+{
+    const auto pass =
+        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
+                    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl") +
+                    R"(
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            BRDFData brdf = (BRDFData)0;
+            float3 n = GetPrimaryCameraPosition() + ComputeWorldSpacePosition(p, UNITY_MATRIX_I_VP);
+            float3 c = DirectBRDF(brdf, n, n, n) + DirectBDRF(brdf, n, n, n);
+            c += D_KajiyaKay(ShiftTangent(n, c, 0.1), n, 20.0) * RangeRemap(1.0, 2.0, p.x);
+            c *= ComputeWrappedDiffuseLighting(n.x, 0.5) + unity_LightIndices[1].y;
+            c *= SAMPLE_TEXTURE2D_SHADOW(_MainLightShadowmapTexture,
+                                         sampler_MainLightShadowmapTexture, p.xyz);
+            return float4(NeutralTonemap(WhiteBalance(c, n)), 1);
+        })");
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+}
+
 } // namespace
 } // namespace limn

@@ -23,6 +23,12 @@
 #define unity_ProbesOcclusion float4(1, 1, 1, 1)
 #define unity_OcclusionMaskSelector float4(1, 0, 0, 0)
 #define unity_ProbeVolumeParams float4(0, 0, 0, 0)
+static const float4 unity_StereoScaleOffset[2] = {float4(1, 1, 0, 0), float4(1, 1, 0, 0)};
+
+cbuffer UnityPerCameraRare
+{
+    float4 unity_CameraWorldClipPlanes[6]; // left, right, bottom, top, near, far
+};
 
 cbuffer UnityLighting
 {

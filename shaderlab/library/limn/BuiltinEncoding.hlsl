@@ -18,6 +18,15 @@ float2 EncodeFloatRG(float v)
 }
 float DecodeFloatRG(float2 enc) { return dot(enc, float2(1.0, 1.0 / 255.0)); }
 
+// A colour up to maxRGBM as a share of a common factor, which alpha holds in steps of 1/255.
+half4 UnityEncodeRGBM(half3 color, float maxRGBM)
+{
+    float3 share = color / maxRGBM;
+    float high = max(max(share.r, share.g), max(share.b, 2.0 / 255.0));
+    float factor = ceil(high * 255.0) / 255.0;
+    return half4(share / factor, factor);
+}
+
 // A normal in view space on the plane that stereographic projection maps it to.
 #define limn_StereoScale 1.7777
 float2 EncodeViewNormalStereo(float3 n)

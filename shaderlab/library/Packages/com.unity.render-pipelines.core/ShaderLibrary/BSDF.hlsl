@@ -100,3 +100,14 @@ float V_Ashikhmin(float NdotL, float NdotV)
 {
     return 1.0 / (4.0 * (NdotL + NdotV - NdotL * NdotV));
 }
+
+// Hair: Kajiya and Kay 1989 as Scheuermann 2004 has it, a highlight around the strand, and the
+// tangent moved along the normal.
+float3 ShiftTangent(float3 T, float3 N, float shift) { return normalize(T + N * shift); }
+float D_KajiyaKay(float3 T, float3 H, float specularExponent)
+{
+    float along = dot(T, H);
+    float across2 = saturate(1.0 - Sq(along));
+    float norm = (specularExponent + 2.0) * 0.5 * INV_PI;
+    return saturate(along + 1.0) * norm * PositivePow(across2, 0.5 * specularExponent);
+}

@@ -129,6 +129,16 @@ float3 SoftLight(float3 base, float3 blend)
     return lerp(dark, light, step(0.5, blend));
 }
 
+// Scales what the three kinds of cones receive (CAT02), from and to Rec. 709.
+float3 WhiteBalance(float3 c, float3 balance)
+{
+    const float3x3 toCones = {0.390405,  0.549941, 0.00892632, 0.0708416, 0.963172,
+                              0.00135775, 0.0231082, 0.128021,   0.936245};
+    const float3x3 fromCones = {2.85847,     -1.62879,   -0.0248910, -0.210182, 1.15820,
+                                0.000324281, -0.0418120, -0.118169,  1.06867};
+    return mul(fromCones, mul(toCones, c) * balance);
+}
+
 // John Hable's filmic curve (2010) with its white point.
 float3 NeutralCurve(float3 x, float a, float b, float c, float d, float e, float f)
 {

@@ -76,3 +76,9 @@ float GetSpecularOcclusionFromAmbientOcclusion(float NdotV, float ambientOcclusi
     return saturate(PositivePow(NdotV + ambientOcclusion, exp2(-16.0 * roughness - 1.0)) - 1.0 +
                     ambientOcclusion);
 }
+
+// McAuley 2011: light that reaches around the edge by w, without more of it in sum.
+float ComputeWrappedDiffuseLighting(float NdotL, float w)
+{
+    return saturate((NdotL + w) / Sq(1.0 + w));
+}

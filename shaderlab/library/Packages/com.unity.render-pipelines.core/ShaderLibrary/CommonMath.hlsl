@@ -147,3 +147,6 @@ float3 Orthonormalize(float3 tangent, float3 normal)
 {
     return normalize(tangent - dot(tangent, normal) * normal);
 }
+
+// Where t lies between two numbers, 0...1.
+float RangeRemap(float low, float high, float t) { return saturate((t - low) / (high - low)); }

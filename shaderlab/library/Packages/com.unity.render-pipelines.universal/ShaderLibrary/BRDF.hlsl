@@ -147,3 +147,18 @@ float3 DirectBDRF(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
     }
     return brdfData.diffuse + highlight * brdfData.specular;
 }
+float3 DirectBRDF(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
+                  float3 viewDirectionWS)
+{
+#ifdef _SPECULARHIGHLIGHTS_OFF
+    return DirectBDRF(brdfData, normalWS, lightDirectionWS, viewDirectionWS, true);
+#else
+    return DirectBDRF(brdfData, normalWS, lightDirectionWS, viewDirectionWS, false);
+#endif
+}
+// The name of older versions.
+float3 DirectBDRF(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
+                  float3 viewDirectionWS)
+{
+    return DirectBRDF(brdfData, normalWS, lightDirectionWS, viewDirectionWS);
+}

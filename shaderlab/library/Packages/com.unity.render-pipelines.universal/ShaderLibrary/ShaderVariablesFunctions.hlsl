@@ -50,6 +50,7 @@ float2 GetNormalizedScreenSpaceUV(float4 positionCS)
 
 bool IsPerspectiveProjection() { return unity_OrthoParams.w == 0.0; }
 float3 GetCameraPositionWS() { return _WorldSpaceCameraPos; }
+float3 GetPrimaryCameraPosition() { return _WorldSpaceCameraPos; }
 float3 GetCurrentViewPosition() { return _WorldSpaceCameraPos; }
 float3 GetViewForwardDir() { return -UNITY_MATRIX_V[2].xyz; }
 

@@ -30,6 +30,8 @@ SAMPLER(sampler_ScreenSpaceShadowmapTexture);
 #define limn_LinearClampCompare
 SAMPLER_CMP(sampler_LinearClampCompare);
 #endif
+// The name of older versions.
+#define sampler_MainLightShadowmapTexture sampler_LinearClampCompare
 
 cbuffer LightShadows
 {

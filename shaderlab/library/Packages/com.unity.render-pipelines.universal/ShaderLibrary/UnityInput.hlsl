@@ -27,6 +27,8 @@
 #define UNITY_PREV_MATRIX_M unity_MatrixPreviousM
 #define UNITY_PREV_MATRIX_I_M unity_MatrixPreviousMI
 #define _LastTimeParameters _TimeParameters
+// Every draw has the same lights.
+static const float4 unity_LightIndices[2] = {float4(0, 1, 2, 3), float4(4, 5, 6, 7)};
 
 TEXTURECUBE(unity_SpecCube0);
 SAMPLER(samplerunity_SpecCube0);
