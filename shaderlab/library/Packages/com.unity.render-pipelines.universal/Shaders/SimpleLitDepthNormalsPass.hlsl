@@ -2,4 +2,4 @@
 #pragma once
 
 #define LIMN_NORMAL_SCALE 1.0
-#include "limn/BentDepthNormalsPass.hlsl"
+#include "limn/DepthNormalsPass.hlsl"

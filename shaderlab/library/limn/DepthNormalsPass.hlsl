@@ -1,5 +1,5 @@
-// Depth, and world-space normals, bent by the normal map, in a colour target.
-// LIMN_NORMAL_SCALE: how strongly the normal map bends.
+// Depth, and world-space normals in a colour target. LIMN_NORMAL_SCALE: how strongly the normal map
+// bends them; not at all where it is not defined.
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -42,7 +42,7 @@ void DepthNormalsFragment(Varyings input, out float4 outNormalWS : SV_Target0)
           _Cutoff);
 #endif
     LODFadeCrossFade(input.positionCS);
-#if defined(_NORMALMAP) || defined(_DETAIL)
+#if defined(LIMN_NORMAL_SCALE) && (defined(_NORMALMAP) || defined(_DETAIL))
     float3 bitangent = cross(input.normalWS, input.tangentWS.xyz) * input.tangentWS.w;
     float3 normalTS = SampleNormal(input.uv, TEXTURE2D_ARGS(_BumpMap, sampler_BumpMap), LIMN_NORMAL_SCALE);
     float3 normalWS = TransformTangentToWorld(
