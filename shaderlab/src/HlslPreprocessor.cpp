@@ -34,7 +34,9 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
     std::string source;
-    Define(source, stage == ShaderStage::Vertex ? "SHADER_STAGE_VERTEX" : "SHADER_STAGE_FRAGMENT");
+    Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
+                   : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
+                                                    : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
     for (const std::string& keyword : keywords)
     {

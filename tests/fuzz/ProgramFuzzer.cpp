@@ -73,10 +73,11 @@ void Rewrite(const std::string& text, ShaderStage stage)
         {
             const StageInterface interface =
                 ReadStageInterface(source.declarations, function, stage);
-            const bool isVertex = stage == ShaderStage::Vertex;
             const StageInterface other;
             const StageLinkage linkage =
-                LinkStages(isVertex ? interface : other, isVertex ? other : interface);
+                LinkStages(stage == ShaderStage::Vertex ? interface : other,
+                           stage == ShaderStage::Geometry ? &interface : nullptr,
+                           stage == ShaderStage::Fragment ? interface : other);
             Require(!RewriteStage(source, interface, linkage).empty(), "nothing was written");
         }
         catch (const StageInterfaceError& error)
@@ -110,6 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Require(Lines(translated) >= Lines(text), "lines were lost");
     const std::string spelt = RespellForGlslang(translated);
     Rewrite(spelt, ShaderStage::Vertex);
+    Rewrite(spelt, ShaderStage::Geometry);
     Rewrite(spelt, ShaderStage::Fragment);
     return 0;
 }
