@@ -140,9 +140,9 @@ void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& pr
 
 } // namespace
 
-std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
-                           std::span<const std::string> keywords, IncludeResolver& resolver,
-                           std::vector<Diagnostic>& warnings)
+PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                                std::span<const std::string> keywords, IncludeResolver& resolver,
+                                std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
@@ -166,7 +166,11 @@ std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     Judge(good, ReadGlslangLog(shader.getInfoLog(), program.file), program, includer.hasMissing(),
           warnings);
     TakePragmas(result, warnings);
-    return RespellForGlslang(std::move(result));
+    const bool namesStages =
+        includer.namesStages() ||
+        std::any_of(program.chunks.begin(), program.chunks.end(),
+                    [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
+    return {RespellForGlslang(std::move(result)), namesStages};
 }
 
 } // namespace limn

@@ -21,7 +21,7 @@ constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 class Rewriter
 {
 public:
-    Rewriter(const StageSource& source, std::string_view entry)
+    Rewriter(const HlslSource& source, std::string_view entry)
         : m_Source(source), m_Tokens(source.tokens)
     {
         MarkFunctions();
@@ -243,7 +243,7 @@ private:
         }
     }
 
-    const StageSource& m_Source;
+    const HlslSource& m_Source;
     const std::vector<HlslToken>& m_Tokens;
     std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
@@ -256,16 +256,15 @@ private:
 
 } // namespace
 
-StageSource::StageSource(std::string preprocessed, ShaderStage ofStage)
+HlslSource::HlslSource(std::string preprocessed)
     : text(std::move(preprocessed)),
       tokens(TokenizeHlsl(text)),
-      declarations(ReadDeclarations(tokens)),
-      stage(ofStage)
+      declarations(ReadDeclarations(tokens))
 {
 }
 
-std::string RewriteStage(const StageSource& source, const StageInterface& interface,
-                         const StageLinkage& linkage)
+std::string RewriteStage(const HlslSource& source, ShaderStage stage,
+                         const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
     rewriter.CopyAssignedUniforms();
@@ -273,8 +272,8 @@ std::string RewriteStage(const StageSource& source, const StageInterface& interf
     {
         rewriter.TakeGeometryApart(interface, linkage);
     }
-    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, source.stage,
-                                                 rewriter.prologue(), rewriter.usesDrawIndex());
+    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
+                                                 rewriter.usesDrawIndex());
 }
 
 } // namespace limn
