@@ -58,7 +58,8 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
     source += "#include \"limn/Prelude.hlsl\"\n";
     if (program.language == ProgramLanguage::Cg)
     {
-        source += "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n";
+        source += "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n"
+                  "#include \"UnityShaderUtilities.cginc\"\n";
     }
     for (const SourceChunk& chunk : program.chunks)
     {

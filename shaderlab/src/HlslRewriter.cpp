@@ -1,6 +1,7 @@
 #include "HlslRewriter.h"
 
 #include "GeometryEntryWriter.h"
+#include "HlslRepeats.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -49,6 +50,35 @@ public:
         for (const HlslVariable* uniform : m_Copied)
         {
             Copy(*uniform);
+        }
+    }
+
+    void RemoveRepeatedDeclarations()
+    {
+        for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
+        {
+            Remove(*variable);
+        }
+    }
+
+    /// Textures and the like are no members of a buffer to glslang, though HLSL lets them stand
+    /// there.
+    void MoveObjectsOutOfBuffers()
+    {
+        for (const HlslVariable& object : m_Source.declarations.objects)
+        {
+            if (!object.isInBuffer || object.lastToken == 0)
+            {
+                continue;
+            }
+            std::string moved;
+            for (std::size_t i = object.firstToken; i <= object.lastToken; ++i)
+            {
+                moved.append(" ").append(Text(i));
+            }
+            Remove(object);
+            const std::size_t end = object.endToken;
+            m_InsertedAfter[Text(end + 1) == ";" ? end + 1 : end] += moved;
         }
     }
 
@@ -181,6 +211,14 @@ private:
         }
     }
 
+    void Remove(const HlslVariable& variable)
+    {
+        for (std::size_t i = variable.firstToken; i <= variable.lastToken; ++i)
+        {
+            m_Renamed[i] = "";
+        }
+    }
+
     std::string_view Text(std::size_t index) const
     {
         return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
@@ -267,6 +305,8 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
                          const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
+    rewriter.RemoveRepeatedDeclarations();
+    rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
     if (interface.geometry)
     {

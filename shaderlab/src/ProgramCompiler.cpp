@@ -6,6 +6,7 @@
 
 #include "DiagnosticColumns.h"
 #include "HlslPreprocessor.h"
+#include "HlslRepeats.h"
 #include "HlslRewriter.h"
 #include "SpirvBuilder.h"
 #include "SpirvReflection.h"
@@ -100,6 +101,23 @@ struct Stage
 /// Vertex first, fragment last.
 using Stages = std::vector<Stage>;
 
+void RequireOneDefinition(const HlslSource& source)
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
+    {
+        const HlslPlace place =
+            PlaceOf(source.text, source.tokens[variable->token].Begin(source.text));
+        diagnostics.push_back({Severity::Error, place.file, place.location,
+                               "'" + std::string(variable->name) +
+                                   "': redefinition; something else has this name already"});
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
 Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
                   IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
 {
@@ -117,6 +135,7 @@ Stages ReadStages(const PassProgram& program, std::span<const std::string> keywo
         {
             PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
             source = std::make_shared<const HlslSource>(std::move(hlsl.text));
+            RequireOneDefinition(*source);
             shared = hlsl.namesStages ? nullptr : source;
         }
         StageInterface interface = InterfaceOf(*source, FindEntry(program, *source, stage), stage);

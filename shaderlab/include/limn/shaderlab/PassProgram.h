@@ -12,7 +12,7 @@ namespace limn
 enum class ProgramLanguage
 {
     Hlsl, ///< HLSLPROGRAM: includes nothing by itself
-    Cg    ///< CGPROGRAM: HLSLSupport.cginc and UnityShaderVariables.cginc come first
+    Cg    ///< CGPROGRAM: HLSLSupport, UnityShaderVariables and UnityShaderUtilities come first
 };
 
 /// Program text as it stands in the file, from behind the opening keyword to the closing one.
