@@ -78,11 +78,12 @@ float LinearDepthToEyeDepth(float rawDepth)
     return _ProjectionParams.z - (_ProjectionParams.z - _ProjectionParams.y) * rawDepth;
 }
 
-void AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
+float AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
 {
 #ifdef _ALPHATEST_ON
     clip(alpha - cutoff + offset);
 #endif
+    return alpha;
 }
 
 float AlphaClip(float alpha, float cutoff)
