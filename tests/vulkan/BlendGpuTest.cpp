@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include <gmock/gmock.h>
 
 namespace limn::test
 {
@@ -193,6 +194,43 @@ TEST_P(Blending, BlendsAgainAfterALogicalOperation)
     }
     Device().Execute(frame);
     EXPECT_EQ((Rgba8{102, 255, 102, 102}), Texel8(Device().ReadBack(*target), 0, 0));
+}
+
+TEST_P(Blending, MixesAsDrawingProgramsDoWhereTheDeviceCan)
+{
+    struct Case
+    {
+        BlendOp op;
+        Rgba8 expected; ///< of source (1, 0, 0.2) and destination (0.4, 1, 1), both opaque
+    };
+    for (const Case& one : {Case{BlendOp::Multiply, {102, 0, 51, 255}},       // s * d
+                            Case{BlendOp::Screen, {255, 255, 255, 255}},      // s + d - s * d
+                            Case{BlendOp::Difference, {153, 255, 204, 255}}}) // |s - d|
+    {
+        const TargetPtr target = MakeTarget(1, 1);
+        CompiledFrame frame = FrameOf({ClearPass(target, {0.4f, 1, 1, 1})}, target);
+        PipelineState state = PlainState();
+        state.targets[0].enabled = true;
+        state.targets[0].colorOp = one.op;
+        state.targets[0].alphaOp = one.op;
+        frame.passes[0].commands.emplace_back(
+            MakeColorDraw(frame, MakeQuad(), {1, 0, 0.2f, 1}, state));
+        try
+        {
+            Device().Execute(frame);
+        }
+        catch (const ContractError& error)
+        {
+            EXPECT_THAT(error.what(),
+                        testing::HasSubstr("the device lacks VK_EXT_blend_operation_advanced"));
+            continue;
+        }
+        const Rgba8 actual = Texel8(Device().ReadBack(*target), 0, 0);
+        for (std::size_t i = 0; i < actual.size(); ++i)
+        {
+            EXPECT_NEAR(one.expected.at(i), actual.at(i), 1) << static_cast<int>(one.op);
+        }
+    }
 }
 
 TEST_P(Blending, WritesTheMaskedChannelsOnly)
