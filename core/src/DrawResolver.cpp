@@ -102,6 +102,19 @@ std::vector<TextureSlot> TextureSlots(const PropertyLayout& layout,
     return slots;
 }
 
+/// Meshes are made of triangles, and so are procedural draws.
+void RequireTriangles(const PropertyLayout& layout, const PropertySources& sources)
+{
+    static constexpr const char* k_Taken[] = {
+        nullptr, "points", "lines", "lines with neighbours", nullptr, "triangles with neighbours"};
+    if (const char* taken = k_Taken[static_cast<std::size_t>(layout.geometryInput)])
+    {
+        throw ContractError("material '" + sources.material->name() +
+                            "': the geometry function of its shader takes " + taken +
+                            ", but triangles are drawn; write 'triangle' and an array of 3");
+    }
+}
+
 } // namespace
 
 const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
@@ -161,6 +174,7 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
                                                         std::vector<std::byte>& uniformData) const
 {
     const PropertyLayout& layout = ids.pass->layout;
+    RequireTriangles(layout, sources);
     auto bindings = std::make_shared<DrawBindings>();
     for (std::size_t b = 0; b < layout.buffers.size(); ++b)
     {

@@ -106,9 +106,14 @@ std::string PassText(const CheckedPass& checked, std::size_t index)
     if (checked.compiled)
     {
         text += indent + "SPIR-V: vertex " + std::to_string(checked.compiled->vertexSpirv.size()) +
-                " words, fragment " + std::to_string(checked.compiled->fragmentSpirv.size()) +
-                " words, " + std::to_string(checked.compiled->layout.colorOutputs) +
-                " colour output(s)\n" + LayoutText(checked.compiled->layout, indent) + indent +
+                " words, " +
+                (checked.compiled->geometrySpirv.empty()
+                     ? ""
+                     : "geometry " + std::to_string(checked.compiled->geometrySpirv.size()) +
+                           " words, ") +
+                "fragment " + std::to_string(checked.compiled->fragmentSpirv.size()) + " words, " +
+                std::to_string(checked.compiled->layout.colorOutputs) + " colour output(s)\n" +
+                LayoutText(checked.compiled->layout, indent) + indent +
                 (checked.srpBatcherProblem.empty()
                      ? "SRP Batcher: compatible"
                      : "SRP Batcher: not compatible, " + checked.srpBatcherProblem) +
@@ -173,18 +178,17 @@ std::string TypeText(UniformType type, int components, int arraySize)
 
 std::string StagesText(ShaderStage stages)
 {
-    switch (stages)
+    std::string text;
+    for (const auto& [stage, name] :
+         {std::pair(ShaderStage::Vertex, "vertex"), std::pair(ShaderStage::Geometry, "geometry"),
+          std::pair(ShaderStage::Fragment, "fragment")})
     {
-    case ShaderStage::None:
-        return "no stage";
-    case ShaderStage::Vertex:
-        return "vertex";
-    case ShaderStage::Fragment:
-        return "fragment";
-    case ShaderStage::Both:
-        break;
+        if (stages & stage)
+        {
+            text += (text.empty() ? "" : " and ") + std::string(name);
+        }
     }
-    return "vertex and fragment";
+    return text.empty() ? "no stage" : text;
 }
 
 std::string KeywordsText(const KeywordSet& set)

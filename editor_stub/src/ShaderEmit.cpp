@@ -23,13 +23,19 @@ std::string ToGlsl(std::vector<std::uint32_t> spirv)
     return compiler.compile();
 }
 
-/// OpenGL ES 3.0, or 3.1 where a structured buffer needs it.
+/// The least version that has what the code needs: 3.0, structured buffers 3.1, geometry 3.2.
+std::uint32_t EsVersion(const spirv_cross::CompilerGLSL& compiler)
+{
+    const bool isGeometry = compiler.get_execution_model() == spv::ExecutionModelGeometry;
+    return isGeometry ? 320 : compiler.get_shader_resources().storage_buffers.empty() ? 300 : 310;
+}
+
 std::string ToGlslEs(std::vector<std::uint32_t> spirv)
 {
     spirv_cross::CompilerGLSL compiler(std::move(spirv));
     spirv_cross::CompilerGLSL::Options options;
     options.es = true;
-    options.version = compiler.get_shader_resources().storage_buffers.empty() ? 300 : 310;
+    options.version = EsVersion(compiler);
     options.emit_push_constant_as_uniform_buffer = true;
     compiler.set_common_options(options);
     compiler.build_combined_image_samplers();
@@ -81,50 +87,77 @@ std::string FileStem(const std::string& name)
     return stem;
 }
 
+struct EmittedFile
+{
+    std::filesystem::path path;
+    std::string content;
+};
+
+/// One file a stage.
+void Translate(const CheckedPass& checked, const ShaderCheck& check, const std::string& language,
+               const std::filesystem::path& stem, std::vector<EmittedFile>& files)
+{
+    const CompiledPass& pass = *checked.compiled;
+    const std::string refusal = "the pass cannot be written as " + language + ": ";
+    if (!pass.geometrySpirv.empty() && (language == "msl" || language == "hlsl"))
+    {
+        throw AssetError(check.file.string(), checked.pass->location,
+                         refusal + (language == "msl"
+                                        ? "Metal has no geometry functions"
+                                        : "SPIRV-Cross writes no geometry functions in HLSL"));
+    }
+    for (const auto& [stage, spirv] :
+         {std::pair("vert", &pass.vertexSpirv), std::pair("geom", &pass.geometrySpirv),
+          std::pair("frag", &pass.fragmentSpirv)})
+    {
+        if (spirv->empty())
+        {
+            continue;
+        }
+        try
+        {
+            files.push_back(
+                {stem.string() + "." + stage + "." + (language == "spirv" ? "spv" : language),
+                 Translate(*spirv, language)});
+        }
+        catch (const spirv_cross::CompilerError& error)
+        {
+            throw AssetError(check.file.string(), checked.pass->location, refusal + error.what());
+        }
+    }
+}
+
 } // namespace
 
 std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const std::string& language,
                                               const std::filesystem::path& folder)
 {
+    // Everything is translated before the first file is written: all of them or none.
+    std::vector<EmittedFile> files;
+    for (const CheckedSubShader& subShader : check.subShaders)
+    {
+        for (std::size_t i = 0; subShader.isUsed && i < subShader.passes.size(); ++i)
+        {
+            if (subShader.passes[i].compiled)
+            {
+                Translate(subShader.passes[i], check, language,
+                          folder / (FileStem(check.document->name) + "." + std::to_string(i)),
+                          files);
+            }
+        }
+    }
     const std::string problem = MakeFolder(folder);
     if (!problem.empty())
     {
         throw AssetError(folder.string(), {}, "the folder cannot be made: " + problem);
     }
-    const std::string extension = language == "spirv" ? "spv" : language;
-    std::vector<std::filesystem::path> files;
-    for (const CheckedSubShader& subShader : check.subShaders)
+    std::vector<std::filesystem::path> paths;
+    for (const EmittedFile& file : files)
     {
-        if (!subShader.isUsed)
-        {
-            continue;
-        }
-        for (std::size_t i = 0; i < subShader.passes.size(); ++i)
-        {
-            const CompiledPass* pass = subShader.passes[i].compiled.get();
-            if (!pass)
-            {
-                continue;
-            }
-            const std::string stem = FileStem(check.document->name) + "." + std::to_string(i);
-            for (const auto& [stage, spirv] :
-                 {std::pair("vert", &pass->vertexSpirv), std::pair("frag", &pass->fragmentSpirv)})
-            {
-                files.push_back(folder / (stem + "." + stage + "." + extension));
-                try
-                {
-                    WriteFile(files.back(), Translate(*spirv, language));
-                }
-                catch (const spirv_cross::CompilerError& error)
-                {
-                    throw AssetError(check.file.string(), subShader.passes[i].pass->location,
-                                     "the pass cannot be written as " + language + ": " +
-                                         error.what());
-                }
-            }
-        }
+        WriteFile(file.path, file.content);
+        paths.push_back(file.path);
     }
-    return files;
+    return paths;
 }
 
 } // namespace limn

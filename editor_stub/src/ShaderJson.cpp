@@ -101,6 +101,7 @@ Json PassJson(const CheckedPass& checked)
     if (checked.compiled)
     {
         json["vertexWords"] = checked.compiled->vertexSpirv.size();
+        json["geometryWords"] = checked.compiled->geometrySpirv.size();
         json["fragmentWords"] = checked.compiled->fragmentSpirv.size();
         json["enabledKeywords"] = checked.keywords;
         json["layout"] = LayoutJson(checked.compiled->layout);

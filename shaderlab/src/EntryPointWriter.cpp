@@ -1,5 +1,8 @@
 #include "EntryPointWriter.h"
 
+#include "GeometryEntryWriter.h"
+#include "StageValueText.h"
+
 #include <algorithm>
 
 namespace limn
@@ -8,44 +11,11 @@ namespace limn
 namespace
 {
 
-/// The type the pipeline gives a system value, whatever type the author declares.
-std::string SystemType(const StageValue& value)
-{
-    if (value.semantic == "SV_POSITION" || value.semantic == "SV_TARGET")
-    {
-        return TypeName(value.semantic == "SV_TARGET" ? value.scalar : "float", 4);
-    }
-    if (value.semantic == "SV_ISFRONTFACE")
-    {
-        return "bool";
-    }
-    const bool isFloat = value.semantic.find("DISTANCE") != std::string::npos ||
-                         value.semantic.find("DEPTH") != std::string::npos ||
-                         value.semantic == "PSIZE";
-    return isFloat ? "float" : "uint";
-}
+const std::string k_FirstInstance = "limn_FirstInstance";
 
-int ComponentsOf(const std::string& type)
+std::string DrawIndexText(const std::string& index)
 {
-    return type.back() >= '2' && type.back() <= '4' ? type.back() - '0' : 1;
-}
-
-/// `source`, of `components`, as another vector type: cut off, or filled up with zeros.
-std::string Convert(const std::string& source, int components, const std::string& scalar,
-                    int wanted)
-{
-    const std::string type = TypeName(scalar, wanted);
-    if (wanted <= components)
-    {
-        const std::string swizzle = std::string("xyzw").substr(0, static_cast<std::size_t>(wanted));
-        return "(" + type + ")" + source + (wanted < components ? "." + swizzle : "");
-    }
-    std::string text = type + "(" + source;
-    for (int i = components; i < wanted; ++i)
-    {
-        text += ", 0";
-    }
-    return text + ")";
+    return "limn_DrawIndex = " + index + ";\n";
 }
 
 class EntryWriter
@@ -71,8 +41,8 @@ public:
             AddDrawIndex();
         }
         return "\n#line 1 \"" + std::string(k_EntryFile) + "\"\nvoid " + std::string(k_EntryName) +
-               "(" + m_Parameters + ")\n{\n" + m_DrawIndex + prologue + Locals() + m_Before +
-               Call() + m_After + "}\n";
+               "(" + m_Parameters + ")\n{\n" + m_DrawIndex + prologue +
+               ArgumentLocals(m_Interface) + m_Before + Call() + m_After + "}\n";
     }
 
 private:
@@ -96,9 +66,8 @@ private:
 
     void AddDrawIndex()
     {
-        const std::string index =
-            m_Stage == ShaderStage::Vertex ? InstanceId() : "limn_FirstInstance";
-        m_DrawIndex = "limn_DrawIndex = " + index + ";\n";
+        m_DrawIndex =
+            DrawIndexText(m_Stage == ShaderStage::Vertex ? InstanceId() : k_FirstInstance);
     }
 
     void AddInput(const StageValue& value)
@@ -148,34 +117,19 @@ private:
         Read(value, name, value.components);
     }
 
-    const Varying& FindVarying(const StageValue& value) const
-    {
-        return *std::find_if(m_Linkage.varyings.begin(), m_Linkage.varyings.end(),
-                             [&](const Varying& varying)
-                             { return varying.semantic == value.semanticName(); });
-    }
-
-    std::string VaryingParameter(const Varying& varying, const std::string& name,
-                                 const std::string& direction) const
-    {
-        const std::string location = std::to_string(varying.location);
-        return "[[vk::location(" + location + ")]] " + direction +
-               TypeName(varying.scalar, varying.components) + " " + name + " : LIMN" + location;
-    }
-
     void AddVaryingInput(const StageValue& value)
     {
-        if (std::find(m_Linkage.unwritten.begin(), m_Linkage.unwritten.end(),
-                      value.semanticName()) != m_Linkage.unwritten.end())
+        const StageBorder& border = m_Linkage.Before(m_Stage);
+        if (std::find(border.unwritten.begin(), border.unwritten.end(), value.semanticName()) !=
+            border.unwritten.end())
         {
             m_Before += value.expression + " = 0;\n";
             return;
         }
-        const Varying& varying = FindVarying(value);
+        const Varying& varying = border.Find(value.semanticName());
         const std::string name = NextName();
         const bool isFlat = varying.scalar != "float";
-        AddParameter(
-            VaryingParameter(varying, name, isFlat ? "nointerpolation " : value.interpolation));
+        AddParameter(VaryingText(varying, name, isFlat ? "nointerpolation " : value.interpolation));
         Read(value, name, varying.components);
     }
 
@@ -185,48 +139,27 @@ private:
         if (value.isSystemValue)
         {
             const std::string type = SystemType(value);
-            AddParameter("out " + type + " " + name + " : " + OutputSemantic(value));
+            AddParameter("out " + type + " " + name + " : " + SystemSemantic(value));
             const std::string scalar = type.substr(0, type.find_first_of("234"));
             Write(value, name, scalar, ComponentsOf(type));
             return;
         }
-        const Varying& varying = FindVarying(value);
-        AddParameter(VaryingParameter(varying, name, "out "));
+        const Varying& varying = m_Linkage.Behind(m_Stage).Find(value.semanticName());
+        AddParameter(VaryingText(varying, name, "out "));
         Write(value, name, varying.scalar, varying.components);
-    }
-
-    static std::string OutputSemantic(const StageValue& value)
-    {
-        return value.semantic + (value.semantic == "SV_TARGET" ? std::to_string(value.index) : "");
     }
 
     void Read(const StageValue& value, const std::string& source, int components)
     {
         m_Before += value.expression + " = " +
-                    Convert(source, components, value.scalar, value.components) + ";\n";
+                    ConvertText(source, components, value.scalar, value.components) + ";\n";
     }
 
     void Write(const StageValue& value, const std::string& target, const std::string& scalar,
                int components)
     {
         m_After += target + " = " +
-                   Convert(value.expression, value.components, scalar, components) + ";\n";
-    }
-
-    std::string Locals() const
-    {
-        std::string text;
-        const auto& parameters = m_Interface.function->parameters;
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-        {
-            text += std::string(parameters[i].type) + " " + ArgumentName(i);
-            for (const std::string_view size : parameters[i].dimensions)
-            {
-                text += "[" + std::string(size) + "]";
-            }
-            text += ";\n";
-        }
-        return text;
+                   ConvertText(value.expression, value.components, scalar, components) + ";\n";
     }
 
     std::string Call() const
@@ -263,9 +196,34 @@ std::string AuthorFunctionName(std::string_view name)
     return name == "main" ? "limn_AuthorMain" : std::string(name);
 }
 
+std::string ArgumentLocals(const StageInterface& interface)
+{
+    std::string text;
+    const auto& parameters = interface.function->parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+    {
+        if (isStream(parameters[i].type))
+        {
+            continue;
+        }
+        text += std::string(parameters[i].type) + " " + ArgumentName(i);
+        for (const std::string_view size : parameters[i].dimensions)
+        {
+            text += "[" + std::string(size) + "]";
+        }
+        text += ";\n";
+    }
+    return text;
+}
+
 std::string WriteEntryPoint(const StageInterface& interface, const StageLinkage& linkage,
                             ShaderStage stage, const std::string& prologue, bool usesDrawIndex)
 {
+    if (interface.geometry)
+    {
+        return WriteGeometryEntry(interface, linkage,
+                                  (usesDrawIndex ? DrawIndexText(k_FirstInstance) : "") + prologue);
+    }
     return EntryWriter(interface, linkage, stage).Compose(prologue, usesDrawIndex);
 }
 

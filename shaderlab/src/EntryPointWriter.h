@@ -16,6 +16,9 @@ inline constexpr std::string_view k_EntryFile = "limn";
 /// What the author's entry function is called in the rewritten text: "main" is taken.
 std::string AuthorFunctionName(std::string_view name);
 
+/// Declarations of a local variable for each parameter of the author's function, streams apart.
+std::string ArgumentLocals(const StageInterface& interface);
+
 /// HLSL of a function k_EntryName that calls the author's entry function.
 ///
 /// @param prologue  statements that come first, e.g. filling the copies of uniforms

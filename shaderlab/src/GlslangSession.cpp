@@ -13,7 +13,9 @@ void StartGlslang()
 
 EShLanguage GlslangStage(ShaderStage stage)
 {
-    return stage == ShaderStage::Vertex ? EShLangVertex : EShLangFragment;
+    return stage == ShaderStage::Vertex     ? EShLangVertex
+           : stage == ShaderStage::Geometry ? EShLangGeometry
+                                            : EShLangFragment;
 }
 
 void SetEnvironment(glslang::TShader& shader, ShaderStage stage)

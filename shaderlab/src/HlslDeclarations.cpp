@@ -9,13 +9,15 @@ namespace limn
 namespace
 {
 
-constexpr std::array<std::string_view, 24> k_Modifiers = {
-    "static",    "const",         "uniform",         "extern",
-    "volatile",  "precise",       "shared",          "inline",
-    "row_major", "column_major",  "nointerpolation", "linear",
-    "centroid",  "noperspective", "sample",          "in",
-    "out",       "inout",         "snorm",           "unorm",
-    "lowp",      "mediump",       "highp",           "groupshared"};
+constexpr std::array<std::string_view, 29> k_Modifiers = {
+    "static",     "const",         "uniform",         "extern",
+    "volatile",   "precise",       "shared",          "inline",
+    "row_major",  "column_major",  "nointerpolation", "linear",
+    "centroid",   "noperspective", "sample",          "in",
+    "out",        "inout",         "snorm",           "unorm",
+    "lowp",       "mediump",       "highp",           "groupshared",
+    "point",      "line",          "triangle",        "lineadj",
+    "triangleadj"};
 
 constexpr std::array<std::string_view, 8> k_ObjectTypes = {
     "Texture",           "Sampler", "sampler", "StructuredBuffer",
@@ -110,9 +112,12 @@ private:
     void ReadDeclaration()
     {
         const std::size_t begin = m_Index;
+        std::vector<std::string_view> attributes;
         while (Text() == "[")
         {
+            const std::size_t first = m_Index;
             SkipBalanced("[", "]");
+            attributes.push_back(Span(first));
         }
         if (Text() == "struct" && Text(2) == "{")
         {
@@ -136,7 +141,7 @@ private:
         }
         else if (isWord())
         {
-            ReadFunctionOrVariables(begin);
+            ReadFunctionOrVariables(begin, std::move(attributes));
         }
         else
         {
@@ -220,7 +225,11 @@ private:
         }
         if (Text() == "<")
         {
+            const std::size_t first = m_Index + 1;
             SkipBalanced("<", ">");
+            --m_Index;
+            variable.templateArgument = Span(first);
+            ++m_Index;
         }
         while (isWord() && isModifier(Text()))
         {
@@ -311,12 +320,13 @@ private:
         }
     }
 
-    void ReadFunctionOrVariables(std::size_t begin)
+    void ReadFunctionOrVariables(std::size_t begin, std::vector<std::string_view> attributes)
     {
         HlslVariable head = ReadHead();
         if (Text() == "(" && !head.name.empty())
         {
             ReadFunction(begin, head);
+            m_Result.functions.back().attributes = std::move(attributes);
             return;
         }
         std::vector<HlslVariable> variables;

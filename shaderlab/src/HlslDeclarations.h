@@ -15,6 +15,7 @@ struct HlslVariable
 {
     std::vector<std::string_view> modifiers;
     std::string_view type; ///< without template arguments
+    std::string_view templateArgument;
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
@@ -44,8 +45,9 @@ struct HlslFunction
     std::string_view name;
     std::string_view semantic; ///< of the return value
     std::vector<HlslVariable> parameters;
-    std::size_t begin = 0; ///< first token, attributes included
-    std::size_t end = 0;   ///< one behind the last token
+    std::vector<std::string_view> attributes; ///< each with its brackets
+    std::size_t begin = 0;                    ///< first token, attributes included
+    std::size_t end = 0;                      ///< one behind the last token
     bool hasBody = false;
 };
 

@@ -35,7 +35,9 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
     std::string source;
-    Define(source, stage == ShaderStage::Vertex ? "SHADER_STAGE_VERTEX" : "SHADER_STAGE_FRAGMENT");
+    Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
+                   : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
+                                                    : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
     const auto dynamic = DynamicKeywords(program);
     for (const std::string& keyword : keywords)
@@ -131,9 +133,9 @@ void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& pr
 
 } // namespace
 
-std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
-                           std::span<const std::string> keywords, IncludeResolver& resolver,
-                           std::vector<Diagnostic>& warnings)
+PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                                std::span<const std::string> keywords, IncludeResolver& resolver,
+                                std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
@@ -157,7 +159,11 @@ std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     Judge(good, ReadGlslangLog(shader.getInfoLog(), program.file), program, includer.hasMissing(),
           warnings);
     TakePragmas(result, warnings);
-    return RespellForGlslang(std::move(result));
+    const bool namesStages =
+        includer.namesStages() ||
+        std::any_of(program.chunks.begin(), program.chunks.end(),
+                    [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
+    return {RespellForGlslang(std::move(result)), namesStages};
 }
 
 } // namespace limn

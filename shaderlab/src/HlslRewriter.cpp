@@ -1,5 +1,6 @@
 #include "HlslRewriter.h"
 
+#include "GeometryEntryWriter.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 class Rewriter
 {
 public:
-    Rewriter(const StageSource& source, std::string_view entry)
+    Rewriter(const HlslSource& source, std::string_view entry)
         : m_Source(source), m_Tokens(source.tokens)
     {
         MarkFunctions();
@@ -48,6 +49,37 @@ public:
         for (const HlslVariable* uniform : m_Copied)
         {
             Copy(*uniform);
+        }
+    }
+
+    /// Makes an ordinary function of the author's geometry function; see GeometryEntryWriter.h.
+    void TakeGeometryApart(const StageInterface& interface, const StageLinkage& linkage)
+    {
+        std::size_t first = interface.function->begin;
+        for (const HlslFunction* function : m_Reachable)
+        {
+            for (std::size_t i = function->begin; i < function->end; ++i)
+            {
+                const bool isAppend = Text(i) == "Append" && Text(i - 1) == ".";
+                if (isAppend)
+                {
+                    m_InsertedAfter[i + 1] += std::string(k_PackFunction) + "(";
+                    m_Renamed[BehindBracket(i + 1, "(", ")") - 1] = "))";
+                }
+                else if (isStream(Text(i)) && Text(i + 1) == "<")
+                {
+                    m_Renamed[i + 2] = k_GeometryOutput;
+                }
+                else if (Text(i) == interface.geometry->primitive)
+                {
+                    m_Renamed[i] = "";
+                }
+                first = isAppend || isStream(Text(i)) ? std::min(first, function->begin) : first;
+            }
+        }
+        if (first > 0)
+        {
+            m_InsertedAfter[first - 1] += " " + WriteGeometryTypes(interface, linkage);
         }
     }
 
@@ -168,20 +200,21 @@ private:
         std::size_t next = index + 1;
         while (Text(next) == "." || Text(next) == "[")
         {
-            next = Text(next) == "." ? next + 2 : BehindBracket(next);
+            next = Text(next) == "." ? next + 2 : BehindBracket(next, "[", "]");
         }
         const std::string_view mark = Text(next);
         return mark == "++" || mark == "--" ||
                std::find(k_Assignments.begin(), k_Assignments.end(), mark) != k_Assignments.end();
     }
 
-    std::size_t BehindBracket(std::size_t index) const
+    std::size_t BehindBracket(std::size_t index, std::string_view open,
+                              std::string_view close) const
     {
         int depth = 0;
         do
         {
-            depth += Text(index) == "[" ? 1 : 0;
-            depth -= Text(index) == "]" ? 1 : 0;
+            depth += Text(index) == open ? 1 : 0;
+            depth -= Text(index) == close ? 1 : 0;
             ++index;
         } while (depth > 0 && index < m_Tokens.size());
         return index;
@@ -210,7 +243,7 @@ private:
         }
     }
 
-    const StageSource& m_Source;
+    const HlslSource& m_Source;
     const std::vector<HlslToken>& m_Tokens;
     std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
@@ -223,21 +256,24 @@ private:
 
 } // namespace
 
-StageSource::StageSource(std::string preprocessed, ShaderStage ofStage)
+HlslSource::HlslSource(std::string preprocessed)
     : text(std::move(preprocessed)),
       tokens(TokenizeHlsl(text)),
-      declarations(ReadDeclarations(tokens)),
-      stage(ofStage)
+      declarations(ReadDeclarations(tokens))
 {
 }
 
-std::string RewriteStage(const StageSource& source, const StageInterface& interface,
-                         const StageLinkage& linkage)
+std::string RewriteStage(const HlslSource& source, ShaderStage stage,
+                         const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
     rewriter.CopyAssignedUniforms();
-    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, source.stage,
-                                                 rewriter.prologue(), rewriter.usesDrawIndex());
+    if (interface.geometry)
+    {
+        rewriter.TakeGeometryApart(interface, linkage);
+    }
+    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
+                                                 rewriter.usesDrawIndex());
 }
 
 } // namespace limn

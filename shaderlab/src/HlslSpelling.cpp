@@ -16,11 +16,9 @@ namespace limn
 namespace
 {
 
-// Words that mean something before the type of a geometry function's parameter only.
-constexpr std::array<std::string_view, 6> k_GeometryWords = {"point",       "line",    "triangle",
-                                                             "triangleadj", "lineadj", "shared"};
 // Words that mean something before a type, so that another word follows.
-constexpr std::array<std::string_view, 2> k_Modifiers = {"linear", "centroid"};
+constexpr std::array<std::string_view, 7> k_Modifiers = {
+    "linear", "centroid", "point", "line", "triangle", "triangleadj", "lineadj"};
 
 template <std::size_t N>
 bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
@@ -108,7 +106,7 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (Contains(k_GeometryWords, word) || (Contains(k_Modifiers, word) && !isWord(index + 1)))
+        if (word == "shared" || (Contains(k_Modifiers, word) && !isWord(index + 1)))
         {
             m_Spelling[index] = std::string(word) + "_";
         }

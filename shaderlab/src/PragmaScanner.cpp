@@ -146,6 +146,10 @@ private:
         {
             m_Program.fragment = {std::string(TakeWord(rest)), m_Location};
         }
+        else if (name == "geometry")
+        {
+            m_Program.geometry = {std::string(TakeWord(rest)), m_Location};
+        }
         else if (name == "target" && TargetNumber(text) > 0)
         {
             m_Program.target = TargetNumber(TakeWord(rest));
@@ -178,6 +182,7 @@ void ScanPragmas(PassProgram& program, const PragmaFileReader& reader)
     const PassProgram fresh;
     program.vertex = fresh.vertex;
     program.fragment = fresh.fragment;
+    program.geometry = fresh.geometry;
     program.target = fresh.target;
     program.keywordSets.clear();
     program.pragmas.clear();

@@ -11,7 +11,8 @@
 #include "SpirvReflection.h"
 
 #include <algorithm>
-#include <tuple>
+#include <memory>
+#include <utility>
 
 namespace limn
 {
@@ -21,12 +22,16 @@ namespace
 
 const EntryPoint& EntryOf(const PassProgram& program, ShaderStage stage)
 {
-    return stage == ShaderStage::Vertex ? program.vertex : program.fragment;
+    return stage == ShaderStage::Vertex     ? program.vertex
+           : stage == ShaderStage::Geometry ? program.geometry
+                                            : program.fragment;
 }
 
 std::string_view StageName(ShaderStage stage)
 {
-    return stage == ShaderStage::Vertex ? "vertex" : "fragment";
+    return stage == ShaderStage::Vertex     ? "vertex"
+           : stage == ShaderStage::Geometry ? "geometry"
+                                            : "fragment";
 }
 
 void RequireEntryPoints(const PassProgram& program)
@@ -48,9 +53,10 @@ void RequireEntryPoints(const PassProgram& program)
     }
 }
 
-const HlslFunction& FindEntry(const PassProgram& program, const StageSource& source)
+const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& source,
+                              ShaderStage stage)
 {
-    const EntryPoint& entry = EntryOf(program, source.stage);
+    const EntryPoint& entry = EntryOf(program, stage);
     if (const HlslFunction* function = source.declarations.FindDefinition(entry.name))
     {
         return *function;
@@ -62,16 +68,17 @@ const HlslFunction& FindEntry(const PassProgram& program, const StageSource& sou
     }
     const std::string_view nearest = NearestName(entry.name, known);
     throw AssetError(program.file, entry.location,
-                     "#pragma " + std::string(StageName(source.stage)) +
-                         ": there is no function '" + entry.name + "'" +
+                     "#pragma " + std::string(StageName(stage)) + ": there is no function '" +
+                         entry.name + "'" +
                          (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
 }
 
-StageInterface InterfaceOf(const StageSource& source, const HlslFunction& function)
+StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& function,
+                           ShaderStage stage)
 {
     try
     {
-        return ReadStageInterface(source.declarations, function, source.stage);
+        return ReadStageInterface(source.declarations, function, stage);
     }
     catch (const StageInterfaceError& error)
     {
@@ -82,17 +89,70 @@ StageInterface InterfaceOf(const StageSource& source, const HlslFunction& functi
     }
 }
 
-StageLinkage Link(const PassProgram& program, const StageInterface& vertex,
-                  const StageInterface& fragment)
+/// One stage on its way to SPIR-V.
+struct Stage
+{
+    ShaderStage stage = ShaderStage::None;
+    std::shared_ptr<const HlslSource> source; ///< other stages may have the same
+    StageInterface interface;                 ///< into source
+};
+
+/// Vertex first, fragment last.
+using Stages = std::vector<Stage>;
+
+Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
+                  IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
+{
+    Stages stages;
+    std::shared_ptr<const HlslSource> shared;
+    for (const ShaderStage stage :
+         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment})
+    {
+        if (EntryOf(program, stage).name.empty())
+        {
+            continue; // RequireEntryPoints has asked for the two that must be there
+        }
+        auto source = shared;
+        if (!source)
+        {
+            PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
+            source = std::make_shared<const HlslSource>(std::move(hlsl.text));
+            shared = hlsl.namesStages ? nullptr : source;
+        }
+        StageInterface interface = InterfaceOf(*source, FindEntry(program, *source, stage), stage);
+        stages.push_back({stage, std::move(source), std::move(interface)});
+    }
+    return stages;
+}
+
+StageLinkage Link(const PassProgram& program, const Stages& stages)
 {
     try
     {
-        return LinkStages(vertex, fragment);
+        return LinkStages(stages.front().interface,
+                          stages.size() > 2 ? &stages[1].interface : nullptr,
+                          stages.back().interface);
     }
     catch (const StageInterfaceError& error)
     {
         throw AssetError(program.file, program.fragment.location,
                          program.fragment.name + ": " + error.message);
+    }
+}
+
+void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const StageLinkage& linkage,
+                     std::vector<Diagnostic>& warnings)
+{
+    for (std::size_t i = 1; i < stages.size(); ++i)
+    {
+        const EntryPoint& entry = EntryOf(program, stages[i].stage);
+        for (const std::string& semantic : linkage.Before(stages[i].stage).unwritten)
+        {
+            warnings.push_back({Severity::Warning, program.file, entry.location,
+                                entry.name + ": it reads '" + semantic + "', which the " +
+                                    std::string(StageName(stages[i - 1].stage)) +
+                                    " function does not write; it is 0"});
+        }
     }
 }
 
@@ -120,22 +180,29 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& erro
     }
 }
 
-/// SPIR-V of both stages; the mistakes of both are reported together, each once.
-void BuildStages(CompiledPass& pass, const PassProgram& program, const std::string& vertex,
-                 const std::string& fragment)
+std::vector<std::uint32_t>& SpirvOf(CompiledPass& pass, ShaderStage stage)
+{
+    return stage == ShaderStage::Vertex     ? pass.vertexSpirv
+           : stage == ShaderStage::Geometry ? pass.geometrySpirv
+                                            : pass.fragmentSpirv;
+}
+
+/// SPIR-V of all stages; their mistakes are reported together, each once.
+void BuildStages(CompiledPass& pass, const PassProgram& program, const Stages& stages,
+                 const StageLinkage& linkage)
 {
     std::vector<Diagnostic> diagnostics;
-    for (const auto& [stage, hlsl, spirv] :
-         {std::tuple{ShaderStage::Vertex, &vertex, &pass.vertexSpirv},
-          std::tuple{ShaderStage::Fragment, &fragment, &pass.fragmentSpirv}})
+    for (const Stage& stage : stages)
     {
+        const std::string hlsl = RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
         try
         {
-            *spirv = BuildSpirv(*hlsl, stage, program.file, pass.diagnostics);
+            SpirvOf(pass, stage.stage) =
+                BuildSpirv(hlsl, stage.stage, program.file, pass.diagnostics);
         }
         catch (const AssetError& error)
         {
-            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage));
+            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage.stage));
         }
     }
     if (!diagnostics.empty())
@@ -157,37 +224,45 @@ void ThrowMessages(const std::vector<std::string>& messages, const PassProgram& 
     }
 }
 
+GeometryInput GeometryInputOf(const StageInterface& interface)
+{
+    static constexpr std::pair<std::string_view, GeometryInput> k_Inputs[] = {
+        {"point", GeometryInput::Point},
+        {"line", GeometryInput::Line},
+        {"lineadj", GeometryInput::LineAdjacency},
+        {"triangle", GeometryInput::Triangle},
+        {"triangleadj", GeometryInput::TriangleAdjacency}};
+    return std::find_if(std::begin(k_Inputs), std::end(k_Inputs),
+                        [&](const auto& item)
+                        { return item.first == interface.geometry->primitive; })
+        ->second;
+}
+
 CompiledPass Build(const PassProgram& program, std::span<const std::string> keywords,
                    IncludeResolver& resolver)
 {
     CompiledPass pass;
-    const StageSource vertex(
-        PreprocessHlsl(program, ShaderStage::Vertex, keywords, resolver, pass.diagnostics),
-        ShaderStage::Vertex);
-    const StageSource fragment(
-        PreprocessHlsl(program, ShaderStage::Fragment, keywords, resolver, pass.diagnostics),
-        ShaderStage::Fragment);
-    const StageInterface vertexInterface = InterfaceOf(vertex, FindEntry(program, vertex));
-    const StageInterface fragmentInterface = InterfaceOf(fragment, FindEntry(program, fragment));
-    const StageLinkage linkage = Link(program, vertexInterface, fragmentInterface);
-    for (const std::string& semantic : linkage.unwritten)
+    const Stages stages = ReadStages(program, keywords, resolver, pass.diagnostics);
+    std::vector<HlslVariable> objects;
+    for (const Stage& stage : stages)
     {
-        pass.diagnostics.push_back({Severity::Warning, program.file, program.fragment.location,
-                                    program.fragment.name + ": it reads '" + semantic +
-                                        "', which the vertex function does not write; it is 0"});
+        const std::vector<HlslVariable>& declared = stage.source->declarations.objects;
+        objects.insert(objects.end(), declared.begin(), declared.end());
     }
-    BuildStages(pass, program, RewriteStage(vertex, vertexInterface, linkage),
-                RewriteStage(fragment, fragmentInterface, linkage));
+    const StageLinkage linkage = Link(program, stages);
+    WarnOfUnwritten(program, stages, linkage, pass.diagnostics);
+    BuildStages(pass, program, stages, linkage);
     std::vector<std::string> messages;
-    std::vector<HlslVariable> objects = vertex.declarations.objects;
-    objects.insert(objects.end(), fragment.declarations.objects.begin(),
-                   fragment.declarations.objects.end());
     ReflectLayout(pass, linkage, objects, messages);
+    if (stages.size() > 2)
+    {
+        pass.layout.geometryInput = GeometryInputOf(stages[1].interface);
+    }
     ThrowMessages(messages, program);
     return pass;
 }
 
-/// What both stages say is said once.
+/// What several stages say is said once.
 void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 {
     std::vector<Diagnostic> once;

@@ -233,11 +233,6 @@ std::optional<std::string> ReasonOf(const ProgramPragma& pragma)
         return "#pragma " + pragma.name +
                ": tessellation is not supported; leave the hull and domain functions out";
     }
-    if (pragma.name == "geometry")
-    {
-        return "#pragma geometry: geometry functions are not supported; do their work in the "
-               "vertex function";
-    }
     const bool isOnly = pragma.name == "only_renderers";
     if (isOnly || pragma.name == "exclude_renderers")
     {
@@ -276,16 +271,16 @@ std::vector<std::string> RequiredFeatures(const PassProgram& program)
 {
     std::set<std::string> features;
     AddModel(program.target, features);
+    if (!program.geometry.name.empty())
+    {
+        AddModel(40, features);
+    }
     for (const ProgramPragma& pragma : program.pragmas)
     {
         if (pragma.name == "require" && pragma.arguments.find(':') == std::string::npos)
         {
             const auto words = Words(pragma.arguments);
             features.insert(words.begin(), words.end());
-        }
-        else if (pragma.name == "geometry")
-        {
-            AddModel(40, features);
         }
         else if (pragma.name == "hull" || pragma.name == "domain")
         {

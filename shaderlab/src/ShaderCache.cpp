@@ -13,7 +13,7 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Magic = "limn pass 2\n";
+constexpr std::string_view k_Magic = "limn pass 3\n";
 constexpr const char* k_Extension = ".limnpass";
 
 // One description of the format serves both directions: Stream is ByteWriter or ByteReader, and the
@@ -81,6 +81,7 @@ void TransferLayout(Stream& stream, Layout& layout)
                     stream.Value(input.components);
                 });
     stream.Value(layout.colorOutputs);
+    stream.Value(layout.geometryInput);
 }
 
 template <typename Stream, typename Pass>
@@ -91,6 +92,7 @@ void TransferPass(Stream& stream, Pass& pass)
         stream.Value(value);
     };
     stream.List(pass.vertexSpirv, word);
+    stream.List(pass.geometrySpirv, word);
     stream.List(pass.fragmentSpirv, word);
     TransferLayout(stream, pass.layout);
     stream.List(pass.diagnostics,

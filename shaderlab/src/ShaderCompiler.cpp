@@ -19,7 +19,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 3;
+constexpr int k_CompilerVersion = 4;
 
 std::string HashName(const std::string& text)
 {
@@ -39,6 +39,7 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
                                       program.language == ProgramLanguage::Cg ? "cg" : "hlsl",
                                       program.vertex.name,
                                       program.fragment.name,
+                                      program.geometry.name,
                                       std::to_string(program.target)};
     for (const auto& [name, folder] : options.packages)
     {

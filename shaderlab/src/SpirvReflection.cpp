@@ -26,7 +26,7 @@ UniformType ScalarOf(const SPIRType& type)
     }
 }
 
-/// Reads one stage into the layout that both stages share.
+/// Reads one stage into the layout that all stages share.
 class StageReflector
 {
 public:
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// Takes the entry of the other stage where it is the same resource, else adds one.
+    /// Takes the entry of another stage where it is the same resource, else adds one.
     template <typename T>
     void Bind(std::uint32_t id, std::vector<T>& list, T item, std::uint32_t& nextBinding)
     {
@@ -295,6 +295,12 @@ void ReflectLayout(CompiledPass& pass, const StageLinkage& linkage,
     StageReflector vertex(pass.vertexSpirv, ShaderStage::Vertex, pass.layout, objects, messages);
     vertex.ReadResources(nextBinding);
     vertex.ReadVertexInputs(linkage.vertexInputs);
+    if (!pass.geometrySpirv.empty())
+    {
+        StageReflector geometry(pass.geometrySpirv, ShaderStage::Geometry, pass.layout, objects,
+                                messages);
+        geometry.ReadResources(nextBinding);
+    }
     StageReflector fragment(pass.fragmentSpirv, ShaderStage::Fragment, pass.layout, objects,
                             messages);
     fragment.ReadResources(nextBinding);

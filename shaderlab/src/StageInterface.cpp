@@ -82,9 +82,13 @@ Semantic SplitSemantic(std::string_view text)
 /// The old names that Direct3D 9 shaders use for system values.
 std::string ModernName(const std::string& name, int index, ShaderStage stage, bool isOutput)
 {
+    const bool isPosition = name == "POSITION" && index == 0;
+    if (stage == ShaderStage::Geometry)
+    {
+        return isPosition ? "SV_POSITION" : name;
+    }
     if (stage == ShaderStage::Vertex)
     {
-        const bool isPosition = name == "POSITION" && index == 0;
         if (isOutput)
         {
             return isPosition ? "SV_POSITION" : name;
@@ -95,7 +99,7 @@ std::string ModernName(const std::string& name, int index, ShaderStage stage, bo
     {
         return name == "COLOR" ? "SV_TARGET" : name == "DEPTH" ? "SV_DEPTH" : name;
     }
-    if ((name == "POSITION" && index == 0) || name == "VPOS")
+    if (isPosition || name == "VPOS")
     {
         return "SV_POSITION";
     }
@@ -122,10 +126,19 @@ bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
         "SV_VIEWPORTARRAYINDEX"};
     static constexpr std::array<std::string_view, 5> k_FragmentOutputs = {
         "SV_TARGET", "SV_DEPTH", "SV_DEPTHLESSEQUAL", "SV_DEPTHGREATEREQUAL", "SV_COVERAGE"};
+    static constexpr std::array<std::string_view, 5> k_GeometryInputs = {
+        "SV_POSITION", "SV_CLIPDISTANCE", "SV_CULLDISTANCE", "SV_PRIMITIVEID", "SV_GSINSTANCEID"};
+    static constexpr std::array<std::string_view, 6> k_GeometryOutputs = {
+        "SV_POSITION",    "SV_CLIPDISTANCE",           "SV_CULLDISTANCE",
+        "SV_PRIMITIVEID", "SV_RENDERTARGETARRAYINDEX", "SV_VIEWPORTARRAYINDEX"};
     const auto contains = [&](const auto& names)
     {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
+    if (stage == ShaderStage::Geometry)
+    {
+        return isOutput ? contains(k_GeometryOutputs) : contains(k_GeometryInputs);
+    }
     if (stage == ShaderStage::Vertex)
     {
         return isOutput ? contains(k_VertexOutputs) : contains(k_VertexInputs);
@@ -139,6 +152,36 @@ public:
     InterfaceReader(const HlslDeclarations& declarations, ShaderStage stage)
         : m_Declarations(declarations), m_Stage(stage)
     {
+    }
+
+    /// The values of a parameter of a geometry function, into the list that they belong to.
+    void ExpandGeometry(HlslVariable parameter, std::size_t index, StageInterface& result)
+    {
+        const std::string argument = ArgumentName(index);
+        if (const auto primitive = PrimitiveOf(parameter))
+        {
+            RequireOne(result.geometry->primitive, "array of vertices");
+            result.geometry->inputParameter = index;
+            result.geometry->primitive = primitive->name;
+            result.geometry->inputVertices = primitive->vertices;
+            RequireVertices(parameter, *primitive);
+            parameter.dimensions.clear();
+            Expand(parameter, argument + "[" + std::string(k_InputIndex) + "]", false,
+                   result.inputs);
+        }
+        else if (isStream(parameter.type))
+        {
+            RequireOne(result.geometry->stream, "stream");
+            result.geometry->streamParameter = index;
+            result.geometry->stream = parameter.type;
+            result.geometry->outputType = parameter.templateArgument;
+            parameter.type = parameter.templateArgument;
+            Expand(parameter, std::string(k_OutputVertex), true, result.outputs);
+        }
+        else
+        {
+            Expand(parameter, argument, false, result.primitiveInputs);
+        }
     }
 
     void Expand(const HlslVariable& variable, const std::string& expression, bool isOutput,
@@ -181,6 +224,44 @@ public:
     }
 
 private:
+    struct Primitive
+    {
+        std::string_view name;
+        int vertices;
+    };
+
+    static std::optional<Primitive> PrimitiveOf(const HlslVariable& parameter)
+    {
+        static constexpr std::array<Primitive, 5> k_Primitives = {
+            {{"point", 1}, {"line", 2}, {"lineadj", 4}, {"triangle", 3}, {"triangleadj", 6}}};
+        const auto found =
+            std::find_if(k_Primitives.begin(), k_Primitives.end(),
+                         [&](const Primitive& item) { return parameter.Has(item.name); });
+        return found == k_Primitives.end() ? std::nullopt : std::optional(*found);
+    }
+
+    static void RequireOne(std::string_view known, const std::string& kind)
+    {
+        if (!known.empty())
+        {
+            throw StageInterfaceError{"a geometry function with more than one " + kind +
+                                      " is not supported"};
+        }
+    }
+
+    void RequireVertices(const HlslVariable& parameter, const Primitive& primitive) const
+    {
+        const bool isRight = parameter.dimensions.size() == 1 &&
+                             EvaluateInteger(parameter.dimensions[0], m_Declarations.constants) ==
+                                 primitive.vertices;
+        if (!isRight)
+        {
+            throw StageInterfaceError{"'" + std::string(parameter.name) + "': '" +
+                                      std::string(primitive.name) + "' needs an array of " +
+                                      std::to_string(primitive.vertices)};
+        }
+    }
+
     void ExpandElements(const HlslVariable& variable, const BuiltInType& type,
                         const std::string& expression, bool isOutput,
                         std::vector<StageValue>& values)
@@ -264,9 +345,46 @@ std::string TypeName(const std::string& scalar, int components)
     return components == 1 ? scalar : scalar + std::to_string(components);
 }
 
+bool isStream(std::string_view type)
+{
+    return type == "PointStream" || type == "LineStream" || type == "TriangleStream";
+}
+
+namespace
+{
+
+StageInterface ReadGeometryInterface(const HlslDeclarations& declarations,
+                                     const HlslFunction& function)
+{
+    StageInterface result;
+    result.function = &function;
+    result.geometry.emplace();
+    InterfaceReader reader(declarations, ShaderStage::Geometry);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    {
+        reader.ExpandGeometry(function.parameters[i], i, result);
+    }
+    const bool hasMaximum =
+        std::any_of(function.attributes.begin(), function.attributes.end(),
+                    [](std::string_view text) { return text.find("maxvertexcount") != text.npos; });
+    if (result.geometry->primitive.empty() || result.geometry->stream.empty() || !hasMaximum)
+    {
+        throw StageInterfaceError{
+            "a geometry function needs [maxvertexcount(N)] before it, an array of vertices as in "
+            "'triangle v2g input[3]', and a stream as in 'inout TriangleStream<g2f> stream'"};
+    }
+    return result;
+}
+
+} // namespace
+
 StageInterface ReadStageInterface(const HlslDeclarations& declarations,
                                   const HlslFunction& function, ShaderStage stage)
 {
+    if (stage == ShaderStage::Geometry)
+    {
+        return ReadGeometryInterface(declarations, function);
+    }
     StageInterface result;
     result.function = &function;
     InterfaceReader reader(declarations, stage);

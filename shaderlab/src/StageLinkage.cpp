@@ -55,24 +55,24 @@ void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
     }
 }
 
-void CollectVaryings(const StageInterface& vertex, StageLinkage& linkage)
+void CollectVaryings(const StageInterface& writer, StageBorder& border)
 {
-    for (const StageValue& value : vertex.outputs)
+    for (const StageValue& value : writer.outputs)
     {
         if (!value.isSystemValue)
         {
-            RequireNew(linkage.varyings, value.semanticName());
-            const int location = static_cast<int>(linkage.varyings.size());
-            linkage.varyings.push_back({value.semanticName(),
-                                        value.scalar == "bool" ? "uint" : value.scalar,
-                                        value.components, location});
+            RequireNew(border.varyings, value.semanticName());
+            const int location = static_cast<int>(border.varyings.size());
+            border.varyings.push_back({value.semanticName(),
+                                       value.scalar == "bool" ? "uint" : value.scalar,
+                                       value.components, location});
         }
     }
 }
 
-void MatchFragmentInputs(const StageInterface& fragment, StageLinkage& linkage)
+void MatchInputs(const StageInterface& reader, StageBorder& border)
 {
-    for (const StageValue& value : fragment.inputs)
+    for (const StageValue& value : reader.inputs)
     {
         if (value.isSystemValue)
         {
@@ -80,15 +80,23 @@ void MatchFragmentInputs(const StageInterface& fragment, StageLinkage& linkage)
         }
         const std::string semantic = value.semanticName();
         const auto varying =
-            std::find_if(linkage.varyings.begin(), linkage.varyings.end(),
+            std::find_if(border.varyings.begin(), border.varyings.end(),
                          [&](const Varying& candidate) { return candidate.semantic == semantic; });
-        if (varying == linkage.varyings.end())
+        if (varying == border.varyings.end())
         {
-            linkage.unwritten.push_back(semantic);
+            border.unwritten.push_back(semantic);
             continue;
         }
         varying->components = std::max(varying->components, value.components);
     }
+}
+
+StageBorder LinkBorder(const StageInterface& writer, const StageInterface& reader)
+{
+    StageBorder border;
+    CollectVaryings(writer, border);
+    MatchInputs(reader, border);
+    return border;
 }
 
 int CountColorOutputs(const StageInterface& fragment)
@@ -103,12 +111,29 @@ int CountColorOutputs(const StageInterface& fragment)
 
 } // namespace
 
-StageLinkage LinkStages(const StageInterface& vertex, const StageInterface& fragment)
+const Varying& StageBorder::Find(const std::string& semantic) const
+{
+    return *std::find_if(varyings.begin(), varyings.end(),
+                         [&](const Varying& varying) { return varying.semantic == semantic; });
+}
+
+const StageBorder& StageLinkage::Before(ShaderStage stage) const
+{
+    return stage == ShaderStage::Geometry ? behindVertex : beforeFragment;
+}
+
+const StageBorder& StageLinkage::Behind(ShaderStage stage) const
+{
+    return stage == ShaderStage::Vertex ? behindVertex : beforeFragment;
+}
+
+StageLinkage LinkStages(const StageInterface& vertex, const StageInterface* geometry,
+                        const StageInterface& fragment)
 {
     StageLinkage linkage;
     CollectVertexInputs(vertex, linkage);
-    CollectVaryings(vertex, linkage);
-    MatchFragmentInputs(fragment, linkage);
+    linkage.behindVertex = LinkBorder(vertex, geometry ? *geometry : fragment);
+    linkage.beforeFragment = geometry ? LinkBorder(*geometry, fragment) : linkage.behindVertex;
     linkage.colorOutputs = CountColorOutputs(fragment);
     return linkage;
 }

@@ -10,7 +10,7 @@
 namespace limn
 {
 
-/// A value that goes from the vertex to the fragment function; both sides declare it alike.
+/// A value that goes from one function to the next; both sides declare it alike.
 struct Varying
 {
     std::string semantic; ///< with index
@@ -19,17 +19,32 @@ struct Varying
     int location = 0;
 };
 
-/// How the two stages of a pass fit together.
-struct StageLinkage
+/// What crosses from one stage to the next.
+struct StageBorder
 {
     std::vector<Varying> varyings;
-    std::vector<VertexInput> vertexInputs; ///< all that the vertex function declares
-    /// Semantics that the fragment function reads and the vertex function does not write: 0.
+    /// Semantics that the later function reads and the earlier one does not write: 0.
     std::vector<std::string> unwritten;
-    int colorOutputs = 0;
+
+    const Varying& Find(const std::string& semantic) const;
 };
 
+/// How the stages of a pass fit together.
+struct StageLinkage
+{
+    std::vector<VertexInput> vertexInputs; ///< all that the vertex function declares
+    StageBorder behindVertex;
+    StageBorder beforeFragment; ///< another one only where a geometry function lies between
+    int colorOutputs = 0;
+
+    /// What a stage reads from the one before it. Vertex functions read `vertexInputs`.
+    const StageBorder& Before(ShaderStage stage) const;
+    const StageBorder& Behind(ShaderStage stage) const;
+};
+
+/// @param geometry  null where the pass has no such function
 /// @throws StageInterfaceError where a semantic is given to two values
-StageLinkage LinkStages(const StageInterface& vertex, const StageInterface& fragment);
+StageLinkage LinkStages(const StageInterface& vertex, const StageInterface* geometry,
+                        const StageInterface& fragment);
 
 } // namespace limn

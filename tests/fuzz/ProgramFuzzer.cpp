@@ -61,7 +61,7 @@ PassProgram ScanAll(const std::string& text)
 /// Everything between the preprocessor and the compiler, with each function as the entry.
 void Rewrite(const std::string& text, ShaderStage stage)
 {
-    const StageSource source(text, stage);
+    const HlslSource source(text);
     int left = 8;
     for (const HlslFunction& function : source.declarations.functions)
     {
@@ -73,11 +73,13 @@ void Rewrite(const std::string& text, ShaderStage stage)
         {
             const StageInterface interface =
                 ReadStageInterface(source.declarations, function, stage);
-            const bool isVertex = stage == ShaderStage::Vertex;
             const StageInterface other;
             const StageLinkage linkage =
-                LinkStages(isVertex ? interface : other, isVertex ? other : interface);
-            Require(!RewriteStage(source, interface, linkage).empty(), "nothing was written");
+                LinkStages(stage == ShaderStage::Vertex ? interface : other,
+                           stage == ShaderStage::Geometry ? &interface : nullptr,
+                           stage == ShaderStage::Fragment ? interface : other);
+            Require(!RewriteStage(source, stage, interface, linkage).empty(),
+                    "nothing was written");
         }
         catch (const StageInterfaceError& error)
         {
@@ -110,6 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Require(Lines(translated) >= Lines(text), "lines were lost");
     const std::string spelt = RespellForGlslang(translated);
     Rewrite(spelt, ShaderStage::Vertex);
+    Rewrite(spelt, ShaderStage::Geometry);
     Rewrite(spelt, ShaderStage::Fragment);
     return 0;
 }

@@ -55,6 +55,16 @@ TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
     EXPECT_THAT(Compile("#include <Packages/com.me.y/f.hlsl>", options), ElementsAre());
 }
 
+TEST_F(Include, MayDependOnTheStage)
+{
+    folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_FRAGMENT\n#define VALUE 1\n"
+                                                  "#endif\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
+    folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_VERTEX\n#define VALUE 1\n"
+                                                  "#endif\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre(HasSubstr("'VALUE'")));
+}
+
 TEST_F(Include, TakesBackslashesAndNamesThatDifferInCase)
 {
     folder.Write("project/Assets/Shaders/Sub/File.hlsl", "#define VALUE 1\n");

@@ -157,9 +157,9 @@ TEST(ProgramPragma, RefusesWhatLimnDoesNotDoInOneSentence)
     EXPECT_EQ(Reason("\n#pragma domain d\n"),
               "t.shader:2:1: error: #pragma domain: tessellation is not supported; leave the hull "
               "and domain functions out");
-    EXPECT_EQ(Reason("\n#pragma geometry g\n"),
-              "t.shader:2:1: error: #pragma geometry: geometry functions are not supported; do "
-              "their work in the vertex function");
+    EXPECT_EQ(Reason("\n#pragma geometry g\n", {"geometry"}),
+              "t.shader:1:33: error: program: it requires 'geometry', which this device does not "
+              "have");
     EXPECT_EQ(Reason("\n#pragma require framebufferfetch\n"),
               "t.shader:1:33: error: program: it requires 'framebufferfetch', which limn does not "
               "offer");
@@ -184,7 +184,7 @@ TEST(ProgramPragma, LetsVulkanDecideOverRenderers)
 TEST(ProgramPragma, IsRefusedByTheCompilerAsUnsupported)
 {
     PassProgram program = test::Program("");
-    program.pragmas = {{{3, 1}, "geometry", "geom"}};
+    program.pragmas = {{{3, 1}, "hull", "hull"}};
     ShaderCompiler compiler;
     EXPECT_THROW(compiler.Compile(program), UnsupportedProgramError);
     EXPECT_THAT(

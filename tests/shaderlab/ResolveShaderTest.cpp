@@ -114,7 +114,7 @@ TEST(ResolveShader, PassesOverASubShaderWhosePackageRequirementsDoNotHold)
 TEST(ResolveShader, PassesOverASubShaderWithAProgramThatCannotRun)
 {
     EXPECT_EQ(ChosenPass("SubShader { Pass { Name \"g\" HLSLPROGRAM\n#pragma vertex v\n"
-                         "#pragma fragment f\n#pragma geometry g\nENDHLSL\n } } "
+                         "#pragma fragment f\n#pragma hull h\nENDHLSL\n } } "
                          "SubShader { Pass { Name \"plain\" } }"),
               "plain");
 }

@@ -165,6 +165,13 @@ TEST(ShaderLabError, WarnsOfAProgramThatEndsInAComment)
                     "put it on a line of its own"));
 }
 
+TEST(ShaderLabError, WarnsOfAProgramInsideAnother)
+{
+    EXPECT_THAT(PassMessages("CGPROGRAM\nx // GLSLPROGRAM\nHlslProgram y\nENDCG"),
+                ElementsAre("4:1: warning: CGPROGRAM: 'HlslProgram' stands inside it; is an ENDCG "
+                            "missing before that?"));
+}
+
 TEST(ShaderLabError, ReportsAnUnclosedPropertiesBlockAtTheNextCommand)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" { Properties {\n_A(\"a\", Int) = 1\nSubShader { "

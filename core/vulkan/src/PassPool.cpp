@@ -106,6 +106,12 @@ PassObjects& PassPool::Use(const std::shared_ptr<const CompiledPass>& pass, std:
     {
         objects.fetches.push_back(FetchFor(input));
     }
+    objects.pushStages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    if (!pass->geometrySpirv.empty())
+    {
+        objects.pushStages |= VK_SHADER_STAGE_GEOMETRY_BIT;
+        objects.geometry = CreateModule(pass->geometrySpirv);
+    }
     CreateLayouts(objects, pass->layout);
     objects.vertex = CreateModule(pass->vertexSpirv);
     objects.fragment = CreateModule(pass->fragmentSpirv);
@@ -167,7 +173,7 @@ void PassPool::CreateLayouts(PassObjects& objects, const PropertyLayout& layout)
           "vkCreateDescriptorSetLayout");
     objects.setLayout = UniqueSetLayout{m_Context.device(), set};
 
-    const VkPushConstantRange firstInstance{VK_SHADER_STAGE_FRAGMENT_BIT, 0, 4};
+    const VkPushConstantRange firstInstance{objects.pushStages, 0, 4};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = 1;

@@ -47,9 +47,11 @@ struct VertexFetch
 struct PassObjects
 {
     UniqueShaderModule vertex;
+    UniqueShaderModule geometry; ///< null where the pass has no such function
     UniqueShaderModule fragment;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
+    VkShaderStageFlags pushStages = 0; ///< that read the draw's first instance
     std::vector<VertexFetch> fetches;
     std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;

@@ -167,8 +167,8 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
             m_BoundSet = set;
         }
     }
-    vkCmdPushConstants(m_Commands, layout, VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                       sizeof(draw.firstInstance), &draw.firstInstance);
+    vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(draw.firstInstance),
+                       &draw.firstInstance);
 }
 
 void PassRecorder::BindVertices(const PassObjects& objects, const PooledMesh* mesh)

@@ -158,6 +158,10 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
     PipelineParts parts;
     parts.stages = {Stage(VK_SHADER_STAGE_VERTEX_BIT, pass.vertex.get()),
                     Stage(VK_SHADER_STAGE_FRAGMENT_BIT, pass.fragment.get())};
+    if (pass.geometry)
+    {
+        parts.stages.push_back(Stage(VK_SHADER_STAGE_GEOMETRY_BIT, pass.geometry.get()));
+    }
     parts.dynamicStates = DynamicStates(key.dynamicBlend, !pass.fetches.empty());
     DescribeVertices(parts, pass);
     DescribeRasterization(parts, key);

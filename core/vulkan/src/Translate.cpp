@@ -244,6 +244,7 @@ VkShaderStageFlags ToVkStages(ShaderStage stages)
         return stages & stage ? bit : 0U;
     };
     return flag(ShaderStage::Vertex, VK_SHADER_STAGE_VERTEX_BIT) |
+           flag(ShaderStage::Geometry, VK_SHADER_STAGE_GEOMETRY_BIT) |
            flag(ShaderStage::Fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
 }
 

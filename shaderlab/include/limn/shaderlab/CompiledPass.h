@@ -16,7 +16,8 @@ enum class ShaderStage : std::uint8_t
     None = 0,
     Vertex = 1,
     Fragment = 2,
-    Both = 3
+    Both = 3,
+    Geometry = 4
 };
 constexpr ShaderStage operator|(ShaderStage a, ShaderStage b)
 {
@@ -117,9 +118,20 @@ struct VertexInput
     bool operator==(const VertexInput&) const = default;
 };
 
-/// What the two stages of a pass read, with every descriptor in set 0. Bindings are unique over
-/// both stages; equal named resources of both stages share one. A `$Global` of each stage is a
-/// buffer of its own where the two differ.
+/// What a geometry function takes at a time.
+enum class GeometryInput
+{
+    None, ///< there is no geometry function
+    Point,
+    Line,
+    LineAdjacency,
+    Triangle,
+    TriangleAdjacency
+};
+
+/// What the stages of a pass read, with every descriptor in set 0. Bindings are unique over all
+/// stages; equal named resources of several stages share one. A `$Global` of each stage is a
+/// buffer of its own where they differ.
 struct PropertyLayout
 {
     std::vector<UniformBuffer> buffers;
@@ -128,15 +140,17 @@ struct PropertyLayout
     std::vector<StorageBufferBinding> storageBuffers;
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
+    GeometryInput geometryInput = GeometryInput::None;
 
     bool operator==(const PropertyLayout&) const = default;
 };
 
-/// A pass compiled for one keyword set: SPIR-V 1.3 of both stages (entry point "main") and its
+/// A pass compiled for one keyword set: SPIR-V 1.3 of its stages (entry point "main") and its
 /// layout.
 struct CompiledPass
 {
     std::vector<std::uint32_t> vertexSpirv;
+    std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
     std::vector<std::uint32_t> fragmentSpirv;
     PropertyLayout layout;
     std::vector<Diagnostic> diagnostics; ///< warnings of the compiler, pragmas included
@@ -147,7 +161,7 @@ struct CompiledPass
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
 /// Vertex functions find their element by SV_InstanceID (which counts from the draw's first
-/// instance), fragment functions by the push constant at offset 0 (uint, the first instance).
+/// instance), the others by the push constant at offset 0 (uint, the first instance).
 struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major

@@ -31,7 +31,7 @@ struct KeywordSet
     SourceLocation location;
     std::string directive;             ///< as written, e.g. "shader_feature_local_fragment"
     std::vector<std::string> keywords; ///< "" = no keyword; the first entry is the default
-    /// From the suffix. Like Unity for Vulkan, limn defines the keyword in both stages all the
+    /// From the suffix. Like Unity for Vulkan, limn defines the keyword in all stages all the
     /// same; None: of a stage that limn does not have.
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
@@ -42,7 +42,7 @@ struct KeywordSet
     bool operator==(const KeywordSet&) const = default;
 };
 
-/// A function name from `#pragma vertex` or `#pragma fragment`; "" = no such pragma.
+/// A function name from `#pragma vertex`, `fragment` or `geometry`; "" = no such pragma.
 struct EntryPoint
 {
     std::string name;
@@ -74,6 +74,7 @@ struct PassProgram
     std::vector<SourceChunk> chunks;
     EntryPoint vertex;
     EntryPoint fragment;
+    EntryPoint geometry;
     int target = 25; ///< `#pragma target` times ten
     std::vector<KeywordSet> keywordSets;
     std::vector<ProgramPragma> pragmas;

@@ -1,0 +1,143 @@
+#include "GpuTestDevice.h"
+#include "GpuTestFrame.h"
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// Compiles HLSL with the functions `vert`, `geom` and `frag`.
+PassPtr CompileGeometryPass(const std::string& hlsl)
+{
+    ShaderCompiler compiler;
+    PassProgram program;
+    program.file = "test.shader";
+    program.chunks = {{hlsl, 1}};
+    program.vertex.name = "vert";
+    program.geometry.name = "geom";
+    program.fragment.name = "frag";
+    return compiler.Compile(program);
+}
+
+using Geometry = GpuTest;
+
+/// Each triangle becomes a column of the target as wide as a texel, coloured by its second vertex.
+const char* const k_Columns = R"(
+    struct v2g { float3 p : TEXCOORD0; };
+    struct g2f { float4 pos : SV_POSITION; nointerpolation float4 color : COLOR; };
+    v2g vert(float3 p : POSITION) { v2g o; o.p = p; return o; }
+    void Corner(float x, float y, float4 color, inout TriangleStream<g2f> stream)
+    {
+        g2f o; o.pos = float4(x, y, 0.5, 1); o.color = color; stream.Append(o);
+    }
+    [maxvertexcount(4)]
+    void geom(triangle v2g v[3], uint id : SV_PrimitiveID, inout TriangleStream<g2f> stream)
+    {
+        float left = id * 0.5 - 1.0;
+        float4 color = float4(v[1].p, 1);
+        Corner(left, -1, color, stream); Corner(left, 1, color, stream);
+        Corner(left + 0.5, -1, color, stream); Corner(left + 0.5, 1, color, stream);
+    }
+    float4 frag(g2f i) : SV_Target { return i.color; })";
+
+/// Four triangles too far away to be seen; the second vertex of each is a colour.
+MeshPtr ColorMesh()
+{
+    MeshData data;
+    for (const glm::vec3 color :
+         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(1, 1, 0)})
+    {
+        const auto first = static_cast<std::uint32_t>(data.vertices.size());
+        data.vertices.insert(data.vertices.end(), {{9, 9, 9}, color, {8, 9, 9}});
+        data.triangles.insert(data.triangles.end(), {first, first + 1, first + 2});
+    }
+    return std::make_shared<Mesh>("colors", std::move(data));
+}
+
+} // namespace
+
+TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
+{
+    const TargetPtr target = MakeTarget(4, 2);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    frame.passes[0].commands.emplace_back(MakeDraw(CompileGeometryPass(k_Columns), ColorMesh()));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    const Rgba8 expected[] = {
+        {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
+    for (int i = 0; i < 8; ++i)
+    {
+        EXPECT_EQ(Texel8(image, i % 4, i / 4), expected[i % 4]) << "texel " << i;
+    }
+}
+
+TEST_F(Geometry, MakesLinesOfTriangles)
+{
+    const PassPtr pass = CompileGeometryPass(R"(
+        struct v2f { float4 pos : SV_POSITION; };
+        v2f vert(float3 p : POSITION) { v2f o; o.pos = float4(p, 1); return o; }
+        [maxvertexcount(2)]
+        void geom(triangle v2f v[3], uint id : SV_PrimitiveID, inout LineStream<v2f> lines)
+        {
+            if (id == 0) { lines.Append(v[0]); lines.Append(v[2]); }
+        }
+        float4 frag() : SV_Target { return 1; })");
+    // A line along the middle of the second of four rows.
+    MeshData data;
+    data.vertices = {{-1.5f, 0.25f, 0.5f}, {0, -3, 0.5f}, {1.5f, 0.25f, 0.5f}};
+    data.triangles = {0, 1, 2};
+    const TargetPtr target = MakeTarget(4, 4);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    frame.passes[0].commands.emplace_back(
+        MakeDraw(pass, std::make_shared<Mesh>("edge", std::move(data))));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    for (int i = 0; i < 16; ++i)
+    {
+        EXPECT_EQ(Texel8(image, i % 4, i / 4)[0], i / 4 == 1 ? 255 : 0) << "texel " << i;
+    }
+}
+
+TEST_F(Geometry, FindsThePerDrawDataOfItsDraw)
+{
+    const PassPtr pass = CompileGeometryPass(R"(
+        #include "UnityCG.cginc"
+        struct v2f { float4 pos : SV_POSITION; };
+        v2f vert(float3 p : POSITION) { v2f o; o.pos = float4(p, 1); return o; }
+        [maxvertexcount(3)]
+        void geom(triangle v2f v[3], inout TriangleStream<v2f> stream)
+        {
+            for (int i = 0; i < 3; ++i)
+            {
+                v2f o; o.pos = mul(unity_ObjectToWorld, v[i].pos); stream.Append(o);
+            }
+        }
+        float4 frag() : SV_Target { return unity_ObjectToWorld._m03 + 2; })");
+    const TargetPtr target = MakeTarget(4, 1, GraphicsFormat::R32G32B32A32_SFloat);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    DrawBindings bindings;
+    bindings.perDrawBinding = pass->layout.storageBuffers.at(0).binding;
+    // Draw i moves its quad, a texel wide, to column i.
+    for (std::uint32_t i = 0; i < 4; ++i)
+    {
+        PerDrawData data{};
+        for (const int diagonal : {0, 5, 10, 15})
+        {
+            data.objectToWorld[diagonal] = 1.0f;
+        }
+        data.objectToWorld[12] = static_cast<float>(i) * 0.5f;
+        frame.perDraw.push_back(data);
+        DrawCommand draw = MakeDraw(pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
+        draw.firstInstance = i;
+        frame.passes[0].commands.emplace_back(draw);
+    }
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(TexelFloat(image, i, 0)[0], 2.0f + 0.5f * static_cast<float>(i)) << i;
+    }
+}
+
+} // namespace limn::test
