@@ -3,6 +3,7 @@
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "DynamicKeywords.h"
 #include "GlslangIncluder.h"
 #include "GlslangLog.h"
 #include "GlslangSession.h"
@@ -38,23 +39,15 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                    : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
                                                     : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
+    const auto dynamic = DynamicKeywords(program);
     for (const std::string& keyword : keywords)
     {
-        Define(source, keyword);
-    }
-    // Code asks for these with a plain `if`.
-    for (const KeywordSet& set : program.keywordSets)
-    {
-        for (const std::string& keyword : set.keywords)
+        if (dynamic.count(keyword) == 0)
         {
-            const bool isOn =
-                std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
-            if (set.isDynamic && !keyword.empty() && !isOn)
-            {
-                Define(source, keyword, "0");
-            }
+            Define(source, keyword);
         }
     }
+    source += DeclareDynamicKeywords(program);
     source += "#include \"limn/Prelude.hlsl\"\n";
     if (program.language == ProgramLanguage::Cg)
     {

@@ -36,7 +36,8 @@ struct KeywordSet
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
     bool isFeature = false; ///< shader_feature: built only where a material asks for it
-    bool isDynamic = false; ///< dynamic_branch: makes no variants
+    /// dynamic_branch: makes no variants, its keywords are uniforms; see k_DynamicKeywordBuffer
+    bool isDynamic = false;
 
     bool operator==(const KeywordSet&) const = default;
 };
