@@ -106,6 +106,24 @@ private:
     std::vector<std::future<void>> m_Threads; ///< last, so that they end first
 };
 
+/// Writes the files of one shader; what cannot be written is told and counts as the shader's error.
+void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
+{
+    try
+    {
+        for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
+        {
+            console.out() << written.string() << '\n';
+        }
+    }
+    catch (const AssetError& error)
+    {
+        console.PrintWithSource(error.diagnostics());
+        check.diagnostics.insert(check.diagnostics.end(), error.diagnostics().begin(),
+                                 error.diagnostics().end());
+    }
+}
+
 std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
                                   Console& console)
 {
@@ -118,10 +136,7 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
         console.PrintWithSource(check.diagnostics);
         if (!options.emit.empty())
         {
-            for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
-            {
-                console.out() << written.string() << '\n';
-            }
+            Emit(check, options, console);
         }
         checks.push_back(std::move(check));
     }

@@ -190,6 +190,7 @@ private:
             HlslVariable head = ReadHead();
             if (Text() == "(")
             {
+                m_Result.methods.push_back(head.name);
                 SkipBalanced("(", ")");
                 while (!isEnd() && Text() != "{" && Text() != ";" && Text() != "}")
                 {
