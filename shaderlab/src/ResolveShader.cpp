@@ -48,12 +48,27 @@ struct Obstacle
     bool isByProgram = false; ///< only limn or the device cannot run its programs
 };
 
+/// "" if the SubShader is for URP or for any pipeline. The second name is that of URP's old manual.
+std::string ForeignPipeline(const ShaderLabSubShader& subShader)
+{
+    static constexpr std::string_view k_Universal = "UniversalPipeline";
+    const std::string* pipeline = subShader.tags.Find("RenderPipeline");
+    if (pipeline == nullptr || pipeline->empty() || *pipeline == k_Universal ||
+        *pipeline == "UniversalRenderPipeline")
+    {
+        return {};
+    }
+    return "its RenderPipeline is '" + *pipeline + "'" +
+           (NearestName(*pipeline, {k_Universal}).empty()
+                ? ""
+                : "; did you mean '" + std::string(k_Universal) + "'?");
+}
+
 Obstacle FindObstacle(const ShaderLabSubShader& subShader, const ShaderCriteria& criteria)
 {
-    const std::string* pipeline = subShader.tags.Find("RenderPipeline");
-    if (pipeline != nullptr && !pipeline->empty() && !pipeline->starts_with("Universal"))
+    if (std::string foreign = ForeignPipeline(subShader); !foreign.empty())
     {
-        return {"its RenderPipeline is '" + *pipeline + "'"};
+        return {std::move(foreign)};
     }
     if (subShader.passes.empty())
     {

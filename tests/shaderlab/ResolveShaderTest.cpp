@@ -78,6 +78,27 @@ TEST(ResolveShader, TakesTheFirstSubShaderOfAPipelineThatSuits)
     EXPECT_EQ(ChosenPass(foreign + "SubShader { Pass { Name \"C\" } }"), "C");
 }
 
+TEST(ResolveShader, PassesOverATagThatIsOnlyLikeThePipelines)
+{
+    const std::pair<const char*, const char*> cases[] = {
+        {"UniversalPipelin", "; did you mean 'UniversalPipeline'?"},
+        {"universalpipeline", "; did you mean 'UniversalPipeline'?"},
+        {"UniversalPipeline2", "; did you mean 'UniversalPipeline'?"},
+        {"HDRenderPipeline", ""}};
+    for (const auto& [tag, advice] : cases)
+    {
+        const auto user = Parse(("Shader \"U\" { SubShader { Tags { \"RenderPipeline\" = \"" +
+                                 std::string(tag) + "\" } Pass { } } SubShader { Pass { } } }")
+                                    .c_str());
+        const ResolvedShader resolved = ResolveShader(*user, nullptr);
+        EXPECT_EQ(resolved.subShaderIndex, 1) << tag;
+        ASSERT_EQ(resolved.notes.size(), 1U) << tag;
+        EXPECT_EQ(resolved.notes[0].message,
+                  std::string("SubShader 0 is passed over: its RenderPipeline is '") + tag + "'" +
+                      advice);
+    }
+}
+
 TEST(ResolveShader, FollowsTheFallbackAndNamesIt)
 {
     const ShaderDatabase database = BaseDatabase();
