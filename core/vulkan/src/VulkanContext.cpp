@@ -10,8 +10,8 @@ namespace limn::vulkan
 VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
 {
     ChoosePhysicalDevice(options.device);
-    CreateDevice(options.optionalExtensions);
     ReadCapabilities();
+    CreateDevice(options.optionalExtensions);
     LoadFunctions();
 }
 
@@ -42,6 +42,8 @@ void VulkanContext::CreateDevice(bool optionalExtensions)
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
+    m_Capabilities.missingShaderFeatures =
+        MissingShaderFeatures(wanted, m_Capabilities.limits, FragmentSubgroupOperations());
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{};
@@ -74,6 +76,18 @@ void VulkanContext::ReadCapabilities()
     vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
     m_Capabilities.timestamps = families[m_QueueFamily].timestampValidBits > 0;
     m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
+}
+
+VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
+{
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &subgroup;
+    vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
+    const bool isInFragments = (subgroup.supportedStages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
+    return isInFragments ? subgroup.supportedOperations : 0;
 }
 
 void VulkanContext::LoadFunctions()

@@ -14,6 +14,7 @@ struct DeviceCapabilities
     bool timestamps = false;
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
+    std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
 };
 
 /// Entry points of extensions; null where the extension is absent.
@@ -59,6 +60,7 @@ private:
     void ChoosePhysicalDevice(const std::string& request);
     void CreateDevice(bool optionalExtensions);
     void ReadCapabilities();
+    VkSubgroupFeatureFlags FragmentSubgroupOperations() const;
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
