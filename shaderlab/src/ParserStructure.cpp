@@ -233,6 +233,7 @@ void Parser::ParseFallback()
                    "\" given before");
     }
     m_Result.document.fallback = std::move(name);
+    m_Result.document.fallbackLocation = location;
 }
 
 void Parser::ParseCustomEditor()

@@ -316,6 +316,7 @@ ShaderLabDocument WithoutPlaces(ShaderLabDocument document)
 {
     document.file.clear();
     document.location = {};
+    document.fallbackLocation = {};
     ForgetPlaces(document.properties);
     for (ShaderProperty& property : document.properties)
     {

@@ -109,6 +109,11 @@ ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
 
 ShaderCompiler::~ShaderCompiler() = default;
 
+const std::vector<std::string>& ShaderCompiler::missingFeatures() const
+{
+    return m_State->options.missingFeatures;
+}
+
 PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 {
     const bool isComplete = std::none_of(program.pragmas.begin(), program.pragmas.end(),

@@ -18,6 +18,7 @@ struct DeviceCapabilities
     bool timestamps = false;
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
+    std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
 };
 
 /// Entry points of extensions; null where the extension is absent.
@@ -63,6 +64,7 @@ private:
     void ChoosePhysicalDevice(const std::string& request);
     void CreateDevice(const OptionalExtensions& extensions);
     void ReadCapabilities();
+    VkSubgroupFeatureFlags FragmentSubgroupOperations() const;
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
