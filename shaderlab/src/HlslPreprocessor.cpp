@@ -166,7 +166,7 @@ std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     Judge(good, ReadGlslangLog(shader.getInfoLog(), program.file), program, includer.hasMissing(),
           warnings);
     TakePragmas(result, warnings);
-    return RespellForGlslang(std::move(result));
+    return RespellForGlslang(std::move(result), program, warnings);
 }
 
 } // namespace limn

@@ -28,6 +28,8 @@ struct StageSource
 ///
 /// Functions out of reach have to go because they may use what only the other stage has (ddx,
 /// clip). Line breaks and #line directives stay, so that positions of messages hold.
+///
+/// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
 std::string RewriteStage(const StageSource& source, const StageInterface& interface,
                          const StageLinkage& linkage);
 
