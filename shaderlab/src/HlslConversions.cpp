@@ -4,6 +4,7 @@
 #include "HlslEditor.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace limn
@@ -94,17 +95,19 @@ std::string AddConversions(const std::string& hlsl, const std::set<std::string>&
 {
     HlslEditor code(hlsl);
     const HlslDeclarations declarations = ReadDeclarations(TokenizeHlsl(hlsl));
+    std::set<std::pair<std::string_view, std::size_t>> known;
     for (const HlslFunction& function : declarations.functions)
     {
         // Of several overloads with as many parameters it is not ours to say which one is meant.
-        const auto isRival = [&](const HlslFunction& other)
+        const auto isSame = [&](const HlslFunction& other)
         {
-            return &other != &function && other.hasBody && other.name == function.name &&
+            return other.hasBody && other.name == function.name &&
                    other.parameters.size() == function.parameters.size();
         };
         const auto& all = declarations.functions;
-        if (function.hasBody && functions.count(std::string(function.name)) > 0 &&
-            std::none_of(all.begin(), all.end(), isRival))
+        const bool isFirst = known.insert({function.name, function.parameters.size()}).second;
+        if (isFirst && functions.count(std::string(function.name)) > 0 &&
+            std::count_if(all.begin(), all.end(), isSame) == 1)
         {
             code.Spelling(function.end - 1) += WriteOverloads(function);
         }

@@ -107,20 +107,25 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
                                       const std::string& file, std::vector<Diagnostic>& warnings)
 {
-    std::string converted;
-    try
+    // glslang stops at the first call that it cannot make.
+    std::set<std::string> unmatched;
+    for (std::string text = hlsl;;)
     {
-        return Build(hlsl, stage, file, warnings);
-    }
-    catch (const AssetError& error)
-    {
-        converted = AddConversions(hlsl, UnmatchedCalls(error.diagnostics()));
-        if (converted == hlsl)
+        try
         {
-            throw;
+            return Build(text, stage, file, warnings);
+        }
+        catch (const AssetError& error)
+        {
+            unmatched.merge(UnmatchedCalls(error.diagnostics()));
+            std::string converted = AddConversions(hlsl, unmatched);
+            if (converted == text)
+            {
+                throw;
+            }
+            text = std::move(converted);
         }
     }
-    return Build(converted, stage, file, warnings);
 }
 
 } // namespace limn

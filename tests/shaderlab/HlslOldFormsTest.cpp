@@ -225,6 +225,44 @@ TEST(HlslOldForms, RefusesTexturesAndBuffersThatItWouldWriteTo)
     }
 }
 
+TEST(HlslOldForms, LetsMacrosBeDefinedAnewWithAWarning)
+{
+    const auto pass = CompileHlsl(k_Vertex + R"(#define A(x) 0.125
+        #define A(x, y) (x + y * 2)
+        #define B 7
+        #define B 7
+        #define UNITY_SAMPLE_DEPTH(name) 0.375
+        float4 frag(v2f i) : SV_Target { return float4(A(0.25, 0.125), UNITY_SAMPLE_DEPTH(a), B, 1); })",
+                                  ProgramLanguage::Cg);
+    EXPECT_THAT(Messages(pass->diagnostics),
+                ElementsAre("8:17: warning: 'A': this #define changes its meaning, from here on",
+                            "11:17: warning: 'UNITY_SAMPLE_DEPTH': this #define changes "
+                            "its meaning, from here on"));
+    EXPECT_THAT(Disassemble(pass->fragmentSpirv),
+                HasSubstr("%v4float %float_0_5 %float_0_375 %float_7 %float_1"));
+    // A mistake elsewhere is still one.
+    EXPECT_THAT(CompileMessages(Program(k_Vertex + "#define A 1\n#define A 2\n#if 1\n")),
+                testing::Contains(HasSubstr(": error: ")));
+}
+
+TEST(HlslOldForms, CutsArgumentsOfSeveralFunctionsAndOfThoseDefinedLater)
+{
+    CompileFragment(R"(
+        float Later(float3x3 m);
+        float Rest(float x, inout float y) { y = x; return x; }
+        float4 Read(Texture2D<float4> t, SamplerState s, float2 uv, float k, float a[2])
+        {
+            return t.Sample(s, uv) * k * a[1];
+        }
+        Texture2D _A; SamplerState sampler_A;
+        float4 frag(v2f i) : SV_Target
+        {
+            float y; float k[2] = { 1, 2 };
+            return Later(unity_ObjectToWorld) + Rest(i.uv, y) + Read(_A, sampler_A, i.uv, i.uv, k);
+        }
+        float Later(float3x3 m) { return m[0].x; })");
+}
+
 TEST(HlslOldForms, SaysWhatIsWrongWhereAnArgumentDoesNotFitEither)
 {
     EXPECT_THAT(CompileMessages(Program(k_Vertex + R"(float f(float3x3 m) { return m[0].x; }
