@@ -183,9 +183,16 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
             (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
         uniformData.resize(offset + buffer.size);
         const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
-        for (std::size_t m = 0; m < buffer.members.size(); ++m)
+        if (buffer.name == k_DynamicKeywordBuffer)
         {
-            WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
+            WriteDynamicKeywords(buffer, *sources.material, bytes);
+        }
+        else
+        {
+            for (std::size_t m = 0; m < buffer.members.size(); ++m)
+            {
+                WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
+            }
         }
         bindings->uniforms.push_back(
             {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});

@@ -98,7 +98,7 @@ private:
 };
 
 constexpr int k_MaxBlendMode = static_cast<int>(BlendMode::OneMinusSrcAlpha);
-constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::Max);
+constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::HSLLuminosity);
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
 constexpr int k_MaxStencilOp = static_cast<int>(StencilOp::DecrementWrap);
 

@@ -183,4 +183,14 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     }
 }
 
+void WriteDynamicKeywords(const UniformBuffer& buffer, const Material& material,
+                          std::span<std::byte> bytes)
+{
+    for (const UniformMember& member : buffer.members)
+    {
+        const std::int32_t isOn = material.IsKeywordEnabled(member.name) ? 1 : 0;
+        std::memcpy(bytes.data() + member.offset, &isOn, sizeof(isOn));
+    }
+}
+
 } // namespace limn

@@ -14,4 +14,9 @@ namespace limn
 void WriteUniform(const UniformMember& member, ShaderPropertyId id, const PropertySources& sources,
                   std::span<std::byte> buffer);
 
+/// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on.
+/// @param bytes  the whole buffer's
+void WriteDynamicKeywords(const UniformBuffer& buffer, const Material& material,
+                          std::span<std::byte> bytes);
+
 } // namespace limn

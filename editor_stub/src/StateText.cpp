@@ -1,5 +1,6 @@
 #include "StateText.h"
 
+#include <limn/shaderlab/PrintShaderLab.h>
 #include <span>
 #include <string_view>
 
@@ -23,7 +24,6 @@ constexpr std::string_view k_Factors[] = {"Zero",
                                           "OneMinusDstAlpha",
                                           "SrcAlphaSaturate",
                                           "OneMinusSrcAlpha"};
-constexpr std::string_view k_BlendOps[] = {"Add", "Sub", "RevSub", "Min", "Max"};
 constexpr std::string_view k_StencilOps[] = {"Keep",    "Zero",   "Replace",  "IncrSat",
                                              "DecrSat", "Invert", "IncrWrap", "DecrWrap"};
 
@@ -32,6 +32,11 @@ std::string Name(const StateValue<Enum>& value, std::span<const std::string_view
 {
     return value.property.empty() ? std::string(names[static_cast<std::size_t>(value.value)])
                                   : "[" + value.property + "]";
+}
+
+std::string Name(const StateValue<BlendOp>& op)
+{
+    return op.property.empty() ? BlendOpName(op.value) : "[" + op.property + "]";
 }
 
 std::string Switch(const StateValue<bool>& value)
@@ -66,8 +71,7 @@ std::string BlendText(const PassBlendState& target)
     }
     if (target.colorOp != BlendOp::Add || target.alphaOp != BlendOp::Add)
     {
-        text += ", BlendOp " + Name(target.colorOp, k_BlendOps) + ", " +
-                Name(target.alphaOp, k_BlendOps);
+        text += ", BlendOp " + Name(target.colorOp) + ", " + Name(target.alphaOp);
     }
     return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace limn
 {
@@ -52,28 +53,65 @@ bool isInsideCharacter(char c)
     return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
 
-/// The first place from `position` on where a character of UTF-8 starts.
+/// The first place from `position` on where a character of UTF-8 starts; in what is no UTF-8, near
+/// it.
 std::size_t CharacterStart(std::string_view text, std::size_t position)
 {
-    while (position < text.size() && isInsideCharacter(text[position]))
+    const std::size_t last = position + 3;
+    while (position < last && position < text.size() && isInsideCharacter(text[position]))
     {
         ++position;
     }
     return std::min(position, text.size());
 }
 
-/// Blanks as wide as the text; tabs stay, so that it does not matter how wide they are.
-std::string Spacing(std::string_view text)
+/// Bytes of the character of UTF-8 that a text begins with; 0 where that is none or one that a
+/// terminal takes for a command.
+std::size_t PrintableSize(std::string_view text)
 {
-    std::string spacing;
-    for (const char c : text)
+    const auto first = static_cast<unsigned char>(text[0]);
+    const std::size_t size = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (first >= 0xF8 || isInsideCharacter(text[0]) || size > text.size())
+    {
+        return 0;
+    }
+    std::uint32_t code = size == 1 ? first : first & (0x7Fu >> size);
+    for (const char c : text.substr(1, size - 1))
     {
         if (!isInsideCharacter(c))
         {
-            spacing += c == '\t' ? '\t' : ' ';
+            return 0;
         }
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
     }
-    return spacing;
+    constexpr std::uint32_t k_Lowest[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool isCode =
+        code >= k_Lowest[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+    const bool isControl = (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0);
+    return isCode && !isControl ? size : 0;
+}
+
+/// A piece of a line for people, and blanks as wide as what lies before `column` in it. Tabs stay,
+/// so that it does not matter how wide they are; what cannot be printed is U+FFFD, byte for byte.
+struct PrintedLine
+{
+    std::string text;
+    std::string spacing;
+};
+PrintedLine PrintLine(std::string_view line, std::size_t column)
+{
+    PrintedLine printed;
+    for (std::size_t i = 0; i < line.size();)
+    {
+        const std::size_t size = PrintableSize(line.substr(i));
+        printed.text += size > 0 ? line.substr(i, size) : std::string_view("\xEF\xBF\xBD");
+        if (i < column)
+        {
+            printed.spacing += line[i] == '\t' ? '\t' : ' ';
+        }
+        i += std::max<std::size_t>(size, 1);
+    }
+    return printed;
 }
 
 } // namespace
@@ -146,13 +184,12 @@ std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view te
                                   ? CharacterStart(line, column - k_MaxLine / 2)
                                   : mark;
     const std::size_t end = CharacterStart(line, begin + k_MaxLine);
-    shown += "\n" + std::string(begin > mark ? "..." : "") +
-             std::string(line.substr(begin, end - begin)) + (end < line.size() ? "..." : "");
+    const PrintedLine printed = PrintLine(line.substr(begin, end - begin), column - begin);
+    shown += "\n" + std::string(begin > mark ? "..." : "") + printed.text +
+             (end < line.size() ? "..." : "");
     if (diagnostic.location.column > 0)
     {
-        const std::size_t to = std::min(column, line.size());
-        shown += "\n" + std::string(begin > mark ? 3 : 0, ' ') +
-                 Spacing(line.substr(begin, to - begin)) + "^";
+        shown += "\n" + std::string(begin > mark ? 3 : 0, ' ') + printed.spacing + "^";
     }
     return shown;
 }

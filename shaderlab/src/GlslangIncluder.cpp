@@ -145,6 +145,11 @@ std::optional<std::string> ReadWarningPragma(std::string_view line)
     return message;
 }
 
+bool NamesStages(std::string_view text)
+{
+    return text.find("SHADER_STAGE_") != text.npos;
+}
+
 glslang::TShader::Includer::IncludeResult*
 GlslangIncluder::includeLocal(const char* header, const char* includer, std::size_t depth)
 {
@@ -187,6 +192,7 @@ GlslangIncluder::Include(const std::string& header, const char* includer, std::s
     }
     m_Chain.push_back(file->name);
     m_TotalSize += file->text.size();
+    m_NamesStages = m_NamesStages || NamesStages(file->text);
     if (HasPragmaOnce(file->text) && !m_Once.insert(file->name).second)
     {
         file->text.clear();

@@ -21,6 +21,9 @@ std::string TranslateDirectives(std::string_view text);
 /// The message of a `#warning` that went through the preprocessor, nothing for other lines.
 std::optional<std::string> ReadWarningPragma(std::string_view line);
 
+/// Whether a text names a macro that is defined in one stage only.
+bool NamesStages(std::string_view text);
+
 /// Hands files to glslang and keeps them until it is done.
 class GlslangIncluder final : public glslang::TShader::Includer
 {
@@ -35,6 +38,8 @@ public:
 
     /// Files of the High Definition pipeline that were asked for and not found.
     bool needsHighDefinition() const { return m_NeedsHighDefinition; }
+    /// An included file names a macro that tells the stage.
+    bool namesStages() const { return m_NamesStages; }
     /// A file was nowhere; refused ones do not count.
     bool hasMissing() const { return m_HasMissing; }
 
@@ -62,6 +67,7 @@ private:
     bool m_HasStopped = false;
     bool m_NeedsHighDefinition = false;
     bool m_HasMissing = false;
+    bool m_NamesStages = false;
 };
 
 } // namespace limn

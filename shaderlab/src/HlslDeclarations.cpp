@@ -171,7 +171,9 @@ private:
         for (HlslVariable& member : members)
         {
             member.endToken = m_Index - 1;
-            m_Result.uniforms.push_back(std::move(member));
+            member.isInBuffer = true;
+            auto& list = isObjectType(member.type) ? m_Result.objects : m_Result.uniforms;
+            list.push_back(std::move(member));
         }
     }
 
@@ -210,6 +212,7 @@ private:
     HlslVariable ReadHead()
     {
         HlslVariable variable;
+        variable.firstToken = m_Index;
         while (isWord() && isModifier(Text()))
         {
             variable.modifiers.push_back(Text());
@@ -301,6 +304,7 @@ private:
     void ReadDeclarators(HlslVariable variable, std::vector<HlslVariable>& result)
     {
         const std::size_t start = m_Index;
+        const std::size_t known = result.size();
         do
         {
             if (result.size() > 0 && variable.name.empty() && isWord())
@@ -315,7 +319,11 @@ private:
             variable.semantic = {};
             variable.value = {};
         } while (Accept(","));
-        if (!Accept(";") && m_Index == start)
+        if (Accept(";") && result.size() == known + 1)
+        {
+            result.back().lastToken = m_Index - 1;
+        }
+        else if (m_Index == start)
         {
             ++m_Index; // nothing was understood; do not stand still
         }
@@ -338,6 +346,7 @@ private:
                                   (variable.Has("const") && !variable.Has("uniform"));
             if (isStatic)
             {
+                m_Result.statics.push_back(variable.name);
                 if (variable.Has("const") && variable.dimensions.empty())
                 {
                     m_Result.constants[std::string(variable.name)] = variable.value;

@@ -22,6 +22,10 @@ struct HlslVariable
     std::string_view value;   ///< behind `=`
     std::size_t token = 0;    ///< index of the name
     std::size_t endToken = 0; ///< of a uniform: index of the token that ends its declaration
+    // Of a declaration with one name at file scope or in a cbuffer: its tokens, `;` included.
+    std::size_t firstToken = 0;
+    std::size_t lastToken = 0; ///< 0 = the declaration has several names
+    bool isInBuffer = false;   ///< a member of a cbuffer; endToken is the buffer's end
 
     bool Has(std::string_view modifier) const;
 };
@@ -59,7 +63,8 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
-    IntegerNames constants; ///< `static const` scalars
+    std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
+    IntegerNames constants;                ///< `static const` scalars
 
     /// The type behind a typedef; other names stay as they are.
     std::string_view ResolveAlias(std::string_view type) const;

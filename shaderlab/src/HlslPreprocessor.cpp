@@ -3,6 +3,7 @@
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "DynamicKeywords.h"
 #include "GlslangIncluder.h"
 #include "GlslangLog.h"
 #include "GlslangSession.h"
@@ -38,27 +39,20 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                    : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
                                                     : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
+    const auto dynamic = DynamicKeywords(program);
     for (const std::string& keyword : keywords)
     {
-        Define(source, keyword);
-    }
-    // Code asks for these with a plain `if`.
-    for (const KeywordSet& set : program.keywordSets)
-    {
-        for (const std::string& keyword : set.keywords)
+        if (dynamic.count(keyword) == 0)
         {
-            const bool isOn =
-                std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
-            if (set.isDynamic && !keyword.empty() && !isOn)
-            {
-                Define(source, keyword, "0");
-            }
+            Define(source, keyword);
         }
     }
+    source += DeclareDynamicKeywords(program);
     source += "#include \"limn/Prelude.hlsl\"\n";
     if (program.language == ProgramLanguage::Cg)
     {
-        source += "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n";
+        source += "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n"
+                  "#include \"UnityShaderUtilities.cginc\"\n";
     }
     for (const SourceChunk& chunk : program.chunks)
     {
@@ -158,9 +152,9 @@ void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& pr
 
 } // namespace
 
-std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
-                           std::span<const std::string> keywords, IncludeResolver& resolver,
-                           std::vector<Diagnostic>& warnings)
+PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                                std::span<const std::string> keywords, IncludeResolver& resolver,
+                                std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
@@ -185,7 +179,11 @@ std::string PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     const bool isRedefined = AllowRedefinitions(diagnostics);
     Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
-    return RespellForGlslang(std::move(result), program, warnings);
+    const bool namesStages =
+        includer.namesStages() ||
+        std::any_of(program.chunks.begin(), program.chunks.end(),
+                    [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
+    return {RespellForGlslang(std::move(result), program, warnings), namesStages};
 }
 
 } // namespace limn

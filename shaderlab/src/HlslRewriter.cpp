@@ -3,6 +3,7 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "GeometryEntryWriter.h"
+#include "HlslRepeats.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 class Rewriter
 {
 public:
-    Rewriter(const StageSource& source, std::string_view entry)
+    Rewriter(const HlslSource& source, std::string_view entry)
         : m_Source(source), m_Tokens(source.tokens)
     {
         MarkFunctions();
@@ -69,6 +70,35 @@ public:
         for (const HlslVariable* uniform : m_Copied)
         {
             Copy(*uniform);
+        }
+    }
+
+    void RemoveRepeatedDeclarations()
+    {
+        for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
+        {
+            Remove(*variable);
+        }
+    }
+
+    /// Textures and the like are no members of a buffer to glslang, though HLSL lets them stand
+    /// there.
+    void MoveObjectsOutOfBuffers()
+    {
+        for (const HlslVariable& object : m_Source.declarations.objects)
+        {
+            if (!object.isInBuffer || object.lastToken == 0)
+            {
+                continue;
+            }
+            std::string moved;
+            for (std::size_t i = object.firstToken; i <= object.lastToken; ++i)
+            {
+                moved.append(" ").append(Text(i));
+            }
+            Remove(object);
+            const std::size_t end = object.endToken;
+            m_InsertedAfter[Text(end + 1) == ";" ? end + 1 : end] += moved;
         }
     }
 
@@ -208,6 +238,14 @@ private:
         }
     }
 
+    void Remove(const HlslVariable& variable)
+    {
+        for (std::size_t i = variable.firstToken; i <= variable.lastToken; ++i)
+        {
+            m_Renamed[i] = "";
+        }
+    }
+
     std::string_view Text(std::size_t index) const
     {
         return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
@@ -270,7 +308,7 @@ private:
         }
     }
 
-    const StageSource& m_Source;
+    const HlslSource& m_Source;
     const std::vector<HlslToken>& m_Tokens;
     std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
@@ -283,26 +321,26 @@ private:
 
 } // namespace
 
-StageSource::StageSource(std::string preprocessed, ShaderStage ofStage)
+HlslSource::HlslSource(std::string preprocessed)
     : text(std::move(preprocessed)),
       tokens(TokenizeHlsl(text)),
-      declarations(ReadDeclarations(tokens)),
-      stage(ofStage)
+      declarations(ReadDeclarations(tokens))
 {
 }
 
-std::string RewriteStage(const StageSource& source, const StageInterface& interface,
-                         const StageLinkage& linkage)
+std::string RewriteStage(const HlslSource& source, ShaderStage stage,
+                         const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
     rewriter.RefuseWritable();
+    rewriter.RemoveRepeatedDeclarations();
+    rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
     if (interface.geometry)
     {
         rewriter.TakeGeometryApart(interface, linkage);
     }
-    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, source.stage,
-                                                 rewriter.prologue(),
+    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
                                                  rewriter.isReached(k_DrawIndex));
 }
 

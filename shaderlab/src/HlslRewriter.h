@@ -10,17 +10,16 @@
 namespace limn
 {
 
-/// A stage's preprocessed HLSL, taken apart as far as rewriting needs it.
-struct StageSource
+/// Preprocessed HLSL, taken apart as far as rewriting needs it.
+struct HlslSource
 {
-    StageSource(std::string preprocessed, ShaderStage ofStage);
-    StageSource(const StageSource&) = delete;
-    StageSource& operator=(const StageSource&) = delete;
+    explicit HlslSource(std::string preprocessed);
+    HlslSource(const HlslSource&) = delete;
+    HlslSource& operator=(const HlslSource&) = delete;
 
     const std::string text;
     const std::vector<HlslToken> tokens; ///< into text
     const HlslDeclarations declarations; ///< into text
-    const ShaderStage stage;
 };
 
 /// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
@@ -30,7 +29,7 @@ struct StageSource
 /// clip). Line breaks and #line directives stay, so that positions of messages hold.
 ///
 /// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
-std::string RewriteStage(const StageSource& source, const StageInterface& interface,
-                         const StageLinkage& linkage);
+std::string RewriteStage(const HlslSource& source, ShaderStage stage,
+                         const StageInterface& interface, const StageLinkage& linkage);
 
 } // namespace limn

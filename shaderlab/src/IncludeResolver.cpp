@@ -126,9 +126,10 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
     roots.push_back(options.projectRoot.empty() ? std::filesystem::current_path()
                                                 : options.projectRoot);
     roots.push_back(file.parent_path());
-    if (const auto project = UnityProjectOf(file))
+    m_UnityProject = UnityProjectOf(file);
+    if (m_UnityProject)
     {
-        roots.push_back(*project);
+        roots.push_back(*m_UnityProject);
     }
     for (const auto& [name, folder] : options.packages)
     {
@@ -212,6 +213,10 @@ std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string
         }
     }
     candidates.push_back(m_Options.projectRoot / include);
+    if (m_UnityProject)
+    {
+        candidates.push_back(*m_UnityProject / include);
+    }
     for (std::filesystem::path& candidate : candidates)
     {
         candidate = candidate.lexically_normal();

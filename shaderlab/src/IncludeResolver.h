@@ -34,8 +34,8 @@ std::uint64_t HashFile(const std::string& path);
 std::uint64_t HashLibrary();
 
 /// Finds what #include names, the way Unity does: beside the including file, then from the project
-/// root and its packages, then in the built-in library; names may differ in case. One resolver
-/// serves one compilation.
+/// root and its packages, from the Unity project around the shader, and in the built-in library;
+/// names may differ in case. One resolver serves one compilation.
 class IncludeResolver
 {
 public:
@@ -60,7 +60,8 @@ private:
     bool isAllowed(const std::filesystem::path& path) const;
 
     const ShaderCompilerOptions& m_Options;
-    std::vector<std::filesystem::path> m_Roots; ///< canonical
+    std::vector<std::filesystem::path> m_Roots;          ///< canonical
+    std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
     std::vector<IncludeDependency> m_Dependencies;
     std::string m_Refusal;
 };

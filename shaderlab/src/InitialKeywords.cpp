@@ -1,5 +1,6 @@
 #include <limn/shaderlab/InitialKeywords.h>
 
+#include "DynamicKeywords.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -96,16 +97,19 @@ std::vector<std::string> InitialKeywords(const ShaderLabDocument& document)
 std::vector<std::string> SelectVariant(const PassProgram& program,
                                        std::span<const std::string> enabled)
 {
+    const auto dynamic = DynamicKeywords(program);
     std::set<std::string> keywords;
     for (const KeywordSet& set : program.keywordSets)
     {
+        std::vector<std::string> words = set.keywords;
+        std::erase_if(words, [&](const std::string& word) { return dynamic.count(word) > 0; });
         const auto chosen = std::find_if(
-            set.keywords.begin(), set.keywords.end(),
+            words.begin(), words.end(),
             [&](const std::string& word)
             { return std::find(enabled.begin(), enabled.end(), word) != enabled.end(); });
-        if (!set.keywords.empty())
+        if (!words.empty())
         {
-            keywords.insert(chosen == set.keywords.end() ? set.keywords.front() : *chosen);
+            keywords.insert(chosen == words.end() ? words.front() : *chosen);
         }
     }
     return WithoutEmpty(std::move(keywords));

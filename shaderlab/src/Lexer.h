@@ -34,6 +34,7 @@ struct RawBlock
     std::string_view text;
     std::string_view endWord; ///< the word that closes it, as written; "" = nothing closes it
     bool inComment = false;   ///< no end word stood outside comments: it is the first one inside
+    std::string_view opener;  ///< the first word in it that opens a block, outside comments
 };
 
 /// Cuts ShaderLab text into tokens, one at a time, so that the parser can switch to raw text for
@@ -82,6 +83,7 @@ private:
         std::size_t begin = std::string_view::npos;
         std::size_t size = 0;
         bool inComment = false;
+        std::string_view opener = {};
     };
 
     char Peek(std::size_t ahead = 0) const;

@@ -87,6 +87,7 @@ void Lexer::LookIntoComment(std::size_t from, std::size_t to, std::string_view e
 Lexer::BlockEnd Lexer::FindBlockEnd(std::string_view endWord)
 {
     constexpr std::size_t npos = std::string_view::npos;
+    std::string_view opener;
     BlockEnd second;                 // taken where none of the right ones turns up
     std::size_t searchedFrom = npos; // first place outside comments behind it
     std::size_t i = m_Position;
@@ -104,7 +105,11 @@ Lexer::BlockEnd Lexer::FindBlockEnd(std::string_view endWord)
             const BlockWord meaning = Classify(m_Text.substr(i, size), endWord);
             if (meaning == BlockWord::RightEnd)
             {
-                return {i, size, false};
+                return {i, size, false, opener};
+            }
+            if (meaning == BlockWord::Opener && opener.empty())
+            {
+                opener = m_Text.substr(i, size);
             }
             if (meaning == BlockWord::Opener && second.begin != npos)
             {
@@ -142,10 +147,10 @@ RawBlock Lexer::ReadBlock(std::string_view endWord)
     const BlockEnd end = FindBlockEnd(endWord);
     if (end.begin == std::string_view::npos)
     {
-        return {m_Text.substr(m_Position), {}, false};
+        return {m_Text.substr(m_Position), {}, false, {}};
     }
     RawBlock block{m_Text.substr(m_Position, end.begin - m_Position),
-                   m_Text.substr(end.begin, end.size), end.inComment};
+                   m_Text.substr(end.begin, end.size), end.inComment, end.opener};
     SkipTo(end.begin + end.size);
     return block;
 }

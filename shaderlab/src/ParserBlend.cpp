@@ -10,25 +10,6 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_UnsupportedBlendOps[] = {
-    "LogicalClear",      "LogicalSet",
-    "LogicalCopy",       "LogicalCopyInverted",
-    "LogicalNoop",       "LogicalInvert",
-    "LogicalAnd",        "LogicalNand",
-    "LogicalOr",         "LogicalNor",
-    "LogicalXor",        "LogicalEquiv",
-    "LogicalAndReverse", "LogicalAndInverted",
-    "LogicalOrReverse",  "LogicalOrInverted",
-    "Multiply",          "Screen",
-    "Overlay",           "Darken",
-    "Lighten",           "ColorDodge",
-    "ColorBurn",         "HardLight",
-    "SoftLight",         "Difference",
-    "Exclusion",         "HSLHue",
-    "HSLSaturation",     "HSLColor",
-    "HSLLuminosity",
-};
-
 std::optional<int> ColorMaskOf(std::string_view letters)
 {
     int mask = 0;
@@ -124,16 +105,6 @@ void Parser::ParseBlend()
 
 bool Parser::ParseBlendOperation(StateValue<BlendOp>& target)
 {
-    for (const std::string_view name : k_UnsupportedBlendOps)
-    {
-        if (isWord(name))
-        {
-            Error("BlendOp: '" + std::string(name) +
-                  "' is not supported; use Add, Sub, RevSub, Min or Max");
-            Advance();
-            return false;
-        }
-    }
     return ParseEnum<BlendOp>("BlendOp", k_BlendOps, target);
 }
 

@@ -57,6 +57,12 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
                subject + ": the " + std::string(endWord) +
                    " that closes it stands in a comment; put it on a line of its own");
     }
+    else if (!block.opener.empty())
+    {
+        Report(Severity::Warning, location,
+               subject + ": '" + std::string(block.opener) + "' stands inside it; is an " +
+                   std::string(endWord) + " missing before that?");
+    }
     chunk.text = std::string(block.text);
     Advance();
     return chunk;

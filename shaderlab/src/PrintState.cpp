@@ -3,6 +3,7 @@
 #include "StateNames.h"
 
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/PrintShaderLab.h>
 
 #include <algorithm>
 #include <array>
@@ -236,6 +237,11 @@ std::vector<std::string> StateCommands(const RenderState& state, const RenderSta
         AddStencil(lines, state.stencil);
     }
     return lines;
+}
+
+std::string BlendOpName(BlendOp op)
+{
+    return NameOf<BlendOp>(k_BlendOps, op);
 }
 
 } // namespace limn

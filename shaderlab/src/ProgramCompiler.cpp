@@ -6,6 +6,7 @@
 
 #include "DiagnosticColumns.h"
 #include "HlslPreprocessor.h"
+#include "HlslRepeats.h"
 #include "HlslRewriter.h"
 #include "SpirvBuilder.h"
 #include "SpirvReflection.h"
@@ -53,9 +54,10 @@ void RequireEntryPoints(const PassProgram& program)
     }
 }
 
-const HlslFunction& FindEntry(const PassProgram& program, const StageSource& source)
+const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& source,
+                              ShaderStage stage)
 {
-    const EntryPoint& entry = EntryOf(program, source.stage);
+    const EntryPoint& entry = EntryOf(program, stage);
     if (const HlslFunction* function = source.declarations.FindDefinition(entry.name))
     {
         return *function;
@@ -67,16 +69,17 @@ const HlslFunction& FindEntry(const PassProgram& program, const StageSource& sou
     }
     const std::string_view nearest = NearestName(entry.name, known);
     throw AssetError(program.file, entry.location,
-                     "#pragma " + std::string(StageName(source.stage)) +
-                         ": there is no function '" + entry.name + "'" +
+                     "#pragma " + std::string(StageName(stage)) + ": there is no function '" +
+                         entry.name + "'" +
                          (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
 }
 
-StageInterface InterfaceOf(const StageSource& source, const HlslFunction& function)
+StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& function,
+                           ShaderStage stage)
 {
     try
     {
-        return ReadStageInterface(source.declarations, function, source.stage);
+        return ReadStageInterface(source.declarations, function, stage);
     }
     catch (const StageInterfaceError& error)
     {
@@ -90,29 +93,64 @@ StageInterface InterfaceOf(const StageSource& source, const HlslFunction& functi
 /// One stage on its way to SPIR-V.
 struct Stage
 {
-    Stage(const PassProgram& program, ShaderStage ofStage, std::span<const std::string> keywords,
-          IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
-        : stage(ofStage),
-          source(PreprocessHlsl(program, stage, keywords, resolver, warnings), stage),
-          interface(InterfaceOf(source, FindEntry(program, source)))
-    {
-    }
-
-    ShaderStage stage;
-    StageSource source;
-    StageInterface interface; ///< into source
+    ShaderStage stage = ShaderStage::None;
+    std::shared_ptr<const HlslSource> source; ///< other stages may have the same
+    StageInterface interface;                 ///< into source
 };
 
 /// Vertex first, fragment last.
-using Stages = std::vector<std::unique_ptr<Stage>>;
+using Stages = std::vector<Stage>;
+
+void RequireOneDefinition(const HlslSource& source)
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
+    {
+        const HlslPlace place =
+            PlaceOf(source.text, source.tokens[variable->token].Begin(source.text));
+        diagnostics.push_back({Severity::Error, place.file, place.location,
+                               "'" + std::string(variable->name) +
+                                   "': redefinition; something else has this name already"});
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
+                  IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
+{
+    Stages stages;
+    std::shared_ptr<const HlslSource> shared;
+    for (const ShaderStage stage :
+         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment})
+    {
+        if (EntryOf(program, stage).name.empty())
+        {
+            continue; // RequireEntryPoints has asked for the two that must be there
+        }
+        auto source = shared;
+        if (!source)
+        {
+            PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
+            source = std::make_shared<const HlslSource>(std::move(hlsl.text));
+            RequireOneDefinition(*source);
+            shared = hlsl.namesStages ? nullptr : source;
+        }
+        StageInterface interface = InterfaceOf(*source, FindEntry(program, *source, stage), stage);
+        stages.push_back({stage, std::move(source), std::move(interface)});
+    }
+    return stages;
+}
 
 StageLinkage Link(const PassProgram& program, const Stages& stages)
 {
     try
     {
-        return LinkStages(stages.front()->interface,
-                          stages.size() > 2 ? &stages[1]->interface : nullptr,
-                          stages.back()->interface);
+        return LinkStages(stages.front().interface,
+                          stages.size() > 2 ? &stages[1].interface : nullptr,
+                          stages.back().interface);
     }
     catch (const StageInterfaceError& error)
     {
@@ -126,12 +164,12 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
 {
     for (std::size_t i = 1; i < stages.size(); ++i)
     {
-        const EntryPoint& entry = EntryOf(program, stages[i]->stage);
-        for (const std::string& semantic : linkage.Before(stages[i]->stage).unwritten)
+        const EntryPoint& entry = EntryOf(program, stages[i].stage);
+        for (const std::string& semantic : linkage.Before(stages[i].stage).unwritten)
         {
             warnings.push_back({Severity::Warning, program.file, entry.location,
                                 entry.name + ": it reads '" + semantic + "', which the " +
-                                    std::string(StageName(stages[i - 1]->stage)) +
+                                    std::string(StageName(stages[i - 1].stage)) +
                                     " function does not write; it is 0"});
         }
     }
@@ -173,17 +211,17 @@ void BuildStages(CompiledPass& pass, const PassProgram& program, const Stages& s
                  const StageLinkage& linkage)
 {
     std::vector<Diagnostic> diagnostics;
-    for (const auto& stage : stages)
+    for (const Stage& stage : stages)
     {
-        const std::string hlsl = RewriteStage(stage->source, stage->interface, linkage);
+        const std::string hlsl = RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
         try
         {
-            SpirvOf(pass, stage->stage) =
-                BuildSpirv(hlsl, stage->stage, program.file, pass.diagnostics);
+            SpirvOf(pass, stage.stage) =
+                BuildSpirv(hlsl, stage.stage, program.file, pass.diagnostics);
         }
         catch (const AssetError& error)
         {
-            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage->stage));
+            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage.stage));
         }
     }
     if (!diagnostics.empty())
@@ -223,18 +261,11 @@ CompiledPass Build(const PassProgram& program, std::span<const std::string> keyw
                    IncludeResolver& resolver)
 {
     CompiledPass pass;
-    Stages stages;
+    const Stages stages = ReadStages(program, keywords, resolver, pass.diagnostics);
     std::vector<HlslVariable> objects;
-    for (const ShaderStage stage :
-         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment})
+    for (const Stage& stage : stages)
     {
-        if (EntryOf(program, stage).name.empty())
-        {
-            continue; // RequireEntryPoints has asked for the two that must be there
-        }
-        stages.push_back(
-            std::make_unique<Stage>(program, stage, keywords, resolver, pass.diagnostics));
-        const std::vector<HlslVariable>& declared = stages.back()->source.declarations.objects;
+        const std::vector<HlslVariable>& declared = stage.source->declarations.objects;
         objects.insert(objects.end(), declared.begin(), declared.end());
     }
     const StageLinkage linkage = Link(program, stages);
@@ -244,7 +275,7 @@ CompiledPass Build(const PassProgram& program, std::span<const std::string> keyw
     ReflectLayout(pass, linkage, objects, messages);
     if (stages.size() > 2)
     {
-        pass.layout.geometryInput = GeometryInputOf(stages[1]->interface);
+        pass.layout.geometryInput = GeometryInputOf(stages[1].interface);
     }
     ThrowMessages(messages, program);
     return pass;

@@ -1,5 +1,6 @@
 #include <limn/shaderlab/ProgramSupport.h>
 
+#include "DynamicKeywords.h"
 #include "KeywordSets.h"
 #include "Text.h"
 
@@ -317,7 +318,7 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
 
 std::vector<Diagnostic> CheckPragmas(const PassProgram& program)
 {
-    std::vector<Diagnostic> warnings;
+    std::vector<Diagnostic> warnings = CheckDynamicKeywords(program);
     for (const ProgramPragma& pragma : program.pragmas)
     {
         if (pragma.name == "require")

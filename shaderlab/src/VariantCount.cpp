@@ -1,5 +1,6 @@
 #include <limn/shaderlab/VariantCount.h>
 
+#include "DynamicKeywords.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -91,11 +92,13 @@ std::string VariantCount::ToString() const
 VariantCount CountVariants(const PassProgram& program)
 {
     const auto skipped = SkippedKeywords(program);
+    const auto dynamic = DynamicKeywords(program);
     std::set<std::set<std::string>> counted;
     VariantCount count(1);
     for (const KeywordSet& set : program.keywordSets)
     {
         std::set<std::string> words(set.keywords.begin(), set.keywords.end());
+        std::erase_if(words, [&](const std::string& word) { return dynamic.count(word) > 0; });
         if (set.isDynamic || words.empty() || !counted.insert(words).second)
         {
             continue;

@@ -201,8 +201,7 @@ void RunGlslang(const std::string& hlsl, std::string_view entry, ShaderStage sta
 /// The steps of an import one by one, each with its time.
 struct Steps
 {
-    std::string vertexText; ///< preprocessed
-    std::string fragmentText;
+    std::string text;       ///< preprocessed
     std::string vertexHlsl; ///< rewritten: what nothing reaches is gone
     std::string fragmentHlsl;
 
@@ -214,22 +213,24 @@ struct Steps
         times.Measure("ms_preprocess",
                       [&]
                       {
-                          vertexText = PreprocessHlsl(program, ShaderStage::Vertex, {}, resolver,
-                                                      pass.diagnostics);
-                          fragmentText = PreprocessHlsl(program, ShaderStage::Fragment, {},
-                                                        resolver, pass.diagnostics);
+                          PreprocessedHlsl hlsl = PreprocessHlsl(program, ShaderStage::Vertex, {},
+                                                                 resolver, pass.diagnostics);
+                          if (hlsl.namesStages)
+                          {
+                              throw std::runtime_error("the stages do not share their text");
+                          }
+                          text = std::move(hlsl.text);
                       });
         const auto start = std::chrono::steady_clock::now();
-        const StageSource vertex(vertexText, ShaderStage::Vertex);
-        const StageSource fragment(fragmentText, ShaderStage::Fragment);
+        const HlslSource source(text);
         const StageInterface vertexInterface = ReadStageInterface(
-            vertex.declarations, *vertex.declarations.FindDefinition("vert"), ShaderStage::Vertex);
+            source.declarations, *source.declarations.FindDefinition("vert"), ShaderStage::Vertex);
         const StageInterface fragmentInterface =
-            ReadStageInterface(fragment.declarations, *fragment.declarations.FindDefinition("frag"),
+            ReadStageInterface(source.declarations, *source.declarations.FindDefinition("frag"),
                                ShaderStage::Fragment);
-        const StageLinkage linkage = LinkStages(vertexInterface, fragmentInterface);
-        vertexHlsl = RewriteStage(vertex, vertexInterface, linkage);
-        fragmentHlsl = RewriteStage(fragment, fragmentInterface, linkage);
+        const StageLinkage linkage = LinkStages(vertexInterface, nullptr, fragmentInterface);
+        vertexHlsl = RewriteStage(source, ShaderStage::Vertex, vertexInterface, linkage);
+        fragmentHlsl = RewriteStage(source, ShaderStage::Fragment, fragmentInterface, linkage);
         const std::chrono::duration<double, std::milli> rewriting =
             std::chrono::steady_clock::now() - start;
         times.Add("ms_rewrite", rewriting.count());
@@ -241,11 +242,9 @@ struct Steps
                           pass.fragmentSpirv = BuildSpirv(fragmentHlsl, ShaderStage::Fragment,
                                                           program.file, pass.diagnostics);
                       });
-        std::vector<HlslVariable> objects = vertex.declarations.objects;
-        objects.insert(objects.end(), fragment.declarations.objects.begin(),
-                       fragment.declarations.objects.end());
         std::vector<std::string> messages;
-        times.Measure("ms_reflect", [&] { ReflectLayout(pass, linkage, objects, messages); });
+        times.Measure("ms_reflect",
+                      [&] { ReflectLayout(pass, linkage, source.declarations.objects, messages); });
     }
 };
 
@@ -275,8 +274,8 @@ void ImportAgainstGlslang(benchmark::State& state, const char* body)
             times.Measure("ms_glslang_whole",
                           [&]
                           {
-                              RunGlslang(steps.vertexText, "vert", ShaderStage::Vertex, true);
-                              RunGlslang(steps.fragmentText, "frag", ShaderStage::Fragment, true);
+                              RunGlslang(steps.text, "vert", ShaderStage::Vertex, true);
+                              RunGlslang(steps.text, "frag", ShaderStage::Fragment, true);
                           });
         times.Add("ratio_whole", import / whole);
         times.Add("ratio", import / plain);

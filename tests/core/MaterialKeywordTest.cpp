@@ -59,6 +59,34 @@ TEST(MaterialKeywords, ChooseTheVariantThatIsDrawn)
     EXPECT_TRUE(material->IsKeywordEnabled("UNKNOWN"));
 }
 
+TEST(MaterialKeywords, AreValuesWhereTheShaderBranchesOnThem)
+{
+    const auto material = std::make_shared<Material>(test::ShaderOf(
+        "Shader \"Test/Branches\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex V\n"
+        "#pragma fragment F\n#pragma dynamic_branch _ WET MOSS\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+        "float4 F() : SV_Target { if (WET) { return MOSS; } return 2; }\nENDHLSL } } }"));
+    test::OneDraw draw;
+    draw.Resolve(material);
+    const auto pass = draw.draw().pass;
+    const auto values = [&]
+    {
+        draw.Resolve(material);
+        return std::pair(draw.Ints("WET", 1).at(0), draw.Ints("MOSS", 1).at(0));
+    };
+    EXPECT_EQ(values(), std::pair(0, 0));
+    material->EnableKeyword("MOSS");
+    EXPECT_EQ(values(), std::pair(0, 1));
+    material->EnableKeyword("WET"); // no set of one at a time, as in Unity
+    EXPECT_EQ(values(), std::pair(1, 1));
+    material->DisableKeyword("MOSS");
+    EXPECT_EQ(values(), std::pair(1, 0));
+    // No property can take their place.
+    material->SetFloat(ShaderPropertyId("WET"), 7.0f);
+    EXPECT_EQ(values(), std::pair(1, 0));
+    EXPECT_EQ(draw.draw().pass, pass);
+}
+
 TEST(MaterialTexture, HasScaleOffsetAndSizeFed)
 {
     const auto material = std::make_shared<Material>(test::ShaderWithProgram(

@@ -19,12 +19,14 @@ void Require(bool holds, const char* what)
     }
 }
 
-/// A program that ends in a comment ends elsewhere once other text stands behind it.
+/// A program that ends in a comment, or holds a word that opens another, ends elsewhere once other
+/// text stands before or behind it.
 bool isAmbiguous(const limn::ShaderLabParseResult& result)
 {
     for (const limn::Diagnostic& diagnostic : result.diagnostics)
     {
-        if (diagnostic.message.find("stands in a comment") != std::string::npos)
+        if (diagnostic.message.find("stands in a comment") != std::string::npos ||
+            diagnostic.message.find("stands inside it") != std::string::npos)
         {
             return true;
         }

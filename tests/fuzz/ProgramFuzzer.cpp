@@ -61,7 +61,7 @@ PassProgram ScanAll(const std::string& text)
 /// Everything between the preprocessor and the compiler, with each function as the entry.
 void Rewrite(const std::string& text, ShaderStage stage)
 {
-    const StageSource source(text, stage);
+    const HlslSource source(text);
     int left = 8;
     for (const HlslFunction& function : source.declarations.functions)
     {
@@ -78,7 +78,8 @@ void Rewrite(const std::string& text, ShaderStage stage)
                 LinkStages(stage == ShaderStage::Vertex ? interface : other,
                            stage == ShaderStage::Geometry ? &interface : nullptr,
                            stage == ShaderStage::Fragment ? interface : other);
-            Require(!RewriteStage(source, interface, linkage).empty(), "nothing was written");
+            Require(!RewriteStage(source, stage, interface, linkage).empty(),
+                    "nothing was written");
         }
         catch (const StageInterfaceError& error)
         {

@@ -46,6 +46,30 @@ TEST(ToStringWithSource, ShowsTheNeighbourhoodOfAColumnInALongLine)
                   "...\n" + std::string(83, ' ') + "^");
 }
 
+TEST(ToStringWithSource, ShowsBytesThatCannotBePrintedAsReplacementCharacters)
+{
+    const std::string replaced = "\xEF\xBF\xBD"; // U+FFFD
+    const auto shown = [](std::string_view line, int column)
+    {
+        const std::string all = ToStringWithSource({Severity::Error, "f", {1, column}, "x"}, line);
+        return all.substr(all.find('\n') + 1);
+    };
+    // Escape, a zero byte, a lone lead byte, one inside no character, DEL.
+    const std::string_view binary("a\x1B[\0\xC3(\x80\x7F!", 9);
+    EXPECT_EQ(shown(binary, 9), "a" + replaced + "[" + replaced + replaced + "(" + replaced +
+                                    replaced + "!\n        ^");
+    // U+009B starts terminal commands as Escape [ does; it, a surrogate, an overlong '/', a
+    // character cut off.
+    EXPECT_EQ(shown("\xC2\x9B|\xED\xA0\x80|\xC0\xAF|\xE2\x82", 4),
+              replaced + replaced + "|" + replaced + replaced + replaced + "|" + replaced +
+                  replaced + "|" + replaced + replaced + "\n   ^");
+    // Printable ones of two, three and four bytes are a column wide.
+    EXPECT_EQ(shown("\xC2\xA0\xE2\x82\xAC\xF0\x9F\x98\x80!", 10),
+              "\xC2\xA0\xE2\x82\xAC\xF0\x9F\x98\x80!\n   ^");
+    // A long line of bytes that never start a character still has an end.
+    EXPECT_EQ(shown(std::string(10000, '\x80'), 0).size(), 163 * 3u + 3);
+}
+
 TEST(NearestName, TakesNoVeryLongNameForATypo)
 {
     EXPECT_EQ(NearestName(std::string(65, 'a'), {std::string_view("aaaa")}), "");

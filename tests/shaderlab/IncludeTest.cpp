@@ -47,12 +47,25 @@ TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
     folder.Write("project/Packages/com.me.x/e.hlsl", "#define VALUE 1\n");
     folder.Write("elsewhere/f.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
+    // The working directory is another one: the file's own Unity project counts as well.
+    EXPECT_THAT(Compile("#include \"Assets/Common/c.hlsl\""), ElementsAre());
+    EXPECT_THAT(Compile("#include \"Packages/com.me.x/d.hlsl\""), ElementsAre());
     ShaderCompilerOptions options;
     options.projectRoot = Path("project");
     options.packages["com.me.y"] = Path("elsewhere");
     EXPECT_THAT(Compile("#include \"Assets/Common/c.hlsl\"", options), ElementsAre());
     EXPECT_THAT(Compile("#include \"Packages/com.me.x/d.hlsl\"", options), ElementsAre());
     EXPECT_THAT(Compile("#include <Packages/com.me.y/f.hlsl>", options), ElementsAre());
+}
+
+TEST_F(Include, MayDependOnTheStage)
+{
+    folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_FRAGMENT\n#define VALUE 1\n"
+                                                  "#endif\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
+    folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_VERTEX\n#define VALUE 1\n"
+                                                  "#endif\n");
+    EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre(HasSubstr("'VALUE'")));
 }
 
 TEST_F(Include, TakesBackslashesAndNamesThatDifferInCase)

@@ -275,20 +275,5 @@ TEST(ProgramPragma, IsReadFromFilesIncludedWithPragmasAndFromNoOthers)
     EXPECT_THAT(complete.keywordSets[0].keywords, ElementsAre("A", "B"));
 }
 
-TEST(ProgramPragma, MakesDynamicBranchesValuesThatCodeCanAskFor)
-{
-    PassProgram program = test::Program("float4 vert() : SV_POSITION { return 0; }\n"
-                                        "float4 frag() : SV_Target { if (WET) return 0.25; return "
-                                        "0.5; }");
-    KeywordSet set;
-    set.keywords = {"", "WET"};
-    set.isDynamic = true;
-    program.keywordSets = {set};
-    ShaderCompiler compiler;
-    const std::vector<std::string> on = {"WET"};
-    EXPECT_NE(compiler.Compile(program, on)->fragmentSpirv,
-              compiler.Compile(program)->fragmentSpirv);
-}
-
 } // namespace
 } // namespace limn

@@ -146,7 +146,12 @@ TEST(RenderState, TakesEveryBlendOperation)
                                       {"Sub", Subtract},
                                       {"RevSub", ReverseSubtract},
                                       {"Min", Min},
-                                      {"Max", Max}})
+                                      {"Max", Max},
+                                      {"LogicalClear", LogicalClear},
+                                      {"LogicalEquiv", LogicalEquivalence},
+                                      {"logicalorinverted", LogicalOrInverted},
+                                      {"Multiply", Multiply},
+                                      {"HSLLuminosity", HSLLuminosity}})
     {
         const PassBlendState target = State("BlendOp " + std::string(text)).targets[7];
         EXPECT_EQ(target.colorOp, value) << text;

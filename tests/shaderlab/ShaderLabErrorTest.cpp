@@ -113,13 +113,14 @@ TEST(ShaderLabError, ReportsATextWithoutItsClosingQuote)
 
 TEST(ShaderLabError, ReportsTargetsAndOperationsThatDoNotExist)
 {
-    EXPECT_THAT(PassMessages("Blend 8 One One\nBlendOp LogicalXor\nColorMask RGX\nOffset 1"),
-                ElementsAre("4:7: error: Blend: target 8 does not exist; a target is 0...7",
-                            "5:9: error: BlendOp: 'LogicalXor' is not supported; use Add, Sub, "
-                            "RevSub, Min or Max",
-                            "6:11: error: ColorMask: 'RGX' is no mask; write letters of RGBA, 0 "
-                            "or [_Property]",
-                            "8:1: error: Offset: ',' is missing before '}'"));
+    EXPECT_THAT(
+        PassMessages("Blend 8 One One\nBlendOp LogicalXorr\nColorMask RGX\nOffset 1"),
+        ElementsAre("4:7: error: Blend: target 8 does not exist; a target is 0...7",
+                    StartsWith("5:9: error: BlendOp: unknown value 'LogicalXorr'; did you mean "
+                               "'LogicalXor'? (known: Add, Sub, "),
+                    "6:11: error: ColorMask: 'RGX' is no mask; write letters of RGBA, 0 "
+                    "or [_Property]",
+                    "8:1: error: Offset: ',' is missing before '}'"));
 }
 
 TEST(ShaderLabError, ReportsAReferenceWithoutAName)
@@ -162,6 +163,13 @@ TEST(ShaderLabError, WarnsOfAProgramThatEndsInAComment)
         PassMessages("CGPROGRAM\nx // ENDCG\n} Pass { CGPROGRAM\nENDCG"),
         ElementsAre("4:1: warning: CGPROGRAM: the ENDCG that closes it stands in a comment; "
                     "put it on a line of its own"));
+}
+
+TEST(ShaderLabError, WarnsOfAProgramInsideAnother)
+{
+    EXPECT_THAT(PassMessages("CGPROGRAM\nx // GLSLPROGRAM\nHlslProgram y\nENDCG"),
+                ElementsAre("4:1: warning: CGPROGRAM: 'HlslProgram' stands inside it; is an ENDCG "
+                            "missing before that?"));
 }
 
 TEST(ShaderLabError, ReportsAnUnclosedPropertiesBlockAtTheNextCommand)

@@ -122,6 +122,7 @@ TEST(ShaderLibrary, CompilesALitShader)
         {
             half4 albedo = SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
             AlphaDiscard(albedo.a, 0.5);
+            albedo.a = AlphaDiscard(albedo.a, 0.5);
             Light light = GetMainLight();
             half3 diffuse = LightingLambert(light.color, light.direction, input.normalWS);
             half3 viewDir = GetWorldSpaceNormalizeViewDir(input.positionWS);

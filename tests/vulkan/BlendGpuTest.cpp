@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include <gmock/gmock.h>
 
 namespace limn::test
 {
@@ -133,6 +134,103 @@ TEST_P(Blending, TakesTheLargerWithMax)
     blend.colorOp = BlendOp::Max;
     blend.alphaOp = BlendOp::Min;
     EXPECT_EQ((Float4{0.5f, 1.0f, 1.0f, 0.25f}), BlendOn(Device(), k_Source, k_Destination, blend));
+}
+
+TEST_P(Blending, CombinesTheBitsOfNormalizedIntegers)
+{
+    // Bit by bit what the operations give for source 0x33 and destination 0x55: the four pairs of
+    // bits are in each half of the bytes.
+    constexpr std::pair<BlendOp, int> k_Results[] = {
+        {BlendOp::LogicalClear, 0x00},      {BlendOp::LogicalSet, 0xFF},
+        {BlendOp::LogicalCopy, 0x33},       {BlendOp::LogicalCopyInverted, 0xCC},
+        {BlendOp::LogicalNoop, 0x55},       {BlendOp::LogicalInvert, 0xAA},
+        {BlendOp::LogicalAnd, 0x11},        {BlendOp::LogicalNand, 0xEE},
+        {BlendOp::LogicalOr, 0x77},         {BlendOp::LogicalNor, 0x88},
+        {BlendOp::LogicalXor, 0x66},        {BlendOp::LogicalEquivalence, 0x99},
+        {BlendOp::LogicalAndReverse, 0x22}, {BlendOp::LogicalAndInverted, 0x44},
+        {BlendOp::LogicalOrReverse, 0xBB},  {BlendOp::LogicalOrInverted, 0xDD},
+    };
+    constexpr float s = 0x33 / 255.0f;
+    constexpr float d = 0x55 / 255.0f;
+    const TargetPtr target = MakeTarget(16, 1);
+    CompiledFrame frame = FrameOf({ClearPass(target, {d, d, d, d})}, target);
+    PipelineState state = PlainState();
+    for (TargetBlend& blend : state.targets)
+    {
+        blend = Factors(BlendMode::SrcAlpha, BlendMode::One, BlendMode::Zero, BlendMode::One);
+    }
+    float left = -1.0f;
+    for (const auto& [op, result] : k_Results)
+    {
+        state.targets[0].colorOp = op;
+        state.targets[0].alphaOp = op;
+        frame.passes[0].commands.emplace_back(
+            MakeColorDraw(frame, MakeQuad(left, -1, left + 0.125f, 1), {s, s, s, s}, state));
+        left += 0.125f;
+    }
+    Device().Execute(frame);
+    const Image image = Device().ReadBack(*target);
+    for (int x = 0; x < 16; ++x)
+    {
+        const int result = k_Results[x].second;
+        EXPECT_EQ((Rgba8{result, result, result, result}), Texel8(image, x, 0)) << x;
+    }
+}
+
+TEST_P(Blending, BlendsAgainAfterALogicalOperation)
+{
+    const TargetPtr target = MakeTarget(1, 1);
+    CompiledFrame frame = FrameOf({ClearPass(target, {0, 0, 0, 0})}, target);
+    PipelineState state = PlainState();
+    state.targets[0] = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    PipelineState logical = state;
+    logical.targets[0].colorOp = BlendOp::LogicalSet;
+    logical.targets[0].alphaOp = BlendOp::LogicalSet;
+    logical.targets[0].writeMask = ColorWriteMask::Green;
+    for (const PipelineState& one : {state, logical, state})
+    {
+        frame.passes[0].commands.emplace_back(
+            MakeColorDraw(frame, MakeQuad(), {0.2f, 0.2f, 0.2f, 0.2f}, one)); // 51
+    }
+    Device().Execute(frame);
+    EXPECT_EQ((Rgba8{102, 255, 102, 102}), Texel8(Device().ReadBack(*target), 0, 0));
+}
+
+TEST_P(Blending, MixesAsDrawingProgramsDoWhereTheDeviceCan)
+{
+    struct Case
+    {
+        BlendOp op;
+        Rgba8 expected; ///< of source (1, 0, 0.2) and destination (0.4, 1, 1), both opaque
+    };
+    for (const Case& one : {Case{BlendOp::Multiply, {102, 0, 51, 255}},       // s * d
+                            Case{BlendOp::Screen, {255, 255, 255, 255}},      // s + d - s * d
+                            Case{BlendOp::Difference, {153, 255, 204, 255}}}) // |s - d|
+    {
+        const TargetPtr target = MakeTarget(1, 1);
+        CompiledFrame frame = FrameOf({ClearPass(target, {0.4f, 1, 1, 1})}, target);
+        PipelineState state = PlainState();
+        state.targets[0].enabled = true;
+        state.targets[0].colorOp = one.op;
+        state.targets[0].alphaOp = one.op;
+        frame.passes[0].commands.emplace_back(
+            MakeColorDraw(frame, MakeQuad(), {1, 0, 0.2f, 1}, state));
+        try
+        {
+            Device().Execute(frame);
+        }
+        catch (const ContractError& error)
+        {
+            EXPECT_THAT(error.what(),
+                        testing::HasSubstr("the device lacks VK_EXT_blend_operation_advanced"));
+            continue;
+        }
+        const Rgba8 actual = Texel8(Device().ReadBack(*target), 0, 0);
+        for (std::size_t i = 0; i < actual.size(); ++i)
+        {
+            EXPECT_NEAR(one.expected.at(i), actual.at(i), 1) << static_cast<int>(one.op);
+        }
+    }
 }
 
 TEST_P(Blending, WritesTheMaskedChannelsOnly)

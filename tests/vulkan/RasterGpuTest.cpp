@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include <gmock/gmock.h>
 
 namespace limn::test
 {
@@ -29,6 +30,18 @@ int CentreOf(const MeshPtr& mesh, const PipelineState& state)
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, mesh, Color::white, state));
     SharedDevice().Execute(frame);
     return Texel8(SharedDevice().ReadBack(*target), 2, 2)[0];
+}
+
+/// The red of a 2x2 target, row by row, with one mesh drawn in white on black.
+std::array<int, 4> DrawnTexels(const MeshPtr& mesh, const PipelineState& state)
+{
+    const TargetPtr target = MakeTarget(2, 2);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    frame.passes[0].commands.emplace_back(MakeColorDraw(frame, mesh, Color::white, state));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    return {Texel8(image, 0, 0)[0], Texel8(image, 1, 0)[0], Texel8(image, 0, 1)[0],
+            Texel8(image, 1, 1)[0]};
 }
 
 PipelineState Culling(CullMode cull, bool flipped = false)
@@ -248,6 +261,25 @@ TEST_F(Rasterization, DrawsOneSubMeshOnly)
     const Image image = SharedDevice().ReadBack(*target);
     EXPECT_EQ(0, Texel8(image, 0, 0)[0]);
     EXPECT_EQ(255, Texel8(image, 1, 0)[0]);
+}
+
+TEST_F(Rasterization, CoversEveryTexelItTouchesWhereConservativeAndTheDeviceCan)
+{
+    // Around the corner that four texels share, away from their centres at +-0.5.
+    const MeshPtr triangle =
+        MakeTriangle({-0.1f, -0.1f, 0.5f}, {0, 0.1f, 0.5f}, {0.1f, -0.1f, 0.5f});
+    EXPECT_EQ((std::array{0, 0, 0, 0}), DrawnTexels(triangle, PlainState()));
+    PipelineState state = PlainState();
+    state.conservative = true;
+    try
+    {
+        EXPECT_EQ((std::array{255, 255, 255, 255}), DrawnTexels(triangle, state));
+    }
+    catch (const ContractError& error)
+    {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("the device lacks VK_EXT_conservative_rasterization"));
+    }
 }
 
 } // namespace limn::test

@@ -2,6 +2,7 @@
 
 #include <DynamicState.h>
 #include <PipelineBuilder.h>
+#include <Translate.h>
 
 namespace limn::test
 {
@@ -39,6 +40,9 @@ VulkanValues ToValues(const PipelineState& state, const TargetFormats& formats)
 {
     DeviceCapabilities capabilities;
     capabilities.depthClamp = true;
+    capabilities.logicOp = true;
+    capabilities.conservative = true;
+    capabilities.advancedBlendTargets = 8;
     const PipelineKey key = MakePipelineKey(state, formats, capabilities);
     const FixedState fixed = ToFixedState(state, formats);
     VulkanValues values = {{"cullMode", fixed.cullMode},
@@ -51,6 +55,8 @@ VulkanValues ToValues(const PipelineState& state, const TargetFormats& formats)
                            {"depthBiasSlope", fixed.depthBiasSlope},
                            {"depthClamp", key.depthClamp},
                            {"alphaToCoverage", key.alphaToMask},
+                           {"conservative", ToVkConservative(key.conservative)},
+                           {"logicOp", key.logicOp ? static_cast<int>(*key.logicOp) : -1},
                            {"stencilTest", fixed.stencilTest}};
     AddStencilFace(values, "front", fixed.stencilFront);
     AddStencilFace(values, "back", fixed.stencilBack);
@@ -74,6 +80,8 @@ VulkanValues Defaults()
                            {"depthBiasSlope", 0},
                            {"depthClamp", 0},
                            {"alphaToCoverage", 0},
+                           {"conservative", VK_CONSERVATIVE_RASTERIZATION_MODE_DISABLED_EXT},
+                           {"logicOp", -1}, // none
                            {"stencilTest", 0}};
     for (const char* face : {"front", "back"})
     {

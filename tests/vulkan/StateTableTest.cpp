@@ -147,6 +147,76 @@ TEST(StateTable, TranslatesBlendOp)
     }
 }
 
+TEST(StateTable, TranslatesLogicalBlendOps)
+{
+    constexpr std::pair<const char*, VkLogicOp> k_Ops[] = {
+        {"LogicalClear", VK_LOGIC_OP_CLEAR},
+        {"LogicalSet", VK_LOGIC_OP_SET},
+        {"LogicalCopy", VK_LOGIC_OP_COPY},
+        {"LogicalCopyInverted", VK_LOGIC_OP_COPY_INVERTED},
+        {"LogicalNoop", VK_LOGIC_OP_NO_OP},
+        {"LogicalInvert", VK_LOGIC_OP_INVERT},
+        {"LogicalAnd", VK_LOGIC_OP_AND},
+        {"LogicalNand", VK_LOGIC_OP_NAND},
+        {"LogicalOr", VK_LOGIC_OP_OR},
+        {"LogicalNor", VK_LOGIC_OP_NOR},
+        {"LogicalXor", VK_LOGIC_OP_XOR},
+        {"LogicalEquiv", VK_LOGIC_OP_EQUIVALENT},
+        {"LogicalAndReverse", VK_LOGIC_OP_AND_REVERSE},
+        {"LogicalAndInverted", VK_LOGIC_OP_AND_INVERTED},
+        {"LogicalOrReverse", VK_LOGIC_OP_OR_REVERSE},
+        {"LogicalOrInverted", VK_LOGIC_OP_OR_INVERTED}};
+    float number = 5.0f; // Unity's for the first
+    for (const auto& [name, op] : k_Ops)
+    {
+        const VulkanValues expected = {{"logicOp", op}};
+        ExpectTable({{"Blend One Zero BlendOp " + std::string(name), expected},
+                     {"BlendOp " + std::string(name), {}}}); // no Blend, no effect
+        EXPECT_EQ("", Mistakes(expected, StateOf(PassWith("Blend One Zero BlendOp [_P]"), number)))
+            << name;
+        number += 1.0f;
+    }
+}
+
+TEST(StateTable, TranslatesAdvancedBlendOps)
+{
+    constexpr std::pair<const char*, VkBlendOp> k_Ops[] = {
+        {"Multiply", VK_BLEND_OP_MULTIPLY_EXT},
+        {"Screen", VK_BLEND_OP_SCREEN_EXT},
+        {"Overlay", VK_BLEND_OP_OVERLAY_EXT},
+        {"Darken", VK_BLEND_OP_DARKEN_EXT},
+        {"Lighten", VK_BLEND_OP_LIGHTEN_EXT},
+        {"ColorDodge", VK_BLEND_OP_COLORDODGE_EXT},
+        {"ColorBurn", VK_BLEND_OP_COLORBURN_EXT},
+        {"HardLight", VK_BLEND_OP_HARDLIGHT_EXT},
+        {"SoftLight", VK_BLEND_OP_SOFTLIGHT_EXT},
+        {"Difference", VK_BLEND_OP_DIFFERENCE_EXT},
+        {"Exclusion", VK_BLEND_OP_EXCLUSION_EXT},
+        {"HSLHue", VK_BLEND_OP_HSL_HUE_EXT},
+        {"HSLSaturation", VK_BLEND_OP_HSL_SATURATION_EXT},
+        {"HSLColor", VK_BLEND_OP_HSL_COLOR_EXT},
+        {"HSLLuminosity", VK_BLEND_OP_HSL_LUMINOSITY_EXT}};
+    float number = 21.0f; // Unity's for the first
+    for (const auto& [name, op] : k_Ops)
+    {
+        const double value = op;
+        const VulkanValues expected =
+            EveryTarget({{"blendEnable", 1}, {"colorOp", value}, {"alphaOp", value}});
+        ExpectTable({{"Blend One Zero BlendOp " + std::string(name), expected},
+                     {"BlendOp " + std::string(name), {}}});
+        EXPECT_EQ("", Mistakes(expected, StateOf(PassWith("Blend One Zero BlendOp [_P]"), number)))
+            << name;
+        number += 1.0f;
+    }
+}
+
+TEST(StateTable, TranslatesConservative)
+{
+    const VulkanValues on = {{"conservative", VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT}};
+    ExpectTable({{"Conservative True", on}, {"Conservative On", on}, {"Conservative False", {}}});
+    ExpectNumbers("Conservative [_P]", {{}, on, on});
+}
+
 TEST(StateTable, TranslatesColorMask)
 {
     constexpr int r = VK_COLOR_COMPONENT_R_BIT;

@@ -71,7 +71,7 @@ VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device)
         info.problems.push_back("it speaks Vulkan " + info.apiVersion + ", limn needs 1.3");
         return info;
     }
-    FeatureChain offered{false};
+    FeatureChain offered{OptionalExtensions{}};
     vkGetPhysicalDeviceFeatures2(device, &offered.core);
     info.problems = MissingFeatures(offered);
     if (!GraphicsQueueFamily(device))

@@ -7,20 +7,20 @@
 namespace limn::vulkan
 {
 
-FeatureChain::FeatureChain(bool extendedDynamicState3)
+std::vector<const char*> OptionalExtensions::Names() const
 {
-    core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    v11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
-    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    extendedState.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_FEATURES_EXT;
-    core.pNext = &v11;
-    v11.pNext = &v12;
-    v12.pNext = &v13;
-    v13.pNext = extendedDynamicState3 ? &extendedState : nullptr;
+    std::vector<const char*> names;
+    const auto add = [&](bool has, const char* name)
+    {
+        names.insert(names.end(), has ? 1 : 0, name);
+    };
+    add(extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME);
+    add(advancedBlend, VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME);
+    add(conservative, VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME);
+    return names;
 }
 
-bool HasDeviceExtension(VkPhysicalDevice device, const char* name)
+OptionalExtensions FindExtensions(VkPhysicalDevice device)
 {
     std::uint32_t count = 0;
     Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
@@ -28,9 +28,30 @@ bool HasDeviceExtension(VkPhysicalDevice device, const char* name)
     std::vector<VkExtensionProperties> extensions(count);
     Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
           "vkEnumerateDeviceExtensionProperties");
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [&](const VkExtensionProperties& extension)
-                       { return std::strcmp(extension.extensionName, name) == 0; });
+    const auto has = [&](const char* name)
+    {
+        return std::any_of(extensions.begin(), extensions.end(),
+                           [&](const VkExtensionProperties& extension)
+                           { return std::strcmp(extension.extensionName, name) == 0; });
+    };
+    return {has(VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME),
+            has(VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME),
+            has(VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME)};
+}
+
+FeatureChain::FeatureChain(const OptionalExtensions& extensions)
+{
+    core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    v11.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES;
+    v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    extendedState.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_FEATURES_EXT;
+    advancedBlend.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_FEATURES_EXT;
+    core.pNext = &v11;
+    v11.pNext = &v12;
+    v12.pNext = &v13;
+    extendedState.pNext = extensions.advancedBlend ? &advancedBlend : nullptr;
+    v13.pNext = extensions.extendedState ? &extendedState : extendedState.pNext;
 }
 
 std::vector<std::string> MissingFeatures(const FeatureChain& offered)
@@ -73,6 +94,7 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
 
     constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
         &VkPhysicalDeviceFeatures::depthClamp,
+        &VkPhysicalDeviceFeatures::logicOp,
         &VkPhysicalDeviceFeatures::geometryShader, // SV_PrimitiveID in fragment functions
         &VkPhysicalDeviceFeatures::sampleRateShading,
         &VkPhysicalDeviceFeatures::shaderClipDistance,
@@ -99,6 +121,8 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     wanted.extendedState.extendedDynamicState3ColorBlendEnable = blend ? VK_TRUE : VK_FALSE;
     wanted.extendedState.extendedDynamicState3ColorBlendEquation = blend ? VK_TRUE : VK_FALSE;
     wanted.extendedState.extendedDynamicState3ColorWriteMask = blend ? VK_TRUE : VK_FALSE;
+    wanted.advancedBlend.advancedBlendCoherentOperations =
+        offered.advancedBlend.advancedBlendCoherentOperations;
 }
 
 } // namespace limn::vulkan

@@ -7,11 +7,23 @@
 namespace limn::vulkan
 {
 
-/// The feature structures of Vulkan 1.3 and of the one extension limn uses, chained.
+/// Which of the device extensions that limn uses where they are there.
+struct OptionalExtensions
+{
+    bool extendedState = false; ///< VK_EXT_extended_dynamic_state3
+    bool advancedBlend = false; ///< VK_EXT_blend_operation_advanced
+    bool conservative = false;  ///< VK_EXT_conservative_rasterization
+
+    std::vector<const char*> Names() const;
+};
+
+OptionalExtensions FindExtensions(VkPhysicalDevice device);
+
+/// The feature structures of Vulkan 1.3 and of extensions, chained.
 struct FeatureChain
 {
-    /// @param extendedState  chains VK_EXT_extended_dynamic_state3, which the device must have
-    explicit FeatureChain(bool extendedState);
+    /// @param extensions  that the device must have
+    explicit FeatureChain(const OptionalExtensions& extensions);
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
 
@@ -20,9 +32,8 @@ struct FeatureChain
     VkPhysicalDeviceVulkan12Features v12{};
     VkPhysicalDeviceVulkan13Features v13{};
     VkPhysicalDeviceExtendedDynamicState3FeaturesEXT extendedState{};
+    VkPhysicalDeviceBlendOperationAdvancedFeaturesEXT advancedBlend{};
 };
-
-bool HasDeviceExtension(VkPhysicalDevice device, const char* name);
 
 /// One sentence for each feature that limn cannot do without and that `offered` lacks.
 std::vector<std::string> MissingFeatures(const FeatureChain& offered);

@@ -2,6 +2,9 @@
 
 #include "PipelineBuilder.h"
 #include "Translate.h"
+#include <algorithm>
+#include <limn/shaderlab/PrintShaderLab.h>
+#include <span>
 
 namespace limn::vulkan
 {
@@ -73,10 +76,83 @@ void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabi
         throw ContractError("a draw has ZClip False, and the device lacks depthClamp; it draws "
                             "ZClip True only");
     }
-    if (state.conservative)
+    if (state.conservative && !capabilities.conservative)
     {
-        throw ContractError("a draw has Conservative True; limn draws the texels whose centre is "
-                            "covered only");
+        throw ContractError("a draw has Conservative True, and the device lacks "
+                            "VK_EXT_conservative_rasterization; it draws the texels whose centre "
+                            "is covered only");
+    }
+}
+
+bool isBeyondBlending(const TargetBlend& blend)
+{
+    return blend.enabled && std::max(blend.colorOp, blend.alphaOp) > BlendOp::Max;
+}
+
+/// The logical or advanced operation of a draw, else Add.
+BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
+{
+    const std::span used = std::span(state.targets).first(targets);
+    const auto found = std::find_if(used.begin(), used.end(), isBeyondBlending);
+    if (found == used.end())
+    {
+        return BlendOp::Add;
+    }
+    const BlendOp op = std::max(found->colorOp, found->alphaOp);
+    for (const TargetBlend& blend : used)
+    {
+        if (!blend.enabled || blend.colorOp != op || blend.alphaOp != op)
+        {
+            const std::string name = BlendOpName(op);
+            throw ContractError("a draw has BlendOp " + name +
+                                " for a part of what it writes; it works for colour and alpha of "
+                                "all targets alike: write Blend and 'BlendOp " +
+                                name + "' with neither a target nor a ','");
+        }
+    }
+    return op;
+}
+
+/// Floats and sRGB values have no bits to combine: Vulkan would write them as they are.
+bool HasPlainBits(VkFormat format)
+{
+    return format == VK_FORMAT_R8_UNORM || format == VK_FORMAT_R8G8B8A8_UNORM ||
+           format == VK_FORMAT_R8G8B8A8_SNORM;
+}
+
+/// "" where the device can.
+std::string ReasonAgainst(BlendOp op, std::size_t targets, const DeviceCapabilities& capabilities)
+{
+    if (isLogical(op) && !capabilities.logicOp)
+    {
+        return "lacks logicOp";
+    }
+    if (isAdvanced(op) && capabilities.advancedBlendTargets == 0)
+    {
+        return "lacks VK_EXT_blend_operation_advanced";
+    }
+    if (isAdvanced(op) && capabilities.advancedBlendTargets < targets)
+    {
+        return "has it for " + std::to_string(capabilities.advancedBlendTargets) +
+               " target(s) at most, not for " + std::to_string(targets);
+    }
+    return {};
+}
+
+void RequireOperation(BlendOp op, const TargetFormats& formats,
+                      const DeviceCapabilities& capabilities)
+{
+    const std::string reason = ReasonAgainst(op, formats.colors.size(), capabilities);
+    if (!reason.empty())
+    {
+        throw ContractError("a draw has BlendOp " + BlendOpName(op) + ", and the device " + reason +
+                            "; every device has Add, Sub, RevSub, Min and Max");
+    }
+    if (isLogical(op) && !std::all_of(formats.colors.begin(), formats.colors.end(), HasPlainBits))
+    {
+        throw ContractError("a draw has BlendOp " + BlendOpName(op) +
+                            " into a target of floats or sRGB values; a logical operation wants "
+                            "R8_UNorm, R8G8B8A8_UNorm or R8G8B8A8_SNorm");
     }
 }
 
@@ -86,11 +162,17 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
                             const DeviceCapabilities& capabilities)
 {
     RequireSupport(state, capabilities);
+    const BlendOp op = WholeOperation(state, formats.colors.size());
+    RequireOperation(op, formats, capabilities);
     PipelineKey key;
     key.formats = formats;
     key.alphaToMask = state.alphaToMask;
     key.depthClamp = !state.zClip;
-    if (!capabilities.dynamicBlend)
+    key.conservative = state.conservative;
+    key.logicOp = isLogical(op) ? std::optional(ToVkLogicOp(op)) : std::nullopt;
+    // The command that sets a blend equation knows the plain operations only.
+    key.dynamicBlend = capabilities.dynamicBlend && !isAdvanced(op);
+    if (!key.dynamicBlend)
     {
         for (std::size_t i = 0; i < formats.colors.size(); ++i)
         {
@@ -120,10 +202,10 @@ FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats
 }
 
 void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
-                        const TargetFormats& formats, int colorOutputs,
-                        const VulkanContext& context)
+                        const PipelineKey& key, int colorOutputs,
+                        const ExtensionFunctions& functions)
 {
-    const FixedState fixed = ToFixedState(state, formats);
+    const FixedState fixed = ToFixedState(state, key.formats);
     vkCmdSetCullMode(commands, fixed.cullMode);
     vkCmdSetFrontFace(commands, fixed.frontFace);
     vkCmdSetPrimitiveTopology(commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
@@ -131,9 +213,9 @@ void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
     vkCmdSetStencilTestEnable(commands, ToVkBool(fixed.stencilTest));
     RecordStencilFace(commands, VK_STENCIL_FACE_FRONT_BIT, fixed.stencilFront);
     RecordStencilFace(commands, VK_STENCIL_FACE_BACK_BIT, fixed.stencilBack);
-    if (context.capabilities().dynamicBlend && !formats.colors.empty())
+    if (key.dynamicBlend && !key.formats.colors.empty())
     {
-        RecordBlend(commands, state, formats.colors.size(), colorOutputs, context.functions());
+        RecordBlend(commands, state, key.formats.colors.size(), colorOutputs, functions);
     }
 }
 

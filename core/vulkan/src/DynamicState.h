@@ -29,9 +29,10 @@ struct FixedState
 /// Tests are off where the target has nothing to test against.
 FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats);
 
-/// Records the rest. @param colorOutputs  of the pass, see PropertyLayout
+/// Records the rest, for pipelines of this key. @param colorOutputs  of the pass, see
+/// PropertyLayout
 void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
-                        const TargetFormats& formats, int colorOutputs,
-                        const VulkanContext& context);
+                        const PipelineKey& key, int colorOutputs,
+                        const ExtensionFunctions& functions);
 
 } // namespace limn::vulkan

@@ -27,7 +27,10 @@ struct PipelineKey
     TargetFormats formats;
     bool alphaToMask = false;
     bool depthClamp = false;
-    std::array<TargetBlend, 8> blend; ///< as made where the device sets blending dynamically
+    bool conservative = false;
+    std::optional<VkLogicOp> logicOp;
+    bool dynamicBlend = false;
+    std::array<TargetBlend, 8> blend; ///< as made where blending is dynamic
 
     bool operator==(const PipelineKey&) const = default;
 };

@@ -152,7 +152,7 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
     const int outputs = draw.pass->layout.colorOutputs;
     if (m_BoundState != draw.state || m_BoundOutputs != outputs)
     {
-        RecordDynamicState(m_Commands, draw.state, m_Formats, outputs, m_Context);
+        RecordDynamicState(m_Commands, draw.state, key, outputs, m_Context.functions());
         m_BoundState = draw.state;
         m_BoundOutputs = outputs;
     }

@@ -61,6 +61,7 @@ struct PipelineParts
     VkPipelineInputAssemblyStateCreateInfo assembly{};
     VkPipelineViewportStateCreateInfo viewport{};
     VkPipelineRasterizationStateCreateInfo rasterization{};
+    VkPipelineRasterizationConservativeStateCreateInfoEXT conservative{};
     VkPipelineMultisampleStateCreateInfo multisample{};
     VkPipelineDepthStencilStateCreateInfo depthStencil{};
     VkPipelineColorBlendStateCreateInfo blend{};
@@ -96,6 +97,13 @@ void DescribeRasterization(PipelineParts& parts, const PipelineKey& key)
     parts.rasterization.depthClampEnable = key.depthClamp ? VK_TRUE : VK_FALSE;
     parts.rasterization.polygonMode = VK_POLYGON_MODE_FILL;
     parts.rasterization.lineWidth = 1.0f;
+    if (key.conservative)
+    {
+        parts.conservative.sType =
+            VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_CONSERVATIVE_STATE_CREATE_INFO_EXT;
+        parts.conservative.conservativeRasterizationMode = ToVkConservative(true);
+        parts.rasterization.pNext = &parts.conservative;
+    }
     parts.multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
     parts.multisample.rasterizationSamples = key.formats.samples;
     parts.multisample.alphaToCoverageEnable = key.alphaToMask ? VK_TRUE : VK_FALSE;
@@ -112,6 +120,8 @@ void DescribeTargets(PipelineParts& parts, const PipelineKey& key, int colorOutp
     parts.blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
     parts.blend.attachmentCount = count;
     parts.blend.pAttachments = parts.blends.data();
+    parts.blend.logicOpEnable = key.logicOp ? VK_TRUE : VK_FALSE;
+    parts.blend.logicOp = key.logicOp.value_or(VK_LOGIC_OP_COPY);
     parts.rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
     parts.rendering.colorAttachmentCount = count;
     parts.rendering.pColorAttachmentFormats = key.formats.colors.data();
@@ -124,14 +134,19 @@ void DescribeTargets(PipelineParts& parts, const PipelineKey& key, int colorOutp
 VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, std::size_t index,
                                                       int colorOutputs)
 {
+    // Without blending the device need not know the operation.
+    const auto operation = [&](BlendOp op)
+    {
+        return ToVkBlendOp(blend.enabled || op <= BlendOp::Max ? op : BlendOp::Add);
+    };
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = blend.enabled ? VK_TRUE : VK_FALSE;
+    state.blendEnable = blend.enabled && !isLogical(blend.colorOp) ? VK_TRUE : VK_FALSE;
     state.srcColorBlendFactor = ToVkBlendFactor(blend.srcColor);
     state.dstColorBlendFactor = ToVkBlendFactor(blend.dstColor);
-    state.colorBlendOp = ToVkBlendOp(blend.colorOp);
+    state.colorBlendOp = operation(blend.colorOp);
     state.srcAlphaBlendFactor = ToVkBlendFactor(blend.srcAlpha);
     state.dstAlphaBlendFactor = ToVkBlendFactor(blend.dstAlpha);
-    state.alphaBlendOp = ToVkBlendOp(blend.alphaOp);
+    state.alphaBlendOp = operation(blend.alphaOp);
     const bool written = static_cast<int>(index) < colorOutputs;
     state.colorWriteMask = written ? ToVkColorMask(blend.writeMask) : 0;
     return state;
@@ -147,7 +162,7 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
     {
         parts.stages.push_back(Stage(VK_SHADER_STAGE_GEOMETRY_BIT, pass.geometry.get()));
     }
-    parts.dynamicStates = DynamicStates(context.capabilities().dynamicBlend, !pass.fetches.empty());
+    parts.dynamicStates = DynamicStates(key.dynamicBlend, !pass.fetches.empty());
     DescribeVertices(parts, pass);
     DescribeRasterization(parts, key);
     DescribeTargets(parts, key, colorOutputs);

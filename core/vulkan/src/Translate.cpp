@@ -1,5 +1,6 @@
 #include "Translate.h"
 
+#include <array>
 #include <limn/shaderlab/Diagnostic.h>
 
 namespace limn::vulkan
@@ -161,8 +162,48 @@ VkBlendOp ToVkBlendOp(BlendOp op)
         return VK_BLEND_OP_MIN;
     case BlendOp::Max:
         return VK_BLEND_OP_MAX;
+    default:
+        break;
     }
-    RefuseValue("BlendOp", static_cast<int>(op));
+    if (isLogical(op))
+    {
+        return VK_BLEND_OP_ADD;
+    }
+    constexpr std::array k_Advanced = {
+        VK_BLEND_OP_MULTIPLY_EXT,       VK_BLEND_OP_SCREEN_EXT,    VK_BLEND_OP_OVERLAY_EXT,
+        VK_BLEND_OP_DARKEN_EXT,         VK_BLEND_OP_LIGHTEN_EXT,   VK_BLEND_OP_COLORDODGE_EXT,
+        VK_BLEND_OP_COLORBURN_EXT,      VK_BLEND_OP_HARDLIGHT_EXT, VK_BLEND_OP_SOFTLIGHT_EXT,
+        VK_BLEND_OP_DIFFERENCE_EXT,     VK_BLEND_OP_EXCLUSION_EXT, VK_BLEND_OP_HSL_HUE_EXT,
+        VK_BLEND_OP_HSL_SATURATION_EXT, VK_BLEND_OP_HSL_COLOR_EXT, VK_BLEND_OP_HSL_LUMINOSITY_EXT};
+    const auto index = static_cast<std::size_t>(op) - static_cast<std::size_t>(BlendOp::Multiply);
+    if (!isAdvanced(op) || index >= k_Advanced.size())
+    {
+        RefuseValue("BlendOp", static_cast<int>(op));
+    }
+    return k_Advanced.at(index);
+}
+
+VkLogicOp ToVkLogicOp(BlendOp op)
+{
+    constexpr std::array k_Logical = {
+        VK_LOGIC_OP_CLEAR,         VK_LOGIC_OP_SET,          VK_LOGIC_OP_COPY,
+        VK_LOGIC_OP_COPY_INVERTED, VK_LOGIC_OP_NO_OP,        VK_LOGIC_OP_INVERT,
+        VK_LOGIC_OP_AND,           VK_LOGIC_OP_NAND,         VK_LOGIC_OP_OR,
+        VK_LOGIC_OP_NOR,           VK_LOGIC_OP_XOR,          VK_LOGIC_OP_EQUIVALENT,
+        VK_LOGIC_OP_AND_REVERSE,   VK_LOGIC_OP_AND_INVERTED, VK_LOGIC_OP_OR_REVERSE,
+        VK_LOGIC_OP_OR_INVERTED};
+    if (!isLogical(op))
+    {
+        RefuseValue("logical BlendOp", static_cast<int>(op));
+    }
+    return k_Logical.at(static_cast<std::size_t>(op) -
+                        static_cast<std::size_t>(BlendOp::LogicalClear));
+}
+
+VkConservativeRasterizationModeEXT ToVkConservative(bool conservative)
+{
+    return conservative ? VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT
+                        : VK_CONSERVATIVE_RASTERIZATION_MODE_DISABLED_EXT;
 }
 
 VkCullModeFlags ToVkCullMode(CullMode mode)

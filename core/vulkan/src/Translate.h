@@ -18,7 +18,22 @@ VkCompareOp ToStencilCompare(CompareFunction function);
 
 VkStencilOp ToVkStencilOp(StencilOp op);
 VkBlendFactor ToVkBlendFactor(BlendMode mode);
+
+/// Those that take the place of blending, and those that only some devices blend by.
+constexpr bool isLogical(BlendOp op)
+{
+    return op >= BlendOp::LogicalClear && op <= BlendOp::LogicalOrInverted;
+}
+constexpr bool isAdvanced(BlendOp op)
+{
+    return op >= BlendOp::Multiply;
+}
+/// A logical one is Add: blending is off where it is used.
 VkBlendOp ToVkBlendOp(BlendOp op);
+/// @param op  a logical one
+VkLogicOp ToVkLogicOp(BlendOp op);
+VkConservativeRasterizationModeEXT ToVkConservative(bool conservative);
+
 VkCullModeFlags ToVkCullMode(CullMode mode);
 
 /// Clockwise as seen on screen is front. The viewport's negative height turns the picture over

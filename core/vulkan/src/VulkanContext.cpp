@@ -7,10 +7,28 @@
 namespace limn::vulkan
 {
 
+namespace
+{
+
+std::uint32_t AdvancedBlendTargets(VkPhysicalDevice device)
+{
+    VkPhysicalDeviceBlendOperationAdvancedPropertiesEXT advanced{};
+    advanced.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_PROPERTIES_EXT;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &advanced;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    return advanced.advancedBlendMaxColorAttachments;
+}
+
+} // namespace
+
 VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
 {
     ChoosePhysicalDevice(options.device);
-    CreateDevice(options.optionalExtensions);
+    const OptionalExtensions extensions =
+        options.optionalExtensions ? FindExtensions(m_PhysicalDevice) : OptionalExtensions{};
+    CreateDevice(extensions);
     ReadCapabilities();
     LoadFunctions();
 }
@@ -30,18 +48,22 @@ void VulkanContext::ChoosePhysicalDevice(const std::string& request)
     m_QueueFamily = GraphicsQueueFamily(m_PhysicalDevice).value();
 }
 
-void VulkanContext::CreateDevice(bool optionalExtensions)
+void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
 {
-    const char* extension = VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME;
-    const bool extended = optionalExtensions && HasDeviceExtension(m_PhysicalDevice, extension);
-    FeatureChain offered{extended};
+    FeatureChain offered{extensions};
     vkGetPhysicalDeviceFeatures2(m_PhysicalDevice, &offered.core);
-    FeatureChain wanted{extended};
+    FeatureChain wanted{extensions};
     ChooseFeatures(offered, wanted);
     m_Capabilities.dynamicBlend =
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
+    m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
+    m_Capabilities.conservative = extensions.conservative;
+    if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)
+    {
+        m_Capabilities.advancedBlendTargets = AdvancedBlendTargets(m_PhysicalDevice);
+    }
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{};
@@ -49,13 +71,14 @@ void VulkanContext::CreateDevice(bool optionalExtensions)
     queue.queueFamilyIndex = m_QueueFamily;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
+    const std::vector<const char*> names = extensions.Names();
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &wanted.core;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = extended ? 1 : 0;
-    info.ppEnabledExtensionNames = &extension;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());
+    info.ppEnabledExtensionNames = names.data();
     VkDevice device = VK_NULL_HANDLE;
     Check(vkCreateDevice(m_PhysicalDevice, &info, nullptr, &device), "vkCreateDevice",
           m_DeviceName);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DeviceFeatures.h"
 #include "VulkanInstance.h"
 
 namespace limn::vulkan
@@ -10,6 +11,9 @@ struct DeviceCapabilities
 {
     bool dynamicBlend = false; ///< VK_EXT_extended_dynamic_state3, its blend part
     bool depthClamp = false;
+    bool logicOp = false;
+    bool conservative = false;              ///< VK_EXT_conservative_rasterization
+    std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
     bool mirrorOnce = false;
     bool timestamps = false;
     double nanosecondsPerTick = 1.0;
@@ -57,7 +61,7 @@ private:
     };
 
     void ChoosePhysicalDevice(const std::string& request);
-    void CreateDevice(bool optionalExtensions);
+    void CreateDevice(const OptionalExtensions& extensions);
     void ReadCapabilities();
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;

@@ -45,7 +45,8 @@ public:
     const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
 
     /// Keywords choose the variant of each pass; the shader's initial keywords to begin with. One
-    /// that the shader does not have is kept and does nothing, as in Unity.
+    /// that the shader does not have is kept and does nothing, as in Unity. One of a dynamic_branch
+    /// is a value that draws bring along: toggling it compiles nothing.
     void EnableKeyword(const std::string& keyword);
     void DisableKeyword(const std::string& keyword);
     bool IsKeywordEnabled(std::string_view keyword) const;

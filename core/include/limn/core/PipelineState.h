@@ -42,7 +42,7 @@ struct PipelineState
     float offsetFactor = 0.0f; ///< positive = farther, as in Unity
     float offsetUnits = 0.0f;
     bool alphaToMask = false;
-    bool conservative = false; ///< every pixel a triangle touches; VulkanDevice refuses it
+    bool conservative = false; ///< every pixel a triangle touches, where the device can
     std::array<TargetBlend, 8> targets;
     bool stencilEnabled = false;
     int stencilReference = 0;

@@ -61,6 +61,9 @@ struct UniformBuffer
     bool operator==(const UniformBuffer&) const = default;
 };
 
+/// The uniform buffer whose members are a program's dynamic_branch keywords: int, 1 = on.
+inline constexpr std::string_view k_DynamicKeywordBuffer = "limn_DynamicKeywords";
+
 enum class TextureDimension
 {
     Tex2D = 2,

@@ -41,8 +41,9 @@ std::string ToString(const Diagnostic& diagnostic);
 
 /// ToString(), and below it the line of `text` that it is about with a '^' under the column, as
 /// compilers show it: three lines without a line break at the end, for people to read. Tabs stay
-/// tabs; of a long line the part around the column is shown. Only ToString() where there is no such
-/// line. Takes time proportional to the line's number.
+/// tabs, bytes that cannot be printed become U+FFFD each; of a long line the part around the column
+/// is shown. Only ToString() where there is no such line. Takes time proportional to the line's
+/// number.
 ///
 /// @param text  all of the file that the diagnostic names
 std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text);

@@ -15,7 +15,8 @@ namespace limn
 std::vector<std::string> InitialKeywords(const ShaderLabDocument& document);
 
 /// The variant of a program for a material: of each keyword set the first keyword that is enabled,
-/// else the set's default. Sorted, each once, without "". Made for ShaderCompiler::Compile.
+/// else the set's default. Sorted, each once, without "" and without the keywords of a
+/// dynamic_branch, which make no variants. Made for ShaderCompiler::Compile.
 std::vector<std::string> SelectVariant(const PassProgram& program,
                                        std::span<const std::string> enabled);
 

@@ -12,7 +12,7 @@ namespace limn
 enum class ProgramLanguage
 {
     Hlsl, ///< HLSLPROGRAM: includes nothing by itself
-    Cg    ///< CGPROGRAM: HLSLSupport.cginc and UnityShaderVariables.cginc come first
+    Cg    ///< CGPROGRAM: HLSLSupport, UnityShaderVariables and UnityShaderUtilities come first
 };
 
 /// Program text as it stands in the file, from behind the opening keyword to the closing one.
@@ -36,7 +36,8 @@ struct KeywordSet
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
     bool isFeature = false; ///< shader_feature: built only where a material asks for it
-    bool isDynamic = false; ///< dynamic_branch: makes no variants
+    /// dynamic_branch: makes no variants, its keywords are uniforms; see k_DynamicKeywordBuffer
+    bool isDynamic = false;
 
     bool operator==(const KeywordSet&) const = default;
 };

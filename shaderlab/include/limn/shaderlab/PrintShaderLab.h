@@ -17,4 +17,8 @@ std::string PrintShaderLab(const ShaderLabDocument& document);
 /// the text of a program is divided into include blocks.
 bool SameContent(const ShaderLabDocument& a, const ShaderLabDocument& b);
 
+/// An operation as a BlendOp command writes it: "RevSub".
+/// @throws ContractError if it is none
+std::string BlendOpName(BlendOp op);
+
 } // namespace limn

@@ -26,7 +26,8 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
                                              std::span<const std::string> missingFeatures = {});
 
 /// Warnings for pragmas, features and renderers that nobody knows, with the nearest known name.
-/// Pragmas that are obsolete or concern other tools are known.
+/// Pragmas that are obsolete or concern other tools are known. Likewise for `#if` and its kin that
+/// ask for a keyword of a dynamic_branch.
 std::vector<Diagnostic> CheckPragmas(const PassProgram& program);
 
 } // namespace limn

@@ -27,7 +27,8 @@ private:
 };
 
 /// In how many variants the program exists: the product of the sizes of its keyword sets without
-/// what `#pragma skip_variants` drops. Equal sets count once, dynamic_branch sets not at all.
+/// what `#pragma skip_variants` drops. Equal sets count once, the keywords of dynamic_branch
+/// sets not at all.
 /// Nothing is compiled.
 VariantCount CountVariants(const PassProgram& program);
 

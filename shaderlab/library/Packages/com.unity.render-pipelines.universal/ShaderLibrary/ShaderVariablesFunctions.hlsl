@@ -78,14 +78,13 @@ float LinearDepthToEyeDepth(float rawDepth)
     return _ProjectionParams.z - (_ProjectionParams.z - _ProjectionParams.y) * rawDepth;
 }
 
-#if defined(SHADER_STAGE_FRAGMENT)
-void AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
+float AlphaDiscard(float alpha, float cutoff, float offset = 0.0)
 {
 #ifdef _ALPHATEST_ON
     clip(alpha - cutoff + offset);
 #endif
+    return alpha;
 }
-#endif
 
 float AlphaClip(float alpha, float cutoff)
 {

@@ -1,0 +1,114 @@
+#include "ShaderTestSupport.h"
+#include "SpirvTestSupport.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string k_Vertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
+
+std::shared_ptr<const CompiledPass> CompileValid(const std::string& hlsl)
+{
+    auto pass = test::CompileHlsl(k_Vertex + hlsl);
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    EXPECT_EQ(test::Messages(pass->diagnostics), std::vector<std::string>{});
+    return pass;
+}
+
+} // namespace
+
+TEST(HlslDeclaration, MayBeRepeatedWhereItIsEqual)
+{
+    const auto pass = CompileValid(R"(
+        uniform float4 _Map_TexelSize;
+        float4 _Map_TexelSize;
+        Texture2D _Map; SamplerState sampler_Map;
+        float _Steps[3];
+        SamplerState sampler_Map;
+        Texture2D _Map;
+        float _Steps[3];
+        float4 frag() : SV_Target
+        {
+            return _Map.Sample(sampler_Map, _Map_TexelSize.xy) * _Steps[1];
+        })");
+    ASSERT_EQ(pass->layout.buffers.size(), 1U);
+    EXPECT_EQ(pass->layout.buffers[0].members.size(), 2U);
+    EXPECT_EQ(pass->layout.textures.size(), 1U);
+    EXPECT_EQ(pass->layout.samplers.size(), 1U);
+}
+
+TEST(HlslDeclaration, RepeatedInABufferStaysInTheBuffer)
+{
+    for (const std::string text :
+         {"float4 _A;\ncbuffer UnityPerMaterial { float4 _B; float4 _A; };",
+          "cbuffer UnityPerMaterial { float4 _B; float4 _A; };\nfloat4 _A;"})
+    {
+        const auto pass = CompileValid(text + "\nfloat4 frag() : SV_Target { return _A + _B; }");
+        ASSERT_EQ(pass->layout.buffers.size(), 1U) << text;
+        EXPECT_EQ(pass->layout.buffers[0].name, "UnityPerMaterial");
+        EXPECT_EQ(pass->layout.buffers[0].members.at(1).name, "_A");
+        EXPECT_EQ(pass->layout.buffers[0].members.at(1).offset, 16U);
+    }
+}
+
+TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
+{
+    const auto messages = [](const std::string& declarations)
+    {
+        return test::CompileMessages(
+            test::Program(k_Vertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
+    };
+    const std::string message = "error: '_A': redefinition; something else has this name already";
+    EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
+    EXPECT_THAT(messages("Texture2D _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
+    EXPECT_THAT(messages("struct _A { float a; };\nfloat3 _A;"),
+                ElementsAre("t.shader:3:8: " + message));
+    EXPECT_THAT(messages("static float4 _A = 1;\nfloat4 _A;"),
+                ElementsAre("t.shader:3:8: " + message));
+    EXPECT_THAT(messages("float4 _A, _B;\nfloat _A[2], _C;"),
+                ElementsAre("t.shader:3:7: " + message));
+    EXPECT_THAT(messages("cbuffer C { float4 _A; };\nfloat3 _A;"),
+                ElementsAre("t.shader:3:8: " + message));
+    EXPECT_THAT(messages("float4 _A[2];\nfloat4 _A, _B;"), ElementsAre("t.shader:3:8: " + message));
+}
+
+TEST(HlslDeclaration, OfATextureOrBufferMayStandInACbuffer)
+{
+    const auto pass = CompileValid(R"(
+        cbuffer UnityPerMaterial
+        {
+            float4 _A;
+            StructuredBuffer<float4> _Points;
+            Texture2D<float4> _Map : register(t3);
+            SamplerState sampler_Map;
+            float4 _B;
+        }
+        float4 frag() : SV_Target
+        {
+            return _Points[2] * _B + _Map.Sample(sampler_Map, _A.xy);
+        })");
+    ASSERT_EQ(pass->layout.buffers.size(), 1U);
+    EXPECT_EQ(pass->layout.buffers[0].members.at(1).name, "_B");
+    EXPECT_EQ(pass->layout.buffers[0].members.at(1).offset, 16U);
+    EXPECT_EQ(pass->layout.storageBuffers.at(0).name, "_Points");
+    EXPECT_EQ(pass->layout.storageBuffers.at(0).stride, 16U);
+    EXPECT_EQ(pass->layout.textures.at(0).name, "_Map");
+    EXPECT_EQ(pass->layout.samplers.at(0).name, "sampler_Map");
+}
+
+TEST(HlslDeclaration, OfClipSpaceFunctionsNeedsNoIncludeInCg)
+{
+    const auto pass = test::CompileHlsl(
+        "float4 vert(float4 p : POSITION) : SV_POSITION { return UnityObjectToClipPos(p); }\n"
+        "fixed4 frag() : SV_Target { return 1; }",
+        ProgramLanguage::Cg);
+    EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
+}
+
+} // namespace limn
