@@ -297,9 +297,11 @@ CompiledPass CompileProgram(const PassProgram& program, std::span<const std::str
         AddColumns(pass.diagnostics, program, resolver);
         return pass;
     }
-    catch (const UnsupportedProgramError&)
+    catch (const UnsupportedProgramError& error)
     {
-        throw;
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        AddColumns(diagnostics, program, resolver);
+        throw UnsupportedProgramError(diagnostics.front());
     }
     catch (const MissingIncludeError& error)
     {
