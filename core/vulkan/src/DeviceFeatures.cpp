@@ -95,6 +95,7 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
         &VkPhysicalDeviceFeatures::depthClamp,
         &VkPhysicalDeviceFeatures::logicOp,
+        &VkPhysicalDeviceFeatures::imageCubeArray,
         &VkPhysicalDeviceFeatures::geometryShader, // SV_PrimitiveID in fragment functions
         &VkPhysicalDeviceFeatures::sampleRateShading,
         &VkPhysicalDeviceFeatures::shaderClipDistance,
