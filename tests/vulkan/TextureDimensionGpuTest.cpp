@@ -148,6 +148,19 @@ TEST_F(TextureDimensions, ShowACubesFacesThroughTheOldSampler)
     ExpectNumberedFaces(draw, 0.0f, 0);
 }
 
+TEST_F(TextureDimensions, FilterACubeAcrossItsEdges)
+{
+    MapDraw draw("TextureCube _Map; SamplerState sampler_Map;",
+                 "_Map.SampleLevel(sampler_Map, _At.xyz, 0)");
+    draw.Set(std::make_shared<Cubemap>(
+        "sky", 1, k_R8,
+        CubemapFaces{Bytes({40}), Bytes({0}), Bytes({0}), Bytes({0}), Bytes({200}), Bytes({0})},
+        LinearClamp()));
+    EXPECT_EQ(40, draw.ByteAt({1, 0, 0, 0}));
+    EXPECT_EQ(200, draw.ByteAt({0, 0, 1, 0}));
+    EXPECT_NEAR(120, draw.ByteAt({1, 0, 1, 0}), 1) << "half of +X and half of +Z";
+}
+
 TEST_F(TextureDimensions, ChooseACubeOfAnArrayByNumber)
 {
     MapDraw draw("TextureCubeArray _Map; SamplerState sampler_Map;",
@@ -229,14 +242,14 @@ TEST_F(TextureDimensions, WrapAVolumeAlongEachAxisByItsOwnMode)
     struct Case
     {
         TextureWrapMode wrap;
-        int at025; ///< a quarter before the border: 0 or 1, the slice
+        int at025; ///< which of the two texels is a quarter before the border
+        int at075;
         int at175;
     };
-    // Slices before 0, going away from it: -0.25 is the first one, -1.75 the fourth.
     MapDraw draw("Texture3D _Map; SamplerState sampler_Map;",
                  "_Map.SampleLevel(sampler_Map, _At.xyz, 0)");
-    for (const Case& expected :
-         {Case{Repeat, 1, 0}, Case{Clamp, 0, 0}, Case{Mirror, 0, 0}, Case{MirrorOnce, 0, 1}})
+    for (const Case& expected : {Case{Repeat, 1, 0, 0}, Case{Clamp, 0, 0, 0}, Case{Mirror, 0, 1, 0},
+                                 Case{MirrorOnce, 0, 1, 1}})
     {
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -251,6 +264,8 @@ TEST_F(TextureDimensions, WrapAVolumeAlongEachAxisByItsOwnMode)
             glm::vec4 at(0.25f);
             at[axis] = -0.25f;
             EXPECT_EQ(weight * expected.at025, draw.ByteAt(at));
+            at[axis] = -0.75f;
+            EXPECT_EQ(weight * expected.at075, draw.ByteAt(at));
             at[axis] = -1.75f;
             EXPECT_EQ(weight * expected.at175, draw.ByteAt(at));
         }

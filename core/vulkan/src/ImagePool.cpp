@@ -237,7 +237,10 @@ void ImagePool::Create(PooledImage& image, const Texture& texture) const
     image.aspects = Aspects(format);
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.flags = VkImageCreateFlags{isCube(texture) ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0u};
+    if (isCube(texture))
+    {
+        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    }
     info.imageType =
         texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
     info.format = ToVkFormat(format);
