@@ -59,11 +59,11 @@ bool isFrom(const Shader& shader, const std::filesystem::path& file)
                        { return pass.program && pass.program->file == file; });
 }
 
-std::shared_ptr<const Texture> ReadTexture(const std::filesystem::path& path)
+std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 {
-    Image image = ReadPng(path);
+    const Image image = ReadPng(path);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             image.format, std::move(image.texels));
+                                             image.format, FlipRows(image.texels, image.height));
 }
 
 } // namespace
@@ -130,7 +130,7 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
     return Cached(m_Meshes, normal, load);
 }
 
-std::shared_ptr<const Texture> AssetContext::LoadTexture(const std::filesystem::path& path)
+std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
 {
     Reach(path);
     return Cached(m_Textures, path.lexically_normal(),

@@ -9,6 +9,7 @@ namespace
 
 using testing::ElementsAre;
 using vulkan::FeatureChain;
+using vulkan::OptionalExtensions;
 using vulkan::MissingShaderFeatures;
 
 constexpr VkSubgroupFeatureFlags k_AllOperations =
@@ -49,14 +50,14 @@ std::vector<std::string> Missing(const FeatureChain& chain,
 
 TEST(MissingShaderFeatures, AreNoneOfAFullDevice)
 {
-    FeatureChain chain(false);
+    FeatureChain chain{OptionalExtensions{}};
     OfferAll(chain);
     EXPECT_THAT(Missing(chain), ElementsAre());
 }
 
 TEST(MissingShaderFeatures, AreAllOfABareDevice)
 {
-    const FeatureChain chain(false);
+    const FeatureChain chain{OptionalExtensions{}};
     VkPhysicalDeviceLimits least{}; // what Vulkan 1.3 guarantees
     least.maxVertexOutputComponents = 64;
     least.maxFragmentInputComponents = 64;
@@ -81,7 +82,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
         {&Core::shaderInt64, {"int64bufferatomics", "int64groupsharedatomics"}}};
     for (const auto& [feature, names] : cases)
     {
-        FeatureChain chain(false);
+        FeatureChain chain{OptionalExtensions{}};
         OfferAll(chain);
         chain.core.features.*feature = VK_FALSE;
         EXPECT_EQ(names, Missing(chain));
@@ -94,7 +95,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
         {&V12::shaderSharedInt64Atomics, {"int64groupsharedatomics"}}};
     for (const auto& [feature, names] : cases12)
     {
-        FeatureChain chain(false);
+        FeatureChain chain{OptionalExtensions{}};
         OfferAll(chain);
         chain.v12.*feature = VK_FALSE;
         EXPECT_EQ(names, Missing(chain));
@@ -103,7 +104,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
 
 TEST(MissingShaderFeatures, FollowLimitsAndSubgroups)
 {
-    FeatureChain chain(false);
+    FeatureChain chain{OptionalExtensions{}};
     OfferAll(chain);
     VkPhysicalDeviceLimits limits = LargeLimits();
     limits.maxFragmentInputComponents = 127;
@@ -118,9 +119,9 @@ TEST(MissingShaderFeatures, FollowLimitsAndSubgroups)
 
 TEST(MissingShaderFeatures, WhatADeviceOffersAndShadersMayRequireIsEnabled)
 {
-    FeatureChain offered(false);
+    FeatureChain offered{OptionalExtensions{}};
     OfferAll(offered);
-    FeatureChain wanted(false);
+    FeatureChain wanted{OptionalExtensions{}};
     vulkan::ChooseFeatures(offered, wanted);
     EXPECT_THAT(Missing(wanted), ElementsAre());
 }

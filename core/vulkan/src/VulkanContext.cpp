@@ -58,6 +58,7 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
     m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
+    m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
     m_Capabilities.conservative = extensions.conservative;
     if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)

@@ -15,6 +15,7 @@ struct DeviceCapabilities
     bool conservative = false;              ///< VK_EXT_conservative_rasterization
     std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
     bool mirrorOnce = false;
+    bool cubeArray = false;
     bool timestamps = false;
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
