@@ -53,6 +53,15 @@ public:
         }
     }
 
+    /// As macros leave them that end in a `;` or are empty.
+    void RemoveEmptyMembers()
+    {
+        for (const std::size_t token : m_Source.declarations.emptyMembers)
+        {
+            m_Renamed[token] = "";
+        }
+    }
+
     void RemoveRepeatedDeclarations()
     {
         for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
@@ -305,6 +314,7 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
                          const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
+    rewriter.RemoveEmptyMembers();
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
