@@ -286,6 +286,16 @@ TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
     grid.Run();
 }
 
+TEST_F(BuiltinFunctions, LeaveTextureCoordinatesAsTheyAreByTheMatricesOfTextures)
+{
+    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    grid.Add(
+        "float4(MultiplyUV(UNITY_MATRIX_TEXTURE0, a.xy), MultiplyUV(UNITY_MATRIX_TEXTURE3, a.yx))",
+        CombineVectors({{0.25, -3, 0}, {1, 0, 0}}),
+        [](auto& a, auto&, auto&) { return dvec4(a.x, a.y, a.y, a.x); });
+    grid.Run();
+}
+
 /// Two zones: the upper left quarter, and one in the middle that is turned by a quarter.
 void SetZones(FunctionGrid& grid, const dvec2& unit, float parameters)
 {

@@ -162,6 +162,7 @@ TEST(BuiltinLibrary, TakesMacrosWithAndWithoutASemicolon)
             TRANSFER_SHADOW(o)@
             TRANSFER_VERTEX_TO_FRAGMENT(o)@
             UNITY_TRANSFER_FOG(o, o.pos);
+            o.worldPos = SCALED_NORMAL;
             return o;
         }
         fixed4 frag(v2f i) : SV_Target
