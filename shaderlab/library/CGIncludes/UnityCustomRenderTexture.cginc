@@ -1,5 +1,5 @@
-// Shaders that draw a custom render texture: a texture that is worked out again from itself, zone by
-// zone. limn has no such texture, so that nothing sets these values; a caller that sets them and
+// Shaders that draw a custom render texture: a texture that is worked out again from itself, zone
+// by zone. limn has no such texture, so that nothing sets these values; a caller that sets them and
 // draws 6 vertices per zone gets what Unity draws.
 #pragma once
 #include "UnityCG.cginc"

@@ -1,5 +1,5 @@
-// The vertex and fragment functions of Particles/Standard Unlit, and the parts that shaders which vary
-// it use. Each macro works on `albedo`, as Unity's do; the keywords are those of Unity's material.
+// The vertex and fragment functions of Particles/Standard Unlit, and the parts that shaders which
+// vary it use. Each macro works on `albedo`, as Unity's do; the keywords are those of Unity's material.
 #pragma once
 #include "UnityPBSLighting.cginc"
 #include "UnityStandardParticleInstancing.cginc"

@@ -157,8 +157,8 @@ float Remap(float origFrom, float origTo, float targetFrom, float targetTo, floa
 // Where t lies between two numbers, 0...1.
 float RangeRemap(float low, float high, float t) { return saturate((t - low) / (high - low)); }
 
-// By Cramer's rule. Cross products of the rows (a, b) and (c, d) of the matrix give all cofactors; a
-// matrix without an inverse gives infinities.
+// By Cramer's rule. Cross products of the rows (a, b) and (c, d) of the matrix give all cofactors;
+// a matrix without an inverse gives infinities.
 float4x4 Inverse(float4x4 m)
 {
     float3 a = m[0].xyz;

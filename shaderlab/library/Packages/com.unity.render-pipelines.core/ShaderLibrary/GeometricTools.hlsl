@@ -54,7 +54,7 @@ bool IntersectRaySphere(float3 start, float3 dir, float radius, out float2 inter
                                   dot(start, start) - radius * radius, intersections);
 }
 
-// From inside a sphere about the origin, along a unit vector: the distance to where the ray leaves it.
+// From inside a sphere about the origin, along a unit vector: the distance to where the ray leaves.
 float IntersectRaySphereSimple(float3 start, float3 dir, float radius)
 {
     float along = dot(dir, start);
