@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/shaderlab/EmbeddedFile.h>
@@ -26,11 +27,56 @@ constexpr BuiltinShader k_Shaders[] = {
     {"Hidden/Universal/CoreBlit", "CoreBlit.shader"},
 };
 
-std::shared_ptr<const Texture> SolidTexture(const char* name, int r, int g, int b, int a)
+struct SolidColor
 {
-    const std::vector<std::byte> texel{static_cast<std::byte>(r), static_cast<std::byte>(g),
-                                       static_cast<std::byte>(b), static_cast<std::byte>(a)};
-    return std::make_shared<const Texture2D>(name, 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel);
+    const char* name;
+    std::array<std::uint8_t, 4> rgba;
+};
+
+constexpr SolidColor k_SolidColors[] = {
+    {"gray", {128, 128, 128, 128}}, {"white", {255, 255, 255, 255}}, {"black", {0, 0, 0, 255}},
+    {"bump", {128, 128, 255, 128}}, {"red", {255, 0, 0, 255}},       {"green", {0, 255, 0, 255}},
+    {"blue", {0, 0, 255, 255}},     {"clear", {0, 0, 0, 0}}};
+
+std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDimension dimension)
+{
+    constexpr GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
+    std::vector<std::byte> texel;
+    for (const std::uint8_t channel : color.rgba)
+    {
+        texel.push_back(std::byte{channel});
+    }
+    const CubemapFaces faces{texel, texel, texel, texel, texel, texel};
+    switch (dimension)
+    {
+    case TextureDimension::Tex3D:
+        return std::make_shared<const Texture3D>(color.name, 1, 1, 1, format, texel);
+    case TextureDimension::Cube:
+        return std::make_shared<const Cubemap>(color.name, 1, format, faces);
+    case TextureDimension::Tex2DArray:
+        return std::make_shared<const Texture2DArray>(color.name, 1, 1, format,
+                                                      std::vector<std::vector<std::byte>>{texel});
+    case TextureDimension::CubeArray:
+        return std::make_shared<const CubemapArray>(color.name, 1, format,
+                                                    std::vector<CubemapFaces>{faces});
+    case TextureDimension::Tex2D:
+        break;
+    }
+    return std::make_shared<const Texture2D>(color.name, 1, 1, format, texel);
+}
+
+std::vector<std::shared_ptr<const Texture>> SolidTextures()
+{
+    using enum TextureDimension;
+    std::vector<std::shared_ptr<const Texture>> textures;
+    for (const TextureDimension dimension : {Tex2D, Tex3D, Cube, Tex2DArray, CubeArray})
+    {
+        for (const SolidColor& color : k_SolidColors)
+        {
+            textures.push_back(SolidTexture(color, dimension));
+        }
+    }
+    return textures;
 }
 
 } // namespace
@@ -61,20 +107,19 @@ std::vector<std::string_view> BuiltinShaderNames()
     return names;
 }
 
-std::shared_ptr<const Texture> DefaultTexture(std::string_view name)
+std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDimension dimension)
 {
-    static const std::shared_ptr<const Texture> textures[] = {
-        SolidTexture("gray", 128, 128, 128, 128), SolidTexture("white", 255, 255, 255, 255),
-        SolidTexture("black", 0, 0, 0, 255),      SolidTexture("bump", 128, 128, 255, 128),
-        SolidTexture("red", 255, 0, 0, 255),      SolidTexture("green", 0, 255, 0, 255),
-        SolidTexture("blue", 0, 0, 255, 255),     SolidTexture("clear", 0, 0, 0, 0)};
+    static const std::vector<std::shared_ptr<const Texture>> textures = SolidTextures();
     std::string lower(name);
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     lower = lower == "normal" ? "bump" : lower;
-    const auto found = std::find_if(std::begin(textures), std::end(textures),
-                                    [&](const auto& texture) { return texture->name() == lower; });
-    return found == std::end(textures) ? textures[0] : *found;
+    const auto isKnown = std::any_of(std::begin(k_SolidColors), std::end(k_SolidColors),
+                                     [&](const SolidColor& color) { return color.name == lower; });
+    const std::string_view known = isKnown ? lower : "gray";
+    return *std::find_if(textures.begin(), textures.end(),
+                         [&](const auto& texture)
+                         { return texture->dimension() == dimension && texture->name() == known; });
 }
 
 } // namespace limn

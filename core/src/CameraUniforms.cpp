@@ -85,6 +85,12 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     Vector(cmd, "_GlobalMipBias", {0.0f, 1.0f, 0.0f, 0.0f});
     // Until something writes a depth texture, all is far away: 0 with reversed Z.
     cmd.SetGlobalTexture(ShaderPropertyId("_CameraDepthTexture"), DefaultTexture("black"));
+    // No reflection probe sees anything.
+    for (const char* probe : {"unity_SpecCube0", "unity_SpecCube1"})
+    {
+        cmd.SetGlobalTexture(ShaderPropertyId(probe),
+                             DefaultTexture("black", TextureDimension::Cube));
+    }
 }
 
 void SetTimeUniforms(CommandBuffer& cmd, float t)

@@ -22,30 +22,63 @@ std::string Lower(std::string_view text)
     return result;
 }
 
-/// The texture of a property, or the default its Properties entry names, or gray.
-std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const PropertySources& sources)
+std::string Subject(ShaderPropertyId id, const PropertySources& sources)
 {
-    if (const ShaderPropertyValue* value = sources.Find(id))
+    return "material '" + sources.material->name() + "': property '" + id.name() + "'";
+}
+
+/// The texture that a property is set to; null where it is not.
+std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySources& sources)
+{
+    const ShaderPropertyValue* value = sources.Find(id);
+    if (value == nullptr)
     {
-        const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
-        if (texture == nullptr)
-        {
-            throw ContractError("material '" + sources.material->name() + "': property '" +
-                                id.name() + "' is a texture in the shader but is set to a number");
-        }
-        if (*texture)
-        {
-            return *texture;
-        }
+        return nullptr;
     }
+    const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
+    if (texture == nullptr)
+    {
+        throw ContractError(Subject(id, sources) +
+                            " is a texture in the shader but is set to a number");
+    }
+    return *texture;
+}
+
+/// The default that a Properties entry names, or gray.
+std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
+                                         const PropertySources& sources)
+{
     for (const ShaderProperty& property : sources.material->shader()->document().properties)
     {
         if (property.name == id.name())
         {
-            return DefaultTexture(property.defaultTexture);
+            return DefaultTexture(property.defaultTexture, dimension);
         }
     }
-    return DefaultTexture("gray");
+    return DefaultTexture("gray", dimension);
+}
+
+/// What is bound to a texture of a shader.
+std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
+                                         const PropertySources& sources)
+{
+    if (binding.multisampled)
+    {
+        throw ContractError(Subject(id, sources) + " is a texture of several samples a texel in "
+                                                   "the shader; those cannot be bound yet");
+    }
+    std::shared_ptr<const Texture> texture = FindTexture(id, sources);
+    if (!texture)
+    {
+        return DefaultOf(id, binding.dimension, sources);
+    }
+    if (texture->dimension() != binding.dimension)
+    {
+        throw ContractError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
+                            " texture in the shader but is set to the " +
+                            ToString(texture->dimension()) + " texture '" + texture->name() + "'");
+    }
+    return texture;
 }
 
 /// A sampler whose name says what it does ("sampler_LinearClamp", "my_point_repeat_sampler"), or
@@ -70,10 +103,13 @@ SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sou
                           : has("mirror")     ? TextureWrapMode::Mirror
                                               : TextureWrapMode::Repeat;
         state.wrapModeV = state.wrapModeU;
+        state.wrapModeW = state.wrapModeU;
     }
     else if (lower.starts_with("sampler"))
     {
-        state = TextureOf(ShaderPropertyId(binding.name.substr(7)), sources)->sampler();
+        // Where none is set: default textures have the default sampler.
+        const auto texture = FindTexture(ShaderPropertyId(binding.name.substr(7)), sources);
+        state = texture ? texture->sampler() : SamplerState{};
     }
     state.comparison = binding.comparison;
     return state;
@@ -87,12 +123,7 @@ std::vector<TextureSlot> TextureSlots(const PropertyLayout& layout,
     for (std::size_t i = 0; i < layout.textures.size(); ++i)
     {
         const TextureBinding& binding = layout.textures[i];
-        if (binding.dimension != TextureDimension::Tex2D || binding.multisampled)
-        {
-            throw ContractError("material '" + sources.material->name() + "': '" + binding.name +
-                                "' is no plain 2D texture; other kinds cannot be bound yet");
-        }
-        TextureSlot slot{binding.binding, TextureOf(ids[i], sources), std::nullopt};
+        TextureSlot slot{binding.binding, TextureOf(ids[i], binding, sources), std::nullopt};
         if (binding.combinedSampler)
         {
             slot.sampler = slot.texture->sampler();

@@ -63,6 +63,24 @@ void RequireWholeImage(const Image& image)
 
 } // namespace
 
+std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
+{
+    if (rows < 1 || texels.size() % static_cast<std::size_t>(rows) != 0)
+    {
+        throw ContractError("FlipRows: " + std::to_string(texels.size()) + " bytes are not " +
+                            std::to_string(rows) + " rows");
+    }
+    const std::size_t length = texels.size() / static_cast<std::size_t>(rows);
+    std::vector<std::byte> flipped;
+    flipped.reserve(texels.size());
+    for (std::size_t end = texels.size(); end != 0; end -= length)
+    {
+        const auto row = texels.subspan(end - length, length);
+        flipped.insert(flipped.end(), row.begin(), row.end());
+    }
+    return flipped;
+}
+
 void WritePng(const std::filesystem::path& path, const Image& image)
 {
     PngImage png;

@@ -11,7 +11,7 @@ namespace
 
 SamplerState MakeSampler(FilterMode filterMode, TextureWrapMode wrapMode)
 {
-    return {filterMode, wrapMode, wrapMode, false};
+    return {filterMode, wrapMode, wrapMode, wrapMode, false};
 }
 
 bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted,

@@ -31,7 +31,8 @@ GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& 
 
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                              SamplerState sampler, bool transient)
-    : Texture(name, descriptor.width, descriptor.height, FormatOf(name, descriptor), sampler),
+    : Texture(name, {TextureDimension::Tex2D, descriptor.width, descriptor.height},
+              FormatOf(name, descriptor), sampler),
       m_Descriptor(descriptor),
       m_Transient(transient)
 {

@@ -80,7 +80,12 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
       m_Compiler(std::move(compiler)),
       m_InitialKeywords(InitialKeywords(m_Document))
 {
-    ResolvedShader resolved = ResolveShader(m_Document, database);
+    ShaderCriteria criteria;
+    if (m_Compiler)
+    {
+        criteria.missingFeatures = m_Compiler->missingFeatures();
+    }
+    ResolvedShader resolved = ResolveShader(m_Document, database, criteria);
     if (!resolved.errors.empty())
     {
         throw AssetError(std::move(resolved.errors));

@@ -16,26 +16,57 @@ std::uint64_t NextTextureId()
     return ++last;
 }
 
-std::string SizeText(int width, int height)
+std::string FaceSizeText(const TextureShape& shape)
 {
-    return std::to_string(width) + "x" + std::to_string(height);
+    return std::to_string(shape.width) + "x" + std::to_string(shape.height);
+}
+
+/// A cube's six slices go without saying.
+bool CountsSlices(TextureDimension dimension)
+{
+    return dimension != TextureDimension::Tex2D && dimension != TextureDimension::Cube;
+}
+
+std::string SizeText(const TextureShape& shape)
+{
+    const std::string slices =
+        CountsSlices(shape.dimension) ? "x" + std::to_string(shape.slices) : "";
+    return FaceSizeText(shape) + slices;
 }
 
 } // namespace
 
-Texture::Texture(std::string name, int width, int height, GraphicsFormat format,
+const char* ToString(TextureDimension dimension)
+{
+    switch (dimension)
+    {
+    case TextureDimension::Tex3D:
+        return "3D";
+    case TextureDimension::Cube:
+        return "Cube";
+    case TextureDimension::Tex2DArray:
+        return "2DArray";
+    case TextureDimension::CubeArray:
+        return "CubeArray";
+    case TextureDimension::Tex2D:
+        break;
+    }
+    return "2D";
+}
+
+Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat format,
                  SamplerState sampler)
     : m_Id(NextTextureId()),
       m_Name(std::move(name)),
-      m_Width(width),
-      m_Height(height),
+      m_Shape(shape),
       m_Format(format),
       m_Sampler(sampler)
 {
-    if (width < 1 || height < 1)
+    if (shape.width < 1 || shape.height < 1 || shape.slices < 1)
     {
-        throw ContractError("texture '" + m_Name + "': size " + SizeText(width, height) +
-                            "; both must be at least 1");
+        throw ContractError("texture '" + m_Name + "': size " + SizeText(shape) + "; " +
+                            (CountsSlices(shape.dimension) ? "all" : "both") +
+                            " must be at least 1");
     }
     if (format == GraphicsFormat::None)
     {
@@ -43,23 +74,99 @@ Texture::Texture(std::string name, int width, int height, GraphicsFormat format,
     }
 }
 
-Texture2D::Texture2D(std::string name, int width, int height, GraphicsFormat format,
-                     std::vector<std::byte> texels, SamplerState sampler)
-    : Texture(std::move(name), width, height, format, sampler), m_Texels(std::move(texels))
+std::string Texture::DescribeSize() const
+{
+    const bool isFlat = dimension() == TextureDimension::Tex2D;
+    return SizeText(m_Shape) + (isFlat ? "" : std::string(" ") + ToString(dimension()));
+}
+
+TexelTexture::TexelTexture(std::string name, const TextureShape& shape, GraphicsFormat format,
+                           SamplerState sampler)
+    : Texture(std::move(name), shape, format, sampler)
 {
     if (IsDepthFormat(format))
     {
         throw ContractError("texture '" + this->name() + "': format " + ToString(format) +
                             "; only a RenderTexture can hold depth");
     }
-    const std::size_t expected = static_cast<std::size_t>(width) *
-                                 static_cast<std::size_t>(height) *
-                                 static_cast<std::size_t>(BytesPerTexel(format));
-    if (m_Texels.size() != expected)
+}
+
+void TexelTexture::Append(std::vector<std::byte> texels, int slices, const std::string& part)
+{
+    const std::size_t expected = static_cast<std::size_t>(width()) *
+                                 static_cast<std::size_t>(height()) *
+                                 static_cast<std::size_t>(slices) *
+                                 static_cast<std::size_t>(BytesPerTexel(graphicsFormat()));
+    if (texels.size() != expected)
     {
-        throw ContractError("texture '" + this->name() + "': " + std::to_string(m_Texels.size()) +
-                            " bytes of texels; " + SizeText(width, height) + " of " +
-                            ToString(format) + " takes " + std::to_string(expected));
+        const TextureShape whole{dimension(), width(), height(), slices};
+        throw ContractError("texture '" + name() + "': " + part + std::to_string(texels.size()) +
+                            " bytes of texels; " +
+                            (part.empty() ? SizeText(whole) : FaceSizeText(whole)) + " of " +
+                            ToString(graphicsFormat()) + " takes " + std::to_string(expected));
+    }
+    if (m_Texels.empty())
+    {
+        m_Texels = std::move(texels);
+    }
+    else
+    {
+        m_Texels.insert(m_Texels.end(), texels.begin(), texels.end());
+    }
+}
+
+Texture2D::Texture2D(std::string name, int width, int height, GraphicsFormat format,
+                     std::vector<std::byte> texels, SamplerState sampler)
+    : TexelTexture(std::move(name), {TextureDimension::Tex2D, width, height}, format, sampler)
+{
+    Append(std::move(texels));
+}
+
+Texture3D::Texture3D(std::string name, int width, int height, int depth, GraphicsFormat format,
+                     std::vector<std::byte> texels, SamplerState sampler)
+    : TexelTexture(std::move(name), {TextureDimension::Tex3D, width, height, depth}, format,
+                   sampler)
+{
+    Append(std::move(texels), depth);
+}
+
+Texture2DArray::Texture2DArray(std::string name, int width, int height, GraphicsFormat format,
+                               std::vector<std::vector<std::byte>> elements, SamplerState sampler)
+    : TexelTexture(std::move(name),
+                   {TextureDimension::Tex2DArray, width, height, static_cast<int>(elements.size())},
+                   format, sampler)
+{
+    for (std::size_t i = 0; i < elements.size(); ++i)
+    {
+        Append(std::move(elements[i]), 1, "element " + std::to_string(i) + ": ");
+    }
+}
+
+void TexelTexture::AppendFaces(CubemapFaces faces, const std::string& part)
+{
+    static constexpr const char* k_Names[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        Append(std::move(faces[i]), 1, part + "face " + k_Names[i] + ": ");
+    }
+}
+
+Cubemap::Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
+                 SamplerState sampler)
+    : TexelTexture(std::move(name), {TextureDimension::Cube, width, width, 6}, format, sampler)
+{
+    AppendFaces(std::move(faces));
+}
+
+CubemapArray::CubemapArray(std::string name, int width, GraphicsFormat format,
+                           std::vector<CubemapFaces> cubes, SamplerState sampler)
+    : TexelTexture(std::move(name),
+                   {TextureDimension::CubeArray, width, width, 6 * static_cast<int>(cubes.size())},
+                   format, sampler)
+{
+    for (std::size_t i = 0; i < cubes.size(); ++i)
+    {
+        AppendFaces(std::move(cubes[i]), "cube " + std::to_string(i) + ", ");
     }
 }
 

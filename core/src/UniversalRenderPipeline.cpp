@@ -58,7 +58,7 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
     if (!output || output.rt()->descriptor() != descriptor)
     {
         const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
-                                   TextureWrapMode::Clamp, false};
+                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
         output = RTHandle(
             std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
     }

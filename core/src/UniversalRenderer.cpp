@@ -19,7 +19,7 @@ void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descrip
         return;
     }
     const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                               false};
+                               TextureWrapMode::Clamp, false};
     handle = RTHandle(std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
 }
 

@@ -3,6 +3,7 @@
 #include "GltfBufferFiles.h"
 #include "MaterialReader.h"
 #include "SceneProfileContext.h"
+#include "ShaderFolders.h"
 
 #include <algorithm>
 #include <limn/core/GltfMesh.h>
@@ -26,12 +27,22 @@ typename Map::mapped_type& Cached(Map& map, const Key& key, Load&& load)
                               : map.emplace(typename Map::key_type(key), load()).first->second;
 }
 
-/// Whether a shader has passes to draw with that are all its own.
+/// Whether a shader has all its passes without other shaders.
 bool isSelfContained(const ShaderLabDocument& document)
 {
     try
     {
-        return ResolveShader(document, nullptr).errors.empty();
+        const ResolvedShader resolved = ResolveShader(document, nullptr);
+        const std::vector<ShaderLabPass>& passes = resolved.subShader.passes;
+        const auto isThere = [&](std::string_view lightMode)
+        {
+            return std::any_of(passes.begin(), passes.end(),
+                               [&](const ShaderLabPass& pass)
+                               { return pass.lightMode() == lightMode; });
+        };
+        return resolved.errors.empty() &&
+               (document.fallback.empty() ||
+                std::all_of(k_FallbackLightModes.begin(), k_FallbackLightModes.end(), isThere));
     }
     catch (const AssetError&)
     {
@@ -48,11 +59,11 @@ bool isFrom(const Shader& shader, const std::filesystem::path& file)
                        { return pass.program && pass.program->file == file; });
 }
 
-std::shared_ptr<const Texture> ReadTexture(const std::filesystem::path& path)
+std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 {
-    Image image = ReadPng(path);
+    const Image image = ReadPng(path);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             image.format, std::move(image.texels));
+                                             image.format, FlipRows(image.texels, image.height));
 }
 
 } // namespace
@@ -77,27 +88,8 @@ std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::pa
 
 const ShaderDatabase& AssetContext::DatabaseAround(const std::filesystem::path& shaderFile)
 {
-    std::filesystem::path folder = shaderFile.parent_path();
-    for (std::filesystem::path above = std::filesystem::absolute(folder); above.has_relative_path();
-         above = above.parent_path())
-    {
-        if (above.filename() == "Assets")
-        {
-            folder = above;
-        }
-    }
-    return Cached(m_Databases, folder,
-                  [&]
-                  {
-                      ShaderDatabase database;
-                      database.AddFolder(folder.empty() ? "." : folder);
-                      for (const std::string_view name : ShippedShaderNames())
-                      {
-                          const std::shared_ptr<const Shader> shader = FindShader(name);
-                          database.Add({shader, &shader->document()});
-                      }
-                      return database;
-                  });
+    const std::filesystem::path folder = FolderOfShaders(shaderFile);
+    return Cached(m_Databases, folder, [&] { return FindShaders({folder}, m_Compiler); });
 }
 
 std::shared_ptr<const Shader> AssetContext::ReadShader(const std::filesystem::path& path)
@@ -138,7 +130,7 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
     return Cached(m_Meshes, normal, load);
 }
 
-std::shared_ptr<const Texture> AssetContext::LoadTexture(const std::filesystem::path& path)
+std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
 {
     Reach(path);
     return Cached(m_Textures, path.lexically_normal(),

@@ -113,7 +113,8 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
         ->allow_extra_args(false);
     AddDeviceOption(*verb, options.device);
     auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
-                                   "Keep compiled shaders here, not in the user's cache folder")
+                                   "Keep compiled shaders here, not in the user's cache folder; "
+                                   "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many")
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
     AddPackageOption(*verb, line);

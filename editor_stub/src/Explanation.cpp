@@ -133,9 +133,8 @@ private:
     {
         if (m_Textures.insert(&texture).second)
         {
-            m_Explanation.textures.push_back(
-                texture.name() + " " + std::to_string(texture.width()) + "x" +
-                std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat()));
+            m_Explanation.textures.push_back(texture.name() + " " + texture.DescribeSize() + " " +
+                                             ToString(texture.graphicsFormat()));
         }
     }
 

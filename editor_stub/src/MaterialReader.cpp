@@ -1,8 +1,7 @@
 #include "MaterialReader.h"
 
 #include "SceneLoader.h"
-
-#include <limn/core/BuiltinShaders.h>
+#include "TexturePropertyReader.h"
 
 namespace limn
 {
@@ -16,31 +15,6 @@ struct MaterialSources
     References& references;
     AssetDiagnostics& diagnostics;
 };
-
-void ReadTextureProperty(const YamlNode& node, const std::string& subject, ShaderPropertyId id,
-                         Material& material, MaterialSources& sources)
-{
-    if (std::filesystem::path(node.scalar()).extension() == ".png")
-    {
-        References& references = sources.references;
-        const auto load = [&references](const std::filesystem::path& path)
-        {
-            return references.assets().LoadTexture(path);
-        };
-        material.SetTexture(id, references.Read(node, subject, load));
-        return;
-    }
-    const std::shared_ptr<const Texture> texture = DefaultTexture(node.scalar());
-    if (texture->name() != node.scalar())
-    {
-        sources.diagnostics.Error(node.location(),
-                                  subject + ": found " + node.Describe() +
-                                      "; the path of a .png file, or white, black, gray, bump or "
-                                      "red is expected");
-        return;
-    }
-    material.SetTexture(id, texture);
-}
 
 void ReadNumberProperty(const ShaderProperty& property, const YamlNode& node,
                         const std::string& subject, Material& material,
@@ -78,7 +52,8 @@ void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& 
             id, ReadVector(*node, 4, subject, sources.diagnostics).value_or(glm::vec4(0.0f)));
         break;
     case ShaderPropertyType::Texture:
-        ReadTextureProperty(*node, subject, id, material, sources);
+        ReadTextureProperty(property, *node, subject, material, sources.references,
+                            sources.diagnostics);
         break;
     case ShaderPropertyType::Float:
     case ShaderPropertyType::Range:

@@ -7,12 +7,23 @@
 namespace limn
 {
 
+namespace
+{
+
+ShaderCompilerOptions ForDevice(ShaderCompilerOptions options, const VulkanDevice& device)
+{
+    options.missingFeatures = device.missingShaderFeatures();
+    return options;
+}
+
+} // namespace
+
 Redrawer::Redrawer(const RenderOptions& options, Console& console)
     : m_Options(options),
       m_Console(console),
       m_CompilerOptions(ChooseCompilerOptions(options, console)),
-      m_Assets(m_CompilerOptions),
       m_Device({options.device, options.validate, m_CompilerOptions.cacheFolder}),
+      m_Assets(ForDevice(m_CompilerOptions, m_Device)),
       m_Pipeline(m_Device)
 {
     m_Console.Line(m_Device.ChoiceSentence());

@@ -43,8 +43,8 @@ private:
     const RenderOptions& m_Options;
     Console& m_Console;
     const ShaderCompilerOptions m_CompilerOptions;
-    AssetContext m_Assets;
     VulkanDevice m_Device;
+    AssetContext m_Assets;
     UniversalRenderPipeline m_Pipeline;
     FileWatcher m_Watcher;
     std::unique_ptr<SceneView> m_View; ///< the last that could be loaded; null before the first

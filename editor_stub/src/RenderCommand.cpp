@@ -89,16 +89,18 @@ int RunRender(const RenderOptions& options, Console& console)
     measurements.frames = options.frames;
     Timeline& timeline = measurements.timeline;
 
-    const ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
+    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
+    const VulkanDeviceOptions deviceOptions{options.device, options.validate,
+                                            compilerOptions.cacheFolder};
+    // First, because which SubShader a shader draws with depends on the device.
+    const auto device =
+        timeline.Measure("device", [&] { return std::make_unique<VulkanDevice>(deviceOptions); });
+    compilerOptions.missingFeatures = device->missingShaderFeatures();
     AssetContext assets(compilerOptions);
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
 
-    const VulkanDeviceOptions deviceOptions{options.device, options.validate,
-                                            compilerOptions.cacheFolder};
-    const auto device =
-        timeline.Measure("device", [&] { return std::make_unique<VulkanDevice>(deviceOptions); });
     console.Line(device->ChoiceSentence());
     measurements.device = device->deviceName();
 

@@ -39,6 +39,7 @@ ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Consol
 {
     ShaderCompilerOptions result;
     result.cacheFolder = ChooseCacheFolder(options, console);
+    result.cacheLimit = CacheLimit(result.cacheLimit);
     result.packages.insert(options.packages.begin(), options.packages.end());
     return result;
 }

@@ -1,5 +1,7 @@
 #include "ShaderCheck.h"
 
+#include "ShaderFolders.h"
+
 #include <algorithm>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/MissingIncludeError.h>
@@ -45,19 +47,42 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
     return {};
 }
 
+/// Whether resolving the shader takes other shaders.
+bool needsOthers(const ShaderLabDocument& document)
+{
+    const auto isUse = [](const ShaderLabPass& pass)
+    {
+        return pass.kind == ShaderLabPassKind::UsePass;
+    };
+    return !document.fallback.empty() ||
+           std::any_of(
+               document.subShaders.begin(), document.subShaders.end(),
+               [&](const ShaderLabSubShader& subShader)
+               { return std::any_of(subShader.passes.begin(), subShader.passes.end(), isUse); });
+}
+
+std::string UnityShaderNote(std::string_view command, std::string_view name)
+{
+    return std::string(command) + ": '" + std::string(name) +
+           "' is one of Unity's own shaders, which limn does not have";
+}
+
 class Checker
 {
 public:
     Checker(ShaderCheck& check, const ShaderCheckOptions& options, ShaderCompiler& compiler)
         : m_Check(check),
           m_Compiler(compiler),
+          m_Shaders(options.shaders && needsOthers(*check.document) ? &options.shaders() : nullptr),
           m_Compiles(options.compile),
           m_Keywords(options.keywords ? *options.keywords : InitialKeywords(*check.document))
     {
+        m_Criteria.missingFeatures = compiler.missingFeatures();
     }
 
     void CheckSubShaders()
     {
+        CheckFallback();
         const std::optional<int> used = FindUsed();
         for (const ShaderLabSubShader& subShader : m_Check.document->subShaders)
         {
@@ -66,18 +91,39 @@ public:
             checked.isUsed = used == static_cast<int>(m_Check.subShaders.size()) - 1;
             for (const ShaderLabPass& pass : subShader.passes)
             {
-                checked.passes.push_back(CheckPass(subShader, pass));
+                checked.passes.push_back(CheckPass(subShader, pass, m_Check.diagnostics));
+                if (checked.isUsed && m_Shaders && pass.kind == ShaderLabPassKind::UsePass)
+                {
+                    checked.passes.back().use = CheckUse(subShader, pass);
+                }
             }
         }
     }
 
 private:
+    void CheckFallback()
+    {
+        const ShaderLabDocument& document = *m_Check.document;
+        const std::string& name = document.fallback;
+        if (!m_Shaders || name.empty() || m_Shaders->Find(name))
+        {
+            return;
+        }
+        const bool isUnitys = isUnityShader(name);
+        Add(m_Check.diagnostics,
+            {{isUnitys ? Severity::Note : Severity::Warning, document.file,
+              document.fallbackLocation,
+              isUnitys ? UnityShaderNote("Fallback", name)
+                       : "Fallback: unknown shader " + m_Shaders->UnknownShader(name)}});
+    }
+
     /// The SubShader that limn draws with; none where a Fallback has to help.
-    std::optional<int> FindUsed() const
+    std::optional<int> FindUsed()
     {
         try
         {
-            const ResolvedShader resolved = ResolveShader(*m_Check.document, nullptr);
+            const ResolvedShader resolved = ResolveShader(*m_Check.document, m_Shaders, m_Criteria);
+            m_Check.drawnFallback = resolved.fallback;
             return resolved.fallback.empty() ? std::optional(resolved.subShaderIndex)
                                              : std::nullopt;
         }
@@ -87,7 +133,43 @@ private:
         }
     }
 
-    CheckedPass CheckPass(const ShaderLabSubShader& subShader, const ShaderLabPass& pass)
+    /// Null after a diagnostic. What is wrong with the pass that is used, the file that has it
+    /// tells as an error: here it is a warning.
+    std::shared_ptr<const CheckedUse> CheckUse(const ShaderLabSubShader& subShader,
+                                               const ShaderLabPass& usePass)
+    {
+        std::vector<Diagnostic> errors;
+        std::optional<ShaderLabPass> pass =
+            ResolveUsePass(*m_Check.document, usePass, m_Shaders, errors, m_Criteria);
+        if (!pass)
+        {
+            const std::string shader = usePass.usePass.substr(0, usePass.usePass.rfind('/'));
+            if (isUnityShader(shader) && !m_Shaders->Find(shader))
+            {
+                errors = {{Severity::Note, m_Check.document->file, usePass.location,
+                           UnityShaderNote("UsePass", shader)}};
+            }
+            Add(m_Check.diagnostics, errors);
+            return nullptr;
+        }
+        auto use = std::make_shared<CheckedUse>();
+        use->pass = std::move(*pass);
+        std::vector<Diagnostic> diagnostics;
+        use->check = CheckPass(subShader, use->pass, diagnostics);
+        if (!use->check.reason.empty())
+        {
+            Add(m_Check.diagnostics,
+                {{use->check.outcome == PassOutcome::Refused ? Severity::Note : Severity::Warning,
+                  m_Check.document->file, usePass.location,
+                  "UsePass: the pass at " + use->pass.program->file + ":" +
+                      std::to_string(use->pass.location.line) +
+                      " cannot be drawn: " + use->check.reason}});
+        }
+        return use;
+    }
+
+    CheckedPass CheckPass(const ShaderLabSubShader& subShader, const ShaderLabPass& pass,
+                          std::vector<Diagnostic>& diagnostics)
     {
         CheckedPass checked;
         checked.pass = &pass;
@@ -100,20 +182,22 @@ private:
         checked.keywords = SelectVariant(program, m_Keywords);
         if (m_Compiles)
         {
-            Compile(subShader, program, checked);
+            Compile(subShader, program, checked, diagnostics);
         }
         return checked;
     }
 
     void Compile(const ShaderLabSubShader& subShader, const PassProgram& program,
-                 CheckedPass& checked)
+                 CheckedPass& checked, std::vector<Diagnostic>& diagnostics) const
     {
         const std::string* pipeline = subShader.tags.Find("RenderPipeline");
         if (pipeline && (*pipeline == "HDRenderPipeline" || *pipeline == "HighDefinitionPipeline"))
         {
-            Refuse(checked, {Severity::Note, program.file, program.location,
-                             "program: its SubShader is for the " + *pipeline +
-                                 ", which limn does not stand in for"});
+            Refuse(checked,
+                   {Severity::Note, program.file, program.location,
+                    "program: its SubShader is for the " + *pipeline +
+                        ", which limn does not stand in for"},
+                   diagnostics);
             return;
         }
         try
@@ -122,39 +206,43 @@ private:
             checked.outcome = PassOutcome::Compiled;
             checked.srpBatcherProblem =
                 FindSrpBatcherProblem(*m_Check.document, checked.compiled->layout);
-            Add(m_Check.diagnostics, checked.compiled->diagnostics);
+            Add(diagnostics, checked.compiled->diagnostics);
         }
         catch (const UnsupportedProgramError& error)
         {
-            Refuse(checked, error.diagnostics().front());
+            Refuse(checked, error.diagnostics().front(), diagnostics);
         }
         catch (const MissingIncludeError& error)
         {
-            Fail(checked, PassOutcome::MissingInclude, error);
+            Fail(checked, PassOutcome::MissingInclude, error, diagnostics);
         }
         catch (const AssetError& error)
         {
-            Fail(checked, PassOutcome::Failed, error);
+            Fail(checked, PassOutcome::Failed, error, diagnostics);
         }
     }
 
-    void Refuse(CheckedPass& checked, Diagnostic reason)
+    static void Refuse(CheckedPass& checked, Diagnostic reason,
+                       std::vector<Diagnostic>& diagnostics)
     {
         reason.severity = Severity::Note;
         checked.outcome = PassOutcome::Refused;
         checked.reason = reason.message;
-        Add(m_Check.diagnostics, {std::move(reason)});
+        Add(diagnostics, {std::move(reason)});
     }
 
-    void Fail(CheckedPass& checked, PassOutcome outcome, const AssetError& error)
+    static void Fail(CheckedPass& checked, PassOutcome outcome, const AssetError& error,
+                     std::vector<Diagnostic>& diagnostics)
     {
         checked.outcome = outcome;
         checked.reason = error.diagnostics().front().message;
-        Add(m_Check.diagnostics, error.diagnostics());
+        Add(diagnostics, error.diagnostics());
     }
 
     ShaderCheck& m_Check;
     ShaderCompiler& m_Compiler;
+    const ShaderDatabase* m_Shaders; ///< null where none is needed
+    ShaderCriteria m_Criteria;
     bool m_Compiles;
     std::vector<std::string> m_Keywords;
 };

@@ -3,6 +3,7 @@
 #include "CacheFolder.h"
 #include "ShaderDescription.h"
 #include "ShaderEmit.h"
+#include "ShaderFolders.h"
 #include "ShaderSummary.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <future>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ShaderDatabase.h>
+#include <mutex>
 #include <thread>
 
 namespace limn
@@ -38,7 +40,23 @@ std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& pat
     return files;
 }
 
-std::unique_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
+/// The folders to look for other shaders in, each once.
+std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& paths)
+{
+    std::vector<std::filesystem::path> folders;
+    for (const std::string& path : paths)
+    {
+        std::filesystem::path folder(path);
+        folder = std::filesystem::is_directory(folder) ? folder : FolderOfShaders(folder);
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end())
+        {
+            folders.push_back(std::move(folder));
+        }
+    }
+    return folders;
+}
+
+std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
 {
     ShaderCompilerOptions compilerOptions;
     const std::filesystem::path cacheFolder = DefaultCacheFolder();
@@ -46,8 +64,9 @@ std::unique_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
     {
         compilerOptions.cacheFolder = cacheFolder;
     }
+    compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
-    return std::make_unique<ShaderCompiler>(std::move(compilerOptions));
+    return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
 }
 
 /// Checks files on several threads; results are taken in the order of the files.
@@ -55,9 +74,16 @@ class ParallelCheck
 {
 public:
     ParallelCheck(std::vector<std::filesystem::path> files, const ShaderOptions& options)
-        : m_Files(std::move(files)), m_Compiler(MakeCompiler(options)), m_Promises(m_Files.size())
+        : m_Files(std::move(files)),
+          m_Folders(FindFolders(options.paths)),
+          m_Compiler(MakeCompiler(options)),
+          m_Promises(m_Files.size())
     {
         m_Options.compile = !options.parseOnly && !options.variants;
+        m_Options.shaders = [this]() -> const ShaderDatabase&
+        {
+            return Shaders();
+        };
         if (!options.keywords.empty())
         {
             m_Options.keywords = options.keywords;
@@ -98,13 +124,41 @@ private:
         }
     }
 
+    /// Read when it is needed first: that takes its time in a large project.
+    const ShaderDatabase& Shaders()
+    {
+        std::call_once(m_ShadersOnce, [this] { m_Shaders = FindShaders(m_Folders, m_Compiler); });
+        return m_Shaders;
+    }
+
     std::vector<std::filesystem::path> m_Files;
-    std::unique_ptr<ShaderCompiler> m_Compiler;
+    std::vector<std::filesystem::path> m_Folders; ///< that UsePass and Fallback look in
+    std::once_flag m_ShadersOnce;
+    ShaderDatabase m_Shaders;
+    std::shared_ptr<ShaderCompiler> m_Compiler;
     ShaderCheckOptions m_Options;
     std::vector<std::promise<ShaderCheck>> m_Promises;
     std::atomic<std::size_t> m_Next{0};
     std::vector<std::future<void>> m_Threads; ///< last, so that they end first
 };
+
+/// Writes the files of one shader; what cannot be written is told and counts as the shader's error.
+void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
+{
+    try
+    {
+        for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
+        {
+            console.out() << written.string() << '\n';
+        }
+    }
+    catch (const AssetError& error)
+    {
+        console.PrintWithSource(error.diagnostics());
+        check.diagnostics.insert(check.diagnostics.end(), error.diagnostics().begin(),
+                                 error.diagnostics().end());
+    }
+}
 
 std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
                                   Console& console)
@@ -118,10 +172,7 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
         console.PrintWithSource(check.diagnostics);
         if (!options.emit.empty())
         {
-            for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
-            {
-                console.out() << written.string() << '\n';
-            }
+            Emit(check, options, console);
         }
         checks.push_back(std::move(check));
     }

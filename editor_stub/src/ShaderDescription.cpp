@@ -81,6 +81,14 @@ std::string KindText(const ShaderLabPass& pass)
                                        : "no program: fixed-function commands, not synthesised";
 }
 
+/// ": 'Hull' at library.shader:12, compiled"
+std::string UseText(const CheckedUse& use)
+{
+    const std::string file = use.pass.program ? use.pass.program->file + ":" : "line ";
+    return ": '" + use.pass.name + "' at " + file + std::to_string(use.pass.location.line) + ", " +
+           (use.pass.program ? ToString(use.check.outcome) : "no program");
+}
+
 std::string PassText(const CheckedPass& checked, std::size_t index)
 {
     const ShaderLabPass& pass = *checked.pass;
@@ -89,7 +97,7 @@ std::string PassText(const CheckedPass& checked, std::size_t index)
                        std::string(pass.lightMode()) + "\n" + indent + StateText(pass.state) + "\n";
     if (!pass.program)
     {
-        return text + indent + KindText(pass) + "\n";
+        return text + indent + KindText(pass) + (checked.use ? UseText(*checked.use) : "") + "\n";
     }
     for (const KeywordSet& set : pass.program->keywordSets)
     {
@@ -252,6 +260,10 @@ std::string DescribeShader(const ShaderCheck& check)
     {
         text += "  property " + property.name + " " + TypeText(property) + " = " +
                 DefaultText(property) + "\n";
+    }
+    if (!check.drawnFallback.empty())
+    {
+        text += "  drawn with its Fallback \"" + check.drawnFallback + "\"\n";
     }
     for (std::size_t i = 0; i < check.subShaders.size(); ++i)
     {

@@ -75,6 +75,21 @@ Json LayoutJson(const PropertyLayout& layout)
             {"colorOutputs", layout.colorOutputs}};
 }
 
+/// Where a UsePass leads.
+Json UseJson(const CheckedUse& use)
+{
+    Json json{{"name", use.pass.name},
+              {"file", use.pass.program ? use.pass.program->file : ""},
+              {"line", use.pass.location.line},
+              {"lightMode", use.pass.lightMode()},
+              {"outcome", ToString(use.check.outcome)}};
+    if (!use.check.reason.empty())
+    {
+        json["reason"] = use.check.reason;
+    }
+    return json;
+}
+
 Json PassJson(const CheckedPass& checked)
 {
     const ShaderLabPass& pass = *checked.pass;
@@ -106,6 +121,10 @@ Json PassJson(const CheckedPass& checked)
         json["enabledKeywords"] = checked.keywords;
         json["layout"] = LayoutJson(checked.compiled->layout);
         json["srpBatcherProblem"] = checked.srpBatcherProblem;
+    }
+    if (checked.use)
+    {
+        json["use"] = UseJson(*checked.use);
     }
     return json;
 }
@@ -167,6 +186,8 @@ Json ShaderJson(const ShaderCheck& check)
         json["name"] = check.document->name;
         json["properties"] = PropertiesJson(*check.document);
         json["subShaders"] = SubShadersJson(check);
+        json["fallback"] = check.document->fallback;
+        json["drawnFallback"] = check.drawnFallback;
     }
     return json;
 }

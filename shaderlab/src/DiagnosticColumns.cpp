@@ -3,6 +3,7 @@
 #include "HlslTokens.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -58,7 +59,9 @@ public:
         {
             return 0;
         }
-        for (const HlslToken& token : TokenizeHlsl(*line))
+        // Behind its mark a directive has words like any other line.
+        const std::size_t start = std::min(line->find_first_not_of(" \t#"), line->size());
+        for (const HlslToken& token : TokenizeHlsl(line->substr(start)))
         {
             if (token.text == word)
             {

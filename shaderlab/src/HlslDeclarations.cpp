@@ -19,9 +19,10 @@ constexpr std::array<std::string_view, 29> k_Modifiers = {
     "point",      "line",          "triangle",        "lineadj",
     "triangleadj"};
 
-constexpr std::array<std::string_view, 8> k_ObjectTypes = {
-    "Texture",           "Sampler", "sampler", "StructuredBuffer",
-    "ByteAddressBuffer", "Buffer",  "RW",      "texture"};
+constexpr std::array<std::string_view, 11> k_ObjectTypes = {
+    "Texture", "Sampler", "sampler",           "StructuredBuffer",       "ByteAddressBuffer",
+    "Buffer",  "RW",      "RasterizerOrdered", "AppendStructuredBuffer", "ConsumeStructuredBuffer",
+    "texture"};
 
 bool isModifier(std::string_view word)
 {
@@ -195,6 +196,7 @@ private:
             HlslVariable head = ReadHead();
             if (Text() == "(")
             {
+                m_Result.methods.push_back(head.name);
                 SkipBalanced("(", ")");
                 while (!isEnd() && Text() != "{" && Text() != ";" && Text() != "}")
                 {

@@ -65,6 +65,7 @@ struct HlslDeclarations
     std::vector<HlslAlias> aliases;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
+    std::vector<std::string_view> methods; ///< names, of all structs
     IntegerNames constants;                ///< `static const` scalars
 
     /// The type behind a typedef; other names stay as they are.

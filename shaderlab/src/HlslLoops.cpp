@@ -1,6 +1,6 @@
 #include "HlslLoops.h"
 
-#include "HlslTokens.h"
+#include "HlslEditor.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,40 +16,27 @@ namespace
 class LoopHoister
 {
 public:
-    explicit LoopHoister(const std::string& text) : m_Text(text), m_Tokens(TokenizeHlsl(text))
+    explicit LoopHoister(const std::string& text) : m_Code(text)
     {
         int depth = 0;
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            depth += std::min(Step(i), 0);
+            depth += std::min(m_Code.Step(i), 0);
             m_Depth.push_back(depth);
-            depth += std::max(Step(i), 0);
+            depth += std::max(m_Code.Step(i), 0);
         }
     }
 
     std::string Hoist()
     {
-        std::string result;
-        std::size_t position = 0;
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            const Declared declared = isLeaking(i) ? DeclaredBefore(i) : Declared::ByHand;
-            if (declared == Declared::ByHand)
+            if (isLeaking(i) && !isDeclaredByHand(i))
             {
-                continue;
+                Hoist(i);
             }
-            const std::string_view type = Text(i + 2);
-            const std::size_t start = m_Tokens[FirstOfLoop(i)].Begin(m_Text);
-            const std::size_t typeAt = m_Tokens[i + 2].Begin(m_Text);
-            result.append(m_Text, position, start - position);
-            if (declared == Declared::Nowhere)
-            {
-                result.append(type).append(" ").append(Text(i + 3)).append("; ");
-            }
-            result.append(m_Text, start, typeAt - start);
-            position = typeAt + type.size();
         }
-        return result.append(m_Text, position);
+        return m_Code.Assemble();
     }
 
 private:
@@ -60,14 +47,23 @@ private:
         ByHand,
     };
 
-    std::string_view Text(std::size_t index) const
-    {
-        return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
-    }
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+    bool isWord(std::size_t index) const { return m_Code.isWord(index); }
 
-    bool isWord(std::size_t index) const
+    /// Puts the declarations of all its variables before the loop.
+    void Hoist(std::size_t loop)
     {
-        return index < m_Tokens.size() && m_Tokens[index].isWord;
+        const std::string type(Text(loop + 2));
+        std::string declarations;
+        for (const std::size_t name : Names(loop))
+        {
+            if (DeclaredBefore(loop, Text(name)) == Declared::Nowhere)
+            {
+                declarations.append(type).append(" ").append(Text(name)).append("; ");
+            }
+        }
+        m_Code.Spelling(FirstOfLoop(loop)).insert(0, declarations);
+        m_Code.Spelling(loop + 2).clear();
     }
 
     bool isBoundary(std::size_t index) const
@@ -75,17 +71,48 @@ private:
         return Text(index) == ";" || Text(index) == "{" || Text(index) == "}";
     }
 
-    /// `for (int i = …; …)` after a whole statement, whose `i` somebody uses later.
-    bool isLeaking(std::size_t index) const
+    /// What `for (int i = 0, j; …)` declares; empty for another head.
+    std::vector<std::size_t> Names(std::size_t loop) const
     {
-        if (Text(index) != "for" || Text(index + 1) != "(" || !isWord(index + 2) ||
-            !isWord(index + 3) || Text(index + 4) != "=")
+        if (Text(loop) != "for" || Text(loop + 1) != "(" || !isWord(loop + 2) ||
+            !isWord(loop + 3) || Text(loop + 4) != "=")
+        {
+            return {};
+        }
+        std::vector<std::size_t> names = {loop + 3};
+        const std::size_t end = m_Code.FindOutside(loop + 3, ";");
+        for (std::size_t i = m_Code.FindOutside(loop + 3, ","); i < end;
+             i = m_Code.FindOutside(i + 1, ","))
+        {
+            names.push_back(i + 1);
+        }
+        return names;
+    }
+
+    /// A loop after a whole statement, one of whose variables somebody uses later.
+    bool isLeaking(std::size_t loop) const
+    {
+        const std::vector<std::size_t> names = Names(loop);
+        const std::size_t first = FirstOfLoop(loop);
+        if (names.empty() || first == 0 || !isBoundary(first - 1))
         {
             return false;
         }
-        const std::size_t first = FirstOfLoop(index);
-        return first > 0 && isBoundary(first - 1) && !hasCommaInHead(index + 4) &&
-               isUsedAfter(EndOfStatement(index), Text(index + 3));
+        const std::size_t end = EndOfStatement(loop);
+        return std::any_of(names.begin(), names.end(),
+                           [&](std::size_t name) { return isUsedAfter(end, Text(name)); });
+    }
+
+    bool isDeclaredByHand(std::size_t loop) const
+    {
+        const std::vector<std::size_t> names = Names(loop);
+        const std::size_t end = EndOfStatement(loop);
+        return std::any_of(names.begin(), names.end(),
+                           [&](std::size_t name)
+                           {
+                               return DeclaredBefore(loop, Text(name)) == Declared::ByHand ||
+                                      isDeclaredAfter(end, Text(name));
+                           });
     }
 
     /// Attributes belong to the loop: `[unroll] for`.
@@ -100,61 +127,25 @@ private:
         return index;
     }
 
-    bool hasCommaInHead(std::size_t index) const
-    {
-        const int depth = m_Depth[index];
-        for (; index < m_Tokens.size() && Text(index) != ";"; ++index)
-        {
-            if (m_Depth[index] == depth && Text(index) == ",")
-            {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    int Step(std::size_t index) const
-    {
-        const std::string_view text = Text(index);
-        return text == "(" || text == "{" || text == "["   ? 1
-               : text == ")" || text == "}" || text == "]" ? -1
-                                                           : 0;
-    }
-
-    /// The token after the bracket that closes the one at the index.
-    std::size_t AfterBracket(std::size_t index) const
-    {
-        int depth = 0;
-        for (; index < m_Tokens.size(); ++index)
-        {
-            depth += Step(index);
-            if (depth <= 0)
-            {
-                return index + 1;
-            }
-        }
-        return index;
-    }
-
     /// The token after the statement that begins at the index.
     std::size_t EndOfStatement(std::size_t index) const
     {
         while (Text(index) == "[")
         {
-            index = AfterBracket(index);
+            index = m_Code.AfterBracket(index);
         }
         if (Text(index) == "{")
         {
-            return AfterBracket(index);
+            return m_Code.AfterBracket(index);
         }
         if (Text(index) == "for" || Text(index) == "while" || Text(index) == "if")
         {
-            const std::size_t end = EndOfStatement(AfterBracket(index + 1));
+            const std::size_t end = EndOfStatement(m_Code.AfterBracket(index + 1));
             return Text(end) == "else" ? EndOfStatement(end + 1) : end;
         }
-        while (index < m_Tokens.size() && Text(index) != ";")
+        while (index < m_Code.size() && Text(index) != ";")
         {
-            index = Step(index) > 0 ? AfterBracket(index) : index + 1;
+            index = m_Code.Step(index) > 0 ? m_Code.AfterBracket(index) : index + 1;
         }
         return index + 1;
     }
@@ -180,41 +171,80 @@ private:
     /// In what is left of the block, before the name is declared again.
     bool isUsedAfter(std::size_t index, std::string_view name) const
     {
-        const int depth = index < m_Tokens.size() ? m_Depth[index] : 0;
-        const int block = Text(index) == "}" ? depth + 1 : depth;
-        for (; index < m_Tokens.size() && m_Depth[index] >= block; ++index)
+        const std::size_t use = NextUse(index, name);
+        return use < m_Code.size() && !isDeclaration(use);
+    }
+
+    /// In the same block, so that it cannot be declared before the loop as well.
+    bool isDeclaredAfter(std::size_t index, std::string_view name) const
+    {
+        const std::size_t use = NextUse(index, name);
+        return use < m_Code.size() && isDeclaration(use) && m_Depth[use] == BlockDepth(index);
+    }
+
+    /// Of the block that the statement before the token is in.
+    int BlockDepth(std::size_t index) const
+    {
+        const int depth = index < m_Code.size() ? m_Depth[index] : 0;
+        return Text(index) == "}" ? depth + 1 : depth;
+    }
+
+    std::size_t NextUse(std::size_t index, std::string_view name) const
+    {
+        const int block = BlockDepth(index);
+        for (; index < m_Code.size() && m_Depth[index] >= block; ++index)
         {
             if (Text(index) == name && Text(index - 1) != ".")
             {
-                return !isDeclaration(index);
+                return index;
             }
         }
-        return false;
+        return m_Code.size();
     }
 
-    /// In the function so far, its parameters included; loops that keep theirs to themselves aside.
-    Declared DeclaredBefore(std::size_t index) const
+    /// The `(` around the token, else size().
+    std::size_t BracketAround(std::size_t index) const
     {
-        const std::string_view name = Text(index + 3);
+        const int depth = m_Depth[index];
+        while (index > 0 && m_Depth[index] >= depth && Text(index) != ";")
+        {
+            --index;
+        }
+        return Text(index) == "(" ? index : m_Code.size();
+    }
+
+    /// In the blocks around the loop so far, and in the function's parameters; loops that keep
+    /// theirs to themselves aside.
+    Declared DeclaredBefore(std::size_t loop, std::string_view name) const
+    {
         Declared result = Declared::Nowhere;
+        int open = m_Depth[loop];
+        std::size_t index = loop;
         while (index-- > 0 && (m_Depth[index] > 0 || Text(index) == "{" || !isBoundary(index)))
         {
+            open = std::min(open, m_Depth[index]);
             if (Text(index) != name || !isDeclaration(index))
             {
                 continue;
             }
-            const bool isOfLoop = index > 2 && Text(index - 3) == "for";
+            const std::size_t bracket = BracketAround(index);
+            const bool isOfLoop = bracket < m_Code.size() && Text(bracket - 1) == "for";
+            const std::size_t place = isOfLoop ? bracket : index;
+            const bool isParameter = bracket < m_Code.size() && !isOfLoop;
+            if (m_Depth[place] > open && !isParameter)
+            {
+                continue; // in a block that has ended
+            }
             if (!isOfLoop)
             {
                 return Declared::ByHand;
             }
-            result = isLeaking(index - 3) ? Declared::ByLoop : result;
+            result = isLeaking(bracket - 1) ? Declared::ByLoop : result;
         }
         return result;
     }
 
-    const std::string& m_Text;
-    const std::vector<HlslToken> m_Tokens;
+    HlslEditor m_Code;
     std::vector<int> m_Depth; ///< by token: brackets around it, a bracket not within itself
 };
 

@@ -86,6 +86,24 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
     }
 }
 
+/// As for Unity's compilers, which take the new meaning, defining a macro anew is no error.
+bool AllowRedefinitions(std::vector<Diagnostic>& diagnostics)
+{
+    bool hasAny = false;
+    for (Diagnostic& diagnostic : diagnostics)
+    {
+        if (StartsWith(diagnostic.message, "'#define': Macro redefined;"))
+        {
+            const std::size_t name = diagnostic.message.rfind(' ') + 1;
+            diagnostic = {Severity::Warning, diagnostic.file, diagnostic.location,
+                          "'" + diagnostic.message.substr(name) +
+                              "': this #define changes its meaning, from here on"};
+            hasAny = true;
+        }
+    }
+    return hasAny;
+}
+
 /// Blanks the pragmas that are left and reports those that stand for `#warning`.
 void TakePragmas(std::string& text, std::vector<Diagnostic>& warnings)
 {
@@ -157,14 +175,15 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
              "program: it is for the High Definition Render Pipeline, which limn does not stand in "
              "for"});
     }
-    Judge(good, ReadGlslangLog(shader.getInfoLog(), program.file), program, includer.hasMissing(),
-          warnings);
+    std::vector<Diagnostic> diagnostics = ReadGlslangLog(shader.getInfoLog(), program.file);
+    const bool isRedefined = AllowRedefinitions(diagnostics);
+    Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
     const bool namesStages =
         includer.namesStages() ||
         std::any_of(program.chunks.begin(), program.chunks.end(),
                     [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
-    return {RespellForGlslang(std::move(result)), namesStages};
+    return {RespellForGlslang(std::move(result), program, warnings), namesStages};
 }
 
 } // namespace limn

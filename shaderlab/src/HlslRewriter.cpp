@@ -1,5 +1,7 @@
 #include "HlslRewriter.h"
 
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
 #include "GeometryEntryWriter.h"
 #include "HlslRepeats.h"
 #include "Text.h"
@@ -27,6 +29,24 @@ public:
     {
         MarkFunctions();
         FindReachable(entry);
+    }
+
+    /// What only compute shaders are for in limn.
+    void RefuseWritable() const
+    {
+        for (const HlslVariable& object : m_Source.declarations.objects)
+        {
+            if (isWritable(object.type) && isReached(object.name))
+            {
+                const std::size_t offset = m_Tokens[object.token].Begin(m_Source.text);
+                const HlslPlace place = PlaceOf(m_Source.text, offset);
+                throw UnsupportedProgramError(
+                    {Severity::Error, place.file, place.location,
+                     "'" + std::string(object.name) + "': a " + std::string(object.type) +
+                         " can be written to, which limn does not offer; its programs only read "
+                         "textures and buffers"});
+            }
+        }
     }
 
     void CopyAssignedUniforms()
@@ -122,15 +142,16 @@ public:
         }
     }
 
-    bool usesDrawIndex() const
+    /// Whether the stage's functions name it.
+    bool isReached(std::string_view name) const
     {
         return std::any_of(m_Reachable.begin(), m_Reachable.end(),
                            [&](const HlslFunction* item)
                            {
                                return std::any_of(m_Tokens.begin() + Offset(item->begin),
                                                   m_Tokens.begin() + Offset(item->end),
-                                                  [](const HlslToken& token)
-                                                  { return token.text == k_DrawIndex; });
+                                                  [&](const HlslToken& token)
+                                                  { return token.text == name; });
                            });
     }
 
@@ -163,6 +184,12 @@ public:
     }
 
 private:
+    static bool isWritable(std::string_view type)
+    {
+        return type.substr(0, 2) == "RW" || type.substr(0, 17) == "RasterizerOrdered" ||
+               type == "AppendStructuredBuffer" || type == "ConsumeStructuredBuffer";
+    }
+
     static std::ptrdiff_t Offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
     void MarkFunctions()
@@ -314,6 +341,7 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
                          const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
+    rewriter.RefuseWritable();
     rewriter.RemoveEmptyMembers();
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
@@ -323,7 +351,7 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
         rewriter.TakeGeometryApart(interface, linkage);
     }
     return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
-                                                 rewriter.usesDrawIndex());
+                                                 rewriter.isReached(k_DrawIndex));
 }
 
 } // namespace limn

@@ -27,6 +27,8 @@ struct HlslSource
 ///
 /// Functions out of reach have to go because they may use what only the other stage has (ddx,
 /// clip). Line breaks and #line directives stay, so that positions of messages hold.
+///
+/// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
 std::string RewriteStage(const HlslSource& source, ShaderStage stage,
                          const StageInterface& interface, const StageLinkage& linkage);
 

@@ -1,7 +1,11 @@
 #include "HlslSpelling.h"
 
+#include "HlslEditor.h"
+#include "HlslInitializers.h"
 #include "HlslLoops.h"
-#include "HlslTokens.h"
+#include "HlslOldForms.h"
+#include "HlslStructs.h"
+#include "HlslUniformParameters.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -19,6 +23,10 @@ namespace
 // Words that mean something before a type, so that another word follows.
 constexpr std::array<std::string_view, 7> k_Modifiers = {
     "linear", "centroid", "point", "line", "triangle", "triangleadj", "lineadj"};
+
+// Types, and a word of GLSL, that name members and variables as well.
+constexpr std::array<std::string_view, 6> k_TypeNames = {"sampler", "texture", "matrix",
+                                                         "vector",  "string",  "layout"};
 
 template <std::size_t N>
 bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
@@ -65,59 +73,49 @@ std::vector<std::string_view> Swizzle(const std::vector<std::string_view>& eleme
 class Speller
 {
 public:
-    explicit Speller(const std::string& text) : m_Text(text), m_Tokens(TokenizeHlsl(text))
-    {
-        for (const HlslToken& token : m_Tokens)
-        {
-            m_Spelling.emplace_back(token.text);
-        }
-    }
+    explicit Speller(const std::string& text) : m_Code(text) {}
 
     std::string Spell()
     {
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            if (m_Tokens[i].isWord)
+            if (isWord(i))
             {
                 SpellWord(i);
             }
         }
-        std::string result;
-        std::size_t position = 0;
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
-        {
-            const std::size_t begin = m_Tokens[i].Begin(m_Text);
-            result.append(m_Text, position, begin - position).append(m_Spelling[i]);
-            position = begin + m_Tokens[i].text.size();
-        }
-        return result.append(m_Text, position);
+        return m_Code.Assemble();
     }
 
 private:
-    std::string_view Text(std::size_t index) const
-    {
-        return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
-    }
-    bool isWord(std::size_t index) const
-    {
-        return index < m_Tokens.size() && m_Tokens[index].isWord;
-    }
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+    bool isWord(std::size_t index) const { return m_Code.isWord(index); }
 
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
         if (word == "shared" || (Contains(k_Modifiers, word) && !isWord(index + 1)))
         {
-            m_Spelling[index] = std::string(word) + "_";
+            m_Code.Spelling(index) = std::string(word) + "_";
         }
         else if (word == "noise" && Text(index + 1) == "(")
         {
             // The language has a function of this name that no device knows; glslang crashes on it.
-            m_Spelling[index] = "noise_";
+            m_Code.Spelling(index) = "noise_";
         }
         else if (word == "sampler" && isSampledBy(Text(index + 1)))
         {
-            m_Spelling[index] = "SamplerState";
+            m_Code.Spelling(index) = "SamplerState";
+        }
+        else if (word == "Buffer" && (isWord(index + 1) || Text(index + 1) == "<"))
+        {
+            // A device reads both kinds alike; limn binds the structured one.
+            m_Code.Spelling(index) =
+                isWord(index + 1) ? "StructuredBuffer<float4>" : "StructuredBuffer";
+        }
+        else if ((Contains(k_TypeNames, word) && isNameHere(index)) || isTypeAsSemantic(index))
+        {
+            m_Code.Spelling(index) = std::string(word) + "_";
         }
         else if (word[0] == '_' && index > 1 && Text(index - 1) == ".")
         {
@@ -125,10 +123,30 @@ private:
         }
     }
 
+    /// Whether the word is a variable or a member, not a type: `v.matrix`, but not `matrix m` or
+    /// `(matrix)v`.
+    bool isNameHere(std::size_t index) const
+    {
+        const std::string_view next = Text(index + 1);
+        const bool isCast = Text(index - 1) == "(" && next == ")" && !isWord(index - 2);
+        return !isWord(index + 1) && next != "<" && next != "(" && !isCast;
+    }
+
+    /// `float4 c : float4;`
+    bool isTypeAsSemantic(std::size_t index) const
+    {
+        const std::string_view word = Text(index);
+        const std::string_view next = Text(index + 1);
+        const bool isType = Contains(k_TypeNames, word) || word.substr(0, 5) == "float" ||
+                            word.substr(0, 3) == "int" || word.substr(0, 4) == "uint";
+        return isType && Text(index - 1) == ":" && isWord(index - 2) &&
+               (next == ";" || next == "," || next == ")" || next == "{");
+    }
+
     /// Whether a method of a texture takes it: `_Tex.Sample(name, …)`.
     bool isSampledBy(std::string_view name) const
     {
-        for (std::size_t i = 3; i < m_Tokens.size() && !name.empty(); ++i)
+        for (std::size_t i = 3; i < m_Code.size() && !name.empty(); ++i)
         {
             if (Text(i) == name && Text(i - 1) == "(" && Text(i - 3) == "." &&
                 (Text(i - 2).substr(0, 6) == "Sample" || Text(i - 2).substr(0, 6) == "Gather" ||
@@ -162,7 +180,7 @@ private:
         std::string operand;
         for (std::size_t i = first; i < index - 1; ++i)
         {
-            operand += m_Spelling[i];
+            operand += m_Code.Spelling(i);
         }
         std::string text;
         for (const std::string_view element : elements)
@@ -173,14 +191,11 @@ private:
         {
             return;
         }
-        for (std::size_t i = first; i <= last; ++i)
-        {
-            m_Spelling[i].clear();
-        }
+        m_Code.Erase(first, last + 1);
         // The preprocessor leaves no blank between `return` and a bracket.
-        m_Spelling[first] = " ";
-        m_Spelling[first] += elements.size() == 1
-                                 ? text
+        m_Code.Spelling(first) = " ";
+        m_Code.Spelling(first) +=
+            elements.size() == 1 ? text
                                  : "float" + std::to_string(elements.size()) + "(" + text + ")";
     }
 
@@ -223,15 +238,19 @@ private:
         }
     }
 
-    const std::string& m_Text;
-    const std::vector<HlslToken> m_Tokens;
-    std::vector<std::string> m_Spelling; ///< by token
+    HlslEditor m_Code;
 };
 
 } // namespace
 
-std::string RespellForGlslang(std::string text)
+std::string RespellForGlslang(std::string text, const PassProgram& program,
+                              std::vector<Diagnostic>& warnings)
 {
+    text = TakeOldForms(std::move(text), warnings);
+    text = CopyBaseMembers(std::move(text));
+    text = GroupInitializers(std::move(text));
+    text = TakeUniformParameters(
+        std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});
     text = HoistLoopVariables(std::move(text));
     return Speller(text).Spell();
 }

@@ -100,7 +100,6 @@ private:
     std::optional<SourceChunk> ReadChunk(std::string_view endWord);
     std::optional<PassProgram> ReadProgram();
     void ParseIncludeBlock();
-    void ParseGlslInclude();
     void ParseProgram();
     void ParseSurface();
 
@@ -196,9 +195,8 @@ private:
     std::array<std::size_t, 3> m_Reported{}; ///< by severity
     std::size_t m_Items = 0;
     bool m_IsStopped = false;
-    std::vector<const CommandTable*> m_Tables; ///< of the scopes around the current place
-    std::vector<SourceChunk> m_HlslIncludes;
-    std::vector<SourceChunk> m_CgIncludes;
+    std::vector<const CommandTable*> m_Tables;          ///< of the scopes around the current place
+    std::array<std::vector<SourceChunk>, 3> m_Includes; ///< by ProgramLanguage, of the file so far
     std::size_t m_RepeatedBytes = 0; ///< of what inner scopes were handed copies of
     int m_CategoryDepth = 0;
     Scope m_Scope;

@@ -9,14 +9,18 @@ namespace limn
 namespace
 {
 
-/// The word that closes the block that `word` opens.
-std::string_view EndWordOf(std::string_view word)
+/// Of the block that `word` opens.
+ProgramLanguage LanguageOf(std::string_view word)
 {
-    if (word.substr(0, 2) == "CG")
-    {
-        return "ENDCG";
-    }
-    return word.substr(0, 4) == "HLSL" ? "ENDHLSL" : "ENDGLSL";
+    return word.substr(0, 2) == "CG"     ? ProgramLanguage::Cg
+           : word.substr(0, 4) == "HLSL" ? ProgramLanguage::Hlsl
+                                         : ProgramLanguage::Glsl;
+}
+
+std::string_view EndWordOf(ProgramLanguage language)
+{
+    static constexpr std::string_view k_Words[] = {"ENDHLSL", "ENDCG", "ENDGLSL"};
+    return k_Words[static_cast<std::size_t>(language)];
 }
 
 std::size_t SizeOf(const std::vector<SourceChunk>& chunks)
@@ -70,40 +74,28 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
 
 void Parser::ParseIncludeBlock()
 {
-    const std::string_view endWord = EndWordOf(m_Word);
-    if (auto chunk = ReadChunk(endWord); chunk && Count())
+    const ProgramLanguage language = LanguageOf(m_Word);
+    if (auto chunk = ReadChunk(EndWordOf(language)); chunk && Count())
     {
-        (endWord == "ENDCG" ? m_CgIncludes : m_HlslIncludes).push_back(std::move(*chunk));
+        m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
     }
 }
 
-void Parser::ParseGlslInclude()
-{
-    Report(Severity::Warning, m_Command, "GLSLINCLUDE: ignored; limn compiles HLSL only");
-    ReadChunk("ENDGLSL");
-}
-
-/// The program that starts here with the include blocks in scope; none where it is no HLSL.
+/// The program that starts here, behind all include blocks of its language that the file has so
+/// far.
 std::optional<PassProgram> Parser::ReadProgram()
 {
-    const std::string_view endWord = EndWordOf(m_Word);
-    if (endWord == "ENDGLSL")
-    {
-        Report(Severity::Error, m_Command, "GLSLPROGRAM: not supported; write the pass in HLSL");
-        ReadChunk(endWord);
-        return std::nullopt;
-    }
-    const bool isCg = endWord == "ENDCG";
     PassProgram program;
     program.location = m_Command;
-    auto chunk = ReadChunk(endWord);
-    const std::vector<SourceChunk>& includes = isCg ? m_CgIncludes : m_HlslIncludes;
+    program.language = LanguageOf(m_Word);
+    auto chunk = ReadChunk(EndWordOf(program.language));
+    const std::vector<SourceChunk>& includes =
+        m_Includes[static_cast<std::size_t>(program.language)];
     if (!chunk || !CountRepeated(SizeOf(includes)) || !Count(includes.size()))
     {
         return std::nullopt;
     }
     program.file = m_Result.document.file;
-    program.language = isCg ? ProgramLanguage::Cg : ProgramLanguage::Hlsl;
     program.chunks = includes;
     program.chunks.push_back(std::move(*chunk));
     ScanPragmas(program);

@@ -61,11 +61,7 @@ void Parser::ParseCategory()
     }
     ++m_CategoryDepth;
     const Scope outer = m_Scope;
-    const std::size_t hlslIncludes = m_HlslIncludes.size();
-    const std::size_t cgIncludes = m_CgIncludes.size();
     ParseBlock("Category", CategoryCommands());
-    m_HlslIncludes.resize(hlslIncludes);
-    m_CgIncludes.resize(cgIncludes);
     m_Scope = outer;
     --m_CategoryDepth;
 }
@@ -75,13 +71,9 @@ void Parser::ParseSubShader()
     ShaderLabSubShader subShader;
     subShader.location = m_Command;
     Scope outer = m_Scope;
-    const std::size_t hlslIncludes = m_HlslIncludes.size();
-    const std::size_t cgIncludes = m_CgIncludes.size();
     m_SubShader = &subShader;
     ParseBlock("SubShader", SubShaderCommands());
     m_SubShader = nullptr;
-    m_HlslIncludes.resize(hlslIncludes);
-    m_CgIncludes.resize(cgIncludes);
     subShader.tags = std::move(m_Scope.tags);
     subShader.lod = m_Scope.lod;
     m_Scope = std::move(outer);
@@ -98,13 +90,9 @@ void Parser::ParsePass()
     pass.location = m_Command;
     Scope outer = m_Scope;
     m_Scope.tags = {};
-    const std::size_t hlslIncludes = m_HlslIncludes.size();
-    const std::size_t cgIncludes = m_CgIncludes.size();
     m_Pass = &pass;
     ParseBlock("Pass", PassCommands());
     m_Pass = nullptr;
-    m_HlslIncludes.resize(hlslIncludes);
-    m_CgIncludes.resize(cgIncludes);
     pass.state = std::move(m_Scope.state);
     pass.tags = std::move(m_Scope.tags);
     pass.legacyCommands = std::move(m_Scope.legacyCommands);
@@ -245,6 +233,7 @@ void Parser::ParseFallback()
                    "\" given before");
     }
     m_Result.document.fallback = std::move(name);
+    m_Result.document.fallbackLocation = location;
 }
 
 void Parser::ParseCustomEditor()

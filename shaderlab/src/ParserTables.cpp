@@ -31,7 +31,7 @@ const Parser::CommandTable& Parser::ShaderCommands()
         {"Dependency", &Parser::ParseDependency},
         {"HLSLINCLUDE", &Parser::ParseIncludeBlock, true},
         {"CGINCLUDE", &Parser::ParseIncludeBlock, true},
-        {"GLSLINCLUDE", &Parser::ParseGlslInclude, true},
+        {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
     };
     return table;
 }
@@ -123,7 +123,7 @@ void Parser::AppendCommonCommands(CommandTable& table)
         {"BindChannels", &Parser::ParseLegacyBlock},
         {"HLSLINCLUDE", &Parser::ParseIncludeBlock, true},
         {"CGINCLUDE", &Parser::ParseIncludeBlock, true},
-        {"GLSLINCLUDE", &Parser::ParseGlslInclude, true},
+        {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
     };
     table.insert(table.end(), common.begin(), common.end());
 }

@@ -138,6 +138,10 @@ private:
     {
         const std::string_view name = TakeWord(text);
         std::string_view rest = text;
+        if (name.empty())
+        {
+            return;
+        }
         if (name == "vertex")
         {
             m_Program.vertex = {std::string(TakeWord(rest)), m_Location};

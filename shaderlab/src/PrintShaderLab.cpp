@@ -260,9 +260,9 @@ void Printer::PrintCommands(const ShaderLabPass& pass)
 
 void Printer::PrintProgram(const PassProgram& program)
 {
-    const bool isCg = program.language == ProgramLanguage::Cg;
-    Line((isCg ? "CGPROGRAM" : "HLSLPROGRAM") + ProgramText(program) +
-         (isCg ? "ENDCG" : "ENDHLSL"));
+    static constexpr const char* k_Names[] = {"HLSL", "CG", "GLSL"};
+    const std::string name = k_Names[static_cast<std::size_t>(program.language)];
+    Line(name + "PROGRAM" + ProgramText(program) + "END" + name);
 }
 
 void Printer::PrintEnd(const ShaderLabDocument& document)
@@ -316,6 +316,7 @@ ShaderLabDocument WithoutPlaces(ShaderLabDocument document)
 {
     document.file.clear();
     document.location = {};
+    document.fallbackLocation = {};
     ForgetPlaces(document.properties);
     for (ShaderProperty& property : document.properties)
     {

@@ -5,8 +5,8 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "DiagnosticColumns.h"
+#include "HlslChecks.h"
 #include "HlslPreprocessor.h"
-#include "HlslRepeats.h"
 #include "HlslRewriter.h"
 #include "SpirvBuilder.h"
 #include "SpirvReflection.h"
@@ -101,23 +101,6 @@ struct Stage
 /// Vertex first, fragment last.
 using Stages = std::vector<Stage>;
 
-void RequireOneDefinition(const HlslSource& source)
-{
-    std::vector<Diagnostic> diagnostics;
-    for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
-    {
-        const HlslPlace place =
-            PlaceOf(source.text, source.tokens[variable->token].Begin(source.text));
-        diagnostics.push_back({Severity::Error, place.file, place.location,
-                               "'" + std::string(variable->name) +
-                                   "': redefinition; something else has this name already"});
-    }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics));
-    }
-}
-
 Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
                   IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
 {
@@ -135,7 +118,7 @@ Stages ReadStages(const PassProgram& program, std::span<const std::string> keywo
         {
             PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
             source = std::make_shared<const HlslSource>(std::move(hlsl.text));
-            RequireOneDefinition(*source);
+            RequireSound(*source);
             shared = hlsl.namesStages ? nullptr : source;
         }
         StageInterface interface = InterfaceOf(*source, FindEntry(program, *source, stage), stage);
@@ -167,6 +150,10 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
         const EntryPoint& entry = EntryOf(program, stages[i].stage);
         for (const std::string& semantic : linkage.Before(stages[i].stage).unwritten)
         {
+            if (semantic == "PSIZE")
+            {
+                continue; // it ends at the rasteriser, but stands in the struct of both functions
+            }
             warnings.push_back({Severity::Warning, program.file, entry.location,
                                 entry.name + ": it reads '" + semantic + "', which the " +
                                     std::string(StageName(stages[i - 1].stage)) +
@@ -310,9 +297,11 @@ CompiledPass CompileProgram(const PassProgram& program, std::span<const std::str
         AddColumns(pass.diagnostics, program, resolver);
         return pass;
     }
-    catch (const UnsupportedProgramError&)
+    catch (const UnsupportedProgramError& error)
     {
-        throw;
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        AddColumns(diagnostics, program, resolver);
+        throw UnsupportedProgramError(diagnostics.front());
     }
     catch (const MissingIncludeError& error)
     {

@@ -293,6 +293,11 @@ std::vector<std::string> RequiredFeatures(const PassProgram& program)
 std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
                                              std::span<const std::string> missingFeatures)
 {
+    if (program.language == ProgramLanguage::Glsl)
+    {
+        return Diagnostic{Severity::Error, program.file, program.location,
+                          "GLSLPROGRAM: not supported; write the pass in HLSL"};
+    }
     for (const ProgramPragma& pragma : program.pragmas)
     {
         if (const auto reason = ReasonOf(pragma))

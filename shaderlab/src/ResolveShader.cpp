@@ -48,12 +48,27 @@ struct Obstacle
     bool isByProgram = false; ///< only limn or the device cannot run its programs
 };
 
+/// "" if the SubShader is for URP or for any pipeline. The second name is that of URP's old manual.
+std::string ForeignPipeline(const ShaderLabSubShader& subShader)
+{
+    static constexpr std::string_view k_Universal = "UniversalPipeline";
+    const std::string* pipeline = subShader.tags.Find("RenderPipeline");
+    if (pipeline == nullptr || pipeline->empty() || *pipeline == k_Universal ||
+        *pipeline == "UniversalRenderPipeline")
+    {
+        return {};
+    }
+    return "its RenderPipeline is '" + *pipeline + "'" +
+           (NearestName(*pipeline, {k_Universal}).empty()
+                ? ""
+                : "; did you mean '" + std::string(k_Universal) + "'?");
+}
+
 Obstacle FindObstacle(const ShaderLabSubShader& subShader, const ShaderCriteria& criteria)
 {
-    const std::string* pipeline = subShader.tags.Find("RenderPipeline");
-    if (pipeline != nullptr && !pipeline->empty() && !pipeline->starts_with("Universal"))
+    if (std::string foreign = ForeignPipeline(subShader); !foreign.empty())
     {
-        return {"its RenderPipeline is '" + *pipeline + "'"};
+        return {std::move(foreign)};
     }
     if (subShader.passes.empty())
     {
@@ -99,6 +114,9 @@ public:
     }
 
     ResolvedShader Resolve(const ShaderLabDocument& document);
+    std::optional<ShaderLabPass> FindUsedPass(const ShaderLabDocument& user,
+                                              const ShaderLabPass& use);
+    std::vector<Diagnostic> TakeErrors() { return std::move(m_Errors); }
 
 private:
     struct Choice
@@ -110,10 +128,10 @@ private:
     std::optional<Choice> Choose(const ShaderLabDocument& document);
     const ShaderLabDocument* FindFallback(const ShaderLabDocument& document);
     ShaderLabSubShader Expand(const Choice& choice);
+    void AddFallbackPass(const Choice& choice, std::string_view lightMode,
+                         std::vector<ShaderLabPass>& passes);
     const ShaderLabDocument* FindUsedShader(const ShaderLabDocument& user, const ShaderLabPass& use,
                                             const std::string& shader);
-    std::optional<ShaderLabPass> FindUsedPass(const ShaderLabDocument& user,
-                                              const ShaderLabPass& use);
     void Note(const ShaderLabDocument& document, SourceLocation location, std::string message);
     void Error(const ShaderLabDocument& document, SourceLocation location, std::string message);
 
@@ -145,7 +163,7 @@ const ShaderLabDocument* Resolver::FindFallback(const ShaderLabDocument& documen
         m_Database != nullptr ? m_Database->Find(document.fallback) : nullptr;
     if (fallback == nullptr)
     {
-        Note(document, document.location,
+        Note(document, document.fallbackLocation,
              "Fallback: unknown shader " + (m_Database != nullptr
                                                 ? m_Database->UnknownShader(document.fallback)
                                                 : "'" + document.fallback + "'"));
@@ -279,6 +297,42 @@ ShaderLabSubShader Resolver::Expand(const Choice& choice)
     return result;
 }
 
+/// Adds the first pass of this LightMode down the chain of fallbacks, unless one is there.
+void Resolver::AddFallbackPass(const Choice& choice, std::string_view lightMode,
+                               std::vector<ShaderLabPass>& passes)
+{
+    const auto isOfMode = [&](const ShaderLabPass& pass)
+    {
+        return pass.lightMode() == lightMode;
+    };
+    std::vector<const ShaderLabDocument*> seen;
+    const ShaderLabDocument* user = choice.document;
+    while (std::none_of(passes.begin(), passes.end(), isOfMode))
+    {
+        const ShaderLabDocument* fallback =
+            m_Database != nullptr ? m_Database->Find(user->fallback) : nullptr;
+        if (fallback == nullptr || std::find(seen.begin(), seen.end(), fallback) != seen.end())
+        {
+            return;
+        }
+        seen.push_back(fallback);
+        // What the fallback itself lacks is its own affair.
+        Resolver other(m_Database, m_Criteria);
+        const std::optional<Choice> next = other.Choose(*fallback);
+        if (!next)
+        {
+            return;
+        }
+        const std::vector<ShaderLabPass> candidates = other.Expand(*next).passes;
+        const auto found = std::find_if(candidates.begin(), candidates.end(), isOfMode);
+        if (found != candidates.end())
+        {
+            passes.push_back(*found);
+        }
+        user = next->document;
+    }
+}
+
 ResolvedShader Resolver::Resolve(const ShaderLabDocument& document)
 {
     const std::optional<Choice> choice = Choose(document);
@@ -295,6 +349,10 @@ ResolvedShader Resolver::Resolve(const ShaderLabDocument& document)
     result.fallback = choice->document == &document ? "" : choice->document->name;
     result.subShaderIndex = static_cast<int>(choice->index);
     result.subShader = Expand(*choice);
+    for (const std::string_view lightMode : k_FallbackLightModes)
+    {
+        AddFallbackPass(*choice, lightMode, result.subShader.passes);
+    }
     result.notes = std::move(m_Notes);
     result.errors = std::move(m_Errors);
     return result;
@@ -306,6 +364,19 @@ ResolvedShader ResolveShader(const ShaderLabDocument& document, const ShaderData
                              const ShaderCriteria& criteria)
 {
     return Resolver(database, criteria).Resolve(document);
+}
+
+std::optional<ShaderLabPass> ResolveUsePass(const ShaderLabDocument& document,
+                                            const ShaderLabPass& usePass,
+                                            const ShaderDatabase* database,
+                                            std::vector<Diagnostic>& errors,
+                                            const ShaderCriteria& criteria)
+{
+    Resolver resolver(database, criteria);
+    std::optional<ShaderLabPass> pass = resolver.FindUsedPass(document, usePass);
+    const std::vector<Diagnostic> found = resolver.TakeErrors();
+    errors.insert(errors.end(), found.begin(), found.end());
+    return pass;
 }
 
 } // namespace limn

@@ -19,7 +19,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 4;
+constexpr int k_CompilerVersion = 5;
 
 std::string HashName(const std::string& text)
 {
@@ -108,6 +108,11 @@ ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
 }
 
 ShaderCompiler::~ShaderCompiler() = default;
+
+const std::vector<std::string>& ShaderCompiler::missingFeatures() const
+{
+    return m_State->options.missingFeatures;
+}
 
 PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 {

@@ -3,6 +3,7 @@
 #include "EntryPointWriter.h"
 #include "GlslangLog.h"
 #include "GlslangSession.h"
+#include "HlslConversions.h"
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
@@ -50,10 +51,24 @@ void Optimize(std::vector<std::uint32_t>& spirv, const std::string& file)
     spirv = std::move(optimized);
 }
 
-} // namespace
+/// The functions that glslang has found no overload of.
+std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
+{
+    constexpr std::string_view k_Reason = "': no matching overloaded function found";
+    std::set<std::string> names;
+    for (const Diagnostic& diagnostic : diagnostics)
+    {
+        const std::size_t reason = diagnostic.message.find(k_Reason);
+        if (reason != std::string::npos && diagnostic.message[0] == '\'')
+        {
+            names.insert(diagnostic.message.substr(1, reason - 1));
+        }
+    }
+    return names;
+}
 
-std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file, std::vector<Diagnostic>& warnings)
+std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
+                                 const std::string& file, std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const char* const text = hlsl.c_str();
@@ -85,6 +100,32 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
     Optimize(spirv, file);
     return spirv;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
+                                      const std::string& file, std::vector<Diagnostic>& warnings)
+{
+    // glslang stops at the first call that it cannot make.
+    std::set<std::string> unmatched;
+    for (std::string text = hlsl;;)
+    {
+        try
+        {
+            return Build(text, stage, file, warnings);
+        }
+        catch (const AssetError& error)
+        {
+            unmatched.merge(UnmatchedCalls(error.diagnostics()));
+            std::string converted = AddConversions(hlsl, unmatched);
+            if (converted == text)
+            {
+                throw;
+            }
+            text = std::move(converted);
+        }
+    }
 }
 
 } // namespace limn

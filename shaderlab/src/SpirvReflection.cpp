@@ -65,10 +65,6 @@ public:
         {
             Bind(resource.id, m_Layout.storageBuffers, ReadStorageBuffer(resource), nextBinding);
         }
-        for (const auto& resource : resources.storage_images)
-        {
-            m_Messages.push_back("'" + resource.name + "': writable textures are not supported");
-        }
         WriteBindings();
     }
 
@@ -242,10 +238,6 @@ private:
         buffer.name = m_Compiler.get_name(resource.id);
         const SPIRType& type = m_Compiler.get_type(resource.base_type_id);
         buffer.stride = m_Compiler.type_struct_member_array_stride(type, 0);
-        if (!m_Compiler.get_buffer_block_flags(resource.id).get(spv::DecorationNonWritable))
-        {
-            m_Messages.push_back("'" + buffer.name + "': writable buffers are not supported");
-        }
         return buffer;
     }
 

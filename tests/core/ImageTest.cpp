@@ -207,5 +207,24 @@ TEST(WritePng, RejectsAnImageWithoutAllItsTexels)
               "WritePng: size 0x2; both must be at least 1");
 }
 
+TEST(FlipRows, PutsTheLastRowFirst)
+{
+    const std::vector<std::byte> texels = {std::byte{1}, std::byte{2}, std::byte{3},
+                                           std::byte{4}, std::byte{5}, std::byte{6}};
+    EXPECT_EQ(FlipRows(texels, 3), (std::vector{std::byte{5}, std::byte{6}, std::byte{3},
+                                                std::byte{4}, std::byte{1}, std::byte{2}}));
+    EXPECT_EQ(FlipRows(texels, 1), texels);
+    EXPECT_EQ(FlipRows({}, 2), std::vector<std::byte>());
+}
+
+TEST(FlipRows, RefusesBytesThatAreNoWholeRows)
+{
+    const std::vector<std::byte> texels(6);
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { FlipRows(texels, 4); }),
+              "FlipRows: 6 bytes are not 4 rows");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { FlipRows(texels, 0); }),
+              "FlipRows: 6 bytes are not 0 rows");
+}
+
 } // namespace
 } // namespace limn

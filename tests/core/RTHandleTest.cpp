@@ -54,16 +54,18 @@ TEST(RTHandle, AllocatesWhatTheDescriptorSays)
 {
     const RTHandle handle = MaskHandle();
     EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
-    EXPECT_EQ(handle.rt()->sampler(), (SamplerState{FilterMode::Bilinear, TextureWrapMode::Clamp,
-                                                    TextureWrapMode::Clamp, false}));
+    EXPECT_EQ(handle.rt()->sampler(),
+              (SamplerState{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
+                            TextureWrapMode::Clamp, false}));
     EXPECT_EQ(handle.rt()->name(), "_Mask");
 }
 
 TEST(RTHandle, AllocatesPointFilteredAndRepeatingUnlessAskedOtherwise)
 {
     const RTHandle handle = RTHandles::Alloc(k_Mask);
-    EXPECT_EQ(handle.rt()->sampler(), (SamplerState{FilterMode::Point, TextureWrapMode::Repeat,
-                                                    TextureWrapMode::Repeat, false}));
+    EXPECT_EQ(handle.rt()->sampler(),
+              (SamplerState{FilterMode::Point, TextureWrapMode::Repeat, TextureWrapMode::Repeat,
+                            TextureWrapMode::Repeat, false}));
 }
 
 TEST(RTHandle, IsNotAllocatedWithASizeBelowOne)

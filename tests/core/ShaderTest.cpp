@@ -54,6 +54,18 @@ TEST(Shader, RefusesAQueueThatIsNone)
     }
 }
 
+TEST(Shader, DrawsWithASubShaderThatTheCompilersDeviceCanRun)
+{
+    const std::string text = "Shader \"Test\" { SubShader { Pass { Name \"cubes\" HLSLPROGRAM\n"
+                             "#pragma vertex V\n#pragma fragment F\n#pragma require cubearray\n"
+                             "ENDHLSL } } SubShader { Pass { Name \"plain\" } } }";
+    EXPECT_EQ(test::ShaderOf(text)->passName(0), "cubes");
+    ShaderCompilerOptions options;
+    options.missingFeatures = {"cubearray"};
+    const auto compiler = std::make_shared<ShaderCompiler>(options);
+    EXPECT_EQ(Shader::FromText(text, "test.shader", compiler)->passName(0), "plain");
+}
+
 TEST(Shader, FindsTheFirstPassOfALightMode)
 {
     const auto shader = test::ShaderWithModes({"A", "B", "A"});

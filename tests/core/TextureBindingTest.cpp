@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limn/core/BuiltinShaders.h>
+
 #include "DrawHarness.h"
 #include "ThrownMessage.h"
 
@@ -88,14 +90,154 @@ TEST_F(TextureBindings, RefuseANumber)
         "material 'Paint': property '_Map' is a texture in the shader but is set to a number");
 }
 
-TEST_F(TextureBindings, RefuseOtherKindsThan2D)
+/// How HLSL declares and samples a dimension.
+struct DimensionCase
+{
+    TextureDimension dimension;
+    const char* property; ///< in ShaderLab
+    const char* type;     ///< in HLSL
+    const char* coordinate;
+    const char* name; ///< of the test
+};
+
+std::shared_ptr<Material> SamplingDimension(const DimensionCase& c, const std::string& properties)
+{
+    return std::make_shared<Material>(
+        test::ShaderWithProgram(properties,
+                                std::string(c.type) + " _Map; SamplerState sampler_Map; "
+                                                      "float4 _Map_TexelSize; float4 _Map_HDR;",
+                                std::string("_Map.Sample(sampler_Map, ") + c.coordinate +
+                                    ") * _Map_TexelSize * _Map_HDR"),
+        "Paint");
+}
+
+class DimensionBindings : public testing::TestWithParam<DimensionCase>
+{
+protected:
+    std::shared_ptr<const Texture> DefaultFor(const std::string& name)
+    {
+        m_Draw.Resolve(SamplingDimension(GetParam(), std::string("_Map (\"Map\", ") +
+                                                         GetParam().property + ") = \"" + name +
+                                                         "\" {}"));
+        return m_Draw.TextureNamed("_Map");
+    }
+
+    test::OneDraw m_Draw;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, DimensionBindings,
+    testing::Values(
+        DimensionCase{TextureDimension::Tex2D, "2D", "Texture2D", "float2(0, 0)", "Flat"},
+        DimensionCase{TextureDimension::Tex3D, "3D", "Texture3D", "float3(0, 0, 0)", "Volume"},
+        DimensionCase{TextureDimension::Cube, "Cube", "TextureCube", "float3(0, 0, 1)", "Cube"},
+        DimensionCase{TextureDimension::Tex2DArray, "2DArray", "Texture2DArray", "float3(0, 0, 0)",
+                      "Array"},
+        DimensionCase{TextureDimension::CubeArray, "CubeArray", "TextureCubeArray",
+                      "float4(0, 0, 1, 0)", "CubeArray"}),
+    [](const auto& c) { return c.param.name; });
+
+TEST_P(DimensionBindings, DefaultToTheNamedColourInTheDimensionThatTheShaderDeclares)
+{
+    struct Default
+    {
+        const char* written;
+        const char* name;
+        std::vector<int> rgba;
+    };
+    for (const Default& expected :
+         {Default{"white", "white", {255, 255, 255, 255}},
+          Default{"black", "black", {0, 0, 0, 255}}, Default{"gray", "gray", {128, 128, 128, 128}},
+          Default{"grey", "gray", {128, 128, 128, 128}},
+          Default{"bump", "bump", {128, 128, 255, 128}}, Default{"red", "red", {255, 0, 0, 255}},
+          Default{"", "gray", {128, 128, 128, 128}}})
+    {
+        SCOPED_TRACE(expected.written);
+        const auto texture =
+            std::dynamic_pointer_cast<const TexelTexture>(DefaultFor(expected.written));
+        ASSERT_NE(texture, nullptr);
+        EXPECT_EQ(texture->dimension(), GetParam().dimension);
+        EXPECT_EQ(texture->name(), expected.name);
+        std::vector<int> firstTexel;
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+            firstTexel.push_back(std::to_integer<int>(texture->texels().at(i)));
+        }
+        EXPECT_EQ(firstTexel, expected.rgba);
+    }
+}
+
+TEST_P(DimensionBindings, DefaultToGrayWithoutAPropertiesEntry)
+{
+    m_Draw.Resolve(SamplingDimension(GetParam(), ""));
+    EXPECT_EQ(m_Draw.TextureNamed("_Map")->dimension(), GetParam().dimension);
+    EXPECT_EQ(m_Draw.TextureNamed("_Map")->name(), "gray");
+}
+
+TEST_P(DimensionBindings, TakeOnlyATextureOfTheDimensionThatTheShaderDeclares)
+{
+    const DimensionCase& c = GetParam();
+    for (const TextureDimension other :
+         {TextureDimension::Tex2D, TextureDimension::Tex3D, TextureDimension::Cube,
+          TextureDimension::Tex2DArray, TextureDimension::CubeArray})
+    {
+        const auto material = SamplingDimension(c, "");
+        const std::shared_ptr<const Texture> texture = DefaultTexture("red", other);
+        material->SetTexture(_Map, texture);
+        if (other == c.dimension)
+        {
+            m_Draw.Resolve(material);
+            EXPECT_EQ(m_Draw.TextureNamed("_Map"), texture);
+            continue;
+        }
+        const std::string error =
+            test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); });
+        EXPECT_EQ(error, std::string("material 'Paint': property '_Map' is a ") + c.property +
+                             " texture in the shader but is set to the " + ToString(other) +
+                             " texture 'red'");
+    }
+}
+
+TEST_P(DimensionBindings, TellTheSizeOfTheTopLevelAndThatNothingIsEncoded)
+{
+    m_Draw.Resolve(SamplingDimension(GetParam(), ""));
+    EXPECT_EQ(m_Draw.Floats("_Map_TexelSize", 4), (std::vector{1.0f, 1.0f, 1.0f, 1.0f}));
+    EXPECT_EQ(m_Draw.Floats("_Map_HDR", 4), (std::vector{1.0f, 1.0f, 0.0f, 0.0f}));
+}
+
+TEST_F(TextureBindings, SayWhichDimensionsDoNotFit)
 {
     const auto material = std::make_shared<Material>(
-        test::ShaderWithProgram("", "TextureCube _Sky; SamplerState sampler_Sky;",
+        test::ShaderWithProgram("_Sky (\"Sky\", Cube) = \"\" {}",
+                                "TextureCube _Sky; SamplerState sampler_Sky;",
                                 "_Sky.Sample(sampler_Sky, float3(0, 0, 1))"),
         "Paint");
+    material->SetTexture(ShaderPropertyId("_Sky"), test::Target("map"));
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
-              "material 'Paint': '_Sky' is no plain 2D texture; other kinds cannot be bound yet");
+              "material 'Paint': property '_Sky' is a Cube texture in the shader but is set to the "
+              "2D texture 'map'");
+}
+
+TEST_F(TextureBindings, TellWidthAndHeightOfAVolume)
+{
+    const auto material = std::make_shared<Material>(
+        test::ShaderWithProgram("", "Texture3D _Fog; float4 _Fog_TexelSize;",
+                                "_Fog.Load(int4(0, 0, 0, 0)) * _Fog_TexelSize"));
+    material->SetTexture(ShaderPropertyId("_Fog"),
+                         std::make_shared<const Texture3D>("fog", 8, 4, 2, GraphicsFormat::R8_UNorm,
+                                                           std::vector<std::byte>(64)));
+    m_Draw.Resolve(material);
+    EXPECT_EQ(m_Draw.Floats("_Fog_TexelSize", 4), (std::vector{0.125f, 0.25f, 8.0f, 4.0f}));
+}
+
+TEST_F(TextureBindings, RefuseTexturesOfSeveralSamples)
+{
+    const auto material = std::make_shared<Material>(
+        test::ShaderWithProgram("", "Texture2DMS<float4> _Map;", "_Map.Load(int2(0, 0), 0)"),
+        "Paint");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
+              "material 'Paint': property '_Map' is a texture of several samples a texel in the "
+              "shader; those cannot be bound yet");
 }
 
 struct NamedSampler
@@ -119,7 +261,8 @@ TEST_F(TextureBindings, FilterAndWrapAsTheSamplersNameSays)
     {
         m_Draw.Resolve(Sampling("", expected.name));
         EXPECT_EQ(m_Draw.SamplerNamed(expected.name),
-                  (SamplerState{expected.filterMode, expected.wrapMode, expected.wrapMode, false}))
+                  (SamplerState{expected.filterMode, expected.wrapMode, expected.wrapMode,
+                                expected.wrapMode, false}))
             << expected.name;
     }
 }
@@ -130,15 +273,15 @@ TEST_F(TextureBindings, CompareWhereTheShaderDeclaresAComparisonSampler)
         "", "Texture2D _Map; SamplerComparisonState sampler_LinearClampCompare;",
         "_Map.SampleCmpLevelZero(sampler_LinearClampCompare, float2(0.5, 0.5), 0.5)"));
     m_Draw.Resolve(material);
-    EXPECT_EQ(
-        m_Draw.SamplerNamed("sampler_LinearClampCompare"),
-        (SamplerState{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp, true}));
+    EXPECT_EQ(m_Draw.SamplerNamed("sampler_LinearClampCompare"),
+              (SamplerState{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
+                            TextureWrapMode::Clamp, true}));
 }
 
 TEST_F(TextureBindings, FilterAndWrapAsTheTextureThatTheSamplerIsNamedAfter)
 {
     const SamplerState sampler{FilterMode::Point, TextureWrapMode::Mirror, TextureWrapMode::Clamp,
-                               false};
+                               TextureWrapMode::MirrorOnce, false};
     const auto material = Sampling("");
     material->SetTexture(_Map, TextureWith(sampler));
     m_Draw.Resolve(material);
@@ -148,7 +291,7 @@ TEST_F(TextureBindings, FilterAndWrapAsTheTextureThatTheSamplerIsNamedAfter)
 TEST_F(TextureBindings, TakeTheSamplerOfAnotherTexture)
 {
     const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                               false};
+                               TextureWrapMode::Clamp, false};
     const auto material = Sampling("", "sampler_MainTex");
     material->SetTexture(ShaderPropertyId("_MainTex"), TextureWith(sampler));
     m_Draw.Resolve(material);
@@ -160,7 +303,7 @@ TEST_F(TextureBindings, KeepTextureAndSamplerOfASampler2DTogether)
     const auto material = std::make_shared<Material>(
         test::ShaderWithProgram("", "sampler2D _Map;", "tex2D(_Map, float2(0.5, 0.5))"));
     const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Repeat,
-                               false};
+                               TextureWrapMode::Repeat, false};
     const auto texture = TextureWith(sampler);
     material->SetTexture(_Map, texture);
     m_Draw.Resolve(material);

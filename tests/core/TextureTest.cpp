@@ -16,7 +16,7 @@ TEST(Texture2D, KeepsWhatItIsMadeFrom)
     const std::vector<std::byte> texels = {std::byte{1}, std::byte{2}, std::byte{3},
                                            std::byte{4}, std::byte{5}, std::byte{6}};
     const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Mirror,
-                               false};
+                               TextureWrapMode::Repeat, false};
     const Texture2D texture("mask", 3, 2, GraphicsFormat::R8_UNorm, texels, sampler);
     EXPECT_EQ(texture.name(), "mask");
     EXPECT_EQ(texture.width(), 3);
@@ -64,6 +64,122 @@ TEST(Texture2D, RejectsAFormatThatTexelsFromTheCpuCannotHave)
                   []
                   { Texture2D("z", 1, 1, GraphicsFormat::D32_SFloat, std::vector<std::byte>(4)); }),
               "texture 'z': format D32_SFloat; only a RenderTexture can hold depth");
+}
+
+/// `count` bytes of this value.
+std::vector<std::byte> Bytes(std::size_t count, int value = 0)
+{
+    return std::vector<std::byte>(count, static_cast<std::byte>(value));
+}
+
+/// Faces of one byte each: 10, 11 ... 15 for `first` = 10.
+CubemapFaces OneByteFaces(int first)
+{
+    CubemapFaces faces;
+    for (std::vector<std::byte>& face : faces)
+    {
+        face = Bytes(1, first++);
+    }
+    return faces;
+}
+
+std::vector<int> TexelsOf(const TexelTexture& texture)
+{
+    std::vector<int> values;
+    for (const std::byte texel : texture.texels())
+    {
+        values.push_back(std::to_integer<int>(texel));
+    }
+    return values;
+}
+
+constexpr GraphicsFormat k_R8 = GraphicsFormat::R8_UNorm;
+
+TEST(Texture3D, KeepsItsSlicesInOrder)
+{
+    const Texture3D texture("fog", 1, 1, 3, k_R8, {std::byte{7}, std::byte{8}, std::byte{9}});
+    EXPECT_EQ(texture.dimension(), TextureDimension::Tex3D);
+    EXPECT_EQ(texture.slices(), 3);
+    EXPECT_EQ(TexelsOf(texture), (std::vector{7, 8, 9}));
+    EXPECT_EQ(texture.DescribeSize(), "1x1x3 3D");
+}
+
+TEST(Texture3D, RejectsASizeThatIsNotPositiveAndBytesThatDoNotFit)
+{
+    EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 4, 0, k_R8, {}); }),
+              "texture 'fog': size 4x4x0; all must be at least 1");
+    EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 3, 2, k_R8, Bytes(12)); }),
+              "texture 'fog': 12 bytes of texels; 4x3x2 of R8_UNorm takes 24");
+}
+
+TEST(Texture2DArray, KeepsItsElementsInOrder)
+{
+    const Texture2DArray texture("sheets", 2, 1, k_R8, {Bytes(2, 7), Bytes(2, 8)});
+    EXPECT_EQ(texture.dimension(), TextureDimension::Tex2DArray);
+    EXPECT_EQ(texture.slices(), 2);
+    EXPECT_EQ(TexelsOf(texture), (std::vector{7, 7, 8, 8}));
+    EXPECT_EQ(texture.DescribeSize(), "2x1x2 2DArray");
+}
+
+TEST(Texture2DArray, NamesTheElementThatDoesNotFit)
+{
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [] {
+                      Texture2DArray("sheets", 2, 2, k_R8, {Bytes(4), Bytes(5)});
+                  }),
+              "texture 'sheets': element 1: 5 bytes of texels; 2x2 of R8_UNorm takes 4");
+    EXPECT_EQ(ThrownMessage<ContractError>([] { Texture2DArray("sheets", 2, 2, k_R8, {}); }),
+              "texture 'sheets': size 2x2x0; all must be at least 1");
+}
+
+TEST(Cubemap, KeepsItsFacesInOrder)
+{
+    const Cubemap texture("sky", 1, k_R8, OneByteFaces(10));
+    EXPECT_EQ(texture.dimension(), TextureDimension::Cube);
+    EXPECT_EQ(texture.width(), 1);
+    EXPECT_EQ(texture.height(), 1);
+    EXPECT_EQ(texture.slices(), 6);
+    EXPECT_EQ(TexelsOf(texture), (std::vector{10, 11, 12, 13, 14, 15}));
+    EXPECT_EQ(texture.DescribeSize(), "1x1 Cube");
+}
+
+TEST(Cubemap, NamesTheFaceThatDoesNotFit)
+{
+    CubemapFaces faces = OneByteFaces(0);
+    faces[3].clear();
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 1, k_R8, faces); }),
+              "texture 'sky': face -Y: 0 bytes of texels; 1x1 of R8_UNorm takes 1");
+    EXPECT_EQ(ThrownMessage<ContractError>([] { Cubemap("sky", -2, k_R8, {}); }),
+              "texture 'sky': size -2x-2; both must be at least 1");
+}
+
+TEST(CubemapArray, KeepsItsCubesInOrder)
+{
+    const CubemapArray texture("skies", 1, k_R8, {OneByteFaces(10), OneByteFaces(20)});
+    EXPECT_EQ(texture.dimension(), TextureDimension::CubeArray);
+    EXPECT_EQ(texture.slices(), 12);
+    EXPECT_EQ(TexelsOf(texture), (std::vector{10, 11, 12, 13, 14, 15, 20, 21, 22, 23, 24, 25}));
+    EXPECT_EQ(texture.DescribeSize(), "1x1x12 CubeArray");
+}
+
+TEST(CubemapArray, NamesTheCubeAndFaceThatDoNotFit)
+{
+    CubemapFaces faces = OneByteFaces(0);
+    faces[4] = Bytes(2);
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [&] {
+                      CubemapArray("skies", 1, k_R8, {OneByteFaces(0), faces});
+                  }),
+              "texture 'skies': cube 1, face +Z: 2 bytes of texels; 1x1 of R8_UNorm takes 1");
+    EXPECT_EQ(ThrownMessage<ContractError>([] { CubemapArray("skies", 1, k_R8, {}); }),
+              "texture 'skies': size 1x1x0; all must be at least 1");
+}
+
+TEST(TexelTexture, HoldsNoDepth)
+{
+    EXPECT_EQ(
+        ThrownMessage<ContractError>([] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, {}); }),
+        "texture 'shadow': format D32_SFloat; only a RenderTexture can hold depth");
 }
 
 } // namespace

@@ -327,5 +327,21 @@ TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)
     EXPECT_EQ(draws[0].bindings->textures[0].texture, DefaultTexture("black"));
 }
 
+TEST_F(Pipeline, ReflectsNothingWithoutAReflectionProbe)
+{
+    Scene scene;
+    test::AddCube(scene, "mirror", {0, 0, 10},
+                  {std::make_shared<Material>(test::ShaderWithProgram(
+                      "", "TextureCube unity_SpecCube0; SamplerState samplerunity_SpecCube0;",
+                      "unity_SpecCube0.Sample(samplerunity_SpecCube0, float3(0, 0, 1))"))});
+    m_Request.scene = &scene;
+    const RenderResult result = Render();
+    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
+    ASSERT_EQ(draws.size(), 1u);
+    ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
+    EXPECT_EQ(draws[0].bindings->textures[0].texture,
+              DefaultTexture("black", TextureDimension::Cube));
+}
+
 } // namespace
 } // namespace limn

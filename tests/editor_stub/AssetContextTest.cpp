@@ -2,6 +2,7 @@
 #include "WatchedAssets.h"
 
 #include <gtest/gtest.h>
+#include <limn/core/Image.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/TextureParameter.h>
 
@@ -69,6 +70,18 @@ TEST_F(AssetContextTest, ReadsAForgottenFileAgainAndNoOther)
     EXPECT_EQ(shader, assets.LoadShader(folder / "own.shader"));
     assets.Forget(folder / "own.shader");
     EXPECT_NE(shader, assets.LoadShader(folder / "own.shader"));
+}
+
+TEST_F(AssetContextTest, PutsThePicturesBottomRowAtVZeroAsUnityImportsIt)
+{
+    std::vector<std::byte> redAboveBlue(8);
+    redAboveBlue[0] = redAboveBlue[3] = redAboveBlue[6] = redAboveBlue[7] = std::byte{255};
+    WritePng(folder / "two.png", {1, 2, GraphicsFormat::R8G8B8A8_SRGB, redAboveBlue});
+    const auto texture =
+        std::dynamic_pointer_cast<const Texture2D>(assets.LoadTexture(folder / "two.png"));
+    ASSERT_NE(nullptr, texture);
+    EXPECT_EQ(std::byte{255}, texture->texels().at(2)) << "row 0 is blue";
+    EXPECT_EQ(std::byte{255}, texture->texels().at(4)) << "row 1 is red";
 }
 
 TEST_F(AssetContextTest, ForgetsTheMeshOfABufferAndTheShadersOfAnInclude)

@@ -93,6 +93,29 @@ TEST_F(Render, WritesThePictureAndNamesPathSizeAndDevice)
     EXPECT_GT(GreenPixels("out.png"), 40);
 }
 
+// No device has barycentrics for limn, which does not ask for the extension.
+TEST_F(Render, ASubShaderThatRequiresWhatTheDeviceLacksIsPassedOver)
+{
+    const auto subShader = [](const std::string& pragma, const std::string& color)
+    {
+        return "SubShader { Pass { Cull Off\nHLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n" +
+               pragma +
+               "\nfloat4 V(float4 p : POSITION) : SV_POSITION { return float4(p.xy, 0.5, 1); }\n"
+               "float4 F() : SV_Target { return float4(" +
+               color + ", 1); }\nENDHLSL } }\n";
+    };
+    folder.Write("two.shader", "Shader \"Two\" {\n" +
+                                   subShader("#pragma require barycentrics", "1, 0, 0") +
+                                   subShader("", "0, 1, 0") + "}");
+    folder.Write("s.scene.yaml", "size: [64, 48]\ncamera: {backgroundColor: \"#000000\"}\n"
+                                 "materials: {m: {shader: two.shader}}\n"
+                                 "objects: [{name: a, mesh: cube, material: m, "
+                                 "position: [0, 0, 3]}]\n");
+    const CommandRun run = Draw({});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_GT(GreenPixels("out.png"), 40);
+}
+
 TEST_F(Render, TheSizeOptionWinsOverTheScene)
 {
     const CommandRun run = Draw({"--size", "20x10"});

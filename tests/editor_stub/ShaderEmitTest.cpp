@@ -121,6 +121,44 @@ TEST_F(ShaderEmit, GivesHlslThatGlslangCompiles)
     ExpectAccepted("hlsl", "glslangValidator -D -V -e main -o /dev/null");
 }
 
+TEST_F(ShaderEmit, OfAGeometryFunctionIsRefusedWhereTheLanguageHasNone)
+{
+    const std::string shader =
+        folder.Write("a.shader", R"(Shader "Grow" { SubShader { Pass { HLSLPROGRAM
+        #pragma vertex vert
+        #pragma geometry geom
+        #pragma fragment frag
+        struct v2f { float4 pos : SV_POSITION; };
+        v2f vert(float4 p : POSITION) { v2f o; o.pos = p; return o; }
+        [maxvertexcount(1)]
+        void geom(triangle v2f v[3], inout PointStream<v2f> s) { s.Append(v[0]); }
+        float4 frag() : SV_Target { return 1; }
+        ENDHLSL } } })");
+    const Sample sample = {"core/shaders/CoreBlit.shader", ""};
+    for (const auto& [language, reason] :
+         {std::pair("msl", "Metal has no geometry functions"),
+          std::pair("hlsl", "SPIRV-Cross writes no geometry functions in HLSL")})
+    {
+        const std::string out = (folder / language).string();
+        const CommandRun run =
+            RunCommand({"shader", shader, std::string(LIMN_SOURCE_DIR "/") + sample.file, "--emit",
+                        language, "-o", out});
+        EXPECT_EQ(1, run.exitCode);
+        EXPECT_NE(run.err.find("a.shader:1:28: error: the pass cannot be written as " +
+                               std::string(language) + ": " + reason),
+                  std::string::npos)
+            << run.err;
+        // The other file is written all the same, this one in no part.
+        EXPECT_TRUE(std::filesystem::exists(out + "/Hidden_Universal_CoreBlit.0.vert." + language));
+        EXPECT_FALSE(std::filesystem::exists(out + "/Grow.0.vert." + language));
+    }
+    const CommandRun es =
+        RunCommand({"shader", shader, "--emit", "glsles", "-o", (folder / "es").string()});
+    EXPECT_EQ(0, es.exitCode) << es.err;
+    EXPECT_EQ(ReadText((folder / "es" / "Grow.0.geom.glsles").string()).find("#version 320 es"),
+              0U);
+}
+
 TEST_F(ShaderEmit, GivesTheMslAndTheGlslEsThatWereLookedAt)
 {
     for (const Sample& sample : k_Samples)

@@ -21,6 +21,7 @@ GOOD = {
     "material": [
         "{shader: x.shader, renderQueue: 3000, _Width: 2, _Tint: '#12aBcd', _Map: wood.png}",
         "_Other: [1, 0, 0]\n_Offset: {x: 1, y: 2, z: 3, w: 4}\n_Bump: bump",
+        "{_Sky: {faces: [a.png, b.png, c.png, d.png, e.png, f.png]}, _Fog: {slices: [a.png]}}",
         "shader: Universal Render Pipeline/Lit",
         "renderQueue: -1",
         "{}",
@@ -64,6 +65,10 @@ BROKEN = {
         ("_Tint: [1, 2]", "_Tint"),
         ("_Offset: {x: 1, y: 2, z: 3}", "_Offset"),
         ("_Map: wood.bmp", "_Map"),
+        ("_Sky: {faces: [a.png, b.png]}", "_Sky"),
+        ("_Sky: {faces: [a.png], slices: [a.png]}", "_Sky"),
+        ("_Fog: {slices: [a.bmp]}", "_Fog"),
+        ("_Fog: {slices: []}", "_Fog"),
         ("_On: true", "_On"),
         ("[]", ""),
         ("text", ""),

@@ -272,6 +272,13 @@ TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
     add("TransformViewToProjection(a.xyz)", directions, [=](dvec3 x) { return glm::dmat3(p) * x; });
     add("ComputeScreenPos(float4(a.xyz, 2))", points,
         [](dvec3 x) { return dvec4(x.x / 2 + 1, 1 - x.y / 2, x.z, 2); });
+    for (const char* same : {"ComputeGrabScreenPos", "ComputeNonStereoScreenPos"})
+    {
+        add((std::string(same) + "(float4(a.xyz, 2))").c_str(), points,
+            [](dvec3 x) { return dvec4(x.x / 2 + 1, 1 - x.y / 2, x.z, 2); });
+    }
+    add("UnityWorldSpaceViewDir(a.xyz)", points, [](dvec3 x) { return dvec3(7, 8, 9) - x; });
+    add("UnityWorldSpaceLightDir(a.xyz)", points, [](dvec3) { return dvec3(0, 0.6, -0.8); });
     add("UnityPixelSnap(float4(a.xyz, 2))", CombineVectors({{0.31, -0.47, 1}, {2, -2, 0}}),
         [](dvec3 x) {
             return dvec4(std::round(x.x / 2 * 32) / 32 * 2, std::round(x.y / 2 * 16) / 16 * 2, x.z,

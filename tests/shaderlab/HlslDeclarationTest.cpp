@@ -78,6 +78,19 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
     EXPECT_THAT(messages("float4 _A[2];\nfloat4 _A, _B;"), ElementsAre("t.shader:3:8: " + message));
 }
 
+TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
+{
+    EXPECT_THAT(test::CompileMessages(
+                    test::Program(k_Vertex + "struct S { float a; float Get() { return a; } };\n"
+                                             "S Make() { S s; s.a = 1; return s; }\n"
+                                             "float4 frag() : SV_Target { return Make().Get(); }")),
+                ElementsAre("t.shader:4:43: error: 'Get': a method of what a function returns "
+                            "cannot be called; keep the result in a variable first"));
+    CompileValid("struct S { float a; float Get() { return a; } };\n"
+                 "S Make() { S s; s.a = 1; return s; }\n"
+                 "float4 frag() : SV_Target { S s = Make(); return s.Get(); }");
+}
+
 TEST(HlslDeclaration, OfATextureOrBufferMayStandInACbuffer)
 {
     const auto pass = CompileValid(R"(

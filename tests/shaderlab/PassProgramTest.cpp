@@ -44,7 +44,7 @@ TEST(PassProgram, DoesNotEndAtItsClosingKeywordInAComment)
     EXPECT_EQ(ProgramOf(" xENDHLSL ").chunks.at(0).text, " xENDHLSL ");
 }
 
-TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInItsScopes)
+TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInTheFile)
 {
     const ShaderLabDocument document = test::ParseGood(R"(Shader "x" {
         HLSLINCLUDE A ENDHLSL
@@ -63,7 +63,8 @@ TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInItsScopes)
     EXPECT_THAT(ChunkTexts(passes.at(1)), ElementsAre(" C ", " 2 "));
     EXPECT_EQ(passes.at(1).program->language, ProgramLanguage::Cg);
     EXPECT_THAT(ChunkTexts(passes.at(2)), ElementsAre(" A ", " B ", " D ", " 3 "));
-    EXPECT_THAT(ChunkTexts(document.subShaders.at(1).passes.at(0)), ElementsAre(" A ", " 4 "));
+    EXPECT_THAT(ChunkTexts(document.subShaders.at(1).passes.at(0)),
+                ElementsAre(" A ", " B ", " D ", " 4 "));
     EXPECT_EQ(passes.at(0).program->chunks.at(0).firstLine, 2);
     EXPECT_EQ(passes.at(0).program->chunks.at(1).firstLine, 5);
 }

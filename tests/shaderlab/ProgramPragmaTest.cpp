@@ -169,6 +169,18 @@ TEST(ProgramPragma, RefusesWhatLimnDoesNotDoInOneSentence)
     EXPECT_EQ(Reason("\n#pragma target 4.0\n"), "");
 }
 
+TEST(ProgramPragma, GlslIsReadAndRefused)
+{
+    const ShaderLabDocument document = test::ParseGood(
+        "Shader \"T\" { GLSLINCLUDE\nA ENDGLSL SubShader { Pass { GLSLPROGRAM } {\nENDGLSL } } }");
+    const PassProgram& program = document.subShaders.at(0).passes.at(0).program.value();
+    EXPECT_EQ(program.language, ProgramLanguage::Glsl);
+    EXPECT_EQ(program.chunks.at(0).text, "\nA ");
+    EXPECT_EQ(program.chunks.at(1).text, " } {\n");
+    EXPECT_EQ(ToString(ReasonNotSupported(program).value()),
+              "t.shader:2:32: error: GLSLPROGRAM: not supported; write the pass in HLSL");
+}
+
 TEST(ProgramPragma, LetsVulkanDecideOverRenderers)
 {
     EXPECT_EQ(Reason("\n#pragma exclude_renderers gles d3d11_9x\n"), "");

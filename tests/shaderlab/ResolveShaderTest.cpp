@@ -78,6 +78,27 @@ TEST(ResolveShader, TakesTheFirstSubShaderOfAPipelineThatSuits)
     EXPECT_EQ(ChosenPass(foreign + "SubShader { Pass { Name \"C\" } }"), "C");
 }
 
+TEST(ResolveShader, PassesOverATagThatIsOnlyLikeThePipelines)
+{
+    const std::pair<const char*, const char*> cases[] = {
+        {"UniversalPipelin", "; did you mean 'UniversalPipeline'?"},
+        {"universalpipeline", "; did you mean 'UniversalPipeline'?"},
+        {"UniversalPipeline2", "; did you mean 'UniversalPipeline'?"},
+        {"HDRenderPipeline", ""}};
+    for (const auto& [tag, advice] : cases)
+    {
+        const auto user = Parse(("Shader \"U\" { SubShader { Tags { \"RenderPipeline\" = \"" +
+                                 std::string(tag) + "\" } Pass { } } SubShader { Pass { } } }")
+                                    .c_str());
+        const ResolvedShader resolved = ResolveShader(*user, nullptr);
+        EXPECT_EQ(resolved.subShaderIndex, 1) << tag;
+        ASSERT_EQ(resolved.notes.size(), 1U) << tag;
+        EXPECT_EQ(resolved.notes[0].message,
+                  std::string("SubShader 0 is passed over: its RenderPipeline is '") + tag + "'" +
+                      advice);
+    }
+}
+
 TEST(ResolveShader, FollowsTheFallbackAndNamesIt)
 {
     const ShaderDatabase database = BaseDatabase();
@@ -85,6 +106,75 @@ TEST(ResolveShader, FollowsTheFallbackAndNamesIt)
                             "\"HDRenderPipeline\" } Pass { } } Fallback \"Lib/Base\" }");
     EXPECT_EQ(ResolveShader(*user, &database).fallback, "Lib/Base");
     EXPECT_THROW(ResolveShader(*user, nullptr), AssetError);
+}
+
+TEST(ResolveShader, ShadowCasterAndMetaComeFromTheFallbackWhereTheyAreMissing)
+{
+    ShaderDatabase database;
+    database.Add(Parse("Shader \"Near\" { SubShader { "
+                       "Pass { Name \"depth\" Tags { \"LightMode\" = \"DepthOnly\" } } "
+                       "Pass { Name \"near\" Tags { \"LightMode\" = \"ShadowCaster\" } } "
+                       "Pass { Name \"second\" Tags { \"LightMode\" = \"ShadowCaster\" } } } "
+                       "Fallback \"Far\" }"));
+    database.Add(Parse("Shader \"Far\" { SubShader { "
+                       "Pass { Name \"far\" Tags { \"LightMode\" = \"ShadowCaster\" } } "
+                       "Pass { Name \"meta\" Tags { \"LightMode\" = \"Meta\" } } } "
+                       "Fallback \"Near\" }"));
+    const auto names = [&](const std::string& passes)
+    {
+        const auto user =
+            Parse(("Shader \"U\" { SubShader { " + passes + " } Fallback \"Near\" }").c_str());
+        std::vector<std::string> result;
+        for (const ShaderLabPass& pass : ResolveShader(*user, &database).subShader.passes)
+        {
+            result.push_back(pass.name);
+        }
+        return result;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names("Pass { Name \"own\" }"), (Names{"own", "near", "meta"}));
+    EXPECT_EQ(names("Pass { Name \"own\" Tags { \"LightMode\" = \"ShadowCaster\" } }"),
+              (Names{"own", "meta"}));
+    EXPECT_EQ(names("Pass { Name \"own\" Tags { \"LightMode\" = \"Meta\" } }"),
+              (Names{"own", "near"}));
+}
+
+TEST(ResolveShader, AFallbackInACircleThatLacksAPassIsNoError)
+{
+    ShaderDatabase database;
+    database.Add(Parse("Shader \"A\" { SubShader { Pass { } } Fallback \"B\" }"));
+    database.Add(Parse("Shader \"B\" { SubShader { Pass { } } Fallback \"A\" }"));
+    const ResolvedShader resolved = ResolveShader(*database.Find("A"), &database);
+    EXPECT_EQ(resolved.subShader.passes.size(), 1U);
+    EXPECT_TRUE(resolved.errors.empty());
+}
+
+TEST(ResolveShader, AnUnknownFallbackIsNotedAtItsPlace)
+{
+    const ShaderDatabase database = BaseDatabase();
+    const auto user = Parse("Shader \"U\" {\nFallback \"Lib/Nothing\"\n  Fallback \"Lib/Bas\" }");
+    try
+    {
+        ResolveShader(*user, &database);
+        ADD_FAILURE() << "there is nothing to draw with";
+    }
+    catch (const AssetError& error)
+    {
+        ASSERT_EQ(error.diagnostics().size(), 2U);
+        EXPECT_EQ(ToString(error.diagnostics()[1]), "u.shader:3:3: note: Fallback: unknown shader "
+                                                    "'Lib/Bas'; did you mean 'Lib/Base'?");
+    }
+}
+
+TEST(ResolveShader, PassesOverASubShaderThatRequiresWhatTheDeviceLacks)
+{
+    const auto user = Parse("Shader \"U\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex v\n"
+                            "#pragma fragment f\n#pragma require cubearray\nENDHLSL\n } } "
+                            "SubShader { Pass { } } }");
+    ShaderCriteria criteria;
+    EXPECT_EQ(ResolveShader(*user, nullptr, criteria).subShaderIndex, 0);
+    criteria.missingFeatures = {"cubearray"};
+    EXPECT_EQ(ResolveShader(*user, nullptr, criteria).subShaderIndex, 1);
 }
 
 TEST(ResolveShader, PassesOverASubShaderAboveTheMaximumLod)

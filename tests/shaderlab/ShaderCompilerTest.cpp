@@ -177,6 +177,17 @@ TEST(ShaderCompiler, DoesNotTakeALocalOfTheSameNameForTheUniform)
     EXPECT_TRUE(pass->layout.buffers.empty());
 }
 
+TEST(ShaderCompiler, LetsTheStructOfBothFunctionsHaveAPointSize)
+{
+    const auto pass = test::CompileHlsl(R"(
+        struct v2f { float4 pos : SV_POSITION; float size : PSIZE; };
+        v2f vert(float4 p : POSITION) { v2f o; o.pos = p; o.size = 4; return o; }
+        float4 frag(v2f i) : SV_Target { return 1; })");
+    ExpectValid(*pass);
+    EXPECT_TRUE(pass->diagnostics.empty());
+    EXPECT_THAT(test::Disassemble(pass->vertexSpirv), HasSubstr("BuiltIn PointSize"));
+}
+
 TEST(ShaderCompiler, DefinesKeywordsAndStagesAsMacros)
 {
     PassProgram program = test::Program(R"(

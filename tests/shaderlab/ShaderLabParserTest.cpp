@@ -285,7 +285,7 @@ TEST(ShaderLabParser, ReadsPragmasOfAnEmptyProgramFromTheIncludeBlock)
     EXPECT_EQ(program.fragment.name, "f");
 }
 
-TEST(ShaderLabParser, LimitsIncludeBlocksToTheirScope)
+TEST(ShaderLabParser, HandsIncludeBlocksToAllProgramsBehindThem)
 {
     const ShaderLabDocument document = ParseGood(R"(Shader "x" {
         Category { HLSLINCLUDE A ENDHLSL SubShader { Pass { HLSLINCLUDE B ENDHLSL HLSLPROGRAM 1 ENDHLSL }
@@ -296,8 +296,8 @@ TEST(ShaderLabParser, LimitsIncludeBlocksToTheirScope)
         return document.subShaders.at(subShader).passes.at(pass).program.value().chunks.size();
     };
     EXPECT_EQ(chunks(0, 0), 3u);
-    EXPECT_EQ(chunks(0, 1), 2u);
-    EXPECT_EQ(chunks(1, 0), 1u);
+    EXPECT_EQ(chunks(0, 1), 3u);
+    EXPECT_EQ(chunks(1, 0), 3u);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "FunctionGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -279,6 +280,167 @@ TEST_F(UniversalLibrary, FogsByDistance)
                  {1e-4, 1e-5});
         grid.Run();
     }
+}
+
+TEST_F(UniversalLibrary, GivesVertexFunctionsPlacesAndDirections)
+{
+    const Stage stage;
+    FunctionGrid grid(LIMN_URP("Core"));
+    stage.SetUp(grid);
+    const glm::dvec3 camera(1.0, -0.5, -5.0);
+    const auto points = CombineVectors(k_Points);
+    const Tolerance place{1e-5, 1e-4};
+    grid.Add(
+        "TransformWorldToHClip(a.xyz)", points,
+        [&](auto& a, auto&, auto&)
+        { return stage.projection * stage.view * glm::dvec4(glm::dvec3(a), 1.0); },
+        place);
+    grid.Add("GetWorldSpaceNormalizeViewDir(a.xyz)", points,
+             [=](auto& a, auto&, auto&) { return glm::normalize(camera - glm::dvec3(a)); });
+    grid.Add("GetObjectSpaceNormalizeViewDir(a.xyz)", points,
+             [&](auto& a, auto&, auto&)
+             {
+                 const glm::dvec3 toCamera = camera - Point(stage.object, a);
+                 return glm::normalize(
+                     Direction(glm::inverse(stage.object), glm::dvec4(toCamera, 0.0)));
+             },
+             {1e-4, 1e-5});
+    for (const std::string function : {"NormalizeNormalPerPixel", "NormalizeNormalPerVertex"})
+    {
+        grid.Add(function + "(a.xyz * 3)", CombineVectors(UnitVectors()),
+                 [](auto& a, auto&, auto&) { return glm::normalize(glm::dvec3(a)); });
+    }
+    grid.Add("GetCameraPositionWS()", Combine({0.0}), [=](auto&, auto&, auto&) { return camera; });
+    for (const std::string function : {"GetAbsolutePositionWS", "GetCameraRelativePositionWS"})
+    {
+        grid.Add(function + "(a.xyz)", points, [](auto& a, auto&, auto&) { return glm::dvec3(a); });
+    }
+    grid.Add(
+        "mul(GetObjectToWorldMatrix(), float4(a.xyz, 1)).xyz", points,
+        [&](auto& a, auto&, auto&) { return Point(stage.object, a); }, place);
+    grid.Add(
+        "mul(GetWorldToObjectMatrix(), float4(a.xyz, 1)).xyz", points,
+        [&](auto& a, auto&, auto&) { return Point(glm::inverse(stage.object), a); }, place);
+    grid.Run();
+}
+
+TEST_F(UniversalLibrary, CoversTheScreenFromTheVertexNumberAlone)
+{
+    FunctionGrid grid(LIMN_URP("Core"));
+    const auto three = Combine({0.0, 1.0, 2.0});
+    const auto four = Combine({0.0, 1.0, 2.0, 3.0});
+    const auto table = [](std::vector<glm::dvec4> rows)
+    {
+        return [rows](const glm::dvec4& a, auto&, auto&)
+        {
+            return rows.at(static_cast<std::size_t>(a.x));
+        };
+    };
+    // z: the near plane, which is 1.
+    grid.Add("GetFullScreenTriangleVertexPosition((uint)a.x)", three,
+             table({{-1, -1, 1, 1}, {3, -1, 1, 1}, {-1, 3, 1, 1}}));
+    // y of clip space points up, v of textures down.
+    grid.Add("float4(GetFullScreenTriangleTexCoord((uint)a.x), 0, 0)", three,
+             table({{0, 1, 0, 0}, {2, 1, 0, 0}, {0, -1, 0, 0}}));
+    grid.Add("GetQuadVertexPosition((uint)a.x)", four,
+             table({{0, 1, 1, 1}, {0, 0, 1, 1}, {1, 0, 1, 1}, {1, 1, 1, 1}}));
+    grid.Add("float4(GetQuadTexCoord((uint)a.x), 0, 0)", four,
+             table({{0, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 0}}));
+    grid.Run();
+}
+
+TEST_F(UniversalLibrary, FogsByClipSpaceAndByPixel)
+{
+    const Stage stage;
+    const auto depths = Combine({0.5, 0.4, 0.25, 0.0}); // of clip space: near plane to far plane
+    const auto distance = [](double z)
+    {
+        return (0.5 - z) / 0.5 * 100.0;
+    };
+    const auto linear = [](double d)
+    {
+        return std::clamp(1.2 - 0.02 * d, 0.0, 1.0);
+    };
+    FunctionGrid grid("#define FOG_LINEAR 1\n" LIMN_URP("Core"));
+    FunctionGrid square("#define FOG_EXP2 1\n#define _FOG_FRAGMENT 1\n" LIMN_URP("Core"));
+    FunctionGrid none(LIMN_URP("Core"));
+    for (FunctionGrid* each : {&grid, &square, &none})
+    {
+        stage.SetUp(*each);
+    }
+    grid.Add("ComputeFogFactor(a.x)", depths,
+             [=](auto& a, auto&, auto&) { return linear(distance(a.x)); });
+    grid.Add("MixFogColor(float3(1, 0, 2), float3(0, 1, 0), ComputeFogFactor(a.x))", depths,
+             [=](auto& a, auto&, auto&)
+             {
+                 const double clear = linear(distance(a.x));
+                 return glm::dvec3(clear, 1 - clear, 2 * clear);
+             });
+    grid.Add("InitializeInputDataFog(a, 0.75)", depths,
+             [](auto&, auto&, auto&) { return 0.75; }); // what the vertex function worked out
+    square.Add("ComputeFogFactor(a.x)", depths,
+               [=](auto& a, auto&, auto&) { return 0.03 * distance(a.x); });
+    square.Add("MixFogColor(float3(1, 0, 2), float3(0, 1, 0), ComputeFogFactor(a.x))", depths,
+               [=](auto& a, auto&, auto&)
+               {
+                   const double clear = std::exp2(-std::pow(0.03 * distance(a.x), 2.0));
+                   return glm::dvec3(clear, 1 - clear, 2 * clear);
+               },
+               {2e-5, 1e-6});
+    // From the near plane of a camera at z = -5.
+    square.Add("InitializeInputDataFog(float4(a.xyz, 1), 0.75)", CombineVectors(k_Points),
+               [](auto& a, auto&, auto&) { return 0.03 * std::max(a.z + 5 - 0.5, 0.0); });
+    none.Add("ComputeFogFactor(a.x)", depths, [](auto&, auto&, auto&) { return 0.0; });
+    none.Add("MixFog(a.xyz, 0.25)", CombineVectors(k_Points),
+             [](auto& a, auto&, auto&) { return glm::dvec3(a); });
+    grid.Run();
+    square.Run();
+    none.Run();
+}
+
+TEST_F(UniversalLibrary, InitializesSurfaces)
+{
+    FunctionGrid grid(LIMN_URP("Lighting") R"(
+        BRDFData Make(float3 albedo, float metallic, float smoothness)
+        {
+            BRDFData data; float alpha = 1;
+            InitializeBRDFData(albedo, metallic, float3(9, 9, 9), smoothness, alpha, data);
+            return data;
+        })");
+    std::vector<GridInput> inputs;
+    for (const double metallic : {0.0, 0.3, 1.0})
+    {
+        for (const double smoothness : {0.0, 0.5, 0.9, 1.0})
+        {
+            inputs.push_back({{0.8, 0.4, 0.1, 0}, {metallic, smoothness, 0, 0}, {}});
+        }
+    }
+    // 4 % of the light is reflected by what is no metal.
+    grid.Add("Make(a.xyz, b.x, b.y).diffuse", inputs,
+             [](auto& a, auto& b, auto&) { return glm::dvec3(a) * (0.96 * (1 - b.x)); });
+    grid.Add("Make(a.xyz, b.x, b.y).specular", inputs,
+             [](auto& a, auto& b, auto&) { return 0.04 * (1 - b.x) + glm::dvec3(a) * b.x; });
+    grid.Add("Make(a.xyz, b.x, b.y).reflectivity", inputs,
+             [](auto&, auto& b, auto&) { return 1 - 0.96 * (1 - b.x); });
+    grid.Add("Make(a.xyz, b.x, b.y).grazingTerm", inputs,
+             [](auto&, auto& b, auto&) { return std::min(b.y + 1 - 0.96 * (1 - b.x), 1.0); });
+    // No surface is smoother than half precision can tell from a mirror.
+    grid.Add("Make(a.xyz, b.x, b.y).roughness2", inputs,
+             [](auto&, auto& b, auto&)
+             {
+                 const double roughness = std::max((1 - b.y) * (1 - b.y), 0.0078125);
+                 return roughness * roughness;
+             },
+             {1e-4, 1e-9});
+    grid.Add("PerceptualSmoothnessToPerceptualRoughness(b.y)", inputs,
+             [](auto&, auto& b, auto&) { return 1 - b.y; });
+    grid.Add("IsMatchingLightLayer((uint)a.x, (uint)b.x)", Combine({1.0, 6.0, 0.0}, {2.0, 9.0}),
+             [](auto& a, auto& b, auto&)
+             { return (static_cast<int>(a.x) & static_cast<int>(b.x)) != 0 ? 1.0 : 0.0; });
+    grid.Add("float3(OutputAlpha(a.x, 1), OutputAlpha(a.x, 0), IsSurfaceTypeTransparent(a.x))",
+             Combine({0.0, 0.25, 1.0}),
+             [](auto& a, auto&, auto&) { return glm::dvec3(a.x, 1.0, a.x > 0.5 ? 1.0 : 0.0); });
+    grid.Run();
 }
 
 } // namespace limn::test

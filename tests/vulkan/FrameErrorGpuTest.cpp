@@ -96,6 +96,20 @@ TEST_F(FrameErrors, RefuseATextureThatNoBarrierMadeReadable)
               ErrorOf(TexturedFrame(bindings)));
 }
 
+TEST_F(FrameErrors, RefuseATextureOfAnotherDimension)
+{
+    const std::vector<std::byte> texel(1);
+    DrawBindings bindings;
+    bindings.textures = {
+        {TexturedPass()->layout.textures.at(0).binding,
+         std::make_shared<Cubemap>("sky", 1, GraphicsFormat::R8_UNorm,
+                                   CubemapFaces{texel, texel, texel, texel, texel, texel}),
+         std::nullopt}};
+    bindings.samplers = {{TexturedPass()->layout.samplers.at(0).binding, {}}};
+    EXPECT_EQ("texture 'sky' is read as '_MainTex': it is a Cube texture; the shader reads a 2D",
+              ErrorOf(TexturedFrame(bindings)));
+}
+
 TEST_F(FrameErrors, RefuseABarrierFromAUseThatIsNot)
 {
     const TargetPtr target = MakeTarget(1, 1);

@@ -34,7 +34,7 @@ DrawCommand MakeCopy(const std::shared_ptr<const Texture>& source)
     DrawBindings bindings;
     bindings.textures = {{layout.textures.at(0).binding, source, std::nullopt}};
     const SamplerState point = {FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                                false};
+                                TextureWrapMode::Clamp, false};
     bindings.samplers = {{layout.samplers.at(0).binding, point}};
     return MakeDraw(CopyPass(), MakeQuad(), PlainState(), bindings);
 }

@@ -97,7 +97,7 @@ Float4 SampleAt(float u, float v, const std::shared_ptr<const Texture>& texture,
 
 SamplerState Point(TextureWrapMode wrap)
 {
-    return {FilterMode::Point, wrap, wrap, false};
+    return {FilterMode::Point, wrap, wrap, wrap, false};
 }
 
 constexpr Float4 k_Red = {1, 0, 0, 1};

@@ -57,7 +57,7 @@ std::shared_ptr<const Texture2D> TextureCurve::MakeTexture() const
         texel += sizeof half;
     }
     const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                               false};
+                               TextureWrapMode::Clamp, false};
     return std::make_shared<const Texture2D>(
         "TextureCurve", k_SampleCount, 1, GraphicsFormat::R16_SFloat, std::move(texels), sampler);
 }

@@ -83,6 +83,50 @@ std::vector<std::string> MissingFeatures(const FeatureChain& offered)
     return missing;
 }
 
+std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
+                                               const VkPhysicalDeviceLimits& limits,
+                                               VkSubgroupFeatureFlags subgroup)
+{
+    const VkPhysicalDeviceFeatures& core = enabled.core.features;
+    const VkPhysicalDeviceVulkan12Features& v12 = enabled.v12;
+    const auto has = [](VkBool32 feature)
+    {
+        return feature == VK_TRUE;
+    };
+    constexpr std::uint32_t k_Interpolators = 32 * 4; // of four components each
+    const std::pair<const char*, bool> features[] = {
+        {"barycentrics", false}, // an extension that limn does not ask for
+        {"cubearray", has(core.imageCubeArray)},
+        {"geometry", has(core.geometryShader)},
+        {"int64bufferatomics", has(core.shaderInt64) && has(v12.shaderBufferInt64Atomics)},
+        {"int64groupsharedatomics", has(core.shaderInt64) && has(v12.shaderSharedInt64Atomics)},
+        {"interpolators32", limits.maxVertexOutputComponents >= k_Interpolators &&
+                                limits.maxFragmentInputComponents >= k_Interpolators},
+        {"mrt8", limits.maxColorAttachments >= 8},
+        {"native16bit", has(core.shaderInt16) && has(v12.shaderFloat16)},
+        {"quadshuffle", (subgroup & VK_SUBGROUP_FEATURE_QUAD_BIT) != 0},
+        {"randomwrite", has(core.fragmentStoresAndAtomics)},
+        {"setrtarrayindexfromanyshader", has(v12.shaderOutputLayer)},
+        {"tesshw", has(core.tessellationShader)},
+        {"tessellation", has(core.tessellationShader)},
+        {"uav", has(core.fragmentStoresAndAtomics)},
+        {"waveballot", (subgroup & VK_SUBGROUP_FEATURE_BALLOT_BIT) != 0},
+        {"wavebasic", (subgroup & VK_SUBGROUP_FEATURE_BASIC_BIT) != 0},
+        {"wavemath", (subgroup & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0},
+        {"wavemultiprefix", (subgroup & VK_SUBGROUP_FEATURE_PARTITIONED_BIT_NV) != 0},
+        {"wavevote", (subgroup & VK_SUBGROUP_FEATURE_VOTE_BIT) != 0},
+    };
+    std::vector<std::string> missing;
+    for (const auto& [name, isThere] : features)
+    {
+        if (!isThere)
+        {
+            missing.emplace_back(name);
+        }
+    }
+    return missing;
+}
+
 void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
 {
     wanted.core.features.independentBlend = VK_TRUE;
@@ -95,7 +139,9 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
         &VkPhysicalDeviceFeatures::depthClamp,
         &VkPhysicalDeviceFeatures::logicOp,
-        &VkPhysicalDeviceFeatures::geometryShader, // SV_PrimitiveID in fragment functions
+        &VkPhysicalDeviceFeatures::geometryShader,     // SV_PrimitiveID in fragment functions
+        &VkPhysicalDeviceFeatures::tessellationShader, // asked for by #pragma target 4.6 and 5.0
+        &VkPhysicalDeviceFeatures::imageCubeArray,
         &VkPhysicalDeviceFeatures::sampleRateShading,
         &VkPhysicalDeviceFeatures::shaderClipDistance,
         &VkPhysicalDeviceFeatures::shaderCullDistance,
@@ -105,6 +151,8 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
         &VkPhysicalDeviceFeatures::shaderUniformBufferArrayDynamicIndexing,
         &VkPhysicalDeviceFeatures::shaderSampledImageArrayDynamicIndexing,
         &VkPhysicalDeviceFeatures::shaderStorageBufferArrayDynamicIndexing,
+        &VkPhysicalDeviceFeatures::shaderInt16,
+        &VkPhysicalDeviceFeatures::shaderInt64,
     };
     for (const auto feature : k_WhereOffered)
     {
@@ -113,6 +161,9 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     wanted.v11.shaderDrawParameters = offered.v11.shaderDrawParameters;
     wanted.v12.samplerMirrorClampToEdge = offered.v12.samplerMirrorClampToEdge;
     wanted.v12.shaderFloat16 = offered.v12.shaderFloat16;
+    wanted.v12.shaderOutputLayer = offered.v12.shaderOutputLayer;
+    wanted.v12.shaderBufferInt64Atomics = offered.v12.shaderBufferInt64Atomics;
+    wanted.v12.shaderSharedInt64Atomics = offered.v12.shaderSharedInt64Atomics;
     wanted.v13.maintenance4 = offered.v13.maintenance4;
     wanted.v13.shaderTerminateInvocation = offered.v13.shaderTerminateInvocation;
     const bool blend = offered.extendedState.extendedDynamicState3ColorBlendEnable == VK_TRUE &&

@@ -38,6 +38,13 @@ struct FeatureChain
 /// One sentence for each feature that limn cannot do without and that `offered` lacks.
 std::vector<std::string> MissingFeatures(const FeatureChain& offered);
 
+/// Unity's names of what a shader may require (`#pragma require`) and a device made with these
+/// features lacks; sorted. What every device of Vulkan 1.3 has is not among them.
+/// @param subgroup  the operations that fragment functions may do, 0 if none
+std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
+                                               const VkPhysicalDeviceLimits& limits,
+                                               VkSubgroupFeatureFlags subgroup);
+
 /// Sets in `wanted` what limn uses: all it needs, and of the rest what is offered.
 void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted);
 

@@ -101,6 +101,16 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
     }
 }
 
+void RequireDimension(const Texture& texture, const TextureBinding& binding)
+{
+    if (texture.dimension() != binding.dimension)
+    {
+        throw ContractError("texture '" + texture.name() + "' is read as '" + binding.name +
+                            "': it is a " + ToString(texture.dimension()) +
+                            " texture; the shader reads a " + ToString(binding.dimension));
+    }
+}
+
 /// Colour with several samples is read resolved; depth has no such copy.
 void RequireOneSample(const PooledImage& image, const std::string& property)
 {
@@ -126,6 +136,7 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
                                 "' while its use is " + ToString(image.usage) +
                                 "; a barrier must make it ShaderRead");
         }
+        RequireDimension(*slot.texture, texture);
         RequireOneSample(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
         writer.AddImage(

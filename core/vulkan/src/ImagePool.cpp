@@ -46,19 +46,74 @@ VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout befo
     barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.image.get();
-    barrier.subresourceRange = {image.aspects, 0, 1, 0, 1};
+    barrier.subresourceRange = {image.aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
     return barrier;
 }
 
-void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Texture2D& texture,
+bool isCube(const Texture& texture)
+{
+    return texture.dimension() == TextureDimension::Cube ||
+           texture.dimension() == TextureDimension::CubeArray;
+}
+
+/// A 3D texture's slices are its depth.
+VkExtent3D Extent(const Texture& texture)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    return {static_cast<std::uint32_t>(texture.width()),
+            static_cast<std::uint32_t>(texture.height()),
+            isVolume ? static_cast<std::uint32_t>(texture.slices()) : 1};
+}
+
+/// Every other texture's slices are layers.
+std::uint32_t LayerCount(const Texture& texture)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    return isVolume ? 1 : static_cast<std::uint32_t>(texture.slices());
+}
+
+VkImageViewType ViewType(TextureDimension dimension)
+{
+    switch (dimension)
+    {
+    case TextureDimension::Tex3D:
+        return VK_IMAGE_VIEW_TYPE_3D;
+    case TextureDimension::Cube:
+        return VK_IMAGE_VIEW_TYPE_CUBE;
+    case TextureDimension::Tex2DArray:
+        return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    case TextureDimension::CubeArray:
+        return VK_IMAGE_VIEW_TYPE_CUBE_ARRAY;
+    case TextureDimension::Tex2D:
+        break;
+    }
+    return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
+{
+    const VkExtent3D extent = Extent(texture);
+    const VkExtent3D& most = can.maxExtent;
+    if (extent.width > most.width || extent.height > most.height || extent.depth > most.depth ||
+        LayerCount(texture) > can.maxArrayLayers)
+    {
+        const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+        throw ContractError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
+                            "; the device makes at most " + std::to_string(most.width) + "x" +
+                            std::to_string(most.height) + "x" +
+                            std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
+                            " of that kind");
+    }
+}
+
+void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelTexture& texture,
                 LinearMemory& staging)
 {
     const UploadedBytes bytes = staging.Upload(texture.texels());
     VkBufferImageCopy region{};
     region.bufferOffset = bytes.offset;
-    region.imageSubresource = {image.aspects, 0, 0, 1};
-    region.imageExtent = {static_cast<std::uint32_t>(texture.width()),
-                          static_cast<std::uint32_t>(texture.height()), 1};
+    region.imageSubresource = {image.aspects, 0, 0, LayerCount(texture)};
+    region.imageExtent = Extent(texture);
     vkCmdCopyBufferToImage(commands, bytes.buffer, image.image.get(),
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
@@ -112,7 +167,7 @@ PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::
     image.samples = SampleCount(*texture);
     Create(image, *texture);
     PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
-    if (auto source = std::dynamic_pointer_cast<const Texture2D>(texture))
+    if (auto source = std::dynamic_pointer_cast<const TexelTexture>(texture))
     {
         m_Uploads.push_back({&stored, std::move(source)});
     }
@@ -182,30 +237,33 @@ void ImagePool::Create(PooledImage& image, const Texture& texture) const
     image.aspects = Aspects(format);
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
+    if (isCube(texture))
+    {
+        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    }
+    info.imageType =
+        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
     info.format = ToVkFormat(format);
-    info.extent = {static_cast<std::uint32_t>(texture.width()),
-                   static_cast<std::uint32_t>(texture.height()), 1};
+    info.extent = Extent(texture);
     info.mipLevels = 1;
-    info.arrayLayers = 1;
+    info.arrayLayers = LayerCount(texture);
     info.samples = static_cast<VkSampleCountFlagBits>(image.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = UsageFlags(image.isRenderTexture, IsDepthFormat(format));
     RequireSupport(info, texture);
 
     image.image = CreateImage(info, image.name, image.memory);
-    image.view = CreateView(image.image.get(), image.name, info.format, image.aspects);
+    image.view = CreateView(image.image.get(), texture, image.aspects);
     if (HasStencil(format))
     {
-        image.depthView =
-            CreateView(image.image.get(), image.name, info.format, VK_IMAGE_ASPECT_DEPTH_BIT);
+        image.depthView = CreateView(image.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
     if (image.samples > 1 && !IsDepthFormat(format))
     {
         ResolvedImage& resolved = image.resolved.emplace();
         info.samples = VK_SAMPLE_COUNT_1_BIT;
         resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
-        resolved.view = CreateView(resolved.image.get(), image.name, info.format, image.aspects);
+        resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
     }
 }
 
@@ -228,6 +286,10 @@ UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::str
 void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const
 {
     const std::string subject = "texture '" + texture.name() + "': ";
+    if (texture.dimension() == TextureDimension::CubeArray && !m_Context.capabilities().cubeArray)
+    {
+        throw ContractError(subject + "the device has no arrays of cubes");
+    }
     VkImageFormatProperties can{};
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
         m_Context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage,
@@ -238,13 +300,7 @@ void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& tex
                             limn::ToString(texture.graphicsFormat()) + " for it");
     }
     Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
-    if (info.extent.width > can.maxExtent.width || info.extent.height > can.maxExtent.height)
-    {
-        throw ContractError(
-            subject + "it is " + std::to_string(info.extent.width) + "x" +
-            std::to_string(info.extent.height) + " texels; the device makes at most " +
-            std::to_string(can.maxExtent.width) + "x" + std::to_string(can.maxExtent.height));
-    }
+    RequireFits(texture, can);
     if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
         throw ContractError(subject + "the device does not do " +
@@ -253,17 +309,18 @@ void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& tex
     }
 }
 
-UniqueImageView ImagePool::CreateView(VkImage image, const std::string& name, VkFormat format,
+UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
                                       VkImageAspectFlags aspects) const
 {
     VkImageViewCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     info.image = image;
-    info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    info.format = format;
-    info.subresourceRange = {aspects, 0, 1, 0, 1};
+    info.viewType = ViewType(texture.dimension());
+    info.format = ToVkFormat(texture.graphicsFormat());
+    info.subresourceRange = {aspects, 0, 1, 0, LayerCount(texture)};
     VkImageView view = VK_NULL_HANDLE;
-    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView", name);
+    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView",
+          texture.name());
     return {m_Context.device(), view};
 }
 

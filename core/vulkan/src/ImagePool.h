@@ -50,7 +50,7 @@ class ImagePool
 public:
     ImagePool(const VulkanContext& context, MemoryAllocator& allocator);
 
-    /// The texture's image, used by submission `number`; a Texture2D's texels are queued for
+    /// The texture's image, used by submission `number`; a TexelTexture's texels are queued for
     /// RecordUploads.
     /// @throws ContractError if the device cannot make such an image
     PooledImage& Use(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
@@ -71,14 +71,14 @@ private:
     struct Upload
     {
         PooledImage* image = nullptr;
-        std::shared_ptr<const Texture2D> texture;
+        std::shared_ptr<const TexelTexture> texture;
     };
 
     void Create(PooledImage& image, const Texture& texture) const;
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
                             MemoryAllocation& memory) const;
-    UniqueImageView CreateView(VkImage image, const std::string& name, VkFormat format,
+    UniqueImageView CreateView(VkImage image, const Texture& texture,
                                VkImageAspectFlags aspects) const;
 
     const VulkanContext& m_Context;

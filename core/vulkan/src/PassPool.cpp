@@ -47,12 +47,12 @@ VkDescriptorSetLayoutBinding Binding(std::uint32_t binding, VkDescriptorType typ
     return {binding, type, 1, ToVkStages(stages), nullptr};
 }
 
-void RequirePlainTexture(const TextureBinding& texture)
+void RequireOneSample(const TextureBinding& texture)
 {
-    if (texture.dimension != TextureDimension::Tex2D || texture.multisampled)
+    if (texture.multisampled)
     {
         throw ContractError("texture '" + texture.name +
-                            "' of the shader is not a plain 2D texture; limn has no others yet");
+                            "' of the shader has several samples a texel; limn has no such yet");
     }
 }
 
@@ -66,7 +66,7 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
     }
     for (const TextureBinding& texture : layout.textures)
     {
-        RequirePlainTexture(texture);
+        RequireOneSample(texture);
         bindings.push_back(Binding(texture.binding,
                                    texture.combinedSampler
                                        ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER

@@ -11,7 +11,8 @@ namespace
 int Pack(const SamplerState& state)
 {
     return static_cast<int>(state.filterMode) + 4 * static_cast<int>(state.wrapModeU) +
-           16 * static_cast<int>(state.wrapModeV) + (state.comparison ? 64 : 0);
+           16 * static_cast<int>(state.wrapModeV) + 64 * static_cast<int>(state.wrapModeW) +
+           (state.comparison ? 256 : 0);
 }
 
 VkSamplerAddressMode ToAddressMode(TextureWrapMode mode, bool mirrorOnce)
@@ -51,7 +52,7 @@ VkSampler SamplerCache::Get(const SamplerState& state)
                                                                 : VK_SAMPLER_MIPMAP_MODE_NEAREST;
     info.addressModeU = ToAddressMode(state.wrapModeU, mirrorOnce);
     info.addressModeV = ToAddressMode(state.wrapModeV, mirrorOnce);
-    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.addressModeW = ToAddressMode(state.wrapModeW, mirrorOnce);
     info.compareEnable = state.comparison ? VK_TRUE : VK_FALSE;
     info.compareOp = state.comparison ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_ALWAYS;
     info.maxLod = VK_LOD_CLAMP_NONE;

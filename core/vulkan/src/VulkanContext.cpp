@@ -28,8 +28,8 @@ VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(op
     ChoosePhysicalDevice(options.device);
     const OptionalExtensions extensions =
         options.optionalExtensions ? FindExtensions(m_PhysicalDevice) : OptionalExtensions{};
-    CreateDevice(extensions);
     ReadCapabilities();
+    CreateDevice(extensions);
     LoadFunctions();
 }
 
@@ -58,12 +58,15 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
     m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
+    m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
     m_Capabilities.conservative = extensions.conservative;
     if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)
     {
         m_Capabilities.advancedBlendTargets = AdvancedBlendTargets(m_PhysicalDevice);
     }
+    m_Capabilities.missingShaderFeatures =
+        MissingShaderFeatures(wanted, m_Capabilities.limits, FragmentSubgroupOperations());
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{};
@@ -97,6 +100,18 @@ void VulkanContext::ReadCapabilities()
     vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
     m_Capabilities.timestamps = families[m_QueueFamily].timestampValidBits > 0;
     m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
+}
+
+VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
+{
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &subgroup;
+    vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
+    const bool isInFragments = (subgroup.supportedStages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
+    return isInFragments ? subgroup.supportedOperations : 0;
 }
 
 void VulkanContext::LoadFunctions()

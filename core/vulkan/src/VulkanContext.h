@@ -15,9 +15,11 @@ struct DeviceCapabilities
     bool conservative = false;              ///< VK_EXT_conservative_rasterization
     std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
     bool mirrorOnce = false;
+    bool cubeArray = false;
     bool timestamps = false;
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
+    std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
 };
 
 /// Entry points of extensions; null where the extension is absent.
@@ -63,6 +65,7 @@ private:
     void ChoosePhysicalDevice(const std::string& request);
     void CreateDevice(const OptionalExtensions& extensions);
     void ReadCapabilities();
+    VkSubgroupFeatureFlags FragmentSubgroupOperations() const;
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 

@@ -141,6 +141,11 @@ std::vector<PassTiming> VulkanDevice::LastFrameTimings()
     return m_Impl->timings;
 }
 
+const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const
+{
+    return m_Impl->context.capabilities().missingShaderFeatures;
+}
+
 const std::string& VulkanDevice::deviceName() const
 {
     return m_Impl->context.deviceName();

@@ -1,6 +1,7 @@
 // Spellings of the old shading language, and the texture macros of the built-in pipeline. A texture
 // t that is declared with its sampler has the sampler samplert.
 #pragma once
+#include "limn/OldSampling.hlsl"
 #include "limn/Platform.hlsl"
 
 #define fixed float

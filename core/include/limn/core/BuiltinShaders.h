@@ -15,9 +15,10 @@ std::shared_ptr<const Shader> FindBuiltinShader(std::string_view name,
                                                 const std::shared_ptr<ShaderCompiler>& compiler);
 std::vector<std::string_view> BuiltinShaderNames();
 
-/// A 1x1 texture of a ShaderLab default name ("white", "black", "gray", "bump" or "normal", "red",
-/// "green", "blue", "clear"; any case); gray for any other. Unity: texture defaults of ShaderLab
-/// properties.
-std::shared_ptr<const Texture> DefaultTexture(std::string_view name);
+/// A texture of one texel, or one a slice or face, of a ShaderLab default name ("white", "black",
+/// "gray", "bump" or "normal", "red", "green", "blue", "clear"; any case); gray for any other. An
+/// array has one element. Unity: texture defaults of ShaderLab properties.
+std::shared_ptr<const Texture> DefaultTexture(std::string_view name,
+                                              TextureDimension dimension = TextureDimension::Tex2D);
 
 } // namespace limn

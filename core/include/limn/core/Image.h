@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limn/core/GraphicsFormat.h>
+#include <span>
 #include <vector>
 
 namespace limn
@@ -18,6 +19,11 @@ struct Image
 
     bool operator==(const Image&) const = default;
 };
+
+/// The same texels with the last of `rows` rows first: an Image's as a Texture2D takes them, and
+/// back.
+/// @throws ContractError if the bytes are no whole number of rows
+std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows);
 
 /// Writes an R8G8B8A8 (SRGB or UNorm) or R8_UNorm image as PNG. The file appears whole or not at
 /// all; one that was there before stays where that fails.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limn/core/GraphicsFormat.h>
+#include <limn/shaderlab/CompiledPass.h>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,24 @@ struct SamplerState
     FilterMode filterMode = FilterMode::Bilinear;
     TextureWrapMode wrapModeU = TextureWrapMode::Repeat;
     TextureWrapMode wrapModeV = TextureWrapMode::Repeat;
+    TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< of 3D textures
     bool comparison = false; ///< depth comparison GreaterEqual (reversed Z)
 
     bool operator==(const SamplerState&) const = default;
 };
+
+/// How large a texture is. `slices`: the depth of a 3D texture, the elements of an array, six for
+/// each cube, else 1.
+struct TextureShape
+{
+    TextureDimension dimension = TextureDimension::Tex2D;
+    int width = 0;  ///< texels
+    int height = 0; ///< texels
+    int slices = 1;
+};
+
+/// As ShaderLab spells it: "2D", "3D", "Cube", "2DArray", "CubeArray".
+const char* ToString(TextureDimension dimension);
 
 /// Something a shader can sample. An object of this type is a description: the device makes the
 /// image when a frame first uses it and frees it some frames after the last owner is gone.
@@ -33,38 +49,107 @@ public:
     /// Unique in the process, never used again.
     std::uint64_t id() const { return m_Id; }
     const std::string& name() const { return m_Name; }
-    int width() const { return m_Width; }
-    int height() const { return m_Height; }
+    TextureDimension dimension() const { return m_Shape.dimension; }
+    int width() const { return m_Shape.width; }
+    int height() const { return m_Shape.height; }
+    int slices() const { return m_Shape.slices; } ///< see TextureShape
+    /// For messages: "256x256", "32x32x16 3D", "64x64 Cube", "64x64x8 2DArray", "64x64x12
+    /// CubeArray"
+    std::string DescribeSize() const;
     GraphicsFormat graphicsFormat() const { return m_Format; }
     const SamplerState& sampler() const { return m_Sampler; }
 
 protected:
-    Texture(std::string name, int width, int height, GraphicsFormat format, SamplerState sampler);
+    Texture(std::string name, const TextureShape& shape, GraphicsFormat format,
+            SamplerState sampler);
 
 private:
     std::uint64_t m_Id;
     std::string m_Name;
-    int m_Width;
-    int m_Height;
+    TextureShape m_Shape;
     GraphicsFormat m_Format;
     SamplerState m_Sampler;
 };
 
-/// An image whose texels come from the CPU. Row 0 is at v = 0: a picture goes in bottom row first,
-/// as Unity imports it, so that it stands upright on a mesh. Unity: UnityEngine.Texture2D.
-class Texture2D final : public Texture
+/// The texels of a cube's faces in the order +X -X +Y -Y +Z -Z, that of Unity's CubemapFace, each
+/// upright as seen from the centre: the top row first, and in it the left texel. Up and right are
+///
+///     face    +X   -X   +Y   -Y   +Z   -Z
+///     up      +Y   +Y   -Z   +Z   +Y   +Y
+///     right   -Z   +Z   +X   +X   +X   -X
+///
+/// in limn's left-handed axes, which is how Unity, Direct3D and Vulkan look a direction up.
+using CubemapFaces = std::array<std::vector<std::byte>, 6>;
+
+/// A texture whose texels come from the CPU.
+class TexelTexture : public Texture
 {
 public:
-    /// @param texels  height rows of width texels in `format`, tightly packed
-    /// @throws ContractError naming the texture, if the size is not positive, the bytes do not fit
-    ///         it, or the format is None or a depth format
-    Texture2D(std::string name, int width, int height, GraphicsFormat format,
-              std::vector<std::byte> texels, SamplerState sampler = {});
-
+    /// Slice by slice; in each, rows of texels, tightly packed.
     const std::vector<std::byte>& texels() const { return m_Texels; }
+
+protected:
+    TexelTexture(std::string name, const TextureShape& shape, GraphicsFormat format,
+                 SamplerState sampler);
+
+    /// Appends texels. @param slices  how many they make
+    /// @param part  for messages: "face +X: ", or nothing for all of the texture
+    /// @throws ContractError naming the texture, if there are not just as many bytes as that takes
+    void Append(std::vector<std::byte> texels, int slices = 1, const std::string& part = {});
+    void AppendFaces(CubemapFaces faces, const std::string& part = {});
 
 private:
     std::vector<std::byte> m_Texels;
+};
+
+// The textures below throw ContractError naming the texture, if a size is not positive, the bytes
+// do not fit it, or the format is None or a depth format. What is larger than the device can is
+// refused when it is first drawn with.
+
+/// A picture. Row 0 is at v = 0: it goes in bottom row first, as Unity imports it, so that it
+/// stands upright on a mesh. Unity: UnityEngine.Texture2D.
+class Texture2D final : public TexelTexture
+{
+public:
+    /// @param texels  height rows of width texels in `format`, tightly packed
+    Texture2D(std::string name, int width, int height, GraphicsFormat format,
+              std::vector<std::byte> texels, SamplerState sampler = {});
+};
+
+/// A volume; slice 0 is at w = 0. Unity: UnityEngine.Texture3D.
+class Texture3D final : public TexelTexture
+{
+public:
+    /// @param texels  depth slices, each as a Texture2D's texels
+    Texture3D(std::string name, int width, int height, int depth, GraphicsFormat format,
+              std::vector<std::byte> texels, SamplerState sampler = {});
+};
+
+/// Pictures of one size that a shader chooses from by number. Unity: UnityEngine.Texture2DArray.
+class Texture2DArray final : public TexelTexture
+{
+public:
+    /// @param elements  each as a Texture2D's texels
+    Texture2DArray(std::string name, int width, int height, GraphicsFormat format,
+                   std::vector<std::vector<std::byte>> elements, SamplerState sampler = {});
+};
+
+/// What is seen all around a point. Unity: UnityEngine.Cubemap.
+class Cubemap final : public TexelTexture
+{
+public:
+    /// @param width  of a face, which is as high
+    Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
+            SamplerState sampler = {});
+};
+
+/// Cubes of one size that a shader chooses from by number. Unity: UnityEngine.CubemapArray.
+class CubemapArray final : public TexelTexture
+{
+public:
+    /// @param width  of a face, which is as high
+    CubemapArray(std::string name, int width, GraphicsFormat format,
+                 std::vector<CubemapFaces> cubes, SamplerState sampler = {});
 };
 
 } // namespace limn

@@ -36,9 +36,9 @@ public:
     std::shared_ptr<const Mesh> Primitive(PrimitiveType type);
     /// @throws AssetError as LoadGltfMesh
     std::shared_ptr<const Mesh> LoadMesh(const std::filesystem::path& path);
-    /// A PNG file, its colours sRGB.
+    /// A PNG file, its colours sRGB, upright on a mesh.
     /// @throws AssetError as ReadPng
-    std::shared_ptr<const Texture> LoadTexture(const std::filesystem::path& path);
+    std::shared_ptr<const Texture2D> LoadTexture(const std::filesystem::path& path);
     /// A .material.yaml file: what a scene writes for one of its materials.
     /// @throws AssetError with every problem of the file
     std::shared_ptr<const Material> LoadMaterial(const std::filesystem::path& path);
@@ -90,7 +90,7 @@ private:
     std::map<std::filesystem::path, ShaderDatabase> m_Databases; ///< by folder
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
-    std::map<std::filesystem::path, std::shared_ptr<const Texture>> m_Textures;
+    std::map<std::filesystem::path, std::shared_ptr<const Texture2D>> m_Textures;
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;

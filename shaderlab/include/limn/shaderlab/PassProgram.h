@@ -12,7 +12,8 @@ namespace limn
 enum class ProgramLanguage
 {
     Hlsl, ///< HLSLPROGRAM: includes nothing by itself
-    Cg    ///< CGPROGRAM: HLSLSupport, UnityShaderVariables and UnityShaderUtilities come first
+    Cg,   ///< CGPROGRAM: HLSLSupport, UnityShaderVariables and UnityShaderUtilities come first
+    Glsl  ///< GLSLPROGRAM: kept as text, never compiled
 };
 
 /// Program text as it stands in the file, from behind the opening keyword to the closing one.

@@ -16,7 +16,7 @@ namespace limn
 /// keywords does not count. `#pragma geometry` counts as target 4.0, hull and domain as 4.6.
 std::vector<std::string> RequiredFeatures(const PassProgram& program);
 
-/// Why limn does not compile this program although it is well formed: it has a surface function or
+/// Why limn does not compile this program although it is well formed: it is GLSL, has a surface function or
 /// a stage other than vertex, geometry and fragment, its renderers leave Vulkan out, or it needs a
 /// feature that is missing. Nothing where it can be tried. The severity is Error, the message one
 /// sentence.

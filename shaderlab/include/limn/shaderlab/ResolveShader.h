@@ -2,14 +2,20 @@
 
 #include <limn/shaderlab/ShaderDatabase.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn
 {
+
+/// Passes that are looked for in the Fallback where the chosen SubShader lacks them.
+inline constexpr std::array<std::string_view, 2> k_FallbackLightModes = {"ShadowCaster", "Meta"};
 
 /// What a SubShader is chosen by.
 struct ShaderCriteria
@@ -33,7 +39,7 @@ struct ResolvedShader
     int subShaderIndex = 0; ///< among those of that shader
     /// A copy. A UsePass has become the pass it names; passes whose PackageRequirements do not hold
     /// are left out; a GrabPass stays, so that the indices of the others are Unity's, and is never
-    /// drawn.
+    /// drawn. Behind its own passes stand those of k_FallbackLightModes that only a Fallback has.
     ShaderLabSubShader subShader;
     /// Why other SubShaders and passes were left out, in the order of the file; severity Note.
     std::vector<Diagnostic> notes;
@@ -50,5 +56,15 @@ struct ResolvedShader
 /// @throws AssetError with the reason of every SubShader, if there is none to draw with
 ResolvedShader ResolveShader(const ShaderLabDocument& document, const ShaderDatabase* database,
                              const ShaderCriteria& criteria = {});
+
+/// The pass that a UsePass of the document leads to, taken from the SubShader that its shader draws
+/// with.
+///
+/// @param errors  gets why there is none, at the place of the UsePass
+std::optional<ShaderLabPass> ResolveUsePass(const ShaderLabDocument& document,
+                                            const ShaderLabPass& usePass,
+                                            const ShaderDatabase* database,
+                                            std::vector<Diagnostic>& errors,
+                                            const ShaderCriteria& criteria = {});
 
 } // namespace limn

@@ -61,6 +61,9 @@ public:
     /// complete only then. Files that are missing are passed over: Compile names them.
     PassProgram ReadPragmas(const PassProgram& program) const;
 
+    /// As in the options.
+    const std::vector<std::string>& missingFeatures() const;
+
     struct Statistics
     {
         int compiled = 0;        ///< calls that ran the HLSL compiler

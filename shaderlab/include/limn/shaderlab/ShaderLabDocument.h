@@ -171,7 +171,8 @@ struct ShaderLabDocument
     std::string name;
     std::vector<ShaderProperty> properties;
     std::vector<ShaderLabSubShader> subShaders;
-    std::string fallback; ///< "" = off or none given
+    std::string fallback;            ///< "" = off or none given
+    SourceLocation fallbackLocation; ///< of the command
     std::string customEditor;
     std::vector<PipelineEditor> pipelineEditors;
     std::vector<ShaderDependency> dependencies;

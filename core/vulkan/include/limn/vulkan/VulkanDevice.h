@@ -72,6 +72,9 @@ public:
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;
+    /// What `#pragma require` and `#pragma target` may ask for and this device lacks; for
+    /// ShaderCompilerOptions::missingFeatures. As long as the device.
+    const std::vector<std::string>& missingShaderFeatures() const;
     /// One line: which device draws and why it was chosen.
     const std::string& ChoiceSentence() const;
     /// All warnings and errors since construction; empty without VulkanDeviceOptions::validation.

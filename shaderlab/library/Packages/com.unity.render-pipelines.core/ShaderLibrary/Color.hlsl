@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ACES.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
 float SRGBToLinear(float c)
@@ -33,6 +34,9 @@ float Luminance(float3 linearRgb)
     return dot(linearRgb, float3(0.2126729, 0.7151522, 0.0721750));
 }
 float Luminance(float4 linearRgba) { return Luminance(linearRgba.rgb); }
+// The weights of ACEScg
+float AcesLuminance(float3 linearRgb) { return dot(linearRgb, AP1_RGB2Y); }
+float AcesLuminance(float4 linearRgba) { return AcesLuminance(linearRgba.rgb); }
 
 float3 HsvToRgb(float3 c)
 {
@@ -148,6 +152,27 @@ float3 NeutralTonemap(float3 x)
 {
     float3 white = 1.0 / NeutralCurve(float3(5.3, 5.3, 5.3), 0.2, 0.29, 0.24, 0.272, 0.02, 0.3);
     return NeutralCurve(x * white, 0.2, 0.29, 0.24, 0.272, 0.02, 0.3) * white;
+}
+
+// The look of the reference rendering transform on a monitor of 100 nits in a dim room: ACES2065-1
+// in, linear Rec. 709 out. A fraction of polynomials, fitted by colour-science to the Academy's tone
+// scales, stands for both of them.
+float3 AcesTonemap(float3 aces)
+{
+    float saturation = rgb_2_saturation(aces);
+    float glow = RRT_GLOW_GAIN * sigmoid_shaper((saturation - 0.4) / 0.2);
+    aces *= 1.0 + glow_fwd(rgb_2_yc(aces), glow, RRT_GLOW_MID);
+
+    float fromRed = center_hue(rgb_2_hue(aces), RRT_RED_HUE);
+    float redness = smoothstep(0.0, 1.0, 1.0 - abs(2.0 * fromRed / RRT_RED_WIDTH));
+    aces.r += redness * redness * saturation * (RRT_RED_PIVOT - aces.r) * (1.0 - RRT_RED_SCALE);
+
+    float3 x = max(ACES_to_ACEScg(aces), 0.0);
+    x = lerp(dot(x, AP1_RGB2Y).xxx, x, RRT_SAT_FACTOR);
+    x = x * (278.5085 * x + 10.7772) / (x * (293.6045 * x + 88.7122) + 80.6889);
+    x = darkSurround_to_dimSurround(x);
+    x = lerp(dot(x, AP1_RGB2Y).xxx, x, ODT_SAT_FACTOR);
+    return mul(XYZ_2_REC709_MAT, mul(D60_2_D65_CAT, mul(AP1_2_XYZ_MAT, x)));
 }
 
 // Keeps the sum of many samples from being ruled by a bright one, and back.

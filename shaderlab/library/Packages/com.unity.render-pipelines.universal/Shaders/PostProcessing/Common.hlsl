@@ -8,8 +8,8 @@
 // By the weights of the space that tonemapping works in: ACEScg's, or Rec. 709's.
 float GetLuminance(float3 colorLinear)
 {
-#if _TONEMAP_ACES
-    return dot(colorLinear, float3(0.272229, 0.674082, 0.0536895));
+#ifdef _TONEMAP_ACES
+    return AcesLuminance(colorLinear);
 #else
     return Luminance(colorLinear);
 #endif
@@ -32,9 +32,9 @@ float3 ApplyVignette(float3 input, float2 uv, float2 center, float intensity, fl
 
 float3 ApplyTonemap(float3 input)
 {
-#if _TONEMAP_ACES
+#if defined(_TONEMAP_ACES)
     input = AcesTonemap(unity_to_ACES(input));
-#elif _TONEMAP_NEUTRAL
+#elif defined(_TONEMAP_NEUTRAL)
     input = NeutralTonemap(input);
 #endif
     return saturate(input);
@@ -60,7 +60,7 @@ float3 ApplyColorGrading(float3 input, float postExposure, TEXTURE2D_PARAM(lutTe
                          float3 userLutParams, float userLutContrib)
 {
     input *= postExposure;
-#if _HDR_GRADING
+#ifdef _HDR_GRADING
     float3 logC = saturate(LinearToLogC(input));
     input = ApplyLut2D(TEXTURE2D_ARGS(lutTex, lutSampler), logC, lutParams);
     return limn_ApplyUserLut(input, TEXTURE2D_ARGS(userLutTex, userLutSampler), userLutParams,

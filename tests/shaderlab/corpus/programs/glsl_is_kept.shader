@@ -7,7 +7,7 @@ Shader "T"
             GLSLPROGRAM
             void main() { }
             ENDGLSL
-            ZWrite Of
+            ZWrite Off
         }
     }
 }

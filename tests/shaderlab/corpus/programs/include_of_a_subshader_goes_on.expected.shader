@@ -4,15 +4,16 @@ Shader "T"
     {
         Pass
         {
-            CGPROGRAM float a; 
- float b; ENDCG
+            HLSLPROGRAM float a; 
+ float b; ENDHLSL
         }
     }
     SubShader
     {
         Pass
         {
-            CGPROGRAM float c; ENDCG
+            HLSLPROGRAM float a; 
+ float c; ENDHLSL
         }
     }
 }

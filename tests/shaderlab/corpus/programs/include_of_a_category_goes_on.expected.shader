@@ -4,15 +4,16 @@ Shader "T"
     {
         Pass
         {
-            HLSLPROGRAM float a; 
- float b; ENDHLSL
+            CGPROGRAM float a; 
+ float b; ENDCG
         }
     }
     SubShader
     {
         Pass
         {
-            HLSLPROGRAM float c; ENDHLSL
+            CGPROGRAM float a; 
+ float c; ENDCG
         }
     }
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace limn
+{
+
+/// Preprocessed HLSL in which `struct B : A` has a copy of A's members in front of its own, and
+/// names A no more: glslang reads over the base. Lines stay where they are.
+std::string CopyBaseMembers(std::string text);
+
+} // namespace limn

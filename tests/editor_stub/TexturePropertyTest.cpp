@@ -1,0 +1,194 @@
+#include "SceneFolder.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/Image.h>
+#include <limn/core/Material.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+constexpr const char* k_Files[] = {"px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"};
+
+/// A picture whose texels' red is `first`, `first` + 1 ... in the order of the file, from the top.
+void WritePicture(const std::filesystem::path& path, int width, int height, int first)
+{
+    Image image{width, height, GraphicsFormat::R8G8B8A8_SRGB, {}};
+    for (int i = 0; i < width * height; ++i)
+    {
+        image.texels.push_back(static_cast<std::byte>(first + i));
+        image.texels.insert(image.texels.end(), 3, std::byte{255});
+    }
+    WritePng(path, image);
+}
+
+class TextureProperty : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        folder.Write("own.shader",
+                     "Shader \"Own\" { Properties { _Map (\"\", 2D) = \"\" {}\n"
+                     "_Sky (\"\", Cube) = \"\" {} _Skies (\"\", CubeArray) = \"\" {}\n"
+                     "_Fog (\"\", 3D) = \"\" {} _Sheets (\"\", 2DArray) = \"\" {} }\n"
+                     "SubShader { Pass { } } }");
+        for (int i = 0; i < 6; ++i)
+        {
+            WritePicture(folder / k_Files[i], 2, 2, 10 * i); // 0 1 above 2 3, and so on
+        }
+        WritePicture(folder / "wide.png", 2, 1, 0);
+        WritePicture(folder / "large.png", 4, 4, 0);
+    }
+
+    static std::string SceneWith(const std::string& property)
+    {
+        return "camera: {}\nmaterials:\n  m:\n    shader: own.shader\n    " + property +
+               "\nobjects: [{name: a, mesh: cube, material: m}]\n";
+    }
+
+    std::shared_ptr<const Texture> Read(const std::string& name, const std::string& value)
+    {
+        m_Asset = folder.Load(SceneWith(name + ": " + value));
+        const Material& material = *m_Asset.scene.Find("a")->renderer->sharedMaterials.at(0);
+        const ShaderPropertyValue* found = material.Find(ShaderPropertyId(name));
+        return found ? std::get<std::shared_ptr<const Texture>>(*found) : nullptr;
+    }
+
+    /// The red of every texel.
+    std::vector<int> Reds(const std::string& name, const std::string& value)
+    {
+        const auto texture = std::dynamic_pointer_cast<const TexelTexture>(Read(name, value));
+        std::vector<int> reds;
+        for (std::size_t i = 0; texture && i < texture->texels().size(); i += 4)
+        {
+            reds.push_back(std::to_integer<int>(texture->texels()[i]));
+        }
+        return reds;
+    }
+
+    Lines ProblemsOf(const std::string& property) { return folder.ProblemsOf(SceneWith(property)); }
+
+    SceneFolder folder;
+
+private:
+    SceneAsset m_Asset;
+};
+
+const std::string k_SixFaces = "{faces: [px.png, nx.png, py.png, ny.png, pz.png, nz.png]}";
+
+} // namespace
+
+TEST_F(TextureProperty, MakesACubeOfSixFacesTheTopRowFirst)
+{
+    EXPECT_EQ((std::vector{0,  1,  2,  3,  10, 11, 12, 13, 20, 21, 22, 23,
+                           30, 31, 32, 33, 40, 41, 42, 43, 50, 51, 52, 53}),
+              Reds("_Sky", k_SixFaces));
+    const auto sky = Read("_Sky", k_SixFaces);
+    EXPECT_EQ(TextureDimension::Cube, sky->dimension());
+    EXPECT_EQ("px.png", sky->name());
+    EXPECT_EQ(GraphicsFormat::R8G8B8A8_SRGB, sky->graphicsFormat());
+    EXPECT_EQ(1u, folder.assets.reachedFiles().count(folder / "nz.png"));
+}
+
+TEST_F(TextureProperty, MakesAnArrayOfCubes)
+{
+    const auto skies = Read("_Skies", "{faces: [px.png, nx.png, py.png, ny.png, pz.png, nz.png, "
+                                      "nz.png, pz.png, ny.png, py.png, nx.png, px.png]}");
+    ASSERT_NE(nullptr, skies);
+    EXPECT_EQ(TextureDimension::CubeArray, skies->dimension());
+    EXPECT_EQ(12, skies->slices());
+    const auto& texels = dynamic_cast<const TexelTexture&>(*skies).texels();
+    EXPECT_EQ(std::byte{50}, texels.at(6 * 4 * 4)) << "the second cube begins with nz.png";
+}
+
+TEST_F(TextureProperty, StacksSlicesTheBottomRowFirst)
+{
+    EXPECT_EQ((std::vector{2, 3, 0, 1, 12, 13, 10, 11}),
+              Reds("_Fog", "{slices: [px.png, nx.png]}"));
+    EXPECT_EQ(TextureDimension::Tex3D, Read("_Fog", "{slices: [px.png]}")->dimension());
+    EXPECT_EQ((std::vector{12, 13, 10, 11, 2, 3, 0, 1}),
+              Reds("_Sheets", "{slices: [nx.png, px.png]}"));
+    EXPECT_EQ(TextureDimension::Tex2DArray, Read("_Sheets", "{slices: [px.png]}")->dimension());
+}
+
+TEST_F(TextureProperty, TakesADefaultInItsOwnDimension)
+{
+    for (const auto& [name, dimension] :
+         {std::pair{"_Map", TextureDimension::Tex2D}, std::pair{"_Fog", TextureDimension::Tex3D},
+          std::pair{"_Sky", TextureDimension::Cube},
+          std::pair{"_Sheets", TextureDimension::Tex2DArray},
+          std::pair{"_Skies", TextureDimension::CubeArray}})
+    {
+        const auto texture = Read(name, "red");
+        ASSERT_NE(nullptr, texture) << name;
+        EXPECT_EQ("red", texture->name());
+        EXPECT_EQ(dimension, texture->dimension()) << name;
+    }
+}
+
+TEST_F(TextureProperty, SaysWhatATextureOfItsDimensionLooksLike)
+{
+    EXPECT_EQ((Lines{"5:11: material 'm'._Map: found a map; the path of a .png file, or white, "
+                     "black, gray, bump or red is expected"}),
+              ProblemsOf("_Map: {slices: [px.png]}"));
+    EXPECT_EQ(
+        (Lines{"5:11: material 'm'._Sky: found 'px.png'; {faces: [six .png files, +X -X +Y -Y "
+               "+Z -Z]}, or white, black, gray, bump or red is expected"}),
+        ProblemsOf("_Sky: px.png"));
+    EXPECT_EQ((Lines{"5:11: material 'm'._Fog: found a sequence; {slices: [.png files]}, or white, "
+                     "black, gray, bump or red is expected"}),
+              ProblemsOf("_Fog: [px.png]"));
+    EXPECT_EQ((Lines{"5:14: material 'm'._Sheets: found 'mauve'; {slices: [.png files]}, or white, "
+                     "black, gray, bump or red is expected"}),
+              ProblemsOf("_Sheets: mauve"));
+}
+
+TEST_F(TextureProperty, CountsFacesAndSlices)
+{
+    EXPECT_EQ((Lines{"5:19: material 'm'._Sky.faces: found 2 files; {faces: [six .png files, +X -X "
+                     "+Y -Y +Z -Z]} is expected"}),
+              ProblemsOf("_Sky: {faces: [px.png, nx.png]}"));
+    EXPECT_EQ((Lines{"5:21: material 'm'._Skies.faces: found 1 files; {faces: [six .png files a "
+                     "cube, +X -X +Y -Y +Z -Z]} is expected"}),
+              ProblemsOf("_Skies: {faces: [px.png]}"));
+    EXPECT_EQ((Lines{"5:20: material 'm'._Fog.slices: found 0 files; {slices: [.png files]} is "
+                     "expected"}),
+              ProblemsOf("_Fog: {slices: []}"));
+    EXPECT_EQ((Lines{"5:20: material 'm'._Fog.slices: found 'px.png'; {slices: [.png files]} is "
+                     "expected"}),
+              ProblemsOf("_Fog: {slices: px.png}"));
+}
+
+TEST_F(TextureProperty, NamesAKeyOfAnotherDimension)
+{
+    EXPECT_EQ((Lines{"5:11: material 'm'._Sky: key 'faces' is missing",
+                     "5:12: material 'm'._Sky: unknown key 'slices' (known: faces)"}),
+              ProblemsOf("_Sky: {slices: [px.png]}"));
+}
+
+TEST_F(TextureProperty, NamesThePictureThatDoesNotFit)
+{
+    EXPECT_EQ((Lines{"5:29: material 'm'._Fog.slices[1]: 'wide.png' is 2x1; it must be 2x2 as "
+                     "'px.png' is",
+                     "5:39: material 'm'._Fog.slices[2]: 'large.png' is 4x4; it must be 2x2 as "
+                     "'px.png' is"}),
+              ProblemsOf("_Fog: {slices: [px.png, wide.png, large.png]}"));
+    EXPECT_EQ((Lines{"5:20: material 'm'._Sky.faces[0]: 'wide.png' is 2x1; a face must be square"}),
+              ProblemsOf("_Sky: {faces: [wide.png, wide.png, wide.png, wide.png, wide.png, "
+                         "wide.png]}"));
+}
+
+TEST_F(TextureProperty, NamesAPictureThatCannotBeRead)
+{
+    const Lines problems = ProblemsOf("_Fog: {slices: [px.png, none.png]}");
+    ASSERT_FALSE(problems.empty());
+    EXPECT_EQ("5:29: material 'm'._Fog.slices[1]: 'none.png' cannot be used; see the errors of "
+              "that file",
+              problems.front());
+}
+
+} // namespace limn::test

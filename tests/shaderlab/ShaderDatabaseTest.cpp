@@ -1,0 +1,134 @@
+#include "ShaderTestSupport.h"
+
+#include <limn/shaderlab/ShaderDatabase.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string ShaderText(const std::string& name, const std::string& pass = "P")
+{
+    return "Shader \"" + name + "\" { SubShader { Pass { Name \"" + pass + "\" } } }";
+}
+
+std::shared_ptr<const ShaderLabDocument> Document(const std::string& name, const char* file)
+{
+    return std::make_shared<const ShaderLabDocument>(
+        ParseShaderLab(ShaderText(name), file).document);
+}
+
+/// What FindShaderFiles gives, relative to the folder.
+std::vector<std::string> FoundFiles(const std::filesystem::path& folder)
+{
+    std::vector<std::string> files;
+    for (const std::filesystem::path& file : FindShaderFiles(folder))
+    {
+        files.push_back(file.lexically_relative(folder).string());
+    }
+    return files;
+}
+
+} // namespace
+
+TEST(ShaderDatabase, TakesTheFirstByPathOfEqualNames)
+{
+    test::TemporaryFolder folder;
+    folder.Write("b/first.shader", ShaderText("Same"));
+    folder.Write("z.shader", ShaderText("Same"));
+    folder.Write("a/only.shader", ShaderText("Other"));
+    ShaderDatabase database;
+    database.AddFolder(folder.path());
+    EXPECT_EQ(database.size(), 2U);
+    ASSERT_NE(database.Find("Same"), nullptr);
+    EXPECT_EQ(database.Find("Same")->file, (folder.path() / "b/first.shader").string());
+    ASSERT_NE(database.Find("Other"), nullptr);
+    EXPECT_EQ(database.Find("Other")->file, (folder.path() / "a/only.shader").string());
+}
+
+TEST(ShaderDatabase, KeepsWhatWasAddedBeforeAFolder)
+{
+    test::TemporaryFolder folder;
+    folder.Write("a.shader", ShaderText("Same"));
+    ShaderDatabase database;
+    database.Add(Document("Same", "before.shader"));
+    database.AddFolder(folder.path());
+    database.Add(Document("Same", "after.shader"));
+    EXPECT_EQ(database.size(), 1U);
+    EXPECT_EQ(database.Find("Same")->file, "before.shader");
+}
+
+TEST(ShaderDatabase, PassesOverFilesWithErrors)
+{
+    test::TemporaryFolder folder;
+    folder.Write("a.shader", "Shader \"Same\" { Oops }");
+    folder.Write("b.shader", ShaderText("Same"));
+    folder.Write("c.shader", "");
+    ShaderDatabase database;
+    database.AddFolder(folder.path());
+    EXPECT_EQ(database.size(), 1U);
+    ASSERT_NE(database.Find("Same"), nullptr) << "the broken file must not take the name";
+    EXPECT_EQ(database.Find("Same")->file, (folder.path() / "b.shader").string());
+}
+
+TEST(ShaderDatabase, FindsByTheExactNameOnly)
+{
+    ShaderDatabase database;
+    database.Add(Document("My/Toon", "t.shader"));
+    EXPECT_NE(database.Find("My/Toon"), nullptr);
+    for (const char* name : {"my/toon", "My/Toon ", "Toon", "My/Toons", "My/", ""})
+    {
+        EXPECT_EQ(database.Find(name), nullptr) << name;
+    }
+}
+
+TEST(ShaderDatabase, SuggestsTheNearestNameWhereOneIsNear)
+{
+    ShaderDatabase database;
+    EXPECT_EQ(database.UnknownShader("Toom"),
+              "'Toom'; no shader of a name like it is among the 0 known ones");
+    database.Add(Document("Toon", "t.shader"));
+    database.Add(Document("Water", "w.shader"));
+    EXPECT_EQ(database.UnknownShader("Toom"), "'Toom'; did you mean 'Toon'?");
+    EXPECT_EQ(database.UnknownShader("waters"), "'waters'; did you mean 'Water'?");
+    EXPECT_EQ(database.UnknownShader("Quicksilver"),
+              "'Quicksilver'; no shader of a name like it is among the 2 known ones");
+}
+
+TEST(ShaderDatabase, RefusesANullDocumentAndAFolderThatIsNotThere)
+{
+    test::TemporaryFolder folder;
+    ShaderDatabase database;
+    EXPECT_THROW(database.Add(nullptr), ContractError);
+    EXPECT_THROW(database.AddFolder(folder.path() / "absent"), AssetError);
+}
+
+TEST(FindShaderFiles, SortsByPathAndTakesTheExtensionOnly)
+{
+    test::TemporaryFolder folder;
+    for (const char* name : {"b.shader", "a/z.shader", "a/deep/er/y.shader", "c.SHADER",
+                             "d.shader.txt", "e.hlsl", "shader"})
+    {
+        folder.Write(name, "");
+    }
+    std::filesystem::create_directories(folder.path() / "folder.shader");
+    EXPECT_EQ(FoundFiles(folder.path()),
+              (std::vector<std::string>{"a/deep/er/y.shader", "a/z.shader", "b.shader"}));
+}
+
+TEST(FindShaderFiles, FollowsLinksToFilesButNotToFolders)
+{
+    test::TemporaryFolder folder;
+    folder.Write("searched/own.shader", "");
+    folder.Write("elsewhere/other.shader", "");
+    const std::filesystem::path searched = folder.path() / "searched";
+    std::filesystem::create_directory_symlink(folder.path() / "elsewhere", searched / "away");
+    std::filesystem::create_directory_symlink(searched, searched / "circle");
+    std::filesystem::create_symlink(folder.path() / "elsewhere/other.shader",
+                                    searched / "linked.shader");
+    std::filesystem::create_symlink(folder.path() / "nowhere", searched / "dangling.shader");
+    EXPECT_EQ(FoundFiles(searched), (std::vector<std::string>{"linked.shader", "own.shader"}));
+}
+
+} // namespace limn

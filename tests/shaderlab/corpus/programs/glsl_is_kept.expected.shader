@@ -1,0 +1,13 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            ZWrite Off
+            GLSLPROGRAM
+            void main() { }
+            ENDGLSL
+        }
+    }
+}
