@@ -184,6 +184,11 @@ private:
         Accept("{");
         while (!isEnd() && !Accept("}"))
         {
+            if (Text() == ";")
+            {
+                m_Result.emptyMembers.push_back(m_Index++);
+                continue;
+            }
             while (Text() == "[")
             {
                 SkipBalanced("[", "]");

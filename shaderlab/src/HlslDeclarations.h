@@ -63,6 +63,7 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
+    std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
     std::vector<std::string_view> methods; ///< names, of all structs
     IntegerNames constants;                ///< `static const` scalars

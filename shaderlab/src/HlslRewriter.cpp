@@ -73,6 +73,15 @@ public:
         }
     }
 
+    /// As macros leave them that end in a `;` or are empty.
+    void RemoveEmptyMembers()
+    {
+        for (const std::size_t token : m_Source.declarations.emptyMembers)
+        {
+            m_Renamed[token] = "";
+        }
+    }
+
     void RemoveRepeatedDeclarations()
     {
         for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
@@ -333,6 +342,7 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
 {
     Rewriter rewriter(source, interface.function->name);
     rewriter.RefuseWritable();
+    rewriter.RemoveEmptyMembers();
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();

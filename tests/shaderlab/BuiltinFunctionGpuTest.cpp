@@ -1,7 +1,9 @@
 #include "FunctionGrid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -289,6 +291,208 @@ TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
             return dvec3(n.x, n.y, 0) * ((0.75 * 0.2 - 0.1) / (n.z + 0.42));
         });
     grid.Run();
+}
+
+TEST_F(BuiltinFunctions, LeaveTextureCoordinatesAsTheyAreByTheMatricesOfTextures)
+{
+    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    grid.Add(
+        "float4(MultiplyUV(UNITY_MATRIX_TEXTURE0, a.xy), MultiplyUV(UNITY_MATRIX_TEXTURE3, a.yx))",
+        CombineVectors({{0.25, -3, 0}, {1, 0, 0}}),
+        [](auto& a, auto&, auto&) { return dvec4(a.x, a.y, a.y, a.x); });
+    grid.Run();
+}
+
+/// Two zones: the upper left quarter, and one in the middle that is turned by a quarter.
+void SetZones(FunctionGrid& grid, const dvec2& unit, float parameters)
+{
+    const auto at = [](double x, double y)
+    {
+        return dvec2(x, y);
+    };
+    std::vector<float> centers;
+    std::vector<float> sizes;
+    const auto add = [&](dvec2 center, dvec2 size, float degrees)
+    {
+        center *= unit;
+        size *= unit;
+        for (const double v : {center.x, center.y, 0.25})
+        {
+            centers.push_back(static_cast<float>(v));
+        }
+        centers.push_back(0.0f);
+        for (const double v : {size.x, size.y, 0.5})
+        {
+            sizes.push_back(static_cast<float>(v));
+        }
+        sizes.push_back(degrees);
+    };
+    add(at(0.25, 0.75), at(0.5, 0.5), 0.0f);
+    add(at(0.5, 0.5), at(0.5, 0.25), 90.0f);
+    grid.SetGlobal("CustomRenderTextureCenters", centers);
+    grid.SetGlobal("CustomRenderTextureSizesAndRotations", sizes);
+    grid.SetGlobal("CustomRenderTexturePrimitiveIDs",
+                   {std::bit_cast<float>(7u), 0, 0, 0, std::bit_cast<float>(9u)});
+    grid.SetGlobal("CustomRenderTextureParameters", {parameters, 0.625f, 0, 0});
+}
+
+constexpr const char* k_CustomRenderTexture = R"(
+    #include "UnityCustomRenderTexture.cginc"
+    v2f_customrendertexture Corner(float id)
+    {
+        appdata_customrendertexture v;
+        v.vertexID = (uint)id;
+        return CustomRenderTextureVertexShader(v);
+    })";
+
+TEST_F(BuiltinFunctions, PlaceTheZonesOfACustomRenderTexture)
+{
+    const std::vector<GridInput> ids =
+        Combine({0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0});
+    const dvec2 corners[12] = {{-1, 1},     {-1, 0},      {0, 0},        {0, 1},
+                               {-1, 1},     {0, 0},       {-0.25, -0.5}, {0.25, -0.5},
+                               {0.25, 0.5}, {-0.25, 0.5}, {-0.25, -0.5}, {0.25, 0.5}};
+    const dvec2 local[6] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}, {1, 1}};
+    for (const bool pixels : {false, true})
+    {
+        SCOPED_TRACE(pixels);
+        FunctionGrid grid(k_CustomRenderTexture, ProgramLanguage::Cg);
+        SetZones(grid, pixels ? dvec2(200, 100) : dvec2(1, 1), pixels ? 1.0f : 0.0f);
+        grid.SetGlobal("_CustomRenderTextureInfo", {200, 100, 1, 0});
+        const Tolerance tolerance{1e-6, 1e-6};
+        grid.Add(
+            "Corner(a.x).vertex", ids,
+            [&](auto& a, auto&, auto&) { return dvec4(corners[static_cast<int>(a.x)], 0, 1); },
+            tolerance);
+        grid.Add(
+            "Corner(a.x).globalTexcoord", ids,
+            [&](auto& a, auto&, auto&)
+            {
+                const dvec2 at = corners[static_cast<int>(a.x)];
+                return dvec3(at.x / 2 + 0.5, 0.5 - at.y / 2, 0.625);
+            },
+            tolerance);
+        grid.Add("Corner(a.x).localTexcoord", ids,
+                 [&](auto& a, auto&, auto&)
+                 { return dvec3(local[static_cast<int>(a.x) % 6], 0.625); });
+        grid.Add("Corner(a.x).primitiveID", ids,
+                 [](auto& a, auto&, auto&) { return a.x < 6.0 ? 7.0 : 9.0; });
+        grid.Run();
+    }
+}
+
+TEST_F(BuiltinFunctions, DrawOnlyTheSlicesAndFacesOfACustomRenderTextureThatAreAskedFor)
+{
+    // Half of 8 slices about the second: 0...3.
+    for (const float slice : {0.0f, 3.0f, 4.0f})
+    {
+        FunctionGrid grid(k_CustomRenderTexture, ProgramLanguage::Cg);
+        SetZones(grid, dvec2(1, 1), 0.0f);
+        grid.SetGlobal("CustomRenderTextureParameters", {0, 0, 1, 0});
+        grid.SetGlobal("_CustomRenderTextureInfo", {16, 16, 8, slice});
+        grid.Add("Corner(2).vertex.xy", Combine({0.0}),
+                 [slice](auto&, auto&, auto&)
+                 { return slice < 3.5f ? dvec2(0, 0) : dvec2(1000, 1000); });
+        grid.Run();
+    }
+    // The upper right corner of each face, and its middle.
+    const dvec3 corners[6] = {{1, 1, -1}, {-1, 1, 1}, {1, 1, -1},
+                              {1, -1, 1}, {1, 1, 1},  {-1, 1, -1}};
+    const dvec3 axes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (int face = 0; face < 6; ++face)
+    {
+        SCOPED_TRACE(face);
+        FunctionGrid grid(k_CustomRenderTexture, ProgramLanguage::Cg);
+        grid.SetGlobal("_CustomRenderTextureInfo", {16, 16, 1, static_cast<float>(face)});
+        grid.Add("CustomRenderTextureComputeCubeDirection(a.xy)",
+                 {{{1, 0, 0, 0}}, {{0.5, 0.5, 0, 0}}},
+                 [&](auto& a, auto&, auto&)
+                 { return a.x == 1.0 ? glm::normalize(corners[face]) : axes[face]; });
+        grid.Run();
+    }
+}
+
+TEST_F(BuiltinFunctions, FadeParticlesBeforeSurfacesAndTheCamera)
+{
+    FunctionGrid grid(R"(
+        #define SOFTPARTICLES_ON 1
+        #define _FADING_ON 1
+        #include "UnityStandardParticles.cginc"
+        half2 Fade(float z)
+        {
+            VertexOutput i = (VertexOutput)0;
+            i.projectedPosition = float4(0.5, 0.5, z, 1);
+            half4 albedo = 1;
+            fragSoftParticles(i)
+            half soft = albedo.a;
+            albedo = 1;
+            fragCameraFading(i)
+            return half2(soft, albedo.a);
+        })",
+                      ProgramLanguage::Cg);
+    // Depth 1, which is all that the stand-in texture holds, is 4 units away.
+    grid.SetGlobal("_ZBufferParams", {0, 0, 0.15f, 0.1f});
+    grid.SetGlobal("_SoftParticleFadeParams", {0.5f, 2.0f});
+    grid.SetGlobal("_CameraFadeParams", {1.0f, 0.25f});
+    grid.Add("Fade(a.x)", Combine({0.5, 1.0, 2.0, 3.0, 3.25, 3.5, 4.5, 6.0}),
+             [](auto& a, auto&, auto&) {
+                 return dvec2(std::clamp((3.5 - a.x) * 2.0, 0.0, 1.0),
+                              std::clamp((a.x - 1.0) / 4.0, 0.0, 1.0));
+             },
+             {1e-5, 2e-6});
+    grid.Run();
+}
+
+TEST_F(BuiltinFunctions, MixTheColorsOfParticlesAsTheKeywordSays)
+{
+    const std::vector<GridInput> pairs = CombineVectors(
+        {{0.2, 0.7, 0.5}, {0.9, 0.1, 0.4}, {1, 1, 1}, {0, 0, 0}},
+        {{0.3, 0.6, 0.9}, {1, 0.25, 0}, {0.5, 0.8, 0.1}, {0.4, 0.4, 0.4}, {0.2, 1, 1}});
+    const auto check = [&](const char* keyword, const std::vector<float>& parameters,
+                           const std::function<dvec3(dvec3, dvec3)>& mix)
+    {
+        SCOPED_TRACE(keyword);
+        FunctionGrid grid("#define " + std::string(keyword) + R"( 1
+            #include "UnityStandardParticles.cginc"
+            half4 Mix(half4 albedo, half4 color)
+            {
+                VertexOutput i = (VertexOutput)0;
+                i.color = color;
+                fragColorMode(i)
+                return albedo;
+            })",
+                          ProgramLanguage::Cg);
+        grid.SetGlobal("_ColorAddSubDiff", parameters);
+        grid.Add("Mix(half4(a.rgb, 0.5), half4(b.rgb, 0.25))", pairs,
+                 [&](auto& a, auto& b, auto&) { return dvec4(mix(dvec3(a), dvec3(b)), 0.125); },
+                 {1e-5, 1e-6});
+        grid.Run();
+    };
+    check("limn_NoKeyword", {}, [](dvec3 base, dvec3 blend) { return base * blend; });
+    check("_COLOROVERLAY_ON", {},
+          [](dvec3 base, dvec3 blend)
+          {
+              const auto overlay = [](double x, double y)
+              {
+                  return x <= 0.5 ? 2.0 * x * y : 1.0 - 2.0 * (1.0 - x) * (1.0 - y);
+              };
+              return dvec3(overlay(base.x, blend.x), overlay(base.y, blend.y),
+                           overlay(base.z, blend.z));
+          });
+    // The tint, as bright as the base.
+    check("_COLORCOLOR_ON", {},
+          [](dvec3 base, dvec3 blend)
+          {
+              const auto value = [](dvec3 c)
+              {
+                  return std::max({c.x, c.y, c.z});
+              };
+              return blend * (value(base) / value(blend));
+          });
+    check("_COLORADDSUBDIFF_ON", {1, 0}, [](dvec3 base, dvec3 blend) { return base + blend; });
+    check("_COLORADDSUBDIFF_ON", {-1, 0}, [](dvec3 base, dvec3 blend) { return base - blend; });
+    check("_COLORADDSUBDIFF_ON", {-1, 1},
+          [](dvec3 base, dvec3 blend) { return glm::abs(base - blend); });
 }
 
 } // namespace

@@ -1,5 +1,4 @@
-#include "ShaderTestSupport.h"
-#include "SpirvTestSupport.h"
+#include "BuiltinTestSupport.h"
 
 #include <gmock/gmock.h>
 
@@ -8,6 +7,8 @@ namespace limn
 namespace
 {
 
+using test::CompileCg;
+using test::TextureNames;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -15,26 +16,6 @@ using Keywords = std::vector<std::string>;
 
 constexpr const char* k_Entry = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
                                 "float4 frag() : SV_Target { return 1; }\n";
-
-std::shared_ptr<const CompiledPass> CompileCg(const std::string& text,
-                                              const Keywords& keywords = {})
-{
-    ShaderCompiler compiler;
-    const auto pass = compiler.Compile(test::Program(text, ProgramLanguage::Cg), keywords);
-    EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
-    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
-    return pass;
-}
-
-std::vector<std::string> TextureNames(const CompiledPass& pass)
-{
-    std::vector<std::string> names;
-    for (const auto& texture : pass.layout.textures)
-    {
-        names.push_back(texture.name);
-    }
-    return names;
-}
 
 TEST(BuiltinLibrary, HasHeadersThatEachStandAlone)
 {
@@ -153,6 +134,56 @@ TEST(BuiltinLibrary, LightsPerVertexInAForwardBasePass)
                 testing::UnorderedElementsAre("_MainTex", "_LightTexture0"));
     EXPECT_THAT(TextureNames(*CompileCg(adding, {"SPOT"})),
                 testing::UnorderedElementsAre("_MainTex", "_LightTexture0", "_LightTextureB0"));
+}
+
+TEST(BuiltinLibrary, TakesMacrosWithAndWithoutASemicolon)
+{
+    const std::string text = R"(
+        #include "UnityCG.cginc"
+        #include "AutoLight.cginc"
+        UNITY_DECLARE_SCREENSPACE_TEXTURE(_GrabTexture)@
+        struct v2f
+        {
+            float4 pos : SV_POSITION;
+            UNITY_FOG_COORDS(0)@
+            SHADOW_COORDS(1)@
+            LIGHTING_COORDS(2, 3)@
+            float3 worldPos : TEXCOORD4;
+            UNITY_VERTEX_INPUT_INSTANCE_ID@
+            UNITY_VERTEX_OUTPUT_STEREO@
+        };
+        v2f vert(appdata_base v)
+        {
+            v2f o;
+            UNITY_SETUP_INSTANCE_ID(v)@
+            UNITY_INITIALIZE_OUTPUT(v2f, o)@
+            UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o)@
+            o.pos = UnityObjectToClipPos(v.vertex);
+            TRANSFER_SHADOW(o)@
+            TRANSFER_VERTEX_TO_FRAGMENT(o)@
+            UNITY_TRANSFER_FOG(o, o.pos);
+            o.worldPos = SCALED_NORMAL;
+            return o;
+        }
+        fixed4 frag(v2f i) : SV_Target
+        {
+            UNITY_LIGHT_ATTENUATION(atten, i, i.worldPos)@
+            fixed4 c = UNITY_SAMPLE_SCREENSPACE_TEXTURE(_GrabTexture, i.pos.xy) * atten;
+            UNITY_APPLY_FOG(i.fogCoord, c)@
+            return c;
+        })";
+    for (const std::string semicolon : {"", ";"})
+    {
+        std::string written = text;
+        for (std::size_t at = 0; (at = written.find('@', at)) != std::string::npos;)
+        {
+            written.replace(at, 1, semicolon);
+        }
+        EXPECT_THAT(TextureNames(*CompileCg(written, {"DIRECTIONAL"})),
+                    ElementsAre("_GrabTexture"));
+        EXPECT_THAT(TextureNames(*CompileCg(written, {"POINT", "SHADOWS_CUBE", "FOG_LINEAR"})),
+                    testing::UnorderedElementsAre("_GrabTexture", "_LightTexture0"));
+    }
 }
 
 TEST(BuiltinLibrary, LeavesTheLightColorToShadersThatDeclareIt)

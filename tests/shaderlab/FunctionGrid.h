@@ -6,9 +6,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limn/core/Image.h>
+#include <limn/core/Texture.h>
 #include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,8 @@ public:
     /// The value of a uniform or of a matrix (column by column), in whichever buffer it lies; those
     /// not named are 0, textures are 1x1 white.
     void SetGlobal(const std::string& name, std::vector<float> values);
+    /// What the program finds in a texture; sampled bilinearly, repeated.
+    void SetTexture(const std::string& name, std::shared_ptr<const Texture2D> texture);
 
     PerDrawData perDraw{}; ///< of the object that is drawn
 
@@ -98,6 +102,7 @@ private:
     ProgramLanguage m_Language;
     std::vector<Function> m_Functions;
     std::map<std::string, std::vector<float>> m_Globals;
+    std::map<std::string, std::shared_ptr<const Texture2D>> m_Textures;
 };
 
 } // namespace limn::test

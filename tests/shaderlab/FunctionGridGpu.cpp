@@ -85,9 +85,10 @@ std::vector<std::byte> Fill(const UniformBuffer& buffer,
 
 /// What all draws share: everything but the inputs.
 DrawBindings SharedBindings(CompiledFrame& frame, const PropertyLayout& layout,
-                            const std::map<std::string, std::vector<float>>& globals)
+                            const std::map<std::string, std::vector<float>>& globals,
+                            const std::map<std::string, std::shared_ptr<const Texture2D>>& textures)
 {
-    static const auto white = std::make_shared<Texture2D>(
+    static const std::shared_ptr<const Texture2D> white = std::make_shared<Texture2D>(
         "white", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, std::vector<std::byte>(4, std::byte{255}));
     DrawBindings bindings;
     for (const UniformBuffer& buffer : layout.buffers)
@@ -100,7 +101,9 @@ DrawBindings SharedBindings(CompiledFrame& frame, const PropertyLayout& layout,
     for (const TextureBinding& texture : layout.textures)
     {
         const auto sampler = texture.combinedSampler ? std::optional(SamplerState{}) : std::nullopt;
-        bindings.textures.push_back({texture.binding, white, sampler});
+        const auto found = textures.find(texture.name);
+        bindings.textures.push_back(
+            {texture.binding, found != textures.end() ? found->second : white, sampler});
     }
     for (const SamplerBinding& sampler : layout.samplers)
     {
@@ -197,6 +200,11 @@ void FunctionGrid::SetGlobal(const std::string& name, std::vector<float> values)
     m_Globals[name] = std::move(values);
 }
 
+void FunctionGrid::SetTexture(const std::string& name, std::shared_ptr<const Texture2D> texture)
+{
+    m_Textures[name] = std::move(texture);
+}
+
 std::size_t FunctionGrid::Width() const
 {
     std::size_t width = 1;
@@ -250,7 +258,7 @@ Image FunctionGrid::Draw() const
                                         GraphicsFormat::R32G32B32A32_SFloat);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.perDraw = {perDraw};
-    const DrawBindings shared = SharedBindings(frame, pass->layout, m_Globals);
+    const DrawBindings shared = SharedBindings(frame, pass->layout, m_Globals, m_Textures);
     const auto grid = std::find_if(pass->layout.buffers.begin(), pass->layout.buffers.end(),
                                    [](const UniformBuffer& b) { return b.name == "limn_Grid"; });
     for (std::size_t row = 0; row < m_Functions.size(); ++row)

@@ -95,7 +95,8 @@ TEST(ShaderLibraryPackages, CanBeIncludedFileByFile)
 {
     for (const char* folder :
          {"Packages/com.unity.render-pipelines.core", "Packages/com.unity.postprocessing",
-          "Packages/com.unity.render-pipelines.universal/ShaderLibrary"})
+          "Packages/com.unity.render-pipelines.universal/ShaderLibrary",
+          "Packages/com.unity.render-pipelines.universal/Shaders/PostProcessing"})
     {
         for (const std::string& header : Headers(folder))
         {
@@ -322,6 +323,103 @@ TEST(ShaderLibraryPackages, KnowHairWrappedLightWhiteBalanceAndNamesOfOlderVersi
             return float4(NeutralTonemap(WhiteBalance(c, n)), 1);
         })");
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+}
+
+TEST(ShaderLibraryPackages, HaveSamplersAndTexelSizesOfBlitsByName)
+{
+    const auto samplers =
+        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+        TEXTURE2D(_Map);
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            return _Map.SampleLevel(sampler_PointClamp, p.xy, 0) +
+                   _Map.SampleLevel(sampler_TrilinearRepeat, p.xy, 0);
+        })");
+    EXPECT_EQ(samplers->layout.samplers.size(), 2u);
+    const auto blit = CompileHlsl(
+        Include("Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl") + R"(
+        Varyings vert(Attributes input) { return Vert(input); }
+        float4 frag(Varyings input) : SV_Target { return _BlitTexture_TexelSize; })");
+    ASSERT_EQ(blit->layout.buffers.size(), 1u);
+    const auto& members = blit->layout.buffers[0].members;
+    EXPECT_TRUE(std::any_of(members.begin(), members.end(),
+                            [](const auto& m) { return m.name == "_BlitTexture_TexelSize"; }));
+}
+
+TEST(ShaderLibraryPackages, WriteRenderingLayersInAVariantOfTheirOwn)
+{
+    PassProgram program =
+        test::Program("#include_with_pragmas \"" + std::string(k_Universal) +
+                      "ShaderLibrary/RenderingLayers.hlsl\"\n" +
+                      Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+        float4 vert(float4 p : POSITION) : SV_Position { return TransformObjectToHClip(p.xyz); }
+        void frag(out float4 color : SV_Target0
+        #ifdef _WRITE_RENDERING_LAYERS
+            , out float4 layers : SV_Target1
+        #endif
+        )
+        {
+            color = 1;
+        #ifdef _WRITE_RENDERING_LAYERS
+            layers = EncodeMeshRenderingLayer(GetMeshRenderingLayer());
+        #endif
+        })");
+    ShaderCompiler compiler;
+    EXPECT_EQ(compiler.Compile(program)->layout.colorOutputs, 1);
+    const std::vector<std::string> keywords = {"_WRITE_RENDERING_LAYERS"};
+    EXPECT_EQ(compiler.Compile(program, keywords)->layout.colorOutputs, 2);
+}
+
+TEST(ShaderLibraryPackages, CompileAGeneratedPassOfASprite)
+{
+    const std::string includes = std::string(k_Universal) + "Editor/ShaderGraph/Includes/";
+    const auto pass = CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") +
+                                  R"(
+        #define SHADERPASS SHADERPASS_SPRITEUNLIT
+        #define VARYINGS_NEED_COLOR
+        struct Attributes { float3 positionOS : POSITION; float4 color : COLOR; };
+        struct Varyings { float4 positionCS; float4 color; };
+        struct PackedVaryings { float4 positionCS : SV_POSITION; float4 color : TEXCOORD0; };
+        PackedVaryings PackVaryings(Varyings v)
+        {
+            PackedVaryings p; p.positionCS = v.positionCS; p.color = v.color; return p;
+        }
+        Varyings UnpackVaryings(PackedVaryings p)
+        {
+            Varyings v; v.positionCS = p.positionCS; v.color = p.color; return v;
+        }
+        struct SurfaceDescriptionInputs { float4 position; };
+        struct SurfaceDescription { float3 BaseColor; float Alpha; };
+        SurfaceDescriptionInputs BuildSurfaceDescriptionInputs(Varyings v)
+        {
+            SurfaceDescriptionInputs i; i.position = v.positionCS; return i;
+        }
+        SurfaceDescription SurfaceDescriptionFunction(SurfaceDescriptionInputs i)
+        {
+            SurfaceDescription s; s.BaseColor = i.position.xyz; s.Alpha = 0.5; return s;
+        })" + "\n" + Include(includes + "ShaderPass.hlsl") +
+                                  Include(includes + "Varyings.hlsl") +
+                                  Include(includes + "SpriteUnlitPass.hlsl"));
+    EXPECT_EQ(pass->layout.vertexInputs.size(), 2u);
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+}
+
+TEST(ShaderLibraryPackages, KnowShadowNamesOfOlderVersions)
+{
+    const auto pass =
+        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Shadows.hlsl") + R"(
+        TEXTURE2D_SHADOW(_Map); SAMPLER_CMP(sampler_Map);
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            return SampleShadowmap(p, TEXTURE2D_SHADOW_ARGS(_Map, sampler_Map),
+                                   GetMainLightShadowSamplingData(), GetMainLightShadowStrength(),
+                                   false) * _MainLightShadowData.x;
+        })");
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    ASSERT_EQ(pass->layout.samplers.size(), 1u);
+    EXPECT_TRUE(pass->layout.samplers[0].comparison);
 }
 
 } // namespace

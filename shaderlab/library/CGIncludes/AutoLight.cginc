@@ -101,4 +101,4 @@ fixed limn_LightFalloff(float3 worldPos) { return 1.0; }
 #define LIGHT_ATTENUATION(a) (limn_FalloffOf(a) * SHADOW_ATTENUATION(a))
 // Declares destName.
 #define UNITY_LIGHT_ATTENUATION(destName, input, worldPos) \
-    fixed destName = limn_LightFalloff(worldPos) * UNITY_SHADOW_ATTENUATION(input, worldPos)
+    fixed destName = limn_LightFalloff(worldPos) * UNITY_SHADOW_ATTENUATION(input, worldPos);

@@ -36,7 +36,7 @@
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION
 #define UNITY_VPOS_TYPE float4
 #define UNITY_FIXED_IS_HALF 0
-#define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0
+#define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define UNITY_PROJ_COORD(coord) coord
 #define UNITY_SAMPLE_DEPTH(value) ((value).r)
 #define UNITY_OPAQUE_ALPHA(alpha) alpha = 1.0
@@ -114,7 +114,7 @@
 #define SAMPLE_DEPTH_TEXTURE(tex, uv) (tex2D(tex, uv).r)
 #define SAMPLE_DEPTH_TEXTURE_PROJ(tex, uv) (tex2Dproj(tex, uv).r)
 #define SAMPLE_DEPTH_TEXTURE_LOD(tex, uv) (tex2Dlod(tex, uv).r)
-#define UNITY_DECLARE_SCREENSPACE_TEXTURE(tex) sampler2D tex
+#define UNITY_DECLARE_SCREENSPACE_TEXTURE(tex) sampler2D tex; // as Unity's: many write none behind
 #define UNITY_DECLARE_SCREENSPACE_SHADOWMAP(tex) sampler2D tex
 #define UNITY_SAMPLE_SCREENSPACE_TEXTURE(tex, uv) tex2D(tex, uv)
 #define UNITY_SAMPLE_SCREEN_SHADOW(tex, uv) (tex2Dproj(tex, uv).r)

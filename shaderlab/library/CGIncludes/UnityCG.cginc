@@ -13,6 +13,13 @@
 #define UNITY_INV_HALF_PI 0.636619772367
 #define UNITY_HALF_MIN 6.103515625e-5
 
+// Of fixed-function times, when textures and normals had a matrix of their own.
+#define UNITY_MATRIX_TEXTURE0 float4x4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)
+#define UNITY_MATRIX_TEXTURE1 UNITY_MATRIX_TEXTURE0
+#define UNITY_MATRIX_TEXTURE2 UNITY_MATRIX_TEXTURE0
+#define UNITY_MATRIX_TEXTURE3 UNITY_MATRIX_TEXTURE0
+#define SCALED_NORMAL (v.normal)
+
 struct appdata_base
 {
     float4 vertex : POSITION;

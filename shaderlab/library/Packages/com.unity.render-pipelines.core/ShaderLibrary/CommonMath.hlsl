@@ -148,5 +148,31 @@ float3 Orthonormalize(float3 tangent, float3 normal)
     return normalize(tangent - dot(tangent, normal) * normal);
 }
 
+// The place that a value has in one range, in another range; outside of it too.
+float Remap(float origFrom, float origTo, float targetFrom, float targetTo, float value)
+{
+    return lerp(targetFrom, targetTo, (value - origFrom) / (origTo - origFrom));
+}
+
 // Where t lies between two numbers, 0...1.
 float RangeRemap(float low, float high, float t) { return saturate((t - low) / (high - low)); }
+
+// By Cramer's rule. Cross products of the rows (a, b) and (c, d) of the matrix give all cofactors;
+// a matrix without an inverse gives infinities.
+float4x4 Inverse(float4x4 m)
+{
+    float3 a = m[0].xyz;
+    float3 b = m[1].xyz;
+    float3 c = m[2].xyz;
+    float3 d = m[3].xyz;
+    float3 s = cross(a, b);
+    float3 t = cross(c, d);
+    float3 u = a * m[1].w - b * m[0].w;
+    float3 v = c * m[3].w - d * m[2].w;
+    float determinant = dot(s, v) + dot(t, u);
+    float4x4 columns = float4x4(float4(cross(b, v) + t * m[1].w, -dot(b, t)),
+                                float4(cross(v, a) - t * m[0].w, dot(a, t)),
+                                float4(cross(d, u) + s * m[3].w, -dot(d, s)),
+                                float4(cross(u, c) - s * m[2].w, dot(c, s)));
+    return transpose(columns) * (1.0 / determinant);
+}

@@ -90,6 +90,18 @@ float SampleShadowmap(Texture2D shadowMap, SamplerComparisonState smp, float4 sh
 #endif
     return BEYOND_SHADOW_FAR(shadowCoord) ? 1.0 : lerp(1.0, lit, shadowParams.x);
 }
+
+// Names of earlier versions of the library.
+#define _MainLightShadowData _MainLightShadowParams
+float GetMainLightShadowStrength() { return _MainLightShadowParams.x; }
+float SampleShadowmap(float4 shadowCoord, Texture2D shadowMap, SamplerComparisonState smp,
+                      ShadowSamplingData samplingData, float shadowStrength,
+                      bool isPerspectiveProjection = true)
+{
+    return SampleShadowmap(shadowMap, smp, shadowCoord, samplingData,
+                           float4(shadowStrength, 1.0, 0.0, 0.0), isPerspectiveProjection);
+}
+
 // The same of the main light's map, without a comparison sampler: where nobody set a map, what
 // stands in for it is no depth texture.
 float limn_MainLightLit(float2 uv, float depth)

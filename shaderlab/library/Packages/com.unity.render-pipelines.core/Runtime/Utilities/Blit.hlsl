@@ -1,5 +1,4 @@
-// Full-screen passes over a source texture. _BlitTexture_TexelSize is the author's to declare, as
-// in URP 14.
+// Full-screen passes over a source texture.
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -7,6 +6,7 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/GlobalSamplers.hlsl"
 
 TEXTURE2D_X(_BlitTexture);
+float4 _BlitTexture_TexelSize; // 1/width, 1/height, width, height
 TEXTURECUBE(_BlitCubeTexture);
 
 uniform float4 _BlitScaleBias;

@@ -10,7 +10,7 @@
 #define FRONT_FACE_TYPE bool
 #define IS_FRONT_VFACE(value, front, back) ((value) ? (front) : (back))
 
-#define ZERO_INITIALIZE(type, name) name = (type)0
+#define ZERO_INITIALIZE(type, name) name = (type)0;
 #define ZERO_INITIALIZE_ARRAY(type, name, size) \
     { for (int limn_i = 0; limn_i < size; limn_i++) name[limn_i] = (type)0; }
 

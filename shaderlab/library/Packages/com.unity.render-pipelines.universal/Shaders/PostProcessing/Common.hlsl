@@ -1,11 +1,11 @@
-// What post-processing shaders share.
+// What the passes after the scene share: Blit.hlsl's vertex functions, and the steps of grading, each
+// from the colour of one pixel. The keywords are those of URP's own passes.
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
-#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Random.hlsl"
-#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-#include "Packages/com.unity.render-pipelines.universal/Shaders/Utils/Fullscreen.hlsl"
+#include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
 
+// By the weights of the space that tonemapping works in: ACEScg's, or Rec. 709's.
 float GetLuminance(float3 colorLinear)
 {
 #ifdef _TONEMAP_ACES
@@ -15,17 +15,19 @@ float GetLuminance(float3 colorLinear)
 #endif
 }
 
+// limn's fast curves are the exact ones, so that _USE_FAST_SRGB_LINEAR_CONVERSION chooses nothing.
 float3 GetSRGBToLinear(float3 c) { return SRGBToLinear(c); }
 float4 GetSRGBToLinear(float4 c) { return SRGBToLinear(c); }
 float3 GetLinearToSRGB(float3 c) { return LinearToSRGB(c); }
 float4 GetLinearToSRGB(float4 c) { return LinearToSRGB(c); }
 
-// Tints what is away from the centre.
+// Fades to a colour away from the centre. roundness: how many times faster along u.
 float3 ApplyVignette(float3 input, float2 uv, float2 center, float intensity, float roundness,
                      float smoothness, float3 color)
 {
-    float2 away = abs(uv - center) * intensity * float2(roundness, 1.0);
-    return input * lerp(color, float3(1, 1, 1), pow(saturate(1.0 - dot(away, away)), smoothness));
+    float2 away = (uv - center) * intensity * float2(roundness, 1.0);
+    float kept = pow(saturate(1.0 - dot(away, away)), smoothness);
+    return input * lerp(color, float3(1, 1, 1), kept);
 }
 
 float3 ApplyTonemap(float3 input)
@@ -36,4 +38,56 @@ float3 ApplyTonemap(float3 input)
     input = NeutralTonemap(input);
 #endif
     return saturate(input);
+}
+
+// A strip that the author painted over sRGB values, mixed in by `contribution`.
+float3 limn_ApplyUserLut(float3 input, TEXTURE2D_PARAM(lut, lutSampler), float3 params,
+                         float contribution)
+{
+    if (contribution <= 0.0)
+    {
+        return input;
+    }
+    float3 encoded = GetLinearToSRGB(saturate(input));
+    float3 graded = ApplyLut2D(TEXTURE2D_ARGS(lut, lutSampler), encoded, params);
+    return GetSRGBToLinear(lerp(encoded, graded, contribution));
+}
+
+// Exposure, then the strip of URP's grading and the author's. With _HDR_GRADING the strip is over
+// LogC and tonemaps; else tonemapping comes first and the strip is over linear values.
+float3 ApplyColorGrading(float3 input, float postExposure, TEXTURE2D_PARAM(lutTex, lutSampler),
+                         float3 lutParams, TEXTURE2D_PARAM(userLutTex, userLutSampler),
+                         float3 userLutParams, float userLutContrib)
+{
+    input *= postExposure;
+#ifdef _HDR_GRADING
+    float3 logC = saturate(LinearToLogC(input));
+    input = ApplyLut2D(TEXTURE2D_ARGS(lutTex, lutSampler), logC, lutParams);
+    return limn_ApplyUserLut(input, TEXTURE2D_ARGS(userLutTex, userLutSampler), userLutParams,
+                             userLutContrib);
+#else
+    input = limn_ApplyUserLut(ApplyTonemap(input), TEXTURE2D_ARGS(userLutTex, userLutSampler),
+                              userLutParams, userLutContrib);
+    return ApplyLut2D(TEXTURE2D_ARGS(lutTex, lutSampler), input, lutParams);
+#endif
+}
+
+// The texture's alpha is grain about 0.5; response: how much less of it there is where it is bright.
+float3 ApplyGrain(float3 input, float2 uv, TEXTURE2D_PARAM(GrainTexture, GrainSampler),
+                  float intensity, float response, float2 scale, float2 offset)
+{
+    float grain = SAMPLE_TEXTURE2D(GrainTexture, GrainSampler, uv * scale + offset).a * 2.0 - 1.0;
+    float strength = 1.0 - response * sqrt(Luminance(input));
+    return input * (1.0 + grain * intensity * strength);
+}
+
+// Noise of up to one step of 8 bits in sRGB. The texture's alpha is even noise; what is added falls
+// off evenly from 0 to both sides.
+float3 ApplyDithering(float3 input, float2 uv, TEXTURE2D_PARAM(BlueNoiseTexture, BlueNoiseSampler),
+                      float2 scale, float2 offset)
+{
+    float even =
+        SAMPLE_TEXTURE2D(BlueNoiseTexture, BlueNoiseSampler, uv * scale + offset).a * 2.0 - 1.0;
+    float noise = FastSign(even) * (1.0 - sqrt(1.0 - abs(even)));
+    return GetSRGBToLinear(GetLinearToSRGB(input) + noise / 255.0);
 }

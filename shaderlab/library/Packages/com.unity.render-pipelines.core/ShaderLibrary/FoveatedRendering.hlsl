@@ -1,0 +1,3 @@
+// No target of limn has regions of lower resolution: as in Unity without such a device, there is
+// nothing here.
+#pragma once

@@ -1,0 +1,5 @@
+// For #include_with_pragmas: the variant whose fragment function writes the rendering layers of what
+// it draws as well.
+#pragma once
+
+#pragma multi_compile_fragment _ _WRITE_RENDERING_LAYERS
