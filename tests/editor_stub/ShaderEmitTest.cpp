@@ -144,7 +144,7 @@ TEST_F(ShaderEmit, OfAGeometryFunctionIsRefusedWhereTheLanguageHasNone)
             RunCommand({"shader", shader, std::string(LIMN_SOURCE_DIR "/") + sample.file, "--emit",
                         language, "-o", out});
         EXPECT_EQ(1, run.exitCode);
-        EXPECT_NE(run.err.find("a.shader:1:28: error: the pass cannot be written as " +
+        EXPECT_NE(run.err.find("a.shader:1:29: error: the pass cannot be written as " +
                                std::string(language) + ": " + reason),
                   std::string::npos)
             << run.err;

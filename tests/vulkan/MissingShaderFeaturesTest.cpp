@@ -9,8 +9,8 @@ namespace
 
 using testing::ElementsAre;
 using vulkan::FeatureChain;
-using vulkan::OptionalExtensions;
 using vulkan::MissingShaderFeatures;
+using vulkan::OptionalExtensions;
 
 constexpr VkSubgroupFeatureFlags k_AllOperations =
     VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT | VK_SUBGROUP_FEATURE_BALLOT_BIT |
