@@ -18,6 +18,9 @@ public:
     /// False behind the last line. `number` is where the line starts in the file.
     bool Next(std::string& line, int& number);
 
+    /// Of what was read so far.
+    bool endsInComment() const { return m_InComment; }
+
 private:
     void Take(std::string_view rest, std::string& line);
 

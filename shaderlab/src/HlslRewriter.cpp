@@ -263,7 +263,9 @@ private:
     bool isAssigned(std::size_t index) const
     {
         const std::string_view before = Text(index - 1);
-        if (before == "." || (m_Tokens[index - 1].isWord && before != "return" && before != "else"))
+        const bool isBehindWord =
+            index > 0 && m_Tokens[index - 1].isWord && before != "return" && before != "else";
+        if (before == "." || isBehindWord)
         {
             return false; // a member of something else, or the declaration of a local
         }

@@ -1,5 +1,6 @@
 #include "Parser.h"
 
+#include "HlslLines.h"
 #include "PragmaScanner.h"
 #include "Text.h"
 
@@ -21,6 +22,22 @@ std::string_view EndWordOf(ProgramLanguage language)
 {
     static constexpr std::string_view k_Words[] = {"ENDHLSL", "ENDCG", "ENDGLSL"};
     return k_Words[static_cast<std::size_t>(language)];
+}
+
+bool EndsInComment(std::string_view text)
+{
+    const std::size_t last = text.rfind("/*");
+    if (last == text.npos || text.find("*/", last + 2) != text.npos)
+    {
+        return false; // as nearly always
+    }
+    HlslLines lines(text, 1);
+    std::string line;
+    int number = 0;
+    while (lines.Next(line, number))
+    {
+    }
+    return lines.endsInComment();
 }
 
 std::size_t SizeOf(const std::vector<SourceChunk>& chunks)
@@ -75,8 +92,15 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
 void Parser::ParseIncludeBlock()
 {
     const ProgramLanguage language = LanguageOf(m_Word);
+    const SourceLocation location = m_Command;
     if (auto chunk = ReadChunk(EndWordOf(language)); chunk && Count())
     {
+        if (EndsInComment(chunk->text))
+        {
+            Report(Severity::Warning, location,
+                   std::string(m_Word) + ": a comment in it is not closed; write */ before " +
+                       std::string(EndWordOf(language)));
+        }
         m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
     }
 }

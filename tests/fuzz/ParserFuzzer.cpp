@@ -20,13 +20,14 @@ void Require(bool holds, const char* what)
 }
 
 /// A program that ends in a comment, or holds a word that opens another, ends elsewhere once other
-/// text stands before or behind it.
+/// text stands before or behind it; so does a comment that an include block leaves open.
 bool isAmbiguous(const limn::ShaderLabParseResult& result)
 {
     for (const limn::Diagnostic& diagnostic : result.diagnostics)
     {
         if (diagnostic.message.find("stands in a comment") != std::string::npos ||
-            diagnostic.message.find("stands inside it") != std::string::npos)
+            diagnostic.message.find("stands inside it") != std::string::npos ||
+            diagnostic.message.find("is not closed") != std::string::npos)
         {
             return true;
         }

@@ -169,6 +169,14 @@ TEST(ShaderLabError, WarnsOfAProgramInsideAnother)
                             "missing before that?"));
 }
 
+TEST(ShaderLabError, WarnsOfACommentThatAnIncludeBlockLeavesOpen)
+{
+    EXPECT_THAT(test::ParseMessages("Shader \"T\" {\nCGINCLUDE\na /* b */ // /*\nENDCG\n"
+                                    "HLSLINCLUDE\n /* c\nENDHLSL\nSubShader { Pass { } } }"),
+                ElementsAre("5:1: warning: HLSLINCLUDE: a comment in it is not closed; write */ "
+                            "before ENDHLSL"));
+}
+
 TEST(ShaderLabError, ReportsAnUnclosedPropertiesBlockAtTheNextCommand)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" { Properties {\n_A(\"a\", Int) = 1\nSubShader { "
