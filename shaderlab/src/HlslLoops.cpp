@@ -31,9 +31,17 @@ public:
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            if (isLeaking(i) && !isDeclaredByHand(i))
+            if (!isLeaking(i))
+            {
+                continue;
+            }
+            if (!isDeclaredByHand(i))
             {
                 Hoist(i);
+            }
+            else if (isHiding(i))
+            {
+                HoistRenamed(i);
             }
         }
         return m_Code.Assemble();
@@ -64,6 +72,44 @@ private:
         }
         m_Code.Spelling(FirstOfLoop(loop)).insert(0, declarations);
         m_Code.Spelling(loop + 2).clear();
+    }
+
+    /// The same under another name: one of this name is there already, and the compilers of old
+    /// took the newest.
+    void HoistRenamed(std::size_t loop)
+    {
+        const std::string_view name = Text(loop + 3);
+        const std::string renamed = "limn_" + std::string(name) + std::to_string(loop);
+        const std::string declaration = std::string(Text(loop + 2)) + " " + renamed + "; ";
+        const int block = BlockDepth(EndOfStatement(loop));
+        for (std::size_t i = loop; i < m_Code.size() && m_Depth[i] >= block; ++i)
+        {
+            if (Text(i) == name && Text(i - 1) != ".")
+            {
+                m_Code.Spelling(i) = renamed;
+            }
+        }
+        m_Code.Spelling(FirstOfLoop(loop)).insert(0, declaration);
+        m_Code.Spelling(loop + 2).clear();
+    }
+
+    /// Whether a loop hides a number by its only variable, and the name is used behind it. What has
+    /// members is no number: it is the hidden one that is meant.
+    bool isHiding(std::size_t loop) const
+    {
+        const std::vector<std::size_t> names = Names(loop);
+        const std::string_view name = Text(names[0]);
+        const std::size_t end = EndOfStatement(loop);
+        const int block = BlockDepth(end);
+        for (std::size_t i = names[0] + 1; i < m_Code.size() && m_Depth[i] >= block; ++i)
+        {
+            const bool isName = Text(i) == name && Text(i - 1) != ".";
+            if (isName && (isDeclaration(i) || Text(i + 1) == "." || Text(i + 1) == "["))
+            {
+                return false;
+            }
+        }
+        return names.size() == 1 && DeclaredBefore(loop, name) == Declared::ByHand;
     }
 
     bool isBoundary(std::size_t index) const

@@ -75,6 +75,7 @@ private:
 
     // ParserStructure.cpp: shader, category, sub-shader, pass
     void ParseFile();
+    void ParseIncludesBeforeShader();
     void ParseCategory();
     void ParseSubShader();
     void ParsePass();

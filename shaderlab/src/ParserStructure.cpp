@@ -33,8 +33,25 @@ std::size_t SizeOf(const std::vector<LegacyCommand>& commands)
 
 } // namespace
 
+/// Include blocks may stand before the shader: they are for the whole file.
+void Parser::ParseIncludesBeforeShader()
+{
+    const auto isNext = [&](const Command& command)
+    {
+        return command.parse == &Parser::ParseIncludeBlock && isWord(command.name);
+    };
+    const CommandTable& table = ShaderCommands();
+    for (auto command = std::find_if(table.begin(), table.end(), isNext);
+         command != table.end() && !m_IsStopped;
+         command = std::find_if(table.begin(), table.end(), isNext))
+    {
+        ParseCommand(*command);
+    }
+}
+
 void Parser::ParseFile()
 {
+    ParseIncludesBeforeShader();
     if (!isWord("Shader"))
     {
         Error("file: it must start with Shader \"name\", not with " + Found());

@@ -42,7 +42,11 @@ TEST_F(HlslDialectValues, LoopVariablesAfterTheirLoop)
             float first = n * 100 + k * 10;
             for (int n = 5, k = 2; n < 6; n++) k++;
             return first + n + k;
-        })");
+        }
+        float Hidden(float n) { for (int n = 0; n < 4; n++) {} return n; }
+        float Local() { float n = 7, s = n; [loop] for (int n = 0; n < 3; ++n) { s += n; } return s * 10 + n; }
+        struct Point { float x; };
+        float Struct(Point n) { float s = 0; for (int n = 1; n < 3; n++) { s += n; } return s + n.x; })");
     const auto constant = [](double value)
     {
         return [value](auto&, auto&, auto&)
@@ -53,6 +57,9 @@ TEST_F(HlslDialectValues, LoopVariablesAfterTheirLoop)
     grid.Add("Both()", Combine({0.0}), constant(32));    // 0,5 1,4 2,3 3,2
     grid.Add("Second()", Combine({0.0}), constant(217)); // 3 * 7 * 10 + 7
     grid.Add("Again()", Combine({0.0}), constant(389));  // 300 + 80 + 6 + 3
+    grid.Add("Hidden(100)", Combine({0.0}), constant(4));
+    grid.Add("Local()", Combine({0.0}), constant(103)); // (7 + 0 + 1 + 2) * 10 + 3
+    grid.Add("Struct((Point)9.0)", Combine({0.0}), constant(12));
     grid.Run();
 }
 

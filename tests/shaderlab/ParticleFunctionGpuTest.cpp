@@ -203,6 +203,9 @@ void SetTerrain(FunctionGrid& grid)
     grid.SetGlobal("_WavingTint", {0.9f, 0.6f, 0.1f, 0});
     grid.SetGlobal("_Wind", {0.3f, 0.1f, -0.2f, 0.7f});
     grid.SetGlobal("_Time", {0.1f, 2.0f, 4.0f, 6.0f});
+    grid.SetGlobal("_TreeInstanceScale", {2, 3, 0.5f, 1});
+    grid.SetGlobal("_SquashPlaneNormal", {0, 0.6f, 0.8f, -1});
+    grid.SetGlobal("_SquashAmount", {0.25f});
 }
 
 std::vector<GridInput> Places()
@@ -211,6 +214,27 @@ std::vector<GridInput> Places()
 }
 
 } // namespace
+
+TEST_F(ParticleFunctions, FarTreesAreSquashedTowardsAPlane)
+{
+    FunctionGrid grid(k_Terrain + R"(
+        float4 Flat(float3 p) { return Squash(float4(p, 2)); }
+        float4 Stiff(float3 p) { float4 v = float4(p, 1); TerrainAnimateTree(v, 0.0); return v; })",
+                      ProgramLanguage::Cg);
+    SetTerrain(grid);
+    // A quarter of the distance to the plane is left.
+    const auto flat = [](const glm::dvec3& p)
+    {
+        const glm::dvec3 normal(0, 0.6, 0.8);
+        const double distance = glm::dot(normal, p) - 1.0;
+        return glm::dvec4(p - normal * distance * 0.75, 1.0);
+    };
+    grid.Add("Flat(a.xyz)", Places(), [=](auto& a, auto&, auto&) { return flat(a); }, {1e-5, 1e-5});
+    grid.Add("Stiff(a.xyz)", Places(),
+             [=](auto& a, auto&, auto&) { return flat(glm::dvec3(a) * glm::dvec3(2, 3, 0.5)); },
+             {1e-5, 1e-5});
+    grid.Run();
+}
 
 TEST_F(ParticleFunctions, GrassWavesOverTheTerrain)
 {

@@ -7,6 +7,9 @@ fixed4 _WavingTint;
 float4 _WaveAndDistance; // time of the wind, size of its waves, bending, largest distance squared
 float4 _CameraPosition;  // w: 1 / the largest distance squared
 float3 _CameraRight, _CameraUp;
+float4 _TreeInstanceColor, _TreeInstanceScale, _SquashPlaneNormal;
+float4x4 _TerrainEngineBendTree;
+float _SquashAmount; // 1 = not at all
 float4 _Wind; // of a tree; w: how much its leaves flutter
 
 // Sine and cosine of angles from half a turn back to half a turn ahead, for values from 0 to 1, by
@@ -61,6 +64,31 @@ void WavingGrassBillboardVert(inout appdata_full v)
 {
     TerrainBillboardGrass(v.vertex, v.tangent.xy);
     v.color = TerrainWaveGrass(v.vertex, v.tangent.y, v.color);
+}
+
+struct appdata_tree
+{
+    float4 vertex : POSITION;
+    float4 tangent : TANGENT;
+    float3 normal : NORMAL;
+    fixed4 color : COLOR;
+    float4 texcoord : TEXCOORD0;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+// Far trees are pressed flat towards a plane before a billboard takes their place.
+float4 Squash(in float4 pos)
+{
+    float height = dot(_SquashPlaneNormal.xyz, pos.xyz) + _SquashPlaneNormal.w;
+    return float4(pos.xyz - (1.0 - _SquashAmount) * height * _SquashPlaneNormal.xyz, 1.0);
+}
+
+// A vertex of a tree that bends as a whole. alpha: how much the vertex follows.
+void TerrainAnimateTree(inout float4 pos, float alpha)
+{
+    pos.xyz *= _TreeInstanceScale.xyz;
+    float3 bent = mul(_TerrainEngineBendTree, float4(pos.xyz, 0.0)).xyz;
+    pos = Squash(float4(lerp(pos.xyz, bent, alpha), pos.w));
 }
 
 float4 SmoothCurve(float4 x) { return x * x * (3.0 - 2.0 * x); }

@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+float a;
+
+            float c;
+            ENDHLSL
+        }
+    }
+}
