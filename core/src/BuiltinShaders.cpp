@@ -116,7 +116,7 @@ std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDime
     lower = lower == "normal" ? "bump" : lower;
     const auto isKnown = std::any_of(std::begin(k_SolidColors), std::end(k_SolidColors),
                                      [&](const SolidColor& color) { return color.name == lower; });
-    const std::string_view known = isKnown ? lower : "gray";
+    const std::string known = isKnown ? lower : "gray";
     return *std::find_if(textures.begin(), textures.end(),
                          [&](const auto& texture)
                          { return texture->dimension() == dimension && texture->name() == known; });
