@@ -110,7 +110,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Resolve(text);
     const std::string translated = TranslateDirectives(text);
     Require(Lines(translated) >= Lines(text), "lines were lost");
-    const std::string spelt = RespellForGlslang(translated);
+    std::vector<Diagnostic> warnings;
+    const std::string spelt = RespellForGlslang(translated, PassProgram{}, warnings);
     Rewrite(spelt, ShaderStage::Vertex);
     Rewrite(spelt, ShaderStage::Geometry);
     Rewrite(spelt, ShaderStage::Fragment);

@@ -6,9 +6,11 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:?usage: tests/fuzz/run.sh SECONDS [BUILD_FOLDER]}
 build=${2:-build/fuzz}
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="-O1 -g1" \
-    -DLIMN_SANITIZE=address,undefined,fuzzer-no-link -DLIMN_BUILD_FUZZERS=ON >/dev/null
+options=()
+if [ $# -lt 2 ]; then
+    options=(-DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1") # a folder of its own: quicker fuzzers
+fi
+cmake --preset asan -B "$build" "${options[@]}" >/dev/null
 cmake --build "$build" --target fuzzers
 mkdir -p "$build/findings"
 fuzz() {
