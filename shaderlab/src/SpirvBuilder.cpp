@@ -7,6 +7,7 @@
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
 namespace limn
@@ -49,6 +50,22 @@ void Optimize(std::vector<std::uint32_t>& spirv, const std::string& file)
         ThrowLog(messages, file, "optimising");
     }
     spirv = std::move(optimized);
+}
+
+/// glslang 12 takes some HLSL that it has no valid SPIR-V for; drivers may do anything with it.
+void RequireValid(const std::vector<std::uint32_t>& spirv, const std::string& file)
+{
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
+    std::string messages;
+    tools.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
+        { messages.append(messages.empty() ? "" : "; ").append(message); });
+    if (!tools.Validate(spirv))
+    {
+        throw AssetError(file, {},
+                         "program: the HLSL compiler makes invalid SPIR-V of it: " +
+                             messages.substr(0, messages.find('\n')));
+    }
 }
 
 /// The functions that glslang has found no overload of.
@@ -99,6 +116,7 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
     std::vector<std::uint32_t> spirv;
     glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
     Optimize(spirv, file);
+    RequireValid(spirv, file);
     return spirv;
 }
 

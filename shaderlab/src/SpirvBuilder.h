@@ -13,7 +13,7 @@ namespace limn
 ///
 /// @param file      named by messages that have no place of their own
 /// @param warnings  gets those of the compiler
-/// @throws AssetError
+/// @throws AssetError, also where the result is not valid
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
                                       const std::string& file, std::vector<Diagnostic>& warnings);
 

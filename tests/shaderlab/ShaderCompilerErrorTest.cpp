@@ -184,6 +184,21 @@ TEST(ShaderCompilerError, RefusesSurfaceShaders)
                             "supported; write a vertex and a fragment function"));
 }
 
+TEST(ShaderCompilerError, RefusesWhatWouldBeInvalidSpirv)
+{
+    // Vulkan takes an offset of a sampled texel only where it is a constant.
+    EXPECT_THAT(
+        CompileMessages(
+            Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                    "Texture2D _Map; SamplerState sampler_Map; int2 _Offset;\n"
+                    "float4 frag() : SV_Target { return _Map.SampleLevel(sampler_Map, 0, 0, "
+                    "_Offset); }")),
+        ElementsAre(testing::AllOf(
+            testing::StartsWith(
+                "t.shader:1:1: error: program: the HLSL compiler makes invalid SPIR-V of it: "),
+            testing::HasSubstr("Offset"))));
+}
+
 TEST(ShaderCompilerError, PassesOnErrorDirectives)
 {
     EXPECT_THAT(CompileMessages(Program("\n#error turn X on\n")),
