@@ -85,6 +85,12 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
                    std::string(endWord) + " missing before that?");
     }
     chunk.text = std::string(block.text);
+    if (EndsInComment(chunk.text))
+    {
+        Report(Severity::Warning, location,
+               subject + ": a comment in it is not closed; write */ before " +
+                   std::string(endWord));
+    }
     Advance();
     return chunk;
 }
@@ -92,15 +98,8 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
 void Parser::ParseIncludeBlock()
 {
     const ProgramLanguage language = LanguageOf(m_Word);
-    const SourceLocation location = m_Command;
     if (auto chunk = ReadChunk(EndWordOf(language)); chunk && Count())
     {
-        if (EndsInComment(chunk->text))
-        {
-            Report(Severity::Warning, location,
-                   std::string(m_Word) + ": a comment in it is not closed; write */ before " +
-                       std::string(EndWordOf(language)));
-        }
         m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
     }
 }

@@ -20,7 +20,7 @@ void Require(bool holds, const char* what)
 }
 
 /// A program that ends in a comment, or holds a word that opens another, ends elsewhere once other
-/// text stands before or behind it; so does a comment that an include block leaves open.
+/// text stands before or behind it; so does a comment that a block leaves open.
 bool isAmbiguous(const limn::ShaderLabParseResult& result)
 {
     for (const limn::Diagnostic& diagnostic : result.diagnostics)

@@ -17,7 +17,8 @@ fuzz() {
     local name=$1
     local corpus=$build/corpus/$name
     mkdir -p "$corpus"
-    local options=(-max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536
+    # The same inputs each time, as far as the time goes; LIMN_FUZZ_SEED=0 takes others.
+    local options=(-seed="${LIMN_FUZZ_SEED:-1}" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=65536
         -artifact_prefix="$build/findings/" -verbosity=0 -print_final_stats=1)
     if [ -f "tests/fuzz/$name.dict" ]; then
         options+=(-dict="tests/fuzz/$name.dict")
