@@ -36,6 +36,26 @@ std::size_t Components(std::string_view type)
     return 0;
 }
 
+/// Whether `] = {` stands anywhere.
+bool hasArrayInitializers(std::string_view text)
+{
+    constexpr const char* k_Blanks = " \t\r\n";
+    for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1))
+    {
+        const std::size_t mark = text.substr(0, at).find_last_not_of(k_Blanks);
+        if (mark == text.npos || mark == 0 || text[mark] != '=')
+        {
+            continue;
+        }
+        const std::size_t before = text.substr(0, mark).find_last_not_of(k_Blanks);
+        if (before != text.npos && text[before] == ']')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// The first tokens of what stands between the commas of `{ … }`, and the `}`. Empty where a list,
 /// a call or a name is among it: then its author has grouped it.
 std::vector<std::size_t> Numbers(const HlslEditor& code, std::size_t open)
@@ -79,6 +99,10 @@ void Group(HlslEditor& code, std::string_view type, std::size_t components, std:
 
 std::string GroupInitializers(std::string text)
 {
+    if (!hasArrayInitializers(text))
+    {
+        return text; // as nearly always
+    }
     HlslEditor code(text);
     for (std::size_t i = 0; i + 2 < code.size(); ++i)
     {

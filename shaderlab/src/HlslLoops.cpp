@@ -13,6 +13,21 @@ namespace limn
 namespace
 {
 
+/// Whether `for (` stands anywhere.
+bool hasLoops(std::string_view text)
+{
+    constexpr std::string_view k_For = "for";
+    for (std::size_t at = text.find(k_For); at != text.npos; at = text.find(k_For, at + 1))
+    {
+        const std::size_t next = text.find_first_not_of(" \t\r\n", at + k_For.size());
+        if (next != text.npos && text[next] == '(')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 class LoopHoister
 {
 public:
@@ -298,7 +313,7 @@ private:
 
 std::string HoistLoopVariables(std::string text)
 {
-    return LoopHoister(text).Hoist();
+    return hasLoops(text) ? LoopHoister(text).Hoist() : text;
 }
 
 } // namespace limn

@@ -11,6 +11,22 @@ namespace limn
 namespace
 {
 
+/// Whether `struct name :` stands anywhere.
+bool hasBases(std::string_view text)
+{
+    constexpr std::string_view k_Struct = "struct";
+    for (std::size_t at = text.find(k_Struct); at != text.npos;
+         at = text.find(k_Struct, at + k_Struct.size()))
+    {
+        const std::size_t end = text.find_first_of("{;:", at);
+        if (end != text.npos && text[end] == ':')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// The tokens in one line.
 std::string Join(const HlslEditor& code, std::size_t first, std::size_t end)
 {
@@ -26,6 +42,10 @@ std::string Join(const HlslEditor& code, std::size_t first, std::size_t end)
 
 std::string CopyBaseMembers(std::string text)
 {
+    if (!hasBases(text))
+    {
+        return text; // as nearly always
+    }
     HlslEditor code(text);
     std::map<std::string_view, std::string> members; // by the name of the struct
     for (std::size_t i = 0; i < code.size(); ++i)

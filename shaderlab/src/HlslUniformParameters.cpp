@@ -45,6 +45,10 @@ std::string TakeParameters(HlslEditor& code, std::size_t open, std::set<std::str
 
 std::string TakeUniformParameters(std::string text, const std::set<std::string_view>& entries)
 {
+    if (text.find("uniform") == text.npos)
+    {
+        return text;
+    }
     HlslEditor code(text);
     std::set<std::string> known;
     std::size_t declaration = 0;

@@ -35,6 +35,23 @@ bool isAmbiguous(const limn::ShaderLabParseResult& result)
     return false;
 }
 
+/// Canonical text has one block where the file had an include block and a program. Nonsense in
+/// them, such as halves of comments, may then mean something else.
+bool hasJoinedBlocks(const limn::ShaderLabDocument& document)
+{
+    for (const limn::ShaderLabSubShader& subShader : document.subShaders)
+    {
+        for (const limn::ShaderLabPass& pass : subShader.passes)
+        {
+            if (pass.program && pass.program->chunks.size() > 1)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 /// Any bytes give a document or diagnostics, never an exception; what is read without an error can
@@ -48,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     {
         Require(!limn::ToStringWithSource(diagnostic, text).empty(), "an empty diagnostic");
     }
-    if (result.hasErrors() || isAmbiguous(result))
+    if (result.hasErrors() || isAmbiguous(result) || hasJoinedBlocks(result.document))
     {
         return 0;
     }
