@@ -1,11 +1,11 @@
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
-#include "GlslangSession.h"
-#include "HlslPreprocessor.h"
-#include "HlslRewriter.h"
-#include "SpirvBuilder.h"
-#include "SpirvReflection.h"
+#include "hlsl/Preprocessor.h"
+#include "hlsl/Rewriter.h"
+#include "spirv/GlslangSession.h"
+#include "spirv/SpirvBuilder.h"
+#include "spirv/SpirvReflection.h"
 
 #include <benchmark/benchmark.h>
 #include <glslang/Public/ResourceLimits.h>

@@ -1,4 +1,4 @@
-#include "core/TestScene.h"
+#include "core/scene/TestScene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

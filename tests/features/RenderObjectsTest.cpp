@@ -1,5 +1,5 @@
-#include "core/TestScene.h"
 #include "core/ThrownMessage.h"
+#include "core/scene/TestScene.h"
 
 #include <cstring>
 #include <gmock/gmock.h>

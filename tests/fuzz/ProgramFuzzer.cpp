@@ -2,11 +2,11 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/VariantCount.h>
 
-#include "GlslangIncluder.h"
-#include "HlslRewriter.h"
-#include "HlslSpelling.h"
-#include "IncludeResolver.h"
-#include "PragmaScanner.h"
+#include "hlsl/Rewriter.h"
+#include "hlsl/rewrites/Spelling.h"
+#include "program/IncludeResolver.h"
+#include "program/PragmaScanner.h"
+#include "spirv/GlslangIncluder.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,0 +1,248 @@
+#include "draw/DrawResolver.h"
+
+#include "material/UniformWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limn/core/BuiltinShaders.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::uint32_t k_UniformAlignment = 256; // the most any device asks for
+
+std::string Lower(std::string_view text)
+{
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+std::string Subject(ShaderPropertyId id, const PropertySources& sources)
+{
+    return "material '" + sources.material->name() + "': property '" + id.name() + "'";
+}
+
+/// The texture that a property is set to; null where it is not.
+std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySources& sources)
+{
+    const ShaderPropertyValue* value = sources.Find(id);
+    if (value == nullptr)
+    {
+        return nullptr;
+    }
+    const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
+    if (texture == nullptr)
+    {
+        throw ContractError(Subject(id, sources) +
+                            " is a texture in the shader but is set to a number");
+    }
+    return *texture;
+}
+
+/// The default that a Properties entry names, or gray.
+std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
+                                         const PropertySources& sources)
+{
+    for (const ShaderProperty& property : sources.material->shader()->document().properties)
+    {
+        if (property.name == id.name())
+        {
+            return DefaultTexture(property.defaultTexture, dimension);
+        }
+    }
+    return DefaultTexture("gray", dimension);
+}
+
+/// What is bound to a texture of a shader.
+std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
+                                         const PropertySources& sources)
+{
+    if (binding.multisampled)
+    {
+        throw ContractError(Subject(id, sources) + " is a texture of several samples a texel in "
+                                                   "the shader; those cannot be bound yet");
+    }
+    std::shared_ptr<const Texture> texture = FindTexture(id, sources);
+    if (!texture)
+    {
+        return DefaultOf(id, binding.dimension, sources);
+    }
+    if (texture->dimension() != binding.dimension)
+    {
+        throw ContractError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
+                            " texture in the shader but is set to the " +
+                            ToString(texture->dimension()) + " texture '" + texture->name() + "'");
+    }
+    return texture;
+}
+
+/// A sampler whose name says what it does ("sampler_LinearClamp", "my_point_repeat_sampler"), or
+/// the sampler of the texture that it is named after ("sampler_MainTex" → _MainTex).
+SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
+{
+    const std::string lower = Lower(binding.name);
+    const auto has = [&](std::string_view word)
+    {
+        return lower.find(word) != std::string::npos;
+    };
+    const bool filtered = has("point") || has("linear");
+    const bool wrapped = has("clamp") || has("repeat") || has("mirror");
+    SamplerState state;
+    if (filtered && wrapped)
+    {
+        state.filterMode = has("point")       ? FilterMode::Point
+                           : has("trilinear") ? FilterMode::Trilinear
+                                              : FilterMode::Bilinear;
+        state.wrapModeU = has("clamp")        ? TextureWrapMode::Clamp
+                          : has("mirroronce") ? TextureWrapMode::MirrorOnce
+                          : has("mirror")     ? TextureWrapMode::Mirror
+                                              : TextureWrapMode::Repeat;
+        state.wrapModeV = state.wrapModeU;
+        state.wrapModeW = state.wrapModeU;
+    }
+    else if (lower.starts_with("sampler"))
+    {
+        // Where none is set: default textures have the default sampler.
+        const auto texture = FindTexture(ShaderPropertyId(binding.name.substr(7)), sources);
+        state = texture ? texture->sampler() : SamplerState{};
+    }
+    state.comparison = binding.comparison;
+    return state;
+}
+
+std::vector<TextureSlot> TextureSlots(const PropertyLayout& layout,
+                                      const std::vector<ShaderPropertyId>& ids,
+                                      const PropertySources& sources)
+{
+    std::vector<TextureSlot> slots;
+    for (std::size_t i = 0; i < layout.textures.size(); ++i)
+    {
+        const TextureBinding& binding = layout.textures[i];
+        TextureSlot slot{binding.binding, TextureOf(ids[i], binding, sources), std::nullopt};
+        if (binding.combinedSampler)
+        {
+            slot.sampler = slot.texture->sampler();
+        }
+        slots.push_back(std::move(slot));
+    }
+    return slots;
+}
+
+/// Meshes are made of triangles, and so are procedural draws.
+void RequireTriangles(const PropertyLayout& layout, const PropertySources& sources)
+{
+    static constexpr const char* k_Taken[] = {
+        nullptr, "points", "lines", "lines with neighbours", nullptr, "triangles with neighbours"};
+    if (const char* taken = k_Taken[static_cast<std::size_t>(layout.geometryInput)])
+    {
+        throw ContractError("material '" + sources.material->name() +
+                            "': the geometry function of its shader takes " + taken +
+                            ", but triangles are drawn; write 'triangle' and an array of 3");
+    }
+}
+
+} // namespace
+
+const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = block != nullptr ? block->Find(id) : nullptr;
+    if (value == nullptr)
+    {
+        value = material->Find(id);
+    }
+    return value != nullptr ? value : globals->Find(id);
+}
+
+std::shared_ptr<const DrawBindings>
+DrawResolver::Resolve(const std::shared_ptr<const CompiledPass>& pass,
+                      const PropertySources& sources, std::uint64_t globalsVersion,
+                      std::vector<std::byte>& uniformData)
+{
+    const PassIds& ids = IdsOf(pass);
+    if (sources.block != nullptr && !sources.block->isEmpty())
+    {
+        return Build(ids, sources, uniformData);
+    }
+    const SharedKey key{pass.get(), sources.material->id(), sources.material->version(),
+                        globalsVersion};
+    std::shared_ptr<const DrawBindings>& shared = m_Shared[key];
+    if (!shared)
+    {
+        shared = Build(ids, sources, uniformData);
+    }
+    return shared;
+}
+
+const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const CompiledPass>& pass)
+{
+    PassIds& ids = m_Ids[pass.get()];
+    if (!ids.pass)
+    {
+        ids.pass = pass;
+        for (const UniformBuffer& buffer : pass->layout.buffers)
+        {
+            auto& members = ids.members.emplace_back();
+            for (const UniformMember& member : buffer.members)
+            {
+                members.emplace_back(member.name);
+            }
+        }
+        for (const TextureBinding& texture : pass->layout.textures)
+        {
+            ids.textures.emplace_back(texture.name);
+        }
+    }
+    return ids;
+}
+
+std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
+                                                        const PropertySources& sources,
+                                                        std::vector<std::byte>& uniformData) const
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    RequireTriangles(layout, sources);
+    auto bindings = std::make_shared<DrawBindings>();
+    for (std::size_t b = 0; b < layout.buffers.size(); ++b)
+    {
+        const UniformBuffer& buffer = layout.buffers[b];
+        const std::size_t offset =
+            (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
+        uniformData.resize(offset + buffer.size);
+        const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
+        if (buffer.name == k_DynamicKeywordBuffer)
+        {
+            WriteDynamicKeywords(buffer, *sources.material, bytes);
+        }
+        else
+        {
+            for (std::size_t m = 0; m < buffer.members.size(); ++m)
+            {
+                WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
+            }
+        }
+        bindings->uniforms.push_back(
+            {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
+    }
+    bindings->textures = TextureSlots(layout, ids.textures, sources);
+    for (const SamplerBinding& sampler : layout.samplers)
+    {
+        bindings->samplers.push_back({sampler.binding, SamplerOf(sampler, sources)});
+    }
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        if (buffer.name != "limn_PerDraw")
+        {
+            throw ContractError("material '" + sources.material->name() + "': structured buffer '" +
+                                buffer.name + "' cannot be bound yet");
+        }
+        bindings->perDrawBinding = buffer.binding;
+    }
+    return bindings;
+}
+
+} // namespace limn

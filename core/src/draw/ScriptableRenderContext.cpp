@@ -1,0 +1,289 @@
+#include "draw/DrawResolver.h"
+
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <limn/core/ScriptableRenderContext.h>
+#include <map>
+#include <tuple>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The inverse in double precision; all zero where there is none (a scale of zero), which leaves
+/// normals zero instead of infinite.
+glm::mat4 InverseOrZero(const glm::dmat4& matrix)
+{
+    const glm::mat4 inverse(glm::inverse(matrix));
+    for (int column = 0; column < 4; ++column)
+    {
+        for (int row = 0; row < 4; ++row)
+        {
+            if (!std::isfinite(inverse[column][row]))
+            {
+                return glm::mat4(0.0f);
+            }
+        }
+    }
+    return inverse;
+}
+
+PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask renderingLayers)
+{
+    const glm::dmat4 matrix(localToWorld);
+    const glm::mat4 inverse = InverseOrZero(matrix);
+    PerDrawData data{};
+    std::memcpy(data.objectToWorld, glm::value_ptr(localToWorld), sizeof data.objectToWorld);
+    std::memcpy(data.worldToObject, glm::value_ptr(inverse), sizeof data.worldToObject);
+    data.worldTransformParams[3] = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0f : 1.0f;
+    data.renderingLayer[0] = renderingLayers.bits;
+    return data;
+}
+
+bool FragmentReadsPerDraw(const CompiledPass& pass)
+{
+    for (const StorageBufferBinding& buffer : pass.layout.storageBuffers)
+    {
+        if (buffer.stages & ShaderStage::Fragment)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Compiles(const Material& material, int pass)
+{
+    try
+    {
+        material.Compile(pass);
+        return true;
+    }
+    catch (const AssetError&)
+    {
+        return false;
+    }
+}
+
+} // namespace
+
+/// Looks recorded draws up and appends them to the frame.
+class ScriptableRenderContext::Resolver
+{
+public:
+    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals)
+        : m_Frame(frame), m_Globals(globals)
+    {
+    }
+
+    void SetGlobal(const SetGlobalCommand& command)
+    {
+        m_Globals.Set(command.id, command.value);
+        ++m_GlobalsVersion;
+    }
+
+    void Draw(const RecordedDraw& recorded, RenderingLayerMask renderingLayers,
+              const RenderStateBlock& stateBlock = RenderStateBlock())
+    {
+        const Material& material = *recorded.material;
+        DrawCommand draw;
+        draw.pass = material.Compile(recorded.shaderPass);
+        draw.shader = material.shader();
+        draw.shaderPass = recorded.shaderPass;
+        draw.state = Override(
+            ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals),
+            stateBlock);
+        ExpectStencil(draw.state, material, recorded.shaderPass);
+        draw.bindings = m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},
+                                           m_GlobalsVersion, m_Frame.uniformData);
+        draw.mesh = recorded.mesh;
+        draw.subMesh = recorded.subMesh;
+        draw.vertexCount = recorded.vertexCount;
+        draw.firstInstance = static_cast<std::uint32_t>(m_Frame.perDraw.size());
+        m_Frame.perDraw.push_back(MakePerDrawData(recorded.matrix, renderingLayers));
+        const bool mirrored = m_Frame.perDraw.back().worldTransformParams[3] < 0.0f;
+        // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
+        // Unity's render textures, which are upside down: counter-clockwise is the front there.
+        draw.state.frontFaceFlipped = mirrored != (draw.mesh == nullptr);
+        if (!MergeIntoLast(draw))
+        {
+            m_Frame.commands.emplace_back(std::move(draw));
+        }
+    }
+
+    /// The material's values with another shader; the same one for the rest of the frame.
+    std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
+                                               const std::shared_ptr<const Shader>& shader)
+    {
+        auto& result = m_WithShader[{material, material->version(), shader}];
+        if (!result)
+        {
+            result = std::make_shared<const Material>(*material, shader);
+        }
+        return result;
+    }
+
+    void SetRenderTarget(const SetRenderTargetCommand& command)
+    {
+        m_Depth = command.depth;
+        m_Frame.commands.emplace_back(command);
+    }
+
+private:
+    /// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil
+    /// is a mistake in the set-up.
+    void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const
+    {
+        if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
+        {
+            throw ContractError("material '" + material.name() + "': pass " +
+                                std::to_string(shaderPass) + " of shader '" +
+                                material.shader()->name() +
+                                "' uses the stencil, but the depth target '" + m_Depth->name() +
+                                "' has the format " + ToString(m_Depth->graphicsFormat()) +
+                                "; give it depthBufferBits 24 or 32");
+        }
+    }
+
+    /// Draws that differ in their transform only become instances of one. A fragment function that
+    /// reads per-draw data finds it by the first instance, so those stay apart.
+    bool MergeIntoLast(const DrawCommand& draw)
+    {
+        auto* last =
+            m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
+        if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
+            last->subMesh != draw.subMesh || last->pass != draw.pass ||
+            last->bindings != draw.bindings || last->state != draw.state ||
+            FragmentReadsPerDraw(*draw.pass))
+        {
+            return false;
+        }
+        ++last->instanceCount;
+        return true;
+    }
+
+    FrameCommands& m_Frame;
+    MaterialPropertyBlock& m_Globals;
+    std::uint64_t m_GlobalsVersion = 0;
+    std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
+    DrawResolver m_Resolver;
+    std::map<
+        std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
+        std::shared_ptr<const Material>>
+        m_WithShader;
+};
+
+ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
+    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals))
+{
+}
+
+ScriptableRenderContext::~ScriptableRenderContext() = default;
+
+void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandBuffer)
+{
+    for (const RecordedCommand& command : commandBuffer.commands())
+    {
+        std::visit(
+            [&](const auto& c)
+            {
+                using Command = std::decay_t<decltype(c)>;
+                if constexpr (std::is_same_v<Command, RecordedDraw>)
+                {
+                    m_Resolver->Draw(c, RenderingLayerMask::FromIndex(0));
+                }
+                else if constexpr (std::is_same_v<Command, SetGlobalCommand>)
+                {
+                    m_Resolver->SetGlobal(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetRenderTargetCommand>)
+                {
+                    m_Resolver->SetRenderTarget(c);
+                }
+                else
+                {
+                    m_Frame.commands.emplace_back(c);
+                }
+            },
+            command);
+    }
+}
+
+void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults,
+                                            const DrawingSettings& drawingSettings,
+                                            const FilteringSettings& filteringSettings,
+                                            const RenderStateBlock& stateBlock)
+{
+    DrawRenderersReport report{m_PassName, filteringSettings, drawingSettings, {}};
+    std::vector<int> drawn;
+    for (std::size_t i = 0; i < cullingResults.items.size(); ++i)
+    {
+        const FilterVerdict verdict =
+            Judge(cullingResults.items[i].filter, filteringSettings, drawingSettings);
+        ++report.counts[static_cast<std::size_t>(verdict)];
+        if (verdict == FilterVerdict::Drawn)
+        {
+            drawn.push_back(static_cast<int>(i));
+        }
+    }
+    m_Report.draws.push_back(std::move(report));
+    Sort(cullingResults.items, drawingSettings.sortingSettings, drawn);
+
+    for (const int index : drawn)
+    {
+        DrawItem(cullingResults.items[static_cast<std::size_t>(index)], drawingSettings,
+                 stateBlock);
+    }
+}
+
+void ScriptableRenderContext::DrawItem(const RendererItem& item, const DrawingSettings& drawing,
+                                       const RenderStateBlock& stateBlock)
+{
+    const MeshRenderer& renderer = *item.object->renderer;
+    RecordedDraw draw{renderer.mesh, item.subMesh, 0, item.localToWorld, item.material, 0, {}};
+    if (drawing.overrideMaterial)
+    {
+        draw.material = drawing.overrideMaterial;
+        draw.shaderPass = drawing.overrideMaterialPassIndex;
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        return;
+    }
+    if (drawing.overrideShader)
+    {
+        draw.material = m_Resolver->WithShader(item.material, drawing.overrideShader);
+        draw.shaderPass = drawing.overrideShaderPassIndex;
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        return;
+    }
+    for (const ShaderTagId tag : drawing.shaderTagIds)
+    {
+        draw.shaderPass = item.filter.shader->FindPassByLightMode(tag);
+        if (draw.shaderPass < 0)
+        {
+            continue;
+        }
+        if (drawing.fallbackMaterial && !Compiles(*item.material, draw.shaderPass))
+        {
+            draw.material = drawing.fallbackMaterial;
+            draw.shaderPass = 0;
+            m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+            return;
+        }
+        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+    }
+}
+
+FrameCommands ScriptableRenderContext::TakeCommands()
+{
+    m_Resolver = nullptr;
+    FrameCommands result = std::move(m_Frame);
+    m_Frame = {};
+    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals);
+    return result;
+}
+
+} // namespace limn

@@ -1,0 +1,178 @@
+#include "gltf/Collector.h"
+
+#include "gltf/Accessor.h"
+#include "gltf/Primitive.h"
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <tiny_gltf.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+glm::dmat4 LocalMatrix(const tinygltf::Node& node)
+{
+    if (node.matrix.size() == 16)
+    {
+        return glm::make_mat4(node.matrix.data());
+    }
+    const auto& t = node.translation;
+    const auto& r = node.rotation;
+    const auto& s = node.scale;
+    glm::dmat4 matrix =
+        r.size() == 4 ? glm::mat4_cast(glm::dquat(r[3], r[0], r[1], r[2])) : glm::dmat4(1.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto i = static_cast<std::size_t>(axis);
+        matrix[axis] *= s.size() == 3 ? s[i] : 1.0;
+        matrix[3][axis] = t.size() == 3 ? t[i] : 0.0;
+    }
+    return matrix;
+}
+
+/// Puts `from` behind `to`; where only one of them has the array, the other's vertices get
+/// `filler`.
+template <typename Vector>
+void Append(std::vector<Vector>& to, std::size_t vertexCount, const std::vector<Vector>& from,
+            std::size_t addedCount, Vector filler)
+{
+    if (to.empty() && from.empty())
+    {
+        return;
+    }
+    to.resize(vertexCount, filler);
+    to.insert(to.end(), from.begin(), from.end());
+    to.resize(vertexCount + addedCount, filler);
+}
+
+} // namespace
+
+GltfCollector::GltfCollector(const tinygltf::Model& model)
+    : m_Model(model), m_Visited(model.nodes.size(), false)
+{
+}
+
+void GltfCollector::CollectAll()
+{
+    // limn's x axis points the other way.
+    glm::dmat4 toLeftHanded(1.0);
+    toLeftHanded[0][0] = -1.0;
+    for (const int root : Roots())
+    {
+        CollectNode(root, toLeftHanded);
+    }
+    for (std::size_t i = 0; m_Model.nodes.empty() && i < m_Model.meshes.size(); ++i)
+    {
+        CollectMesh(static_cast<int>(i), toLeftHanded);
+    }
+}
+
+/// Of the scene the file shows first; without scenes, the nodes that are nobody's child.
+std::vector<int> GltfCollector::Roots() const
+{
+    if (!m_Model.scenes.empty())
+    {
+        const auto scene = static_cast<std::size_t>(std::max(m_Model.defaultScene, 0));
+        return m_Model.scenes[std::min(scene, m_Model.scenes.size() - 1)].nodes;
+    }
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
+    {
+        const auto index = static_cast<int>(i);
+        const bool isChild =
+            std::any_of(m_Model.nodes.begin(), m_Model.nodes.end(),
+                        [index](const tinygltf::Node& node) {
+                            return std::find(node.children.begin(), node.children.end(), index) !=
+                                   node.children.end();
+                        });
+        if (!isChild)
+        {
+            roots.push_back(index);
+        }
+    }
+    return roots;
+}
+
+void GltfCollector::CollectNode(int index, const glm::dmat4& parent)
+{
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || i >= m_Visited.size() || m_Visited[i])
+    {
+        m_Problems.push_back("node " + std::to_string(index) +
+                             ": does not exist or has two parents; nodes form a tree");
+        return;
+    }
+    m_Visited[i] = true;
+    const tinygltf::Node& node = m_Model.nodes[i];
+    const glm::dmat4 matrix = parent * LocalMatrix(node);
+    if (node.mesh >= 0)
+    {
+        CollectMesh(node.mesh, matrix);
+    }
+    for (const int child : node.children)
+    {
+        CollectNode(child, matrix);
+    }
+}
+
+void GltfCollector::CollectMesh(int index, const glm::dmat4& matrix)
+{
+    if (static_cast<std::size_t>(index) >= m_Model.meshes.size())
+    {
+        m_Problems.push_back("mesh " + std::to_string(index) + ": does not exist; the file has " +
+                             std::to_string(m_Model.meshes.size()));
+        return;
+    }
+    const tinygltf::Mesh& mesh = m_Model.meshes[static_cast<std::size_t>(index)];
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
+    {
+        try
+        {
+            MeshData part = ReadGltfPrimitive(m_Model, mesh.primitives[i]);
+            if (!part.triangles.empty())
+            {
+                TransformPart(part, matrix);
+                m_Parts.push_back(std::move(part));
+            }
+        }
+        catch (const GltfProblem& problem)
+        {
+            m_Problems.push_back("mesh '" + mesh.name + "' primitive " + std::to_string(i) + ": " +
+                                 problem.what());
+        }
+    }
+}
+
+MeshData GltfCollector::TakeMesh()
+{
+    MeshData all;
+    const bool allHaveTangents = std::none_of(
+        m_Parts.begin(), m_Parts.end(), [](const MeshData& part) { return part.tangents.empty(); });
+    for (const MeshData& part : m_Parts)
+    {
+        const std::size_t before = all.vertices.size();
+        const std::size_t added = part.vertices.size();
+        Append(all.colors, before, part.colors, added, glm::vec4(1.0f));
+        Append(all.uv, before, part.uv, added, glm::vec2(0.0f));
+        all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+        all.normals.insert(all.normals.end(), part.normals.begin(), part.normals.end());
+        if (allHaveTangents)
+        {
+            all.tangents.insert(all.tangents.end(), part.tangents.begin(), part.tangents.end());
+        }
+        all.subMeshes.push_back({static_cast<std::uint32_t>(all.triangles.size()),
+                                 static_cast<std::uint32_t>(part.triangles.size())});
+        for (const std::uint32_t index : part.triangles)
+        {
+            all.triangles.push_back(index + static_cast<std::uint32_t>(before));
+        }
+    }
+    m_Parts.clear();
+    return all;
+}
+
+} // namespace limn

@@ -1,0 +1,126 @@
+#include <limn/core/GltfMesh.h>
+
+#include "gltf/Collector.h"
+#include "mesh/MeshProblems.h"
+#include "texture/ReadFileBytes.h"
+#include <algorithm>
+#include <cstdio>
+#include <limn/shaderlab/Diagnostic.h>
+#include <string_view>
+#include <tiny_gltf.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+/// What the parser complained of, on one line; from a JSON parser's "[...] parse error at line 3,
+/// column 7: what" the place is taken out.
+AssetError ParseFailure(const std::filesystem::path& path, std::string error)
+{
+    while (!error.empty() && error.back() == '\n')
+    {
+        error.pop_back();
+    }
+    std::replace(error.begin(), error.end(), '\n', ' ');
+
+    SourceLocation location;
+    const std::size_t place = error.find("line ");
+    int length = 0;
+    if (place != std::string::npos && std::sscanf(error.c_str() + place, "line %d, column %d: %n",
+                                                  &location.line, &location.column, &length) == 2)
+    {
+        error.erase(0, place + static_cast<std::size_t>(length));
+    }
+    return AssetError(path.string(), location, "is not glTF 2.0: " + error);
+}
+
+/// Pictures are no part of a mesh, so none is read and none that is missing matters.
+bool SkipImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
+               int, void*)
+{
+    return true;
+}
+
+tinygltf::Model ParseFile(const std::filesystem::path& path)
+{
+    const std::vector<std::byte> bytes = ReadFileBytes(path);
+    if (bytes.empty())
+    {
+        throw AssetError(path.string(), {}, "is empty; a glTF 2.0 file is expected");
+    }
+    const auto* text = reinterpret_cast<const char*>(bytes.data());
+    const auto length = static_cast<unsigned int>(bytes.size());
+    const bool isBinary = std::string_view(text, bytes.size()).substr(0, 4) == "glTF";
+
+    tinygltf::TinyGLTF parser;
+    parser.SetImageLoader(SkipImage, nullptr);
+    tinygltf::Model model;
+    std::string error;
+    std::string warning;
+    const std::string folder = path.parent_path().string();
+    const bool parsed =
+        isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning,
+                                               reinterpret_cast<const unsigned char*>(text), length,
+                                               folder)
+                 : parser.LoadASCIIFromString(&model, &error, &warning, text, length, folder);
+    if (!parsed)
+    {
+        throw ParseFailure(path, error);
+    }
+    return model;
+}
+
+std::vector<std::string> FileProblems(const tinygltf::Model& model)
+{
+    std::vector<std::string> problems;
+    if (model.asset.version.rfind("2.", 0) != 0)
+    {
+        problems.push_back("asset: version " + model.asset.version + "; 2.0 is read");
+    }
+    for (const std::string& extension : model.extensionsRequired)
+    {
+        if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression")
+        {
+            problems.push_back("extension '" + extension +
+                               "' is not supported; export without compression");
+        }
+    }
+    return problems;
+}
+
+void ThrowIfAny(const std::filesystem::path& path, const std::vector<std::string>& problems)
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const std::string& problem : problems)
+    {
+        diagnostics.push_back({Severity::Error, path.string(), {}, problem});
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+} // namespace
+
+std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path)
+{
+    const tinygltf::Model model = ParseFile(path);
+    ThrowIfAny(path, FileProblems(model));
+    GltfCollector collector(model);
+    collector.CollectAll();
+    ThrowIfAny(path, collector.problems());
+    MeshData data = collector.TakeMesh();
+    if (data.triangles.empty())
+    {
+        throw AssetError(path.string(), {},
+                         "holds no triangles; a mesh that the scene shows is needed");
+    }
+    ThrowIfAny(path, MeshProblems(data));
+    return std::make_shared<const Mesh>(path.stem().string(), std::move(data));
+}
+
+} // namespace limn

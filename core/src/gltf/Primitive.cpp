@@ -1,0 +1,206 @@
+#include "gltf/Primitive.h"
+
+#include "gltf/Accessor.h"
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+#include <tiny_gltf.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The attribute's elements, missing components 1 (an RGB colour is opaque); empty without it.
+template <typename Vector>
+std::vector<Vector> ReadAttribute(const tinygltf::Model& model,
+                                  const tinygltf::Primitive& primitive, const char* name,
+                                  int minComponents)
+{
+    std::vector<Vector> result;
+    const auto found = primitive.attributes.find(name);
+    if (found == primitive.attributes.end())
+    {
+        return result;
+    }
+    const GltfFloats floats = ReadGltfFloats(model, found->second, minComponents, Vector::length());
+    result.assign(floats.count(), Vector(1.0f));
+    const auto stride = static_cast<std::size_t>(floats.components);
+    for (std::size_t i = 0; i < floats.values.size(); ++i)
+    {
+        result[i / stride][static_cast<int>(i % stride)] = floats.values[i];
+    }
+    return result;
+}
+
+/// The index list of a strip or fan written out as separate triangles, each as its first one is
+/// oriented.
+std::vector<std::uint32_t> ToTriangleList(const std::vector<std::uint32_t>& indices, int mode)
+{
+    if (mode == TINYGLTF_MODE_TRIANGLES)
+    {
+        return indices;
+    }
+    std::vector<std::uint32_t> list;
+    for (std::size_t i = 0; i + 2 < indices.size(); ++i)
+    {
+        std::array<std::size_t, 3> corners = {i, i + 1, i + 2};
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+        {
+            corners = {i + 1, i + 2, 0};
+        }
+        else if (i % 2 == 1)
+        {
+            corners = {i, i + 2, i + 1};
+        }
+        for (const std::size_t corner : corners)
+        {
+            list.push_back(indices[corner]);
+        }
+    }
+    return list;
+}
+
+std::vector<std::uint32_t> ReadTriangles(const tinygltf::Model& model,
+                                         const tinygltf::Primitive& primitive,
+                                         std::size_t vertexCount)
+{
+    std::vector<std::uint32_t> indices;
+    if (primitive.indices >= 0)
+    {
+        indices = ReadGltfIndices(model, primitive.indices);
+    }
+    else
+    {
+        indices.resize(vertexCount);
+        std::iota(indices.begin(), indices.end(), 0u);
+    }
+    for (const std::uint32_t index : indices)
+    {
+        if (index >= vertexCount)
+        {
+            throw GltfProblem("index " + std::to_string(index) + " of " +
+                              std::to_string(vertexCount) + " vertices");
+        }
+    }
+    std::vector<std::uint32_t> triangles = ToTriangleList(indices, primitive.mode);
+    if (triangles.size() % 3 != 0)
+    {
+        throw GltfProblem(std::to_string(triangles.size()) +
+                          " indices; a multiple of three is right");
+    }
+    return triangles;
+}
+
+template <typename Vector>
+std::vector<Vector> Gather(const std::vector<Vector>& array, const std::vector<std::uint32_t>& from)
+{
+    std::vector<Vector> result;
+    for (const std::uint32_t index : from)
+    {
+        if (!array.empty())
+        {
+            result.push_back(array.at(index));
+        }
+    }
+    return result;
+}
+
+/// A direction of unit length; up for one of no length, as of a triangle without area.
+glm::vec3 Direction(const glm::dvec3& vector)
+{
+    const double length = glm::length(vector);
+    return length > 0.0 ? glm::vec3(vector / length) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+/// Gives each triangle vertices of its own, so that each can have its own normal. Tangents that
+/// came without normals mean nothing and go.
+void MakeFlat(MeshData& part)
+{
+    part.vertices = Gather(part.vertices, part.triangles);
+    part.colors = Gather(part.colors, part.triangles);
+    part.uv = Gather(part.uv, part.triangles);
+    part.tangents.clear();
+    std::iota(part.triangles.begin(), part.triangles.end(), 0u);
+    for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3)
+    {
+        const glm::dvec3 a = part.vertices[i];
+        const glm::dvec3 toB = glm::dvec3(part.vertices[i + 1]) - a;
+        const glm::dvec3 toC = glm::dvec3(part.vertices[i + 2]) - a;
+        part.normals.insert(part.normals.end(), 3, Direction(glm::cross(toB, toC)));
+    }
+}
+
+void RequireLength(const char* name, std::size_t length, std::size_t vertexCount)
+{
+    if (length != 0 && length != vertexCount)
+    {
+        throw GltfProblem(std::string(name) + " has " + std::to_string(length) + " elements for " +
+                          std::to_string(vertexCount) + " vertices");
+    }
+}
+
+} // namespace
+
+MeshData ReadGltfPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive)
+{
+    MeshData part;
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+    {
+        return part;
+    }
+    part.vertices = ReadAttribute<glm::vec3>(model, primitive, "POSITION", 3);
+    part.normals = ReadAttribute<glm::vec3>(model, primitive, "NORMAL", 3);
+    part.tangents = ReadAttribute<glm::vec4>(model, primitive, "TANGENT", 4);
+    part.colors = ReadAttribute<glm::vec4>(model, primitive, "COLOR_0", 3);
+    part.uv = ReadAttribute<glm::vec2>(model, primitive, "TEXCOORD_0", 2);
+    RequireLength("NORMAL", part.normals.size(), part.vertices.size());
+    RequireLength("TANGENT", part.tangents.size(), part.vertices.size());
+    RequireLength("COLOR_0", part.colors.size(), part.vertices.size());
+    RequireLength("TEXCOORD_0", part.uv.size(), part.vertices.size());
+    for (glm::vec2& uv : part.uv)
+    {
+        uv.y = 1.0f - uv.y; // glTF counts v from the top of the picture, a mesh from the bottom
+    }
+    part.triangles = ReadTriangles(model, primitive, part.vertices.size());
+    if (part.normals.empty())
+    {
+        MakeFlat(part);
+    }
+    return part;
+}
+
+void TransformPart(MeshData& part, const glm::dmat4& matrix)
+{
+    const glm::dmat3 linear(matrix);
+    const bool mirrors = glm::determinant(linear) < 0.0;
+    const double sign = mirrors ? -1.0 : 1.0;
+    // The cofactors are the inverse transpose up to a factor, and exist for a flattening matrix
+    // too.
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    for (glm::vec3& vertex : part.vertices)
+    {
+        vertex = glm::vec3(matrix * glm::dvec4(glm::dvec3(vertex), 1.0));
+    }
+    for (glm::vec3& normal : part.normals)
+    {
+        normal = Direction(sign * (cofactors * glm::dvec3(normal)));
+    }
+    for (glm::vec4& tangent : part.tangents)
+    {
+        const glm::vec3 direction = Direction(linear * glm::dvec3(tangent));
+        tangent = glm::vec4(direction, static_cast<float>(sign) * tangent.w);
+    }
+    for (std::size_t i = 0; mirrors && i + 2 < part.triangles.size(); i += 3)
+    {
+        std::swap(part.triangles[i + 1], part.triangles[i + 2]);
+    }
+}
+
+} // namespace limn

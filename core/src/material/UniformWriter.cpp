@@ -1,0 +1,196 @@
+#include "material/UniformWriter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace limn
+{
+
+namespace
+{
+
+using Bytes = std::span<std::byte>;
+
+void WriteComponents(const UniformMember& member, const float* values, int count, Bytes bytes)
+{
+    const int used = std::min(count, member.components);
+    for (int i = 0; i < used; ++i)
+    {
+        std::byte* target = bytes.data() + static_cast<std::size_t>(i) * 4;
+        if (member.type == UniformType::Float)
+        {
+            std::memcpy(target, &values[i], 4);
+        }
+        else
+        {
+            const auto number = static_cast<std::int32_t>(std::lround(values[i]));
+            std::memcpy(target, &number, 4);
+        }
+    }
+}
+
+void WriteInt(const UniformMember& member, int value, Bytes bytes)
+{
+    if (member.type == UniformType::Float)
+    {
+        const auto number = static_cast<float>(value);
+        std::memcpy(bytes.data(), &number, 4);
+    }
+    else
+    {
+        std::memcpy(bytes.data(), &value, 4);
+    }
+}
+
+void WriteArray(const UniformMember& member, const std::vector<glm::vec4>& values, Bytes bytes)
+{
+    const std::size_t count =
+        std::min(values.size(), static_cast<std::size_t>(std::max(member.arraySize, 1)));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        WriteComponents(member, glm::value_ptr(values[i]), 4,
+                        bytes.subspan(i * member.arrayStride));
+    }
+}
+
+const char* KindOf(const ShaderPropertyValue& value)
+{
+    static constexpr const char* k_Kinds[] = {"a number", "an integer", "a vector",
+                                              "a color",  "a matrix",   "an array of vectors",
+                                              "a texture"};
+    return k_Kinds[value.index()];
+}
+
+[[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
+                           const PropertySources& sources)
+{
+    throw ContractError(
+        "material '" + sources.material->name() + "': property '" + member.name + "' is set to " +
+        KindOf(value) + ", but the shader declares " +
+        (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
+}
+
+void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
+                const PropertySources& sources, Bytes bytes)
+{
+    const bool wantsMatrix = member.type == UniformType::Matrix4x4;
+    const auto* matrix = std::get_if<glm::mat4>(&value);
+    if (wantsMatrix != (matrix != nullptr))
+    {
+        FailKind(member, value, sources);
+    }
+    if (matrix != nullptr)
+    {
+        std::memcpy(bytes.data(), glm::value_ptr(*matrix), sizeof(glm::mat4));
+    }
+    else if (const auto* number = std::get_if<float>(&value))
+    {
+        WriteComponents(member, number, 1, bytes);
+    }
+    else if (const auto* integer = std::get_if<int>(&value))
+    {
+        WriteInt(member, *integer, bytes);
+    }
+    else if (const auto* vector = std::get_if<glm::vec4>(&value))
+    {
+        WriteComponents(member, glm::value_ptr(*vector), 4, bytes);
+    }
+    else if (const auto* color = std::get_if<Color>(&value))
+    {
+        const glm::vec4 linear = color->linear().vector();
+        WriteComponents(member, glm::value_ptr(linear), 4, bytes);
+    }
+    else if (const auto* array = std::get_if<std::vector<glm::vec4>>(&value))
+    {
+        WriteArray(member, *array, bytes);
+    }
+    else
+    {
+        FailKind(member, value, sources);
+    }
+}
+
+bool HasNan(const ShaderPropertyValue& value)
+{
+    if (const auto* number = std::get_if<float>(&value))
+    {
+        return std::isnan(*number);
+    }
+    const auto* vector = std::get_if<glm::vec4>(&value);
+    return vector != nullptr && glm::any(glm::isnan(*vector));
+}
+
+/// A shader makes nothing of NaN but more of it, without a word; limn's own values are not
+/// checked.
+void RefuseNan(const UniformMember& member, ShaderPropertyId id, const ShaderPropertyValue& value,
+               const PropertySources& sources)
+{
+    if (&value == sources.material->Find(id) && HasNan(value))
+    {
+        throw ContractError("material '" + sources.material->name() + "': property '" +
+                            member.name + "' is not a number (NaN)");
+    }
+}
+
+/// The texture behind `X` for a member called `X_TexelSize`, if there is one.
+const Texture* TextureBefore(std::string_view name, std::string_view suffix,
+                             const PropertySources& sources)
+{
+    const ShaderPropertyValue* value =
+        sources.Find(ShaderPropertyId(name.substr(0, name.size() - suffix.size())));
+    const auto* texture =
+        value != nullptr ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture != nullptr ? texture->get() : nullptr;
+}
+
+} // namespace
+
+void WriteUniform(const UniformMember& member, ShaderPropertyId id, const PropertySources& sources,
+                  std::span<std::byte> buffer)
+{
+    const Bytes bytes = buffer.subspan(member.offset, member.size);
+    static constexpr std::string_view k_TexelSize = "_TexelSize";
+    static constexpr std::string_view k_ScaleOffset = "_ST";
+    static constexpr std::string_view k_Decode = "_HDR";
+    if (const ShaderPropertyValue* value = sources.Find(id))
+    {
+        RefuseNan(member, id, *value, sources);
+        WriteValue(member, *value, sources, bytes);
+    }
+    else if (member.name.ends_with(k_TexelSize))
+    {
+        // A texture that was never set is the 1x1 default.
+        const Texture* texture = TextureBefore(member.name, k_TexelSize, sources);
+        const float w = texture != nullptr ? static_cast<float>(texture->width()) : 1.0f;
+        const float h = texture != nullptr ? static_cast<float>(texture->height()) : 1.0f;
+        const float values[] = {1.0f / w, 1.0f / h, w, h};
+        WriteComponents(member, values, 4, bytes);
+    }
+    else if (member.name.ends_with(k_ScaleOffset))
+    {
+        const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
+        WriteComponents(member, values, 4, bytes);
+    }
+    else if (member.name.ends_with(k_Decode))
+    {
+        // No texture of limn's is encoded: value = x * (w * (alpha - 1) + 1)^y * rgb gives rgb.
+        const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
+        WriteComponents(member, values, 4, bytes);
+    }
+}
+
+void WriteDynamicKeywords(const UniformBuffer& buffer, const Material& material,
+                          std::span<std::byte> bytes)
+{
+    for (const UniformMember& member : buffer.members)
+    {
+        const std::int32_t isOn = material.IsKeywordEnabled(member.name) ? 1 : 0;
+        std::memcpy(bytes.data() + member.offset, &isOn, sizeof(isOn));
+    }
+}
+
+} // namespace limn

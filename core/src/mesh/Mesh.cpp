@@ -1,0 +1,56 @@
+#include <limn/core/Mesh.h>
+
+#include "mesh/MeshProblems.h"
+#include <atomic>
+#include <glm/common.hpp>
+#include <limn/shaderlab/Diagnostic.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+std::uint64_t NextMeshId()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+Bounds BoundsOf(const std::vector<glm::vec3>& points)
+{
+    glm::vec3 low = points.front();
+    glm::vec3 high = points.front();
+    for (const glm::vec3& point : points)
+    {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    // Halved before they are added: the sum of two large coordinates may overflow.
+    return {0.5f * low + 0.5f * high, 0.5f * high - 0.5f * low};
+}
+
+} // namespace
+
+Mesh::Mesh(std::string name, MeshData data)
+    : m_Id(NextMeshId()), m_Name(std::move(name)), m_Data(std::move(data))
+{
+    const std::vector<std::string> problems = MeshProblems(m_Data);
+    if (!problems.empty())
+    {
+        std::string message;
+        for (const std::string& problem : problems)
+        {
+            message += (message.empty() ? "" : "\n") + ("mesh '" + m_Name + "': ") + problem;
+        }
+        throw ContractError(message);
+    }
+    if (m_Data.subMeshes.empty())
+    {
+        m_Data.subMeshes.push_back({0, static_cast<std::uint32_t>(m_Data.triangles.size())});
+    }
+    m_Bounds = BoundsOf(m_Data.vertices);
+}
+
+} // namespace limn

@@ -1,0 +1,130 @@
+#include "pipeline/CameraUniforms.h"
+
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/CoreUtils.h>
+
+namespace limn
+{
+
+namespace
+{
+
+void Vector(CommandBuffer& cmd, const char* name, const glm::vec4& value)
+{
+    cmd.SetGlobalVector(ShaderPropertyId(name), value);
+}
+
+void Matrix(CommandBuffer& cmd, const char* name, const glm::mat4& value)
+{
+    cmd.SetGlobalMatrix(ShaderPropertyId(name), value);
+}
+
+glm::mat4 Inverse(const glm::mat4& matrix)
+{
+    return glm::mat4(glm::inverse(glm::dmat4(matrix)));
+}
+
+/// For Linear01Depth and LinearEyeDepth on a reversed-Z device (urp.md §5.4).
+glm::vec4 ZBufferParams(double n, double f)
+{
+    return glm::vec4(f / n - 1.0, 1.0, 1.0 / n - 1.0 / f, 1.0 / f);
+}
+
+void SetMatrices(CommandBuffer& cmd, const CameraData& data)
+{
+    const glm::mat4& view = data.viewMatrix;
+    const glm::mat4& projection = data.gpuProjectionMatrix;
+    RenderingUtils::SetViewAndProjectionMatrices(cmd, view, projection, true);
+    glm::mat4 zForward(1.0f);
+    zForward[2][2] = -1.0f;
+    Matrix(cmd, "unity_WorldToCamera", zForward * view);
+    Matrix(cmd, "unity_CameraToWorld", Inverse(zForward * view));
+    Matrix(cmd, "unity_CameraProjection", projection);
+    Matrix(cmd, "unity_CameraInvProjection", Inverse(projection));
+}
+
+} // namespace
+
+void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::mat4& viewMatrix,
+                                                  const glm::mat4& gpuProjectionMatrix,
+                                                  bool setInverseMatrices)
+{
+    const glm::mat4 viewProjection(glm::dmat4(gpuProjectionMatrix) * glm::dmat4(viewMatrix));
+    Matrix(cmd, "unity_MatrixV", viewMatrix);
+    Matrix(cmd, "glstate_matrix_projection", gpuProjectionMatrix);
+    Matrix(cmd, "unity_MatrixVP", viewProjection);
+    if (setInverseMatrices)
+    {
+        Matrix(cmd, "unity_MatrixInvV", Inverse(viewMatrix));
+        Matrix(cmd, "unity_MatrixInvP", Inverse(gpuProjectionMatrix));
+        Matrix(cmd, "unity_MatrixInvVP", Inverse(viewProjection));
+    }
+}
+
+void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
+{
+    const Camera& camera = *data.camera;
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    const auto w = static_cast<float>(data.cameraTargetDescriptor.width);
+    const auto h = static_cast<float>(data.cameraTargetDescriptor.height);
+    SetMatrices(cmd, data);
+    Vector(cmd, "_WorldSpaceCameraPos", glm::vec4(camera.transform.position(), 0.0f));
+    Vector(cmd, "_ProjectionParams", glm::vec4(1.0, n, f, 1.0 / f));
+    Vector(cmd, "_ScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, "_ScaledScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, "_ScreenSize", {w, h, 1.0f / w, 1.0f / h});
+    Vector(cmd, "_ZBufferParams", ZBufferParams(n, f));
+    Vector(cmd, "unity_OrthoParams",
+           {camera.orthographicSize * w / h, camera.orthographicSize, 0.0f,
+            camera.orthographic ? 1.0f : 0.0f});
+    // Row 0 is the top of the picture in every target, so nothing has to be turned.
+    Vector(cmd, "_ScaleBiasRt", {-1.0f, 1.0f, -1.0f, 1.0f});
+    Vector(cmd, "_GlobalMipBias", {0.0f, 1.0f, 0.0f, 0.0f});
+    // Until something writes a depth texture, all is far away: 0 with reversed Z.
+    cmd.SetGlobalTexture(ShaderPropertyId("_CameraDepthTexture"), DefaultTexture("black"));
+    // No reflection probe sees anything.
+    for (const char* probe : {"unity_SpecCube0", "unity_SpecCube1"})
+    {
+        cmd.SetGlobalTexture(ShaderPropertyId(probe),
+                             DefaultTexture("black", TextureDimension::Cube));
+    }
+}
+
+void SetTimeUniforms(CommandBuffer& cmd, float t)
+{
+    const auto sines = [&](float (*function)(float))
+    {
+        return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t));
+    };
+    Vector(cmd, "_Time", {t / 20, t, t * 2, t * 3});
+    Vector(cmd, "_SinTime", sines([](float x) { return std::sin(x); }));
+    Vector(cmd, "_CosTime", sines([](float x) { return std::cos(x); }));
+    Vector(cmd, "_TimeParameters", {t, std::sin(t), std::cos(t), 0.0f});
+    Vector(cmd, "unity_DeltaTime", {0.0f, 0.0f, 0.0f, 0.0f});
+}
+
+void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
+{
+    const DirectionalLight& light = scene.mainLight;
+    Vector(cmd, "_MainLightPosition", glm::vec4(-light.direction, 0.0f));
+    const glm::vec4 color(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
+    // The second name is the built-in pipeline's, which its shaders may declare by themselves.
+    for (const char* name : {"_MainLightColor", "_LightColor0"})
+    {
+        Vector(cmd, name, color);
+    }
+    const glm::vec4 ambient = scene.ambientLight.linear().vector();
+    for (const char* side : {"unity_AmbientSky", "unity_AmbientEquator", "unity_AmbientGround"})
+    {
+        Vector(cmd, side, ambient);
+    }
+    // The same from all sides: of the spherical harmonics only the constant term.
+    Vector(cmd, "unity_SHAr", {0.0f, 0.0f, 0.0f, ambient.r});
+    Vector(cmd, "unity_SHAg", {0.0f, 0.0f, 0.0f, ambient.g});
+    Vector(cmd, "unity_SHAb", {0.0f, 0.0f, 0.0f, ambient.b});
+}
+
+} // namespace limn

@@ -1,0 +1,237 @@
+#include "pipeline/CameraUniforms.h"
+
+#include <algorithm>
+#include <limn/core/CoreUtils.h>
+#include <limn/core/ScriptableRenderer.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Runs a function when the scope ends, however it ends.
+template <typename Function>
+class AtExit
+{
+public:
+    explicit AtExit(Function function) : m_Function(std::move(function)) {}
+    ~AtExit() { m_Function(); }
+    AtExit(const AtExit&) = delete;
+    AtExit& operator=(const AtExit&) = delete;
+
+private:
+    Function m_Function;
+};
+
+ClearFlag CameraClearFlag(const Camera& camera)
+{
+    return camera.clearFlags == CameraClearFlags::Nothing ? ClearFlag::DepthStencil
+                                                          : ClearFlag::All;
+}
+
+ClearFlag Only(ClearFlag flags, ClearFlag wanted)
+{
+    return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));
+}
+
+/// A sentence for every filter since `first` that let nothing through, each sentence once. Asked
+/// for features' passes only: the renderer's own may well have nothing to do.
+void NoteEmptyDraws(RenderReport& report, std::size_t first)
+{
+    for (std::size_t i = first; i < report.draws.size(); ++i)
+    {
+        const DrawRenderersReport& draw = report.draws[i];
+        std::string note = draw.pass + ": " + Describe(draw.counts, draw.filtering);
+        const auto& notes = report.notes;
+        if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] == 0 &&
+            std::find(notes.begin(), notes.end(), note) == notes.end())
+        {
+            report.notes.push_back(std::move(note));
+        }
+    }
+}
+
+} // namespace
+
+ScriptableRendererFeature&
+ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> feature)
+{
+    if (!feature)
+    {
+        throw ContractError("AddFeature: the feature is null");
+    }
+    feature->Create();
+    m_Features.push_back(std::move(feature));
+    return *m_Features.back();
+}
+
+const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const
+{
+    if (!m_Executing)
+    {
+        throw ContractError("cameraColorTargetHandle exists only while passes are set up and "
+                            "executed; read it in OnCameraSetup, not in AddRenderPasses");
+    }
+    return m_CameraColor;
+}
+
+const RTHandle& ScriptableRenderer::cameraDepthTargetHandle() const
+{
+    if (!m_Executing)
+    {
+        throw ContractError("cameraDepthTargetHandle exists only while passes are set up and "
+                            "executed; read it in OnCameraSetup, not in AddRenderPasses");
+    }
+    return m_CameraDepth;
+}
+
+void ScriptableRenderer::ConfigureCameraTarget(RTHandle color, RTHandle depth)
+{
+    m_CameraColor = std::move(color);
+    m_CameraDepth = std::move(depth);
+}
+
+void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
+                                      RenderingData& renderingData)
+{
+    const AtExit reset(
+        [this]
+        {
+            m_Queue.clear();
+            m_Executing = false;
+        });
+    m_FirstColor = true;
+    m_FirstDepth = true;
+    AddRenderPasses(renderingData);
+    const std::vector<ScriptableRenderPass*> featurePasses = m_Queue;
+    Setup(context, renderingData);
+    Execute(context, renderingData, featurePasses);
+}
+
+void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
+{
+    for (const auto& feature : m_Features)
+    {
+        if (feature->isActive())
+        {
+            feature->AddRenderPasses(*this, renderingData);
+        }
+        else
+        {
+            renderingData.report->notes.push_back(feature->name +
+                                                  ": not drawn, the feature is inactive");
+        }
+    }
+}
+
+void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData& renderingData,
+                                 std::span<ScriptableRenderPass* const> featurePasses)
+{
+    m_Executing = true;
+    for (const auto& feature : m_Features)
+    {
+        if (feature->isActive())
+        {
+            feature->SetupRenderPasses(*this, renderingData);
+        }
+    }
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    for (ScriptableRenderPass* pass : m_Queue)
+    {
+        pass->OnCameraSetup(*cmd, renderingData);
+    }
+    std::stable_sort(m_Queue.begin(), m_Queue.end(),
+                     [](const auto* a, const auto* b)
+                     { return a->renderPassEvent < b->renderPassEvent; });
+    for (ScriptableRenderPass* pass : m_Queue)
+    {
+        pass->Configure(*cmd, renderingData.cameraData.cameraTargetDescriptor);
+    }
+    context.ExecuteCommandBuffer(*cmd);
+    cmd->Clear();
+
+    bool cameraIsSet = false;
+    for (ScriptableRenderPass* pass : m_Queue)
+    {
+        if (!cameraIsSet && BlockOf(pass->renderPassEvent) != RenderPassBlock::BeforeRendering)
+        {
+            SetCameraUniforms(*cmd, renderingData.cameraData);
+            context.ExecuteCommandBuffer(*cmd);
+            cmd->Clear();
+            cameraIsSet = true;
+        }
+        const std::size_t drawsBefore = renderingData.report->draws.size();
+        ExecuteRenderPass(context, *pass, renderingData);
+        if (std::find(featurePasses.begin(), featurePasses.end(), pass) != featurePasses.end())
+        {
+            NoteEmptyDraws(*renderingData.report, drawsBefore);
+        }
+    }
+    for (ScriptableRenderPass* pass : m_Queue)
+    {
+        pass->OnCameraCleanup(*cmd);
+    }
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
+                                           ScriptableRenderPass& pass, RenderingData& renderingData)
+{
+    const std::string& name = pass.profilingSampler.name();
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    cmd->BeginSample(name);
+    BindTargets(*cmd, pass, *renderingData.cameraData.camera);
+    context.ExecuteCommandBuffer(*cmd);
+    context.SetPassName(name);
+    renderingData.report->passes.push_back({name, pass.renderPassEvent});
+    pass.Execute(context, renderingData);
+    cmd->Clear();
+    cmd->EndSample();
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+// The rules of ScriptableRenderer.SetRenderPassAttachments: whoever binds the camera's colour first
+// clears it with the camera's background, whatever that pass asked for.
+void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass,
+                                     const Camera& camera)
+{
+    const bool own = pass.overrideCameraTarget();
+    if (!own && BlockOf(pass.renderPassEvent) == RenderPassBlock::BeforeRendering)
+    {
+        return; // the camera's targets are not in use yet
+    }
+    const RTHandle& color = own ? pass.colorAttachmentHandle() : m_CameraColor;
+    const RTHandle& depth = own ? pass.depthAttachmentHandle() : m_CameraDepth;
+    if (!color && !depth)
+    {
+        throw ContractError("pass '" + pass.profilingSampler.name() +
+                            "': ConfigureTarget was given empty handles; allocate them in "
+                            "OnCameraSetup");
+    }
+    const ClearFlag cameraClear = CameraClearFlag(camera);
+    ClearFlag clear = ClearFlag::None;
+    Color clearColor = pass.clearColor();
+    if (color && color == m_CameraColor && m_FirstColor)
+    {
+        m_FirstColor = false;
+        clear = Only(cameraClear | pass.clearFlag(), ClearFlag::Color);
+        clearColor = camera.backgroundColor.linear();
+    }
+    else
+    {
+        clear = Only(pass.clearFlag(), ClearFlag::Color);
+    }
+    if (depth && depth == m_CameraDepth && m_FirstDepth)
+    {
+        m_FirstDepth = false;
+        clear = clear | Only(cameraClear, ClearFlag::DepthStencil);
+    }
+    else
+    {
+        clear = clear | Only(pass.clearFlag(), ClearFlag::DepthStencil);
+    }
+    CoreUtils::SetRenderTarget(cmd, color, depth, clear, clearColor);
+}
+
+} // namespace limn

@@ -1,0 +1,99 @@
+#include "pipeline/CameraUniforms.h"
+
+#include <limn/core/UniversalRenderPipeline.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr const char* k_OutputName = "limn_Output";
+
+void ExpectRenderable(const RenderRequest& request)
+{
+    if (request.scene == nullptr || request.camera == nullptr)
+    {
+        throw ContractError("RenderSingleCamera: scene and camera must be given");
+    }
+    if (request.width <= 0 || request.height <= 0)
+    {
+        throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
+                            "x" + std::to_string(request.height) + "; both must be greater than 0");
+    }
+    for (std::size_t i = 0; i < request.alsoReadBack.size(); ++i)
+    {
+        if (!request.alsoReadBack[i])
+        {
+            throw ContractError("RenderSingleCamera: alsoReadBack[" + std::to_string(i) +
+                                "] is an empty handle");
+        }
+    }
+}
+
+RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer& renderer,
+                                RenderReport& report)
+{
+    const Camera& camera = *request.camera;
+    const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
+    RenderingData data;
+    data.cameraData.camera = &camera;
+    data.cameraData.cameraTargetDescriptor = {
+        request.width, request.height,
+        camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32};
+    data.cameraData.renderer = &renderer;
+    data.cameraData.viewMatrix = camera.worldToCameraMatrix();
+    data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
+    data.cullResults = Cull(*request.scene, camera, aspect);
+    data.volumeStack = request.volumeStack;
+    data.report = &report;
+    return data;
+}
+
+/// Every frame writes the whole of it, so nothing of the last one has to be kept.
+void AllocateOutput(RTHandle& output, const RenderRequest& request)
+{
+    const RenderTextureDescriptor descriptor(request.width, request.height,
+                                             GraphicsFormat::R8G8B8A8_SRGB);
+    if (!output || output.rt()->descriptor() != descriptor)
+    {
+        const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
+                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
+        output = RTHandle(
+            std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
+    }
+}
+
+} // namespace
+
+RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
+                                                         const RenderRequest& request)
+{
+    ExpectRenderable(request);
+    RenderResult result;
+    AllocateOutput(m_Output, request);
+    renderer.SetOutput(m_Output);
+    result.output = m_Output;
+
+    RenderingData renderingData = MakeRenderingData(request, renderer, result.report);
+    ScriptableRenderContext context(result.report);
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    SetTimeUniforms(*cmd, request.time);
+    SetLightUniforms(*cmd, *request.scene);
+    context.ExecuteCommandBuffer(*cmd);
+    renderer.RenderCamera(context, renderingData);
+
+    std::vector<std::shared_ptr<const RenderTexture>> outputs{m_Output.rt()};
+    for (const RTHandle& handle : request.alsoReadBack)
+    {
+        outputs.push_back(handle.rt());
+    }
+    // What the frame does to textures counts only once the device has taken it.
+    FrameCompiler afterwards = m_FrameCompiler;
+    result.frame = afterwards.Compile(context.TakeCommands(), outputs);
+    m_Device.Execute(result.frame);
+    m_FrameCompiler = std::move(afterwards);
+    return result;
+}
+
+} // namespace limn

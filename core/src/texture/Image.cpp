@@ -1,0 +1,128 @@
+#include <limn/core/Image.h>
+
+#include "texture/ReadFileBytes.h"
+#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/WriteFile.h>
+#include <png.h>
+#include <string>
+
+namespace limn
+{
+
+namespace
+{
+
+/// libpng's simplified interface, which reports by return value instead of longjmp.
+class PngImage
+{
+public:
+    PngImage() { m_Image.version = PNG_IMAGE_VERSION; }
+    ~PngImage() { png_image_free(&m_Image); }
+    PngImage(const PngImage&) = delete;
+    PngImage& operator=(const PngImage&) = delete;
+
+    png_image* get() { return &m_Image; }
+    png_image* operator->() { return &m_Image; }
+
+private:
+    png_image m_Image{};
+};
+
+png_uint_32 PngFormatOf(GraphicsFormat format)
+{
+    switch (format)
+    {
+    case GraphicsFormat::R8G8B8A8_SRGB:
+    case GraphicsFormat::R8G8B8A8_UNorm:
+        return PNG_FORMAT_RGBA;
+    case GraphicsFormat::R8_UNorm:
+        return PNG_FORMAT_GRAY;
+    default:
+        throw ContractError(std::string("WritePng: format ") + ToString(format) +
+                            "; R8G8B8A8_SRGB, R8G8B8A8_UNorm and R8_UNorm can be written");
+    }
+}
+
+void RequireWholeImage(const Image& image)
+{
+    const std::string size = std::to_string(image.width) + "x" + std::to_string(image.height);
+    if (image.width < 1 || image.height < 1)
+    {
+        throw ContractError("WritePng: size " + size + "; both must be at least 1");
+    }
+    const std::size_t expected = static_cast<std::size_t>(image.width) *
+                                 static_cast<std::size_t>(image.height) *
+                                 static_cast<std::size_t>(BytesPerTexel(image.format));
+    if (image.texels.size() != expected)
+    {
+        throw ContractError("WritePng: " + std::to_string(image.texels.size()) +
+                            " bytes of texels; " + size + " of " + ToString(image.format) +
+                            " takes " + std::to_string(expected));
+    }
+}
+
+} // namespace
+
+std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
+{
+    if (rows < 1 || texels.size() % static_cast<std::size_t>(rows) != 0)
+    {
+        throw ContractError("FlipRows: " + std::to_string(texels.size()) + " bytes are not " +
+                            std::to_string(rows) + " rows");
+    }
+    const std::size_t length = texels.size() / static_cast<std::size_t>(rows);
+    std::vector<std::byte> flipped;
+    flipped.reserve(texels.size());
+    for (std::size_t end = texels.size(); end != 0; end -= length)
+    {
+        const auto row = texels.subspan(end - length, length);
+        flipped.insert(flipped.end(), row.begin(), row.end());
+    }
+    return flipped;
+}
+
+void WritePng(const std::filesystem::path& path, const Image& image)
+{
+    PngImage png;
+    png->format = PngFormatOf(image.format);
+    RequireWholeImage(image);
+    png->width = static_cast<png_uint_32>(image.width);
+    png->height = static_cast<png_uint_32>(image.height);
+
+    // An upper bound, so that the image is compressed once and not a second time to learn its size.
+    std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(*png.get()));
+    png_alloc_size_t size = bytes.size();
+    if (png_image_write_to_memory(png.get(), bytes.data(), &size, 0, image.texels.data(), 0,
+                                  nullptr) == 0)
+    {
+        throw AssetError(path.string(), {}, std::string("cannot be written: ") + png->message);
+    }
+    WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), size});
+}
+
+Image ReadPng(const std::filesystem::path& path)
+{
+    const std::vector<std::byte> bytes = ReadFileBytes(path);
+    PngImage png;
+    const auto fail = [&]
+    {
+        return AssetError(path.string(), {}, std::string("is no readable PNG: ") + png->message);
+    };
+
+    if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0)
+    {
+        throw fail();
+    }
+    png->format = PNG_FORMAT_RGBA;
+    // Without this, libpng takes a 16-bit file that does not state its gamma for linear.
+    png->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    Image image{static_cast<int>(png->width), static_cast<int>(png->height),
+                GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(PNG_IMAGE_SIZE(*png.get()))};
+    if (png_image_finish_read(png.get(), nullptr, image.texels.data(), 0, nullptr) == 0)
+    {
+        throw fail();
+    }
+    return image;
+}
+
+} // namespace limn

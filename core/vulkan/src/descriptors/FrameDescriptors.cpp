@@ -1,0 +1,212 @@
+#include "descriptors/FrameDescriptors.h"
+
+#include "device/Translate.h"
+#include <algorithm>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+/// What a draw without bindings binds.
+const DrawBindings k_NoBindings;
+
+[[noreturn]] void RefuseMissing(const std::string& kind, const std::string& name,
+                                std::uint32_t binding)
+{
+    throw ContractError("a draw binds no " + kind + " for '" + name + "' (binding " +
+                        std::to_string(binding) + "), which its shader reads");
+}
+
+template <typename Slot>
+const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, const char* kind,
+                     const std::string& name)
+{
+    const auto found = std::find_if(slots.begin(), slots.end(),
+                                    [&](const Slot& slot) { return slot.binding == binding; });
+    if (found == slots.end())
+    {
+        RefuseMissing(kind, name, binding);
+    }
+    return *found;
+}
+
+/// Descriptor writes together with what they point at.
+class SetWriter
+{
+public:
+    SetWriter(VkDescriptorSet set, const PropertyLayout& layout) : m_Set(set)
+    {
+        // The writes hold addresses of elements: no vector may grow.
+        m_Buffers.reserve(layout.buffers.size() + layout.storageBuffers.size());
+        m_Images.reserve(layout.textures.size() + layout.samplers.size());
+    }
+
+    void AddBuffer(std::uint32_t binding, VkDescriptorType type, VkDescriptorBufferInfo buffer)
+    {
+        m_Buffers.push_back(buffer);
+        Add(binding, type).pBufferInfo = &m_Buffers.back();
+    }
+
+    void AddImage(std::uint32_t binding, VkDescriptorType type, VkDescriptorImageInfo image)
+    {
+        m_Images.push_back(image);
+        Add(binding, type).pImageInfo = &m_Images.back();
+    }
+
+    void Write(VkDevice device) const
+    {
+        vkUpdateDescriptorSets(device, static_cast<std::uint32_t>(m_Writes.size()), m_Writes.data(),
+                               0, nullptr);
+    }
+
+private:
+    VkWriteDescriptorSet& Add(std::uint32_t binding, VkDescriptorType type)
+    {
+        VkWriteDescriptorSet write{};
+        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        write.dstSet = m_Set;
+        write.dstBinding = binding;
+        write.descriptorCount = 1;
+        write.descriptorType = type;
+        return m_Writes.emplace_back(write);
+    }
+
+    VkDescriptorSet m_Set;
+    std::vector<VkWriteDescriptorSet> m_Writes;
+    std::vector<VkDescriptorBufferInfo> m_Buffers;
+    std::vector<VkDescriptorImageInfo> m_Images;
+};
+
+void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+                 const UploadedBytes& uploaded, std::size_t uploadedSize)
+{
+    for (const UniformBuffer& buffer : layout.buffers)
+    {
+        const UniformSlice& slice =
+            FindSlot(bindings.uniforms, buffer.binding, "uniform data", buffer.name);
+        const bool inside =
+            slice.offset <= uploadedSize && slice.size <= uploadedSize - slice.offset;
+        if (slice.size < buffer.size || !inside || slice.offset % 256 != 0)
+        {
+            throw ContractError(
+                "the uniform data of '" + buffer.name + "' are " + std::to_string(slice.size) +
+                " bytes at " + std::to_string(slice.offset) + "; the shader reads " +
+                std::to_string(buffer.size) + ", at a multiple of 256, of the frame's " +
+                std::to_string(uploadedSize));
+        }
+        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                         {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
+    }
+}
+
+void RequireDimension(const Texture& texture, const TextureBinding& binding)
+{
+    if (texture.dimension() != binding.dimension)
+    {
+        throw ContractError("texture '" + texture.name() + "' is read as '" + binding.name +
+                            "': it is a " + ToString(texture.dimension()) +
+                            " texture; the shader reads a " + ToString(binding.dimension));
+    }
+}
+
+/// Colour with several samples is read resolved; depth has no such copy.
+void RequireOneSample(const PooledImage& image, const std::string& property)
+{
+    if (image.samples > 1 && !image.resolved)
+    {
+        throw ContractError("texture '" + image.name + "' is read as '" + property +
+                            "': it is depth with " + std::to_string(image.samples) +
+                            " samples a texel, which is not resolved; draw it with one");
+    }
+}
+
+void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+                 DeviceResources& resources)
+{
+    for (const TextureBinding& texture : layout.textures)
+    {
+        const TextureSlot& slot =
+            FindSlot(bindings.textures, texture.binding, "texture", texture.name);
+        const PooledImage& image = *resources.images.Find(*slot.texture);
+        if (image.usage != TextureUsage::ShaderRead)
+        {
+            throw ContractError("texture '" + image.name + "' is read as '" + texture.name +
+                                "' while its use is " + ToString(image.usage) +
+                                "; a barrier must make it ShaderRead");
+        }
+        RequireDimension(*slot.texture, texture);
+        RequireOneSample(image, texture.name);
+        const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
+        writer.AddImage(
+            texture.binding,
+            texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                    : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+            {texture.combinedSampler ? resources.samplers.Get(state) : VkSampler{VK_NULL_HANDLE},
+             image.sampledView(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+    for (const SamplerBinding& sampler : layout.samplers)
+    {
+        SamplerState state =
+            FindSlot(bindings.samplers, sampler.binding, "sampler", sampler.name).state;
+        state.comparison = sampler.comparison;
+        writer.AddImage(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
+                        {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
+    }
+}
+
+} // namespace
+
+FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
+                                   FrameSlot& slot, const CompiledFrame& frame)
+    : m_Context(context), m_Resources(resources), m_Slot(slot), m_Frame(frame)
+{
+    if (!frame.uniformData.empty())
+    {
+        m_Uniforms = slot.upload().Upload(frame.uniformData);
+    }
+    if (!frame.perDraw.empty())
+    {
+        m_PerDraw = slot.upload().Upload(std::as_bytes(std::span{frame.perDraw}));
+    }
+}
+
+VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const PassObjects& pass)
+{
+    VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get()}];
+    if (set == VK_NULL_HANDLE)
+    {
+        set = Create(draw.pass->layout, draw.bindings ? *draw.bindings : k_NoBindings,
+                     pass.setLayout.get());
+    }
+    return set;
+}
+
+VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
+                                         VkDescriptorSetLayout setLayout)
+{
+    const VkDescriptorSet set = m_Slot.descriptors().Allocate(setLayout);
+    SetWriter writer{set, layout};
+    AddUniforms(writer, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
+    AddTextures(writer, layout, bindings, m_Resources);
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        if (bindings.perDrawBinding != buffer.binding)
+        {
+            RefuseMissing("structured buffer", buffer.name, buffer.binding);
+        }
+        if (m_Frame.perDraw.empty())
+        {
+            throw ContractError("a draw reads '" + buffer.name +
+                                "' in a frame without per-draw data");
+        }
+        writer.AddBuffer(
+            buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+            {m_PerDraw.buffer, m_PerDraw.offset, m_Frame.perDraw.size() * sizeof(PerDrawData)});
+    }
+    writer.Write(m_Context.device());
+    return set;
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,153 @@
+#include "device/VulkanContext.h"
+
+#include "device/Check.h"
+#include "device/DeviceFeatures.h"
+#include "device/DeviceSelection.h"
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+std::uint32_t AdvancedBlendTargets(VkPhysicalDevice device)
+{
+    VkPhysicalDeviceBlendOperationAdvancedPropertiesEXT advanced{};
+    advanced.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_PROPERTIES_EXT;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &advanced;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    return advanced.advancedBlendMaxColorAttachments;
+}
+
+} // namespace
+
+VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
+{
+    ChoosePhysicalDevice(options.device);
+    const OptionalExtensions extensions =
+        options.optionalExtensions ? FindExtensions(m_PhysicalDevice) : OptionalExtensions{};
+    ReadCapabilities();
+    CreateDevice(extensions);
+    LoadFunctions();
+}
+
+void VulkanContext::ChoosePhysicalDevice(const std::string& request)
+{
+    const std::vector<VkPhysicalDevice> devices = m_Instance.PhysicalDevices();
+    std::vector<VulkanDeviceInfo> infos;
+    for (VkPhysicalDevice device : devices)
+    {
+        infos.push_back(DescribeDevice(device));
+    }
+    DeviceChoice choice = ChooseDevice(infos, request);
+    m_PhysicalDevice = devices[choice.index];
+    m_DeviceName = infos[choice.index].name;
+    m_ChoiceSentence = std::move(choice.sentence);
+    m_QueueFamily = GraphicsQueueFamily(m_PhysicalDevice).value();
+}
+
+void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
+{
+    FeatureChain offered{extensions};
+    vkGetPhysicalDeviceFeatures2(m_PhysicalDevice, &offered.core);
+    FeatureChain wanted{extensions};
+    ChooseFeatures(offered, wanted);
+    m_Capabilities.dynamicBlend =
+        wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
+    m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
+    m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
+    m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
+    m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
+    m_Capabilities.conservative = extensions.conservative;
+    if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)
+    {
+        m_Capabilities.advancedBlendTargets = AdvancedBlendTargets(m_PhysicalDevice);
+    }
+    m_Capabilities.missingShaderFeatures =
+        MissingShaderFeatures(wanted, m_Capabilities.limits, FragmentSubgroupOperations());
+
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queue{};
+    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    queue.queueFamilyIndex = m_QueueFamily;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    const std::vector<const char*> names = extensions.Names();
+    VkDeviceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    info.pNext = &wanted.core;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());
+    info.ppEnabledExtensionNames = names.data();
+    VkDevice device = VK_NULL_HANDLE;
+    Check(vkCreateDevice(m_PhysicalDevice, &info, nullptr, &device), "vkCreateDevice",
+          m_DeviceName);
+    m_Device.reset(device);
+    vkGetDeviceQueue(device, m_QueueFamily, 0, &m_Queue);
+}
+
+void VulkanContext::ReadCapabilities()
+{
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(m_PhysicalDevice, &properties);
+    m_Capabilities.limits = properties.limits;
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
+    m_Capabilities.timestamps = families[m_QueueFamily].timestampValidBits > 0;
+    m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
+}
+
+VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
+{
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &subgroup;
+    vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
+    const bool isInFragments = (subgroup.supportedStages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
+    return isInFragments ? subgroup.supportedOperations : 0;
+}
+
+void VulkanContext::LoadFunctions()
+{
+    const auto load = [&](auto& function, const char* name)
+    {
+        function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+            vkGetDeviceProcAddr(device(), name));
+    };
+    if (m_Instance.hasDebugUtils())
+    {
+        load(m_Functions.setObjectName, "vkSetDebugUtilsObjectNameEXT");
+        load(m_Functions.beginLabel, "vkCmdBeginDebugUtilsLabelEXT");
+        load(m_Functions.endLabel, "vkCmdEndDebugUtilsLabelEXT");
+    }
+    if (m_Capabilities.dynamicBlend)
+    {
+        load(m_Functions.setColorBlendEnable, "vkCmdSetColorBlendEnableEXT");
+        load(m_Functions.setColorBlendEquation, "vkCmdSetColorBlendEquationEXT");
+        load(m_Functions.setColorWriteMask, "vkCmdSetColorWriteMaskEXT");
+    }
+}
+
+void VulkanContext::SetObjectName(VkObjectType type, std::uint64_t handle,
+                                  const std::string& name) const
+{
+    if (m_Functions.setObjectName == nullptr)
+    {
+        return; // names help a person with a capture and nobody else
+    }
+    VkDebugUtilsObjectNameInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+    info.objectType = type;
+    info.objectHandle = handle;
+    info.pObjectName = name.c_str();
+    Check(m_Functions.setObjectName(device(), &info), "vkSetDebugUtilsObjectNameEXT", name);
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "device/DeviceFeatures.h"
+#include "device/VulkanInstance.h"
+
+namespace limn::vulkan
+{
+
+/// What the device can do beyond the least that limn needs, and its limits.
+struct DeviceCapabilities
+{
+    bool dynamicBlend = false; ///< VK_EXT_extended_dynamic_state3, its blend part
+    bool depthClamp = false;
+    bool logicOp = false;
+    bool conservative = false;              ///< VK_EXT_conservative_rasterization
+    std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
+    bool mirrorOnce = false;
+    bool cubeArray = false;
+    bool timestamps = false;
+    double nanosecondsPerTick = 1.0;
+    VkPhysicalDeviceLimits limits{};
+    std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
+};
+
+/// Entry points of extensions; null where the extension is absent.
+struct ExtensionFunctions
+{
+    PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
+    PFN_vkCmdSetColorBlendEnableEXT setColorBlendEnable = nullptr;
+    PFN_vkCmdSetColorBlendEquationEXT setColorBlendEquation = nullptr;
+    PFN_vkCmdSetColorWriteMaskEXT setColorWriteMask = nullptr;
+};
+
+/// Instance, chosen physical device, logical device and its one queue.
+class VulkanContext
+{
+public:
+    explicit VulkanContext(const VulkanDeviceOptions& options);
+
+    VkDevice device() const { return m_Device.get(); }
+    VkPhysicalDevice physicalDevice() const { return m_PhysicalDevice; }
+    VkQueue queue() const { return m_Queue; }
+    std::uint32_t queueFamily() const { return m_QueueFamily; }
+    const DeviceCapabilities& capabilities() const { return m_Capabilities; }
+    const ExtensionFunctions& functions() const { return m_Functions; }
+    const VulkanInstance& instance() const { return m_Instance; }
+    const std::string& deviceName() const { return m_DeviceName; }
+    const std::string& choiceSentence() const { return m_ChoiceSentence; }
+
+    /// The name that captures and validation messages show.
+    template <typename T>
+    void SetName(VkObjectType type, T handle, const std::string& name) const
+    {
+        SetObjectName(type, reinterpret_cast<std::uint64_t>(handle), name);
+    }
+
+private:
+    struct DestroyDevice
+    {
+        void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
+    };
+
+    void ChoosePhysicalDevice(const std::string& request);
+    void CreateDevice(const OptionalExtensions& extensions);
+    void ReadCapabilities();
+    VkSubgroupFeatureFlags FragmentSubgroupOperations() const;
+    void LoadFunctions();
+    void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
+
+    VulkanInstance m_Instance;
+    VkPhysicalDevice m_PhysicalDevice = VK_NULL_HANDLE;
+    std::string m_DeviceName;
+    std::string m_ChoiceSentence;
+    std::uint32_t m_QueueFamily = 0;
+    DeviceCapabilities m_Capabilities;
+    ExtensionFunctions m_Functions;
+    std::unique_ptr<VkDevice_T, DestroyDevice> m_Device;
+    VkQueue m_Queue = VK_NULL_HANDLE;
+};
+
+} // namespace limn::vulkan

@@ -1,0 +1,208 @@
+#include "device/VulkanInstance.h"
+
+#include "device/Check.h"
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+constexpr const char* k_ValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+/// Runs inside the driver: nothing may be thrown through it.
+VKAPI_ATTR VkBool32 VKAPI_CALL OnMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                         void* user) noexcept
+try
+{
+    const bool isError = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    static_cast<ValidationLog*>(user)->Add(
+        {isError ? Severity::Error : Severity::Warning,
+         data->pMessageIdName == nullptr ? "" : data->pMessageIdName,
+         data->pMessage == nullptr ? "" : data->pMessage});
+    return VK_FALSE;
+}
+catch (...)
+{
+    return VK_FALSE; // out of memory: the message is lost, the program is not
+}
+
+VkDebugUtilsMessengerCreateInfoEXT MessengerInfo(ValidationLog& log)
+{
+    VkDebugUtilsMessengerCreateInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    // Not GENERAL: there the loader talks about drivers of absent hardware.
+    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
+                       VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    info.pfnUserCallback = OnMessage;
+    info.pUserData = &log;
+    return info;
+}
+
+bool HasLayer(const char* name)
+{
+    std::uint32_t count = 0;
+    Check(vkEnumerateInstanceLayerProperties(&count, nullptr),
+          "vkEnumerateInstanceLayerProperties");
+    std::vector<VkLayerProperties> layers(count);
+    Check(vkEnumerateInstanceLayerProperties(&count, layers.data()),
+          "vkEnumerateInstanceLayerProperties");
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const VkLayerProperties& layer)
+                       { return std::strcmp(layer.layerName, name) == 0; });
+}
+
+bool HasInstanceExtension(const char* name, const char* layer)
+{
+    std::uint32_t count = 0;
+    Check(vkEnumerateInstanceExtensionProperties(layer, &count, nullptr),
+          "vkEnumerateInstanceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions(count);
+    Check(vkEnumerateInstanceExtensionProperties(layer, &count, extensions.data()),
+          "vkEnumerateInstanceExtensionProperties");
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& extension)
+                       { return std::strcmp(extension.extensionName, name) == 0; });
+}
+
+std::uint32_t LoaderVersion()
+{
+    std::uint32_t version = VK_API_VERSION_1_0;
+    Check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
+    return version;
+}
+
+std::string NoDriverSentence()
+{
+    std::string sentence = "no Vulkan device: the loader found no driver";
+    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
+    {
+        if (const char* value = std::getenv(name))
+        {
+            sentence += std::string(" (") + name + " is set to '" + value + "')";
+        }
+    }
+    return sentence + "; install mesa-vulkan-drivers for the software one";
+}
+
+} // namespace
+
+void ValidationLog::Add(ValidationMessage message)
+{
+    const std::lock_guard lock{m_Mutex};
+    m_Messages.push_back(std::move(message));
+}
+
+std::vector<ValidationMessage> ValidationLog::messages() const
+{
+    const std::lock_guard lock{m_Mutex};
+    return m_Messages;
+}
+
+NoDriverError::NoDriverError() : VulkanError(NoDriverSentence()) {}
+
+VulkanInstance::VulkanInstance(bool validation)
+{
+    if (LoaderVersion() < VK_API_VERSION_1_3)
+    {
+        throw VulkanError("the Vulkan loader is older than 1.3; update libvulkan1");
+    }
+    if (validation && !HasLayer(k_ValidationLayer))
+    {
+        throw VulkanError(std::string("validation is asked for and the layer ") +
+                          k_ValidationLayer + " is not installed; install vulkan-validationlayers");
+    }
+    m_DebugUtils =
+        HasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
+        (validation && HasInstanceExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, k_ValidationLayer));
+    Create(validation);
+    if (validation)
+    {
+        CreateMessenger();
+    }
+}
+
+VulkanInstance::~VulkanInstance()
+{
+    if (m_Messenger != VK_NULL_HANDLE)
+    {
+        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(get(), "vkDestroyDebugUtilsMessengerEXT"));
+        destroy(get(), m_Messenger, nullptr);
+    }
+}
+
+void VulkanInstance::Create(bool validation)
+{
+    VkApplicationInfo application{};
+    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+    application.pApplicationName = "limn";
+    application.pEngineName = "limn";
+    application.apiVersion = VK_API_VERSION_1_3;
+
+    constexpr std::array enabled = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    VkValidationFeaturesEXT features{};
+    features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+    features.enabledValidationFeatureCount = static_cast<std::uint32_t>(enabled.size());
+    features.pEnabledValidationFeatures = enabled.data();
+    VkDebugUtilsMessengerCreateInfoEXT messenger = MessengerInfo(m_Log);
+    messenger.pNext = &features;
+
+    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+    VkInstanceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    info.pApplicationInfo = &application;
+    info.enabledExtensionCount = m_DebugUtils ? 1 : 0;
+    info.ppEnabledExtensionNames = &extension;
+    if (validation)
+    {
+        info.pNext = &messenger;
+        info.enabledLayerCount = 1;
+        info.ppEnabledLayerNames = &k_ValidationLayer;
+    }
+    VkInstance instance = VK_NULL_HANDLE;
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
+    {
+        throw NoDriverError();
+    }
+    Check(result, "vkCreateInstance");
+    m_Instance.reset(instance);
+}
+
+void VulkanInstance::CreateMessenger()
+{
+    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(get(), "vkCreateDebugUtilsMessengerEXT"));
+    const VkDebugUtilsMessengerCreateInfoEXT info = MessengerInfo(m_Log);
+    Check(create(get(), &info, nullptr, &m_Messenger), "vkCreateDebugUtilsMessengerEXT");
+}
+
+std::vector<VkPhysicalDevice> VulkanInstance::PhysicalDevices() const
+{
+    std::uint32_t count = 0;
+    VkResult result = vkEnumeratePhysicalDevices(get(), &count, nullptr);
+    std::vector<VkPhysicalDevice> devices(count);
+    if (result == VK_SUCCESS && count > 0)
+    {
+        result = vkEnumeratePhysicalDevices(get(), &count, devices.data());
+        devices.resize(count);
+    }
+    // Some loaders report a driver without a device as a failure to initialise.
+    if (result == VK_ERROR_INITIALIZATION_FAILED)
+    {
+        return {};
+    }
+    Check(result, "vkEnumeratePhysicalDevices");
+    return devices;
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,222 @@
+#include "frame/DynamicState.h"
+
+#include "device/Translate.h"
+#include "programs/PipelineBuilder.h"
+#include <algorithm>
+#include <limn/shaderlab/PrintShaderLab.h>
+#include <span>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+VkBool32 ToVkBool(bool value)
+{
+    return value ? VK_TRUE : VK_FALSE;
+}
+
+VkStencilOpState ToStencilFace(const PipelineState& state, const StencilFace& face)
+{
+    const auto byte = [](int value)
+    {
+        return static_cast<std::uint32_t>(value) & 0xFFU;
+    };
+    return {ToVkStencilOp(face.fail),    ToVkStencilOp(face.pass),
+            ToVkStencilOp(face.zFail),   ToStencilCompare(face.compare),
+            byte(state.stencilReadMask), byte(state.stencilWriteMask),
+            byte(state.stencilReference)};
+}
+
+void RecordDepth(VkCommandBuffer commands, const FixedState& state)
+{
+    vkCmdSetDepthTestEnable(commands, ToVkBool(state.depthTest));
+    vkCmdSetDepthWriteEnable(commands, ToVkBool(state.depthWrite));
+    vkCmdSetDepthCompareOp(commands, state.depthCompare);
+    vkCmdSetDepthBiasEnable(commands, ToVkBool(state.depthBias));
+    vkCmdSetDepthBias(commands, state.depthBiasConstant, 0.0f, state.depthBiasSlope);
+}
+
+void RecordStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which,
+                       const VkStencilOpState& face)
+{
+    vkCmdSetStencilOp(commands, which, face.failOp, face.passOp, face.depthFailOp, face.compareOp);
+    vkCmdSetStencilCompareMask(commands, which, face.compareMask);
+    vkCmdSetStencilWriteMask(commands, which, face.writeMask);
+    vkCmdSetStencilReference(commands, which, face.reference);
+}
+
+void RecordBlend(VkCommandBuffer commands, const PipelineState& state, std::size_t targets,
+                 int colorOutputs, const ExtensionFunctions& functions)
+{
+    std::array<VkBool32, 8> enables{};
+    std::array<VkColorBlendEquationEXT, 8> equations{};
+    std::array<VkColorComponentFlags, 8> masks{};
+    for (std::size_t i = 0; i < targets; ++i)
+    {
+        const VkPipelineColorBlendAttachmentState blend =
+            ToBlendAttachment(state.targets.at(i), i, colorOutputs);
+        enables.at(i) = blend.blendEnable;
+        equations.at(i) = {blend.srcColorBlendFactor, blend.dstColorBlendFactor,
+                           blend.colorBlendOp,        blend.srcAlphaBlendFactor,
+                           blend.dstAlphaBlendFactor, blend.alphaBlendOp};
+        masks.at(i) = blend.colorWriteMask;
+    }
+    const auto count = static_cast<std::uint32_t>(targets);
+    functions.setColorBlendEnable(commands, 0, count, enables.data());
+    functions.setColorBlendEquation(commands, 0, count, equations.data());
+    functions.setColorWriteMask(commands, 0, count, masks.data());
+}
+
+void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabilities)
+{
+    if (!state.zClip && !capabilities.depthClamp)
+    {
+        throw ContractError("a draw has ZClip False, and the device lacks depthClamp; it draws "
+                            "ZClip True only");
+    }
+    if (state.conservative && !capabilities.conservative)
+    {
+        throw ContractError("a draw has Conservative True, and the device lacks "
+                            "VK_EXT_conservative_rasterization; it draws the texels whose centre "
+                            "is covered only");
+    }
+}
+
+bool isBeyondBlending(const TargetBlend& blend)
+{
+    return blend.enabled && std::max(blend.colorOp, blend.alphaOp) > BlendOp::Max;
+}
+
+/// The logical or advanced operation of a draw, else Add.
+BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
+{
+    const std::span used = std::span(state.targets).first(targets);
+    const auto found = std::find_if(used.begin(), used.end(), isBeyondBlending);
+    if (found == used.end())
+    {
+        return BlendOp::Add;
+    }
+    const BlendOp op = std::max(found->colorOp, found->alphaOp);
+    for (const TargetBlend& blend : used)
+    {
+        if (!blend.enabled || blend.colorOp != op || blend.alphaOp != op)
+        {
+            const std::string name = BlendOpName(op);
+            throw ContractError("a draw has BlendOp " + name +
+                                " for a part of what it writes; it works for colour and alpha of "
+                                "all targets alike: write Blend and 'BlendOp " +
+                                name + "' with neither a target nor a ','");
+        }
+    }
+    return op;
+}
+
+/// Floats and sRGB values have no bits to combine: Vulkan would write them as they are.
+bool HasPlainBits(VkFormat format)
+{
+    return format == VK_FORMAT_R8_UNORM || format == VK_FORMAT_R8G8B8A8_UNORM ||
+           format == VK_FORMAT_R8G8B8A8_SNORM;
+}
+
+/// "" where the device can.
+std::string ReasonAgainst(BlendOp op, std::size_t targets, const DeviceCapabilities& capabilities)
+{
+    if (isLogical(op) && !capabilities.logicOp)
+    {
+        return "lacks logicOp";
+    }
+    if (isAdvanced(op) && capabilities.advancedBlendTargets == 0)
+    {
+        return "lacks VK_EXT_blend_operation_advanced";
+    }
+    if (isAdvanced(op) && capabilities.advancedBlendTargets < targets)
+    {
+        return "has it for " + std::to_string(capabilities.advancedBlendTargets) +
+               " target(s) at most, not for " + std::to_string(targets);
+    }
+    return {};
+}
+
+void RequireOperation(BlendOp op, const TargetFormats& formats,
+                      const DeviceCapabilities& capabilities)
+{
+    const std::string reason = ReasonAgainst(op, formats.colors.size(), capabilities);
+    if (!reason.empty())
+    {
+        throw ContractError("a draw has BlendOp " + BlendOpName(op) + ", and the device " + reason +
+                            "; every device has Add, Sub, RevSub, Min and Max");
+    }
+    if (isLogical(op) && !std::all_of(formats.colors.begin(), formats.colors.end(), HasPlainBits))
+    {
+        throw ContractError("a draw has BlendOp " + BlendOpName(op) +
+                            " into a target of floats or sRGB values; a logical operation wants "
+                            "R8_UNorm, R8G8B8A8_UNorm or R8G8B8A8_SNorm");
+    }
+}
+
+} // namespace
+
+PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& formats,
+                            const DeviceCapabilities& capabilities)
+{
+    RequireSupport(state, capabilities);
+    const BlendOp op = WholeOperation(state, formats.colors.size());
+    RequireOperation(op, formats, capabilities);
+    PipelineKey key;
+    key.formats = formats;
+    key.alphaToMask = state.alphaToMask;
+    key.depthClamp = !state.zClip;
+    key.conservative = state.conservative;
+    key.logicOp = isLogical(op) ? std::optional(ToVkLogicOp(op)) : std::nullopt;
+    // The command that sets a blend equation knows the plain operations only.
+    key.dynamicBlend = capabilities.dynamicBlend && !isAdvanced(op);
+    if (!key.dynamicBlend)
+    {
+        for (std::size_t i = 0; i < formats.colors.size(); ++i)
+        {
+            key.blend.at(i) = state.targets.at(i);
+        }
+    }
+    return key;
+}
+
+FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats)
+{
+    FixedState result;
+    result.cullMode = ToVkCullMode(state.cull);
+    result.frontFace = ToVkFrontFace(state.frontFaceFlipped);
+    result.depthTest =
+        formats.depth != VK_FORMAT_UNDEFINED && state.zTest != CompareFunction::Disabled;
+    result.depthWrite = result.depthTest && state.zWrite;
+    result.depthCompare = ToReversedDepthCompare(state.zTest);
+    result.depthBias = state.offsetFactor != 0.0f || state.offsetUnits != 0.0f;
+    // Farther is smaller in a reversed buffer, hence the signs.
+    result.depthBiasConstant = -state.offsetUnits;
+    result.depthBiasSlope = -state.offsetFactor;
+    result.stencilTest = formats.stencil != VK_FORMAT_UNDEFINED && state.stencilEnabled;
+    result.stencilFront = ToStencilFace(state, state.stencilFront);
+    result.stencilBack = ToStencilFace(state, state.stencilBack);
+    return result;
+}
+
+void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
+                        const PipelineKey& key, int colorOutputs,
+                        const ExtensionFunctions& functions)
+{
+    const FixedState fixed = ToFixedState(state, key.formats);
+    vkCmdSetCullMode(commands, fixed.cullMode);
+    vkCmdSetFrontFace(commands, fixed.frontFace);
+    vkCmdSetPrimitiveTopology(commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
+    RecordDepth(commands, fixed);
+    vkCmdSetStencilTestEnable(commands, ToVkBool(fixed.stencilTest));
+    RecordStencilFace(commands, VK_STENCIL_FACE_FRONT_BIT, fixed.stencilFront);
+    RecordStencilFace(commands, VK_STENCIL_FACE_BACK_BIT, fixed.stencilBack);
+    if (key.dynamicBlend && !key.formats.colors.empty())
+    {
+        RecordBlend(commands, state, key.formats.colors.size(), colorOutputs, functions);
+    }
+}
+
+} // namespace limn::vulkan

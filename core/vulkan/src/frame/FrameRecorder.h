@@ -1,0 +1,30 @@
+#pragma once
+
+#include "descriptors/FrameDescriptors.h"
+
+namespace limn::vulkan
+{
+
+/// Turns a compiled frame into the commands of a slot.
+class FrameRecorder
+{
+public:
+    /// @param number  that the frame's submission will have
+    FrameRecorder(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
+                  std::uint64_t number);
+
+    /// @throws ContractError if the frame contradicts itself
+    void Record(const CompiledFrame& frame);
+
+private:
+    void Prepare(const CompiledFrame& frame);
+    void PrepareDraw(const DrawCommand& draw);
+    void RecordBarrierList(const std::vector<TextureBarrier>& barriers, const std::string& where);
+
+    const VulkanContext& m_Context;
+    DeviceResources& m_Resources;
+    FrameSlot& m_Slot;
+    std::uint64_t m_Number;
+};
+
+} // namespace limn::vulkan

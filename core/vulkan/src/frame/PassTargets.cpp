@@ -1,0 +1,186 @@
+#include "frame/PassTargets.h"
+
+#include "device/Translate.h"
+#include <algorithm>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+std::string SizeText(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+/// Checks the texture as a target and returns its sample count.
+int RequireTarget(const CompiledRenderPass& pass, const RenderTexture& texture, ImagePool& images,
+                  TextureUsage needed)
+{
+    const std::string subject = "pass '" + pass.name + "': target '" + texture.name() + "': ";
+    const bool isDepth = needed == TextureUsage::DepthStencilAttachment;
+    if (IsDepthFormat(texture.graphicsFormat()) != isDepth)
+    {
+        throw ContractError(subject + limn::ToString(texture.graphicsFormat()) + " is no " +
+                            (isDepth ? "depth" : "colour") + " format");
+    }
+    if (texture.width() < pass.width || texture.height() < pass.height)
+    {
+        throw ContractError(subject + "it is " + SizeText(texture.width(), texture.height()) +
+                            ", the pass draws " + SizeText(pass.width, pass.height));
+    }
+    const TextureUsage usage = images.Find(texture)->usage;
+    if (usage != needed)
+    {
+        throw ContractError(subject + "its use is " + ToString(usage) +
+                            "; a barrier must make it " + ToString(needed));
+    }
+    return texture.descriptor().msaaSamples;
+}
+
+void RequireCount(const CompiledRenderPass& pass, const VkPhysicalDeviceLimits& limits)
+{
+    const std::size_t most = std::min<std::size_t>(8, limits.maxColorAttachments);
+    if (pass.colors.size() > most)
+    {
+        throw ContractError("pass '" + pass.name + "' has " + std::to_string(pass.colors.size()) +
+                            " colour targets; the device draws into at most " +
+                            std::to_string(most));
+    }
+    if (pass.width <= 0 || pass.height <= 0)
+    {
+        throw ContractError("pass '" + pass.name + "' has the size " +
+                            SizeText(pass.width, pass.height) + "; it must be positive");
+    }
+}
+
+VkRenderingAttachmentInfo Attachment(VkImageView view, VkImageLayout layout, LoadOp load,
+                                     StoreOp store, VkClearValue clear)
+{
+    VkRenderingAttachmentInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    info.imageView = view;
+    info.imageLayout = layout;
+    info.loadOp = ToVkLoadOp(load);
+    info.storeOp = ToVkStoreOp(store);
+    info.clearValue = clear;
+    return info;
+}
+
+VkClearValue ColorClearValue(const Color& color)
+{
+    VkClearValue value{};
+    value.color = {{color.r, color.g, color.b, color.a}};
+    return value;
+}
+
+} // namespace
+
+TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
+                        const VkPhysicalDeviceLimits& limits)
+{
+    RequireCount(pass, limits);
+    TargetFormats formats;
+    int samples = 0;
+    const auto require = [&](const RenderTexture& texture, TextureUsage needed)
+    {
+        const int count = RequireTarget(pass, texture, images, needed);
+        if (samples != 0 && samples != count)
+        {
+            throw ContractError("pass '" + pass.name + "': target '" + texture.name() + "' has " +
+                                std::to_string(count) + " samples a texel, the one before it " +
+                                std::to_string(samples));
+        }
+        samples = count;
+    };
+    for (const ColorAttachment& color : pass.colors)
+    {
+        require(*color.texture, TextureUsage::ColorAttachment);
+        formats.colors.push_back(ToVkFormat(color.texture->graphicsFormat()));
+    }
+    if (pass.depth)
+    {
+        const GraphicsFormat format = pass.depth->texture->graphicsFormat();
+        require(*pass.depth->texture, TextureUsage::DepthStencilAttachment);
+        formats.depth = ToVkFormat(format);
+        formats.stencil = HasStencil(format) ? formats.depth : VK_FORMAT_UNDEFINED;
+    }
+    formats.samples = static_cast<VkSampleCountFlagBits>(std::max(samples, 1));
+    return formats;
+}
+
+void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
+                          ImagePool& images)
+{
+    std::vector<VkRenderingAttachmentInfo> colors;
+    for (const ColorAttachment& color : pass.colors)
+    {
+        const PooledImage& image = *images.Find(*color.texture);
+        constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        VkRenderingAttachmentInfo target = Attachment(
+            image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
+        if (image.resolved && color.store == StoreOp::Store)
+        {
+            target.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+            target.resolveImageView = image.resolved->view.get();
+            target.resolveImageLayout = layout;
+        }
+        colors.push_back(target);
+    }
+    VkRenderingInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    info.renderArea.extent = {static_cast<std::uint32_t>(pass.width),
+                              static_cast<std::uint32_t>(pass.height)};
+    info.layerCount = 1;
+    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+    info.pColorAttachments = colors.data();
+    VkRenderingAttachmentInfo depth{};
+    VkRenderingAttachmentInfo stencil{};
+    if (pass.depth)
+    {
+        const DepthAttachment& target = *pass.depth;
+        const VkImageView view = images.Find(*target.texture)->view.get();
+        const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil);
+        constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+        depth = Attachment(view, layout, target.load, target.store, clear);
+        stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
+        info.pDepthAttachment = &depth;
+        info.pStencilAttachment = HasStencil(target.texture->graphicsFormat()) ? &stencil : nullptr;
+    }
+    vkCmdBeginRendering(commands, &info);
+}
+
+VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
+{
+    if (rect.width <= 0 || rect.height <= 0)
+    {
+        throw ContractError("pass '" + pass.name + "': the viewport has the size " +
+                            SizeText(rect.width, rect.height) + "; it must be positive");
+    }
+    const int left = std::clamp(rect.x, 0, pass.width);
+    const int top = std::clamp(rect.y, 0, pass.height);
+    const int right = std::clamp(rect.x + rect.width, left, pass.width);
+    const int bottom = std::clamp(rect.y + rect.height, top, pass.height);
+    return {{left, top},
+            {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
+}
+
+VkViewport ToVkViewport(const ViewportRect& rect)
+{
+    return {static_cast<float>(rect.x),
+            static_cast<float>(rect.y + rect.height),
+            static_cast<float>(rect.width),
+            -static_cast<float>(rect.height),
+            0.0f,
+            1.0f};
+}
+
+VkClearValue DepthClearValue(float depth, int stencil)
+{
+    VkClearValue value{};
+    value.depthStencil = {1.0f - depth, static_cast<std::uint32_t>(stencil) & 0xFFU};
+    return value;
+}
+
+} // namespace limn::vulkan

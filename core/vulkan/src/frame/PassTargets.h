@@ -1,0 +1,28 @@
+#pragma once
+
+#include "programs/PassPool.h"
+#include "resources/ImagePool.h"
+
+namespace limn::vulkan
+{
+
+/// The formats of a pass's targets.
+/// @throws ContractError naming pass and texture, if a target is of the wrong kind, size, sample
+///         count or use, or there are more of them than the device draws into
+TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
+                        const VkPhysicalDeviceLimits& limits);
+
+void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
+                          ImagePool& images);
+
+/// The part of the pass's area that `rect` covers.
+/// @throws ContractError if the rectangle is empty
+VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
+
+/// Clip y = +1 is the rectangle's first row, clip z = depth.
+VkViewport ToVkViewport(const ViewportRect& rect);
+
+/// Unity writes 1 = far; the device's buffer holds 0 there.
+VkClearValue DepthClearValue(float depth, int stencil);
+
+} // namespace limn::vulkan

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "device/UniqueHandle.h"
+#include "device/VulkanContext.h"
+
+namespace limn::vulkan
+{
+
+/// The device's queue with a timeline: every submission gets the next number.
+class SubmitQueue
+{
+public:
+    explicit SubmitQueue(const VulkanContext& context);
+    ~SubmitQueue(); ///< waits until the device is idle
+    SubmitQueue(const SubmitQueue&) = delete;
+    SubmitQueue& operator=(const SubmitQueue&) = delete;
+
+    /// The number the next submission will have.
+    std::uint64_t nextNumber() const { return m_Submitted + 1; }
+    std::uint64_t lastNumber() const { return m_Submitted; }
+    std::uint64_t finishedNumber() const; ///< all up to here are done
+
+    void Submit(VkCommandBuffer commands);
+    void Wait(std::uint64_t number) const;
+
+private:
+    const VulkanContext& m_Context;
+    UniqueSemaphore m_Timeline;
+    std::uint64_t m_Submitted = 0;
+};
+
+} // namespace limn::vulkan

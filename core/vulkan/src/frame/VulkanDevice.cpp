@@ -1,0 +1,176 @@
+#include <limn/vulkan/VulkanDevice.h>
+
+#include "device/Translate.h"
+#include "frame/FrameRecorder.h"
+#include "resources/ReadBackCopy.h"
+
+namespace limn
+{
+
+/// Members die bottom up: the queue waits for the device first, then resources go, then memory.
+class VulkanDevice::Impl
+{
+public:
+    explicit Impl(const VulkanDeviceOptions& options)
+        : context(options),
+          allocator(context.device(), context.physicalDevice()),
+          resources(context, allocator, options.cacheFolder),
+          slots{vulkan::FrameSlot{context, allocator}, vulkan::FrameSlot{context, allocator}},
+          queue(context)
+    {
+    }
+
+    /// The slot for the next frame, once the GPU is done with it.
+    vulkan::FrameSlot& TakeSlot();
+    void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
+    void KeepTimings(const vulkan::FrameSlot& slot);
+    Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
+
+    vulkan::VulkanContext context;
+    vulkan::MemoryAllocator allocator;
+    vulkan::DeviceResources resources;
+    std::array<vulkan::FrameSlot, 2> slots;
+    std::size_t nextSlot = 0;
+    std::uint64_t timedFrame = 0;
+    std::vector<PassTiming> timings;
+    vulkan::SubmitQueue queue;
+};
+
+vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot()
+{
+    vulkan::FrameSlot& slot = slots.at(nextSlot);
+    queue.Wait(slot.number());
+    KeepTimings(slot);
+    return slot;
+}
+
+void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& slot)
+{
+    const std::uint64_t number = queue.nextNumber();
+    try
+    {
+        slot.Begin(frame.passes.size());
+        vulkan::FrameRecorder{context, resources, slot, number}.Record(frame);
+        slot.Submit(queue);
+    }
+    catch (...)
+    {
+        slot.Abandon();
+        resources.images.Rollback(number);
+        resources.meshes.Rollback(number);
+        throw;
+    }
+}
+
+void VulkanDevice::Impl::KeepTimings(const vulkan::FrameSlot& slot)
+{
+    if (slot.number() > timedFrame)
+    {
+        timings = slot.ReadTimings();
+        timedFrame = slot.number();
+    }
+}
+
+VulkanDevice::VulkanDevice(const VulkanDeviceOptions& options)
+    : m_Impl(std::make_unique<Impl>(options))
+{
+}
+
+VulkanDevice::~VulkanDevice() = default;
+
+void VulkanDevice::Execute(const CompiledFrame& frame)
+{
+    vulkan::FrameSlot& slot = m_Impl->TakeSlot();
+    const std::uint64_t finished = m_Impl->queue.finishedNumber();
+    m_Impl->resources.images.Sweep(finished);
+    m_Impl->resources.meshes.Sweep(finished);
+    m_Impl->resources.passes.Sweep(finished);
+    m_Impl->Record(frame, slot);
+    m_Impl->resources.images.Commit();
+    m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
+}
+
+Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
+{
+    const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";
+    const vulkan::PooledImage* image = resources.images.Find(texture);
+    if (image == nullptr)
+    {
+        throw ContractError(subject + "no frame has drawn it");
+    }
+    if (image->usage != TextureUsage::CopySource)
+    {
+        throw ContractError(subject + "the last frame left it as " +
+                            vulkan::ToString(image->usage) + "; make it an output (CopySource)");
+    }
+    if (image->samples > 1 && !image->resolved)
+    {
+        throw ContractError(subject + "it is depth with " + std::to_string(image->samples) +
+                            " samples a texel, which is not resolved; draw it with one");
+    }
+    return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+}
+
+Image VulkanDevice::ReadBack(const RenderTexture& texture)
+{
+    return m_Impl->ReadBack(texture, IsDepthFormat(texture.graphicsFormat())
+                                         ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                         : VK_IMAGE_ASPECT_COLOR_BIT);
+}
+
+Image VulkanDevice::ReadBackStencil(const RenderTexture& texture)
+{
+    if (!HasStencil(texture.graphicsFormat()))
+    {
+        throw ContractError("texture '" + texture.name() + "' has no stencil to read back: it is " +
+                            ToString(texture.graphicsFormat()) + ", not D32_SFloat_S8_UInt");
+    }
+    return m_Impl->ReadBack(texture, VK_IMAGE_ASPECT_STENCIL_BIT);
+}
+
+std::vector<PassTiming> VulkanDevice::LastFrameTimings()
+{
+    const std::uint64_t finished = m_Impl->queue.finishedNumber();
+    for (const vulkan::FrameSlot& slot : m_Impl->slots)
+    {
+        if (slot.number() <= finished)
+        {
+            m_Impl->KeepTimings(slot);
+        }
+    }
+    return m_Impl->timings;
+}
+
+const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const
+{
+    return m_Impl->context.capabilities().missingShaderFeatures;
+}
+
+const std::string& VulkanDevice::deviceName() const
+{
+    return m_Impl->context.deviceName();
+}
+
+const std::string& VulkanDevice::ChoiceSentence() const
+{
+    return m_Impl->context.choiceSentence();
+}
+
+std::vector<ValidationMessage> VulkanDevice::validationMessages() const
+{
+    return m_Impl->context.instance().log().messages();
+}
+
+VulkanDeviceStatistics VulkanDevice::statistics() const
+{
+    VulkanDeviceStatistics statistics;
+    statistics.allocatedBytes = m_Impl->allocator.allocatedBytes();
+    statistics.usedBytes = m_Impl->allocator.usedBytes();
+    statistics.images = m_Impl->resources.images.size();
+    statistics.meshes = m_Impl->resources.meshes.size();
+    statistics.meshUploads = m_Impl->resources.meshes.uploadCount();
+    statistics.pipelines = m_Impl->resources.passes.pipelineCount();
+    return statistics;
+}
+
+} // namespace limn

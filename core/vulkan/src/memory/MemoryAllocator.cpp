@@ -1,0 +1,192 @@
+#include "memory/MemoryAllocator.h"
+
+#include "device/Check.h"
+#include <algorithm>
+#include <limn/vulkan/VulkanError.h>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+constexpr VkDeviceSize k_BlockBytes = VkDeviceSize{16} << 20;
+
+struct MemoryWish
+{
+    VkMemoryPropertyFlags required;
+    VkMemoryPropertyFlags preferred;
+};
+
+MemoryWish WishFor(MemoryUse use)
+{
+    constexpr VkMemoryPropertyFlags visible =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    switch (use)
+    {
+    case MemoryUse::Upload:
+        return {visible, 0};
+    case MemoryUse::ReadBack:
+        return {visible, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+    case MemoryUse::Gpu:
+        break;
+    }
+    return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+}
+
+} // namespace
+
+struct MemoryAllocation::Block
+{
+    UniqueMemory memory;
+    std::byte* mapped = nullptr;
+    VkDeviceSize size = 0;
+    std::uint32_t type = 0;
+    MemoryUse use = MemoryUse::Gpu;
+    MemoryContent content = MemoryContent::Buffers;
+    RangeAllocator ranges{0};
+};
+
+MemoryAllocation::~MemoryAllocation()
+{
+    if (m_Allocator != nullptr)
+    {
+        m_Allocator->Return(*m_Block, m_Offset, m_Size);
+    }
+}
+
+void MemoryAllocation::Swap(MemoryAllocation& other) noexcept
+{
+    std::swap(m_Allocator, other.m_Allocator);
+    std::swap(m_Block, other.m_Block);
+    std::swap(m_Offset, other.m_Offset);
+    std::swap(m_Size, other.m_Size);
+}
+
+VkDeviceMemory MemoryAllocation::memory() const
+{
+    return m_Block->memory.get();
+}
+
+std::byte* MemoryAllocation::mapped() const
+{
+    return m_Block->mapped == nullptr ? nullptr : m_Block->mapped + m_Offset;
+}
+
+MemoryAllocator::MemoryAllocator(VkDevice device, VkPhysicalDevice physicalDevice)
+    : m_Device(device)
+{
+    vkGetPhysicalDeviceMemoryProperties(physicalDevice, &m_Properties);
+}
+
+MemoryAllocator::~MemoryAllocator() = default;
+
+MemoryAllocation MemoryAllocator::Allocate(const VkMemoryRequirements& needs, MemoryUse use,
+                                           MemoryContent content, const std::string& name)
+{
+    const std::uint32_t type = MemoryType(needs.memoryTypeBits, use, name);
+    MemoryAllocation result;
+    const auto take = [&](Block& block)
+    {
+        const auto offset = block.ranges.Allocate(needs.size, needs.alignment);
+        if (offset)
+        {
+            result.m_Allocator = this;
+            result.m_Block = &block;
+            result.m_Offset = *offset;
+            result.m_Size = needs.size;
+        }
+        return offset.has_value();
+    };
+    for (const auto& block : m_Blocks)
+    {
+        if (block->type == type && block->use == use && block->content == content && take(*block))
+        {
+            return result;
+        }
+    }
+    // What would fill half a block gets one of its own size.
+    const VkDeviceSize size = needs.size > k_BlockBytes / 2 ? needs.size : k_BlockBytes;
+    take(NewBlock(size, type, use, content, name));
+    return result;
+}
+
+VkDeviceSize MemoryAllocator::allocatedBytes() const
+{
+    VkDeviceSize total = 0;
+    for (const auto& block : m_Blocks)
+    {
+        total += block->size;
+    }
+    return total;
+}
+
+VkDeviceSize MemoryAllocator::usedBytes() const
+{
+    VkDeviceSize total = 0;
+    for (const auto& block : m_Blocks)
+    {
+        total += block->ranges.usedBytes();
+    }
+    return total;
+}
+
+std::uint32_t MemoryAllocator::MemoryType(std::uint32_t allowed, MemoryUse use,
+                                          const std::string& name) const
+{
+    const MemoryWish wish = WishFor(use);
+    for (const VkMemoryPropertyFlags flags : {wish.required | wish.preferred, wish.required})
+    {
+        for (std::uint32_t i = 0; i < m_Properties.memoryTypeCount; ++i)
+        {
+            const VkMemoryPropertyFlags has = m_Properties.memoryTypes[i].propertyFlags;
+            if ((allowed & (1U << i)) != 0 && (has & flags) == flags)
+            {
+                return i;
+            }
+        }
+    }
+    throw VulkanError("the device has no kind of memory that fits '" + name + "'");
+}
+
+MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32_t type,
+                                                  MemoryUse use, MemoryContent content,
+                                                  const std::string& name)
+{
+    auto block = std::make_unique<Block>();
+    VkMemoryAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = size;
+    info.memoryTypeIndex = type;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    Check(vkAllocateMemory(m_Device, &info, nullptr, &memory), "vkAllocateMemory", name);
+    block->memory = UniqueMemory{m_Device, memory};
+    if (use != MemoryUse::Gpu)
+    {
+        void* mapped = nullptr;
+        Check(vkMapMemory(m_Device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory", name);
+        block->mapped = static_cast<std::byte*>(mapped);
+    }
+    block->size = size;
+    block->type = type;
+    block->use = use;
+    block->content = content;
+    block->ranges = RangeAllocator{size};
+    m_Blocks.push_back(std::move(block));
+    return *m_Blocks.back();
+}
+
+void MemoryAllocator::Return(Block& block, VkDeviceSize offset, VkDeviceSize size) noexcept
+{
+    block.ranges.Free(offset, size);
+    if (block.ranges.usedBytes() == 0)
+    {
+        const auto isIt = [&](const auto& candidate)
+        {
+            return candidate.get() == &block;
+        };
+        m_Blocks.erase(std::find_if(m_Blocks.begin(), m_Blocks.end(), isIt));
+    }
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "device/UniqueHandle.h"
+#include "memory/RangeAllocator.h"
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn::vulkan
+{
+
+enum class MemoryUse
+{
+    Gpu,
+    Upload,  ///< written by the CPU, mapped
+    ReadBack ///< read by the CPU, mapped
+};
+
+/// Buffers and images live in blocks of their own, which satisfies bufferImageGranularity.
+enum class MemoryContent
+{
+    Buffers,
+    Images
+};
+
+class MemoryAllocator;
+
+/// A piece of device memory, returned on destruction; must not outlive its allocator.
+class MemoryAllocation
+{
+public:
+    MemoryAllocation() = default;
+    MemoryAllocation(MemoryAllocation&& other) noexcept { Swap(other); }
+    MemoryAllocation& operator=(MemoryAllocation&& other) noexcept
+    {
+        Swap(other);
+        return *this;
+    }
+    ~MemoryAllocation();
+
+    VkDeviceMemory memory() const;
+    VkDeviceSize offset() const { return m_Offset; }
+    std::byte* mapped() const; ///< null for MemoryUse::Gpu
+
+private:
+    friend class MemoryAllocator;
+    struct Block;
+    void Swap(MemoryAllocation& other) noexcept;
+
+    MemoryAllocator* m_Allocator = nullptr;
+    Block* m_Block = nullptr;
+    VkDeviceSize m_Offset = 0;
+    VkDeviceSize m_Size = 0;
+};
+
+/// Sub-allocates from large blocks, since a driver may allow as few as 4096 allocations.
+class MemoryAllocator
+{
+public:
+    MemoryAllocator(VkDevice device, VkPhysicalDevice physicalDevice);
+    ~MemoryAllocator();
+    MemoryAllocator(const MemoryAllocator&) = delete;
+    MemoryAllocator& operator=(const MemoryAllocator&) = delete;
+
+    /// @param name  of the resource, for the error
+    MemoryAllocation Allocate(const VkMemoryRequirements& needs, MemoryUse use,
+                              MemoryContent content, const std::string& name);
+
+    VkDeviceSize allocatedBytes() const; ///< taken from the driver
+    VkDeviceSize usedBytes() const;      ///< of these, handed out
+
+private:
+    friend class MemoryAllocation;
+    using Block = MemoryAllocation::Block;
+
+    std::uint32_t MemoryType(std::uint32_t allowed, MemoryUse use, const std::string& name) const;
+    Block& NewBlock(VkDeviceSize size, std::uint32_t type, MemoryUse use, MemoryContent content,
+                    const std::string& name);
+    void Return(Block& block, VkDeviceSize offset, VkDeviceSize size) noexcept;
+
+    VkDevice m_Device;
+    VkPhysicalDeviceMemoryProperties m_Properties{};
+    std::vector<std::unique_ptr<Block>> m_Blocks;
+};
+
+} // namespace limn::vulkan

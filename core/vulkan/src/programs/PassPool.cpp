@@ -1,0 +1,189 @@
+#include "programs/PassPool.h"
+
+#include "device/Check.h"
+#include "device/Translate.h"
+#include "programs/PipelineBuilder.h"
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+VertexFetch FetchFor(const VertexInput& input)
+{
+    if (input.type != UniformType::Float)
+    {
+        throw ContractError("vertex input '" + input.semantic +
+                            "' is of an integer type; meshes carry floats");
+    }
+    struct Known
+    {
+        std::string_view semantic;
+        VertexAttribute attribute;
+        VkFormat format;
+    };
+    constexpr Known k_Known[] = {
+        {"POSITION", VertexAttribute::Position, VK_FORMAT_R32G32B32_SFLOAT},
+        {"NORMAL", VertexAttribute::Normal, VK_FORMAT_R32G32B32_SFLOAT},
+        {"TANGENT", VertexAttribute::Tangent, VK_FORMAT_R32G32B32A32_SFLOAT},
+        {"COLOR", VertexAttribute::Color, VK_FORMAT_R32G32B32A32_SFLOAT},
+        {"TEXCOORD0", VertexAttribute::Uv, VK_FORMAT_R32G32_SFLOAT},
+        {"TEXCOORD7", VertexAttribute::Uv8, VK_FORMAT_R32G32B32_SFLOAT},
+    };
+    for (const Known& known : k_Known)
+    {
+        if (input.semantic == known.semantic)
+        {
+            return {known.attribute, input.location, known.format};
+        }
+    }
+    return {VertexAttribute::None, input.location, VK_FORMAT_R32G32B32A32_SFLOAT};
+}
+
+VkDescriptorSetLayoutBinding Binding(std::uint32_t binding, VkDescriptorType type,
+                                     ShaderStage stages)
+{
+    return {binding, type, 1, ToVkStages(stages), nullptr};
+}
+
+void RequireOneSample(const TextureBinding& texture)
+{
+    if (texture.multisampled)
+    {
+        throw ContractError("texture '" + texture.name +
+                            "' of the shader has several samples a texel; limn has no such yet");
+    }
+}
+
+std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
+{
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (const UniformBuffer& buffer : layout.buffers)
+    {
+        bindings.push_back(
+            Binding(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, buffer.stages));
+    }
+    for (const TextureBinding& texture : layout.textures)
+    {
+        RequireOneSample(texture);
+        bindings.push_back(Binding(texture.binding,
+                                   texture.combinedSampler
+                                       ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                       : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+                                   texture.stages));
+    }
+    for (const SamplerBinding& sampler : layout.samplers)
+    {
+        bindings.push_back(Binding(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER, sampler.stages));
+    }
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        bindings.push_back(
+            Binding(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer.stages));
+    }
+    return bindings;
+}
+
+} // namespace
+
+PassPool::PassPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
+    : m_Context(context), m_Cache(context, cacheFolder)
+{
+}
+
+PassObjects& PassPool::Use(const std::shared_ptr<const CompiledPass>& pass, std::uint64_t number)
+{
+    const auto found = m_Passes.find({pass, pass.get()});
+    if (found != m_Passes.end())
+    {
+        found->second.lastUse = number;
+        return found->second;
+    }
+    PassObjects objects;
+    objects.lastUse = number;
+    for (const VertexInput& input : pass->layout.vertexInputs)
+    {
+        objects.fetches.push_back(FetchFor(input));
+    }
+    objects.pushStages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    if (!pass->geometrySpirv.empty())
+    {
+        objects.pushStages |= VK_SHADER_STAGE_GEOMETRY_BIT;
+        objects.geometry = CreateModule(pass->geometrySpirv);
+    }
+    CreateLayouts(objects, pass->layout);
+    objects.vertex = CreateModule(pass->vertexSpirv);
+    objects.fragment = CreateModule(pass->fragmentSpirv);
+    return m_Passes.emplace(Identity{pass, pass.get()}, std::move(objects)).first->second;
+}
+
+VkPipeline PassPool::Pipeline(PassObjects& pass, const CompiledPass& compiled,
+                              const PipelineKey& key)
+{
+    for (const auto& [known, pipeline] : pass.pipelines)
+    {
+        if (known == key)
+        {
+            return pipeline.get();
+        }
+    }
+    pass.pipelines.emplace_back(
+        key, BuildPipeline(m_Context, m_Cache.get(), pass, compiled.layout.colorOutputs, key));
+    return pass.pipelines.back().second.get();
+}
+
+void PassPool::Sweep(std::uint64_t finished)
+{
+    std::erase_if(m_Passes, [&](const auto& entry)
+                  { return entry.first.owner.expired() && entry.second.lastUse <= finished; });
+}
+
+std::size_t PassPool::pipelineCount() const
+{
+    std::size_t count = 0;
+    for (const auto& [identity, objects] : m_Passes)
+    {
+        count += objects.pipelines.size();
+    }
+    return count;
+}
+
+UniqueShaderModule PassPool::CreateModule(const std::vector<std::uint32_t>& spirv) const
+{
+    VkShaderModuleCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    info.codeSize = spirv.size() * sizeof(std::uint32_t);
+    info.pCode = spirv.data();
+    VkShaderModule handle = VK_NULL_HANDLE;
+    Check(vkCreateShaderModule(m_Context.device(), &info, nullptr, &handle),
+          "vkCreateShaderModule");
+    return {m_Context.device(), handle};
+}
+
+void PassPool::CreateLayouts(PassObjects& objects, const PropertyLayout& layout) const
+{
+    const std::vector<VkDescriptorSetLayoutBinding> bindings = Bindings(layout);
+    VkDescriptorSetLayoutCreateInfo setInfo{};
+    setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
+    setInfo.pBindings = bindings.data();
+    VkDescriptorSetLayout set = VK_NULL_HANDLE;
+    Check(vkCreateDescriptorSetLayout(m_Context.device(), &setInfo, nullptr, &set),
+          "vkCreateDescriptorSetLayout");
+    objects.setLayout = UniqueSetLayout{m_Context.device(), set};
+
+    const VkPushConstantRange firstInstance{objects.pushStages, 0, 4};
+    VkPipelineLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    info.setLayoutCount = 1;
+    info.pSetLayouts = &set;
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &firstInstance;
+    VkPipelineLayout handle = VK_NULL_HANDLE;
+    Check(vkCreatePipelineLayout(m_Context.device(), &info, nullptr, &handle),
+          "vkCreatePipelineLayout");
+    objects.layout = UniquePipelineLayout{m_Context.device(), handle};
+}
+
+} // namespace limn::vulkan

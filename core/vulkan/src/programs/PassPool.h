@@ -1,0 +1,95 @@
+#pragma once
+
+#include "device/VulkanContext.h"
+#include "programs/PipelineCacheFile.h"
+#include "resources/MeshPool.h"
+#include <limn/core/PipelineState.h>
+#include <limn/shaderlab/CompiledPass.h>
+#include <map>
+
+namespace limn::vulkan
+{
+
+/// What a pipeline is drawn into.
+struct TargetFormats
+{
+    std::vector<VkFormat> colors;
+    VkFormat depth = VK_FORMAT_UNDEFINED;
+    VkFormat stencil = VK_FORMAT_UNDEFINED;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+
+    bool operator==(const TargetFormats&) const = default;
+};
+
+/// Everything that tells two pipelines of one pass apart: what is not dynamic state.
+struct PipelineKey
+{
+    TargetFormats formats;
+    bool alphaToMask = false;
+    bool depthClamp = false;
+    bool conservative = false;
+    std::optional<VkLogicOp> logicOp;
+    bool dynamicBlend = false;
+    std::array<TargetBlend, 8> blend; ///< as made where blending is dynamic
+
+    bool operator==(const PipelineKey&) const = default;
+};
+
+/// A vertex input and where its values come from.
+struct VertexFetch
+{
+    VertexAttribute attribute = VertexAttribute::None;
+    std::uint32_t location = 0;
+    VkFormat format = VK_FORMAT_UNDEFINED;
+};
+
+/// The Vulkan objects of one CompiledPass. Vertex input i is binding i, its stride dynamic.
+struct PassObjects
+{
+    UniqueShaderModule vertex;
+    UniqueShaderModule geometry; ///< null where the pass has no such function
+    UniqueShaderModule fragment;
+    UniqueSetLayout setLayout;
+    UniquePipelineLayout layout;
+    VkShaderStageFlags pushStages = 0; ///< that read the draw's first instance
+    std::vector<VertexFetch> fetches;
+    std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
+    std::uint64_t lastUse = 0;
+};
+
+/// Pipelines of all passes, compiled when first drawn with; freed when the CompiledPass is gone.
+class PassPool
+{
+public:
+    PassPool(const VulkanContext& context, const std::filesystem::path& cacheFolder);
+
+    /// @throws ContractError if the layout needs what limn does not have
+    PassObjects& Use(const std::shared_ptr<const CompiledPass>& pass, std::uint64_t number);
+    VkPipeline Pipeline(PassObjects& pass, const CompiledPass& compiled, const PipelineKey& key);
+    void Sweep(std::uint64_t finished);
+    std::size_t pipelineCount() const;
+
+private:
+    /// Identity that survives the pass: its owner's control block, which is never used again while
+    /// the weak pointer lives, and the address within what that owner keeps.
+    struct Identity
+    {
+        std::weak_ptr<const CompiledPass> owner;
+        const CompiledPass* pass = nullptr;
+
+        bool operator<(const Identity& other) const
+        {
+            return owner.owner_before(other.owner) ||
+                   (!other.owner.owner_before(owner) && std::less<>{}(pass, other.pass));
+        }
+    };
+
+    UniqueShaderModule CreateModule(const std::vector<std::uint32_t>& spirv) const;
+    void CreateLayouts(PassObjects& objects, const PropertyLayout& layout) const;
+
+    const VulkanContext& m_Context;
+    PipelineCacheFile m_Cache;
+    std::map<Identity, PassObjects> m_Passes;
+};
+
+} // namespace limn::vulkan

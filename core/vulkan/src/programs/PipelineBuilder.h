@@ -1,0 +1,16 @@
+#pragma once
+
+#include "programs/PassPool.h"
+
+namespace limn::vulkan
+{
+
+/// Vulkan's blend state of target `index`. A target that the fragment function does not write keeps
+/// its contents: what would be written is undefined.
+VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, std::size_t index,
+                                                      int colorOutputs);
+
+UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
+                             const PassObjects& pass, int colorOutputs, const PipelineKey& key);
+
+} // namespace limn::vulkan

@@ -1,0 +1,166 @@
+#include "programs/PipelineCacheFile.h"
+
+#include "device/Check.h"
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limn/shaderlab/WriteFile.h>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+struct FileHeader
+{
+    char magic[8];
+    std::uint64_t size;
+    std::uint64_t checksum;
+};
+constexpr char k_Magic[8] = {'L', 'I', 'M', 'N', 'P', 'C', '0', '1'};
+
+/// FNV-1a, 64 bits.
+std::uint64_t Checksum(const char* bytes, std::size_t count)
+{
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        hash = (hash ^ static_cast<unsigned char>(bytes[i])) * 1099511628211ULL;
+    }
+    return hash;
+}
+
+std::vector<char> ReadFile(const std::filesystem::path& path)
+{
+    std::ifstream stream{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, std::istreambuf_iterator<char>{}};
+}
+
+/// One file a device and driver: Vulkan's pipelineCacheUUID changes with both.
+std::string FileName(VkPhysicalDevice device)
+{
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    constexpr const char* k_Digits = "0123456789abcdef";
+    std::string name = "pipelines-";
+    for (const std::uint8_t byte : properties.pipelineCacheUUID)
+    {
+        name += k_Digits[byte >> 4];
+        name += k_Digits[byte & 15];
+    }
+    return name + ".bin";
+}
+
+/// Drivers are not obliged to survive another device's data.
+bool IsOfThisDevice(const std::vector<char>& payload, VkPhysicalDevice device)
+{
+    VkPipelineCacheHeaderVersionOne header{};
+    if (payload.size() < sizeof(header))
+    {
+        return false;
+    }
+    std::memcpy(&header, payload.data(), sizeof(header));
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    return header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+           header.vendorID == properties.vendorID && header.deviceID == properties.deviceID &&
+           std::memcmp(header.pipelineCacheUUID, properties.pipelineCacheUUID, VK_UUID_SIZE) == 0;
+}
+
+} // namespace
+
+std::vector<char> WrapCacheFile(const std::vector<char>& payload)
+{
+    FileHeader header{};
+    std::memcpy(header.magic, k_Magic, sizeof(k_Magic));
+    header.size = payload.size();
+    header.checksum = Checksum(payload.data(), payload.size());
+    std::vector<char> file(sizeof(header));
+    std::memcpy(file.data(), &header, sizeof(header));
+    file.insert(file.end(), payload.begin(), payload.end());
+    return file;
+}
+
+std::vector<char> UnwrapCacheFile(const std::vector<char>& file)
+{
+    FileHeader header{};
+    if (file.size() < sizeof(header))
+    {
+        return {};
+    }
+    std::memcpy(&header, file.data(), sizeof(header));
+    const char* payload = file.data() + sizeof(header);
+    const std::size_t size = file.size() - sizeof(header);
+    if (std::memcmp(header.magic, k_Magic, sizeof(k_Magic)) != 0 || header.size != size ||
+        header.checksum != Checksum(payload, size))
+    {
+        return {};
+    }
+    return {payload, payload + size};
+}
+
+PipelineCacheFile::PipelineCacheFile(const VulkanContext& context,
+                                     const std::filesystem::path& folder)
+    : m_Context(context)
+{
+    std::vector<char> payload;
+    if (!folder.empty())
+    {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error)
+        {
+            throw VulkanError("the pipeline cache folder '" + folder.string() +
+                              "' cannot be made: " + error.message());
+        }
+        m_Path = folder / FileName(context.physicalDevice());
+        payload = UnwrapCacheFile(ReadFile(m_Path));
+        if (!IsOfThisDevice(payload, context.physicalDevice()))
+        {
+            payload.clear();
+        }
+    }
+    VkPipelineCacheCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    info.initialDataSize = payload.size();
+    info.pInitialData = payload.data();
+    VkPipelineCache cache = VK_NULL_HANDLE;
+    Check(vkCreatePipelineCache(context.device(), &info, nullptr, &cache), "vkCreatePipelineCache",
+          m_Path.string());
+    m_Cache = UniquePipelineCache{context.device(), cache};
+}
+
+PipelineCacheFile::~PipelineCacheFile()
+{
+    if (m_Path.empty())
+    {
+        return;
+    }
+    try
+    {
+        Save();
+    }
+    catch (const std::exception&)
+    {
+        // A full disk costs the next run some compiling, and must not end this one.
+    }
+}
+
+void PipelineCacheFile::Save() const
+{
+    std::size_t size = 0;
+    Check(vkGetPipelineCacheData(m_Context.device(), m_Cache.get(), &size, nullptr),
+          "vkGetPipelineCacheData");
+    std::vector<char> payload(size);
+    Check(vkGetPipelineCacheData(m_Context.device(), m_Cache.get(), &size, payload.data()),
+          "vkGetPipelineCacheData");
+    payload.resize(size);
+    const std::vector<char> file = WrapCacheFile(payload);
+
+    // Best effort: without the file the next run compiles again.
+    [[maybe_unused]] const std::error_code failure =
+        TryWriteFile(m_Path, {file.data(), file.size()});
+}
+
+} // namespace limn::vulkan

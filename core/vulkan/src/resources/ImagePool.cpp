@@ -1,0 +1,327 @@
+#include "resources/ImagePool.h"
+
+#include "device/Check.h"
+#include "device/Translate.h"
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+std::uint32_t SampleCount(const Texture& texture)
+{
+    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
+    return target == nullptr ? 1 : static_cast<std::uint32_t>(target->descriptor().msaaSamples);
+}
+
+VkImageUsageFlags UsageFlags(bool isRenderTexture, bool isDepth)
+{
+    if (!isRenderTexture)
+    {
+        return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    }
+    const VkImageUsageFlags attachment =
+        isDepth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return attachment | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+}
+
+VkImageAspectFlags Aspects(GraphicsFormat format)
+{
+    if (!IsDepthFormat(format))
+    {
+        return VK_IMAGE_ASPECT_COLOR_BIT;
+    }
+    return HasStencil(format) ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
+                              : VK_IMAGE_ASPECT_DEPTH_BIT;
+}
+
+VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout before,
+                                    VkImageLayout after)
+{
+    VkImageMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+    barrier.oldLayout = before;
+    barrier.newLayout = after;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image.image.get();
+    barrier.subresourceRange = {image.aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+    return barrier;
+}
+
+bool isCube(const Texture& texture)
+{
+    return texture.dimension() == TextureDimension::Cube ||
+           texture.dimension() == TextureDimension::CubeArray;
+}
+
+/// A 3D texture's slices are its depth.
+VkExtent3D Extent(const Texture& texture)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    return {static_cast<std::uint32_t>(texture.width()),
+            static_cast<std::uint32_t>(texture.height()),
+            isVolume ? static_cast<std::uint32_t>(texture.slices()) : 1};
+}
+
+/// Every other texture's slices are layers.
+std::uint32_t LayerCount(const Texture& texture)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    return isVolume ? 1 : static_cast<std::uint32_t>(texture.slices());
+}
+
+VkImageViewType ViewType(TextureDimension dimension)
+{
+    switch (dimension)
+    {
+    case TextureDimension::Tex3D:
+        return VK_IMAGE_VIEW_TYPE_3D;
+    case TextureDimension::Cube:
+        return VK_IMAGE_VIEW_TYPE_CUBE;
+    case TextureDimension::Tex2DArray:
+        return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    case TextureDimension::CubeArray:
+        return VK_IMAGE_VIEW_TYPE_CUBE_ARRAY;
+    case TextureDimension::Tex2D:
+        break;
+    }
+    return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
+{
+    const VkExtent3D extent = Extent(texture);
+    const VkExtent3D& most = can.maxExtent;
+    if (extent.width > most.width || extent.height > most.height || extent.depth > most.depth ||
+        LayerCount(texture) > can.maxArrayLayers)
+    {
+        const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+        throw ContractError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
+                            "; the device makes at most " + std::to_string(most.width) + "x" +
+                            std::to_string(most.height) + "x" +
+                            std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
+                            " of that kind");
+    }
+}
+
+void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelTexture& texture,
+                LinearMemory& staging)
+{
+    const UploadedBytes bytes = staging.Upload(texture.texels());
+    VkBufferImageCopy region{};
+    region.bufferOffset = bytes.offset;
+    region.imageSubresource = {image.aspects, 0, 0, LayerCount(texture)};
+    region.imageExtent = Extent(texture);
+    vkCmdCopyBufferToImage(commands, bytes.buffer, image.image.get(),
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+} // namespace
+
+VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
+                                   TextureUsage after)
+{
+    const UsageScope from = ToUsageScope(before);
+    const UsageScope to = ToUsageScope(after);
+    VkImageMemoryBarrier2 barrier = LayoutBarrier(image, from.layout, to.layout);
+    barrier.srcStageMask = from.stages;
+    barrier.srcAccessMask = from.access;
+    barrier.dstStageMask = to.stages;
+    barrier.dstAccessMask = to.access;
+    return barrier;
+}
+
+void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers)
+{
+    if (barriers.empty())
+    {
+        return;
+    }
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.size());
+    info.pImageMemoryBarriers = barriers.data();
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+ImagePool::ImagePool(const VulkanContext& context, MemoryAllocator& allocator)
+    : m_Context(context), m_Allocator(allocator)
+{
+}
+
+PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::uint64_t number)
+{
+    const auto found = m_Images.find(texture->id());
+    if (found != m_Images.end())
+    {
+        found->second.lastUse = number;
+        return found->second;
+    }
+    PooledImage image;
+    image.owner = texture;
+    image.name = texture->name();
+    image.createdBy = number;
+    image.lastUse = number;
+    image.samples = SampleCount(*texture);
+    Create(image, *texture);
+    PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
+    if (auto source = std::dynamic_pointer_cast<const TexelTexture>(texture))
+    {
+        m_Uploads.push_back({&stored, std::move(source)});
+    }
+    return stored;
+}
+
+PooledImage* ImagePool::Find(const Texture& texture)
+{
+    const auto found = m_Images.find(texture.id());
+    return found == m_Images.end() ? nullptr : &found->second;
+}
+
+void ImagePool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
+{
+    std::vector<VkImageMemoryBarrier2> before;
+    std::vector<VkImageMemoryBarrier2> after;
+    for (const Upload& upload : m_Uploads)
+    {
+        before.push_back(LayoutBarrier(*upload.image, VK_IMAGE_LAYOUT_UNDEFINED,
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
+        before.back().dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        after.push_back(
+            UsageBarrier(*upload.image, TextureUsage::Undefined, TextureUsage::ShaderRead));
+        after.back().oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+        after.back().srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        after.back().srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        upload.image->usage = TextureUsage::ShaderRead;
+    }
+    RecordBarriers(commands, before);
+    for (const Upload& upload : m_Uploads)
+    {
+        RecordCopy(commands, *upload.image, *upload.texture, staging);
+    }
+    RecordBarriers(commands, after);
+    m_Uploads.clear();
+}
+
+void ImagePool::Commit()
+{
+    for (auto& [id, image] : m_Images)
+    {
+        image.submittedUsage = image.usage;
+    }
+}
+
+void ImagePool::Rollback(std::uint64_t number)
+{
+    m_Uploads.clear();
+    std::erase_if(m_Images, [&](const auto& entry) { return entry.second.createdBy == number; });
+    for (auto& [id, image] : m_Images)
+    {
+        image.usage = image.submittedUsage;
+    }
+}
+
+void ImagePool::Sweep(std::uint64_t finished)
+{
+    std::erase_if(m_Images, [&](const auto& entry)
+                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+}
+
+void ImagePool::Create(PooledImage& image, const Texture& texture) const
+{
+    const GraphicsFormat format = texture.graphicsFormat();
+    image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
+    image.aspects = Aspects(format);
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    if (isCube(texture))
+    {
+        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    }
+    info.imageType =
+        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+    info.format = ToVkFormat(format);
+    info.extent = Extent(texture);
+    info.mipLevels = 1;
+    info.arrayLayers = LayerCount(texture);
+    info.samples = static_cast<VkSampleCountFlagBits>(image.samples);
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = UsageFlags(image.isRenderTexture, IsDepthFormat(format));
+    RequireSupport(info, texture);
+
+    image.image = CreateImage(info, image.name, image.memory);
+    image.view = CreateView(image.image.get(), texture, image.aspects);
+    if (HasStencil(format))
+    {
+        image.depthView = CreateView(image.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
+    }
+    if (image.samples > 1 && !IsDepthFormat(format))
+    {
+        ResolvedImage& resolved = image.resolved.emplace();
+        info.samples = VK_SAMPLE_COUNT_1_BIT;
+        resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
+        resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
+    }
+}
+
+UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::string& name,
+                                   MemoryAllocation& memory) const
+{
+    const VkDevice device = m_Context.device();
+    VkImage handle = VK_NULL_HANDLE;
+    Check(vkCreateImage(device, &info, nullptr, &handle), "vkCreateImage", name);
+    UniqueImage image{device, handle};
+    VkMemoryRequirements needs{};
+    vkGetImageMemoryRequirements(device, handle, &needs);
+    memory = m_Allocator.Allocate(needs, MemoryUse::Gpu, MemoryContent::Images, name);
+    Check(vkBindImageMemory(device, handle, memory.memory(), memory.offset()), "vkBindImageMemory",
+          name);
+    m_Context.SetName(VK_OBJECT_TYPE_IMAGE, handle, name);
+    return image;
+}
+
+void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const
+{
+    const std::string subject = "texture '" + texture.name() + "': ";
+    if (texture.dimension() == TextureDimension::CubeArray && !m_Context.capabilities().cubeArray)
+    {
+        throw ContractError(subject + "the device has no arrays of cubes");
+    }
+    VkImageFormatProperties can{};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+        m_Context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage,
+        info.flags, &can);
+    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
+    {
+        throw ContractError(subject + "the device cannot use format " +
+                            limn::ToString(texture.graphicsFormat()) + " for it");
+    }
+    Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
+    RequireFits(texture, can);
+    if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
+    {
+        throw ContractError(subject + "the device does not do " +
+                            std::to_string(static_cast<int>(info.samples)) + " samples of " +
+                            limn::ToString(texture.graphicsFormat()));
+    }
+}
+
+UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
+                                      VkImageAspectFlags aspects) const
+{
+    VkImageViewCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    info.image = image;
+    info.viewType = ViewType(texture.dimension());
+    info.format = ToVkFormat(texture.graphicsFormat());
+    info.subresourceRange = {aspects, 0, 1, 0, LayerCount(texture)};
+    VkImageView view = VK_NULL_HANDLE;
+    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView",
+          texture.name());
+    return {m_Context.device(), view};
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,152 @@
+#include "resources/MeshPool.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+using AttributeBytes = std::array<std::span<const std::byte>, 6>;
+
+template <typename T>
+std::span<const std::byte> Bytes(const std::vector<T>& values)
+{
+    return std::as_bytes(std::span{values});
+}
+
+AttributeBytes AttributesOf(const MeshData& data)
+{
+    return {Bytes(data.vertices), Bytes(data.normals), Bytes(data.tangents),
+            Bytes(data.colors),   Bytes(data.uv),      Bytes(data.uv8)};
+}
+
+constexpr std::array<VkDeviceSize, 6> k_Strides = {12, 12, 16, 16, 8, 12};
+
+constexpr std::array<std::array<float, 4>, 7> k_Constants = {{
+    {0.0f, 0.0f, 0.0f, 0.0f}, // position
+    {0.0f, 0.0f, 1.0f, 0.0f}, // normal
+    {1.0f, 0.0f, 0.0f, 1.0f}, // tangent
+    {1.0f, 1.0f, 1.0f, 1.0f}, // colour
+    {0.0f, 0.0f, 0.0f, 0.0f}, // uv
+    {0.0f, 0.0f, 0.0f, 0.0f}, // uv8
+    {0.0f, 0.0f, 0.0f, 0.0f}, // none
+}};
+
+/// Lays the mesh out and returns the bytes needed, at least 4: Vulkan has no empty buffers.
+VkDeviceSize LayOut(const MeshData& data, PooledMesh& pooled)
+{
+    VkDeviceSize end = 0;
+    const AttributeBytes attributes = AttributesOf(data);
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+    {
+        pooled.arrays[i] = {end, attributes[i].empty() ? 0 : k_Strides[i]};
+        end += attributes[i].size();
+    }
+    pooled.indexOffset = end;
+    return std::max<VkDeviceSize>(end + Bytes(data.triangles).size(), 4);
+}
+
+void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
+{
+    const auto copy = [&](std::span<const std::byte> bytes, VkDeviceSize offset)
+    {
+        if (!bytes.empty())
+        {
+            std::memcpy(target + offset, bytes.data(), bytes.size());
+        }
+    };
+    const AttributeBytes attributes = AttributesOf(data);
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+    {
+        copy(attributes[i], pooled.arrays[i].offset);
+    }
+    copy(Bytes(data.triangles), pooled.indexOffset);
+}
+
+} // namespace
+
+MeshPool::MeshPool(VkDevice device, MemoryAllocator& allocator)
+    : m_Device(device),
+      m_Allocator(allocator),
+      m_Constants(device, allocator, sizeof(k_Constants), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                  MemoryUse::Upload, "missing vertex attributes")
+{
+    std::memcpy(m_Constants.memory.mapped(), k_Constants.data(), sizeof(k_Constants));
+}
+
+VkDeviceSize MeshPool::ConstantOffset(VertexAttribute attribute)
+{
+    return static_cast<VkDeviceSize>(attribute) * sizeof(k_Constants[0]);
+}
+
+PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
+{
+    const auto found = m_Meshes.find(mesh->id());
+    if (found != m_Meshes.end())
+    {
+        found->second.lastUse = number;
+        return found->second;
+    }
+    PooledMesh pooled;
+    pooled.owner = mesh;
+    pooled.createdBy = number;
+    pooled.lastUse = number;
+    const VkDeviceSize size = LayOut(mesh->data(), pooled);
+    pooled.buffer = Buffer{m_Device,
+                           m_Allocator,
+                           size,
+                           VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                           MemoryUse::Gpu,
+                           mesh->name()};
+    PooledMesh& stored = m_Meshes.emplace(mesh->id(), std::move(pooled)).first->second;
+    m_Uploads.push_back({&stored, mesh});
+    return stored;
+}
+
+void MeshPool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
+{
+    if (m_Uploads.empty())
+    {
+        return;
+    }
+    for (const Upload& upload : m_Uploads)
+    {
+        const VkDeviceSize size = upload.pooled->buffer.size;
+        const UploadedBytes bytes = staging.Allocate(size);
+        Write(upload.mesh->data(), *upload.pooled, bytes.mapped);
+        const VkBufferCopy region{bytes.offset, 0, size};
+        vkCmdCopyBuffer(commands, bytes.buffer, upload.pooled->buffer.handle.get(), 1, &region);
+    }
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+    m_UploadCount += m_Uploads.size();
+    m_Uploads.clear();
+}
+
+void MeshPool::Rollback(std::uint64_t number)
+{
+    m_Uploads.clear();
+    std::erase_if(m_Meshes, [&](const auto& entry) { return entry.second.createdBy == number; });
+}
+
+void MeshPool::Sweep(std::uint64_t finished)
+{
+    std::erase_if(m_Meshes, [&](const auto& entry)
+                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+}
+
+} // namespace limn::vulkan

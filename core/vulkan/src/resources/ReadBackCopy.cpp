@@ -1,0 +1,74 @@
+#include "resources/ReadBackCopy.h"
+
+#include "frame/FrameSlot.h"
+#include <cstring>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+GraphicsFormat CopiedFormat(GraphicsFormat format, VkImageAspectFlagBits aspect)
+{
+    switch (aspect)
+    {
+    case VK_IMAGE_ASPECT_DEPTH_BIT:
+        return GraphicsFormat::D32_SFloat;
+    case VK_IMAGE_ASPECT_STENCIL_BIT:
+        return GraphicsFormat::R8_UNorm;
+    default:
+        return format;
+    }
+}
+
+void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image& size,
+                VkImageAspectFlagBits aspect, VkBuffer target)
+{
+    VkBufferImageCopy region{};
+    region.imageSubresource.aspectMask = static_cast<VkImageAspectFlags>(aspect);
+    region.imageSubresource.layerCount = 1;
+    region.imageExtent = {static_cast<std::uint32_t>(size.width),
+                          static_cast<std::uint32_t>(size.height), 1};
+    vkCmdCopyImageToBuffer(commands, image.readImage(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           target, 1, &region);
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+} // namespace
+
+Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
+                const PooledImage& image, const RenderTexture& texture,
+                VkImageAspectFlagBits aspect)
+{
+    Image result;
+    result.width = texture.width();
+    result.height = texture.height();
+    result.format = CopiedFormat(texture.graphicsFormat(), aspect);
+    const auto size = static_cast<std::size_t>(result.width) *
+                      static_cast<std::size_t>(result.height) *
+                      static_cast<std::size_t>(BytesPerTexel(result.format));
+    const Buffer buffer{
+        context.device(),    allocator,         size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        MemoryUse::ReadBack, "read-back buffer"};
+    FrameSlot slot{context, allocator};
+    slot.Begin(0);
+    RecordCopy(slot.commands(), image, result, aspect, buffer.handle.get());
+    slot.Submit(queue);
+    queue.Wait(slot.number());
+    const std::byte* texels = buffer.memory.mapped();
+    result.texels.assign(texels, texels + size);
+    return result;
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,216 @@
+#include <limn/editor_stub/AssetContext.h>
+
+#include "assets/GltfBufferFiles.h"
+#include "scene/MaterialReader.h"
+#include "scene/ProfileContext.h"
+#include "shaders/ShaderFolders.h"
+
+#include <algorithm>
+#include <limn/core/GltfMesh.h>
+#include <limn/core/Image.h>
+#include <limn/features/Features.h>
+#include <limn/shaderlab/ResolveShader.h>
+#include <limn/shaderlab/ShaderLabParser.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The value of `key`, made by `load` when it is asked for first; nothing is kept if that throws.
+template <typename Map, typename Key, typename Load>
+typename Map::mapped_type& Cached(Map& map, const Key& key, Load&& load)
+{
+    const auto found = map.find(key);
+    return found != map.end() ? found->second
+                              : map.emplace(typename Map::key_type(key), load()).first->second;
+}
+
+/// Whether a shader has all its passes without other shaders.
+bool isSelfContained(const ShaderLabDocument& document)
+{
+    try
+    {
+        const ResolvedShader resolved = ResolveShader(document, nullptr);
+        const std::vector<ShaderLabPass>& passes = resolved.subShader.passes;
+        const auto isThere = [&](std::string_view lightMode)
+        {
+            return std::any_of(passes.begin(), passes.end(),
+                               [&](const ShaderLabPass& pass)
+                               { return pass.lightMode() == lightMode; });
+        };
+        return resolved.errors.empty() &&
+               (document.fallback.empty() ||
+                std::all_of(k_FallbackLightModes.begin(), k_FallbackLightModes.end(), isThere));
+    }
+    catch (const AssetError&)
+    {
+        return document.fallback.empty();
+    }
+}
+
+/// Whether a pass of the shader stands in this file.
+bool isFrom(const Shader& shader, const std::filesystem::path& file)
+{
+    const std::vector<ShaderLabPass>& passes = shader.subShader().passes;
+    return std::any_of(passes.begin(), passes.end(),
+                       [&](const ShaderLabPass& pass)
+                       { return pass.program && pass.program->file == file; });
+}
+
+std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
+{
+    const Image image = ReadPng(path);
+    return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
+                                             image.format, FlipRows(image.texels, image.height));
+}
+
+} // namespace
+
+AssetContext::AssetContext(ShaderCompilerOptions options)
+    : m_Compiler(std::make_shared<ShaderCompiler>(std::move(options)))
+{
+    RegisterVolumeComponents(m_VolumeComponents);
+}
+
+std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)
+{
+    return Cached(m_ShippedShaders, name, [&] { return FindShippedShader(name, m_Compiler); });
+}
+
+std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::path& path)
+{
+    Reach(path);
+    return Cached(m_Shaders, path.lexically_normal(),
+                  [&] { return ReadShader(path.lexically_normal()); });
+}
+
+const ShaderDatabase& AssetContext::DatabaseAround(const std::filesystem::path& shaderFile)
+{
+    const std::filesystem::path folder = FolderOfShaders(shaderFile);
+    return Cached(m_Databases, folder, [&] { return FindShaders({folder}, m_Compiler); });
+}
+
+std::shared_ptr<const Shader> AssetContext::ReadShader(const std::filesystem::path& path)
+{
+    ShaderLabDocument document = LoadShaderLab(path);
+    // Searching a folder takes its time: only for a shader that cannot do without.
+    if (isSelfContained(document))
+    {
+        return std::make_shared<const Shader>(std::move(document), m_Compiler);
+    }
+    auto shader =
+        std::make_shared<const Shader>(std::move(document), m_Compiler, &DatabaseAround(path));
+    for (const ShaderLabPass& pass : shader->subShader().passes)
+    {
+        Reach(pass.program ? std::filesystem::path(pass.program->file) : path);
+    }
+    return shader;
+}
+
+std::shared_ptr<const Mesh> AssetContext::Primitive(PrimitiveType type)
+{
+    return Cached(m_Primitives, type, [&] { return CreatePrimitive(type); });
+}
+
+std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& path)
+{
+    Reach(path);
+    const std::filesystem::path normal = path.lexically_normal();
+    const auto load = [&]
+    {
+        for (const std::filesystem::path& buffer : GltfBufferFiles(normal))
+        {
+            Reach(buffer);
+            m_MeshesOfBuffers[buffer].insert(normal);
+        }
+        return LoadGltfMesh(normal);
+    };
+    return Cached(m_Meshes, normal, load);
+}
+
+std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
+{
+    Reach(path);
+    return Cached(m_Textures, path.lexically_normal(),
+                  [&] { return ReadTexture(path.lexically_normal()); });
+}
+
+std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem::path& path)
+{
+    Reach(path);
+    return Cached(m_Materials, path.lexically_normal(),
+                  [&] { return ReadMaterialFile(path.lexically_normal(), *this); });
+}
+
+AssetContext::Profile AssetContext::ReadProfile(const std::filesystem::path& path,
+                                                const LayerNames& layers)
+{
+    const SceneProfileContext context(*this, path, layers);
+    VolumeProfileLoadResult result = LoadVolumeProfile(path, m_VolumeComponents, context);
+    return {std::move(result), layers, context.hasLoaded()};
+}
+
+const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::path& path,
+                                                         const LayerNames& layers)
+{
+    Reach(path);
+    const std::filesystem::path normal = path.lexically_normal();
+    const auto known = m_Profiles.find(normal);
+    if (known != m_Profiles.end() && !(known->second.layers == layers))
+    {
+        m_Profiles.erase(known);
+    }
+    return Cached(m_Profiles, normal, [&] { return ReadProfile(normal, layers); }).result;
+}
+
+std::set<std::filesystem::path> AssetContext::reachedFiles() const
+{
+    std::set<std::filesystem::path> files = m_Compiler->includeFiles();
+    files.insert(m_Reached.begin(), m_Reached.end());
+    return files;
+}
+
+const VolumeProfileLoadResult* AssetContext::ReloadProfile(const std::filesystem::path& path)
+{
+    const auto found = m_Profiles.find(path.lexically_normal());
+    if (found == m_Profiles.end())
+    {
+        return nullptr;
+    }
+    Profile fresh = ReadProfile(found->first, found->second.layers);
+    VolumeProfileLoadResult& result = found->second.result;
+    *result.profile = std::move(*fresh.result.profile);
+    result.notes = std::move(fresh.result.notes);
+    found->second.hasReferences = fresh.hasReferences;
+    return &result;
+}
+
+void AssetContext::Forget(const std::filesystem::path& path)
+{
+    const std::filesystem::path normal = path.lexically_normal();
+    m_Shaders.erase(normal);
+    std::erase_if(m_Shaders, [&](const auto& entry) { return isFrom(*entry.second, normal); });
+    if (normal.extension() == ".shader")
+    {
+        m_Databases.clear();
+    }
+    m_Meshes.erase(normal);
+    m_Textures.erase(normal);
+    m_Profiles.erase(normal);
+    // What refers to the file in turn is quickly read again.
+    m_Materials.clear();
+    std::erase_if(m_Profiles, [](const auto& entry) { return entry.second.hasReferences; });
+    for (const std::filesystem::path& mesh : m_MeshesOfBuffers[normal])
+    {
+        m_Meshes.erase(mesh);
+    }
+    if (m_Compiler->includeFiles().count(normal) > 0)
+    {
+        m_Shaders.clear();
+        m_ShippedShaders.clear();
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,85 @@
+#include "assets/References.h"
+
+#include <algorithm>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+References::References(AssetContext& assets, std::vector<std::filesystem::path> folders,
+                       AssetDiagnostics& diagnostics)
+    : m_Assets(assets), m_Folders(std::move(folders)), m_Diagnostics(diagnostics)
+{
+}
+
+std::filesystem::path References::Resolve(const std::string& text) const
+{
+    for (const std::filesystem::path& folder : m_Folders)
+    {
+        std::error_code ignored;
+        if (std::filesystem::exists(folder / text, ignored))
+        {
+            return folder / text;
+        }
+    }
+    return m_Folders.empty() ? std::filesystem::path(text) : m_Folders.front() / text;
+}
+
+std::shared_ptr<const Shader> References::ReadShader(const YamlNode& node,
+                                                     const std::string& subject)
+{
+    if (std::filesystem::path(node.scalar()).extension() == ".shader")
+    {
+        return Read(node, subject,
+                    [this](const std::filesystem::path& path)
+                    { return m_Assets.LoadShader(path); });
+    }
+    const std::optional<std::string> name = ReadString(node, subject, m_Diagnostics);
+    std::shared_ptr<const Shader> shader = name ? m_Assets.FindShader(*name) : nullptr;
+    if (name && !shader)
+    {
+        m_Diagnostics.Error(node.location(), subject + ": unknown shader " +
+                                                 UnknownName(*name, ShippedShaderNames()) +
+                                                 "; a file's path ends in '.shader'");
+    }
+    return shader;
+}
+
+void References::Report(const YamlNode& node, std::string_view subject, const AssetError& error)
+{
+    const std::string which = node.isScalar() ? "'" + node.scalar() + "'" : "the file";
+    m_Diagnostics.Error(node.location(), std::string(subject) + ": " + which +
+                                             " cannot be used; see the errors of that file");
+    m_Failures.push_back({node.location(), error.diagnostics()});
+}
+
+void References::ThrowIfErrors() const
+{
+    std::vector<Diagnostic> all;
+    try
+    {
+        m_Diagnostics.ThrowIfErrors();
+        return;
+    }
+    catch (const AssetError& error)
+    {
+        for (const Diagnostic& diagnostic : error.diagnostics())
+        {
+            all.push_back(diagnostic);
+            for (const Failure& failure : m_Failures)
+            {
+                const bool isHere = failure.location == diagnostic.location;
+                // A file that is referred to twice has its errors listed once.
+                const bool isNew = isHere && std::find(all.begin(), all.end(),
+                                                       failure.errors.front()) == all.end();
+                if (isNew)
+                {
+                    all.insert(all.end(), failure.errors.begin(), failure.errors.end());
+                }
+            }
+        }
+    }
+    throw AssetError(std::move(all));
+}
+
+} // namespace limn

@@ -1,0 +1,263 @@
+#include "commands/CommandLine.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <limn/volume/ProfileEdit.h>
+#include <optional>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Width and height of "640x360"; nothing if the text is no size.
+std::optional<std::pair<int, int>> ParseSize(const std::string& text)
+{
+    const std::size_t x = text.find('x');
+    int numbers[2] = {0, 0};
+    const std::string parts[2] = {text.substr(0, x),
+                                  x == std::string::npos ? "" : text.substr(x + 1)};
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const char* end = parts[i].data() + parts[i].size();
+        const auto [rest, error] = std::from_chars(parts[i].data(), end, numbers[i]);
+        if (error != std::errc{} || rest != end || numbers[i] < 1 || numbers[i] > 16384)
+        {
+            return std::nullopt;
+        }
+    }
+    return std::pair(numbers[0], numbers[1]);
+}
+
+std::string CheckSize(const std::string& text)
+{
+    return ParseSize(text) ? std::string()
+                           : "'" + text + "' is no size; WxH is expected, 1...16384 each: 1280x720";
+}
+
+std::string CheckPackage(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const bool isGood = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+    return isGood ? std::string()
+                  : "'" + text +
+                        "' is no package; NAME=DIR is expected: "
+                        "com.unity.render-pipelines.core=DIR";
+}
+
+std::string CheckTime(const std::string& text)
+{
+    double seconds = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seconds);
+    const bool isGood = error == std::errc{} && rest == end && std::isfinite(seconds);
+    return isGood ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
+}
+
+std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)
+{
+    std::map<std::string, std::string> packages;
+    for (const std::string& text : texts)
+    {
+        const std::size_t equals = text.find('=');
+        packages[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return packages;
+}
+
+void AddPackageOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--package", line.packages,
+                    "Take a package's shader includes from a folder of your own")
+        ->type_name("NAME=DIR")
+        ->allow_extra_args(false)
+        ->check(CheckPackage);
+}
+
+void AddDeviceOption(CLI::App& verb, std::string& device)
+{
+    verb.add_option("--device", device,
+                    "'software', a position in `limn doctor`'s list, or a part of a name; without "
+                    "it the first real GPU, else the software device")
+        ->type_name("NAME")
+        ->envname("LIMN_DEVICE");
+}
+
+/// What `render` and `watch` have in common.
+CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
+                         const char* description)
+{
+    RenderOptions& options = line.render;
+    CLI::App* verb = app.add_subcommand(name, description);
+    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
+        ->type_name("SCENE")
+        ->required();
+    verb->add_option("-o,--output", options.output, "The PNG file to write")
+        ->type_name("FILE")
+        ->required();
+    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
+        ->type_name("WxH")
+        ->check(CheckSize);
+    verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
+        ->type_name("SECONDS")
+        ->check(CheckTime);
+    verb->add_option("--profile", options.profile,
+                     "Put this volume profile in place of that of every global volume")
+        ->type_name("FILE");
+    verb->add_option("--set", options.overrides,
+                     "Change one value; NAME is a volume component's type, a feature's name or a "
+                     "feature's type")
+        ->type_name("NAME.path=VALUE")
+        ->allow_extra_args(false);
+    AddDeviceOption(*verb, options.device);
+    auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
+                                   "Keep compiled shaders here, not in the user's cache folder; "
+                                   "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many")
+                      ->type_name("DIR");
+    verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+std::string CheckEdit(const std::string& text)
+{
+    try
+    {
+        ScalarEdit::Parse(text);
+        return {};
+    }
+    catch (const AssetError& error)
+    {
+        return "'" + text + "': " + error.diagnostics().front().message;
+    }
+}
+
+} // namespace
+
+CLI::App* AddRender(CLI::App& app, CommandLine& line)
+{
+    RenderOptions& options = line.render;
+    CLI::App* verb = AddDrawingVerb(app, line, "render", "Draw a scene into a PNG file");
+    verb->add_option("--frames", options.frames,
+                     "Draw so many frames, 1/60 s apart, and write the last")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000));
+    verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
+        ->type_name("FILE");
+    verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
+        ->type_name("FILE");
+    verb->add_flag("--validate", options.validate,
+                   "Run under the Vulkan validation layer; its errors give exit code 1");
+    return verb;
+}
+
+CLI::App* AddWatch(CLI::App& app, CommandLine& line)
+{
+    return AddDrawingVerb(app, line, "watch",
+                          "Draw a scene again whenever one of its files changes, until Ctrl-C");
+}
+
+CLI::App* AddInspect(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "inspect", "Show parameters and settings: value, default, range, whether it is set");
+    verb->add_option("file", line.inspect.file, "A scene, a volume profile or a renderer asset")
+        ->type_name("SCENE|PROFILE")
+        ->required();
+    verb->add_flag("--json", line.inspect.json, "Print JSON");
+    return verb;
+}
+
+CLI::App* AddShader(CLI::App& app, CommandLine& line)
+{
+    ShaderOptions& options = line.shader;
+    CLI::App* verb = app.add_subcommand(
+        "shader", "Check ShaderLab files; of a single one show passes, states and layout");
+    verb->add_option("paths", options.paths, "Files, and folders with .shader files below them")
+        ->type_name("FILE|DIR")
+        ->required();
+    auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
+                       ->type_name("DIR");
+    auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
+                     ->type_name("LANGUAGE")
+                     ->check(CLI::IsMember({"spirv", "glsl", "glsles", "msl", "hlsl"}))
+                     ->needs(folder);
+    folder->needs(emit);
+    verb->add_flag("--parse-only", options.parseOnly, "Do not compile the programs")
+        ->excludes(emit);
+    verb->add_flag("--variants", options.variants, "Count variants; compile nothing")
+        ->excludes(emit);
+    verb->add_option("--keywords", options.keywords, "On, instead of those of a new material")
+        ->type_name("A,B")
+        ->delimiter(',');
+    verb->add_option("-j,--jobs", options.jobs, "Files to check at a time; one a core by itself")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+    verb->add_flag("--json", options.json,
+                   "Print {files: [...], summary: {...}}: what was parsed, compiled, refused");
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddExplain(CLI::App& app, CommandLine& line)
+{
+    ExplainOptions& options = line.explain;
+    CLI::App* verb = app.add_subcommand(
+        "explain", "Say what a scene draws and why: volume values, passes, textures, objects");
+    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
+        ->type_name("SCENE")
+        ->required();
+    verb->add_option("--object", options.object, "Only objects of this name")->type_name("NAME");
+    verb->add_flag("--json", options.json, "As JSON");
+    AddPackageOption(*verb, line);
+    return verb;
+}
+
+CLI::App* AddSet(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "set", "Change values of a volume profile in place, and not a character besides");
+    verb->add_option("file", line.set.file, "A *.profile.yaml or a Unity VolumeProfile .asset")
+        ->type_name("FILE")
+        ->required();
+    verb->add_option("edits", line.set.edits, "ScreenSpaceOutline.m_OutlineWidth=4")
+        ->type_name("Component.param=VALUE")
+        ->required()
+        ->check(CheckEdit);
+    return verb;
+}
+
+CLI::App* AddSchema(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "schema", "Print a JSON Schema, from which an editor completes keys and shows ranges");
+    verb->add_option("kind", line.schemaKind, "The kind of file: scene, profile or material")
+        ->type_name("scene|profile|material")
+        ->required()
+        ->check(CLI::IsMember({"scene", "profile", "material"}));
+    return verb;
+}
+
+CLI::App* AddDoctor(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "doctor", "Show devices, drivers, the cache folder and versions on this machine");
+    AddDeviceOption(*verb, line.doctorDevice);
+    return verb;
+}
+
+void FinishOptions(CommandLine& line)
+{
+    if (const auto size = ParseSize(line.size))
+    {
+        line.render.width = size->first;
+        line.render.height = size->second;
+    }
+    line.render.packages = ToPackages(line.packages);
+    line.shader.packages = line.render.packages;
+    line.explain.packages = line.render.packages;
+}
+
+} // namespace limn

@@ -1,0 +1,251 @@
+#include "commands/ExplainCommand.h"
+
+#include "reports/Explanation.h"
+#include "view/SceneView.h"
+
+#include <algorithm>
+#include <limn/editor_stub/RunLimn.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+namespace limn
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+std::string Describe(const VolumeParameterTrace& parameter, const VolumeTraceStep& step)
+{
+    std::ostringstream text;
+    text << parameter.component << '.' << parameter.parameter << " ← " << step.volume << " (factor "
+         << step.factor << ", weight " << step.weight << ", ";
+    if (step.distance)
+    {
+        text << "distance " << *step.distance << " m";
+    }
+    else
+    {
+        text << "global";
+    }
+    text << ") → " << step.valueText;
+    return text.str();
+}
+
+void PrintObjects(const Explanation& explanation, std::ostream& out)
+{
+    out << "objects:\n";
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        out << "  " << object.name << (object.absence.empty() ? "" : ": not drawn, ")
+            << object.absence << '\n';
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            out << "    " << draw.pass << ", " << draw.material << ": "
+                << (isDrawn ? "drawn" : "left out, ") << (isDrawn ? "" : ToString(draw.verdict))
+                << '\n';
+        }
+    }
+}
+
+void PrintList(const char* title, const std::vector<std::string>& lines, std::ostream& out)
+{
+    out << title << ":\n";
+    for (const std::string& line : lines)
+    {
+        out << "  " << line << '\n';
+    }
+}
+
+std::string Describe(const ExplainedVariant& variant)
+{
+    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
+    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
+    text += variant.isFullScreen ? ", full screen:" : ":";
+    for (const std::string& keyword : variant.keywords)
+    {
+        text += " " + keyword;
+    }
+    return text + (variant.keywords.empty() ? " no keywords" : "");
+}
+
+std::string LayersOf(LayerMask mask)
+{
+    if (mask == LayerMask::Everything() || mask == LayerMask::Nothing())
+    {
+        return mask == LayerMask::Nothing() ? "no layer" : "every layer";
+    }
+    std::string text = "layers";
+    for (int layer = 0; layer < 32; ++layer)
+    {
+        text += mask.Intersects(LayerMask::FromIndex(layer)) ? " " + std::to_string(layer) : "";
+    }
+    return text;
+}
+
+std::string Describe(const ExplainedTrigger& trigger)
+{
+    std::ostringstream text;
+    text << "(" << trigger.position.x << ", " << trigger.position.y << ", " << trigger.position.z
+         << "), " << (trigger.isOwn ? "its volumeTrigger" : "its own position") << "; "
+         << LayersOf(trigger.volumeLayerMask);
+    return text.str();
+}
+
+void PrintText(const Explanation& explanation, std::ostream& out)
+{
+    std::vector<std::string> lines;
+    for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
+    {
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            lines.push_back(Describe(parameter, step));
+        }
+    }
+    PrintList("the camera takes volumes at", {Describe(explanation.trigger)}, out);
+    PrintList("volume values", lines, out);
+    lines.clear();
+    for (const ExecutedPassReport& pass : explanation.report.passes)
+    {
+        lines.push_back(std::to_string(static_cast<int>(pass.renderPassEvent)) + " " + pass.name);
+    }
+    PrintList("passes", lines, out);
+    PrintList("textures", explanation.textures, out);
+    lines.clear();
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        lines.push_back(Describe(variant));
+    }
+    PrintList("variants", lines, out);
+    PrintObjects(explanation, out);
+}
+
+Json ToJson(const VolumeTrace& trace)
+{
+    Json all = Json::array();
+    for (const VolumeParameterTrace& parameter : trace.parameters)
+    {
+        Json steps = Json::array();
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            steps.push_back({{"volume", step.volume},
+                             {"factor", step.factor},
+                             {"weight", step.weight},
+                             {"distance", step.distance ? Json(*step.distance) : Json()},
+                             {"target", step.targetText},
+                             {"value", step.valueText}});
+        }
+        all.push_back({{"component", parameter.component},
+                       {"parameter", parameter.parameter},
+                       {"default", parameter.startText},
+                       {"value", parameter.valueText()},
+                       {"steps", steps}});
+    }
+    return all;
+}
+
+Json ToJson(const std::vector<ExplainedObject>& objects)
+{
+    Json all = Json::array();
+    for (const ExplainedObject& object : objects)
+    {
+        Json draws = Json::array();
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            draws.push_back({{"pass", draw.pass},
+                             {"material", draw.material},
+                             {"drawn", isDrawn},
+                             {"rule", isDrawn ? Json() : Json(ToString(draw.verdict))}});
+        }
+        all.push_back({{"name", object.name},
+                       {"absence", object.absence.empty() ? Json() : Json(object.absence)},
+                       {"draws", draws}});
+    }
+    return all;
+}
+
+Json ToJson(const Explanation& explanation)
+{
+    Json passes = Json::array();
+    for (const ExecutedPassReport& pass : explanation.report.passes)
+    {
+        passes.push_back({{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name}});
+    }
+    Json variants = Json::array();
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        variants.push_back({{"shader", variant.shader},
+                            {"pass", variant.passIndex},
+                            {"name", variant.passName},
+                            {"keywords", variant.keywords},
+                            {"fullScreen", variant.isFullScreen}});
+    }
+    const ExplainedTrigger& trigger = explanation.trigger;
+    return {{"trigger",
+             {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
+              {"volumeLayerMask", trigger.volumeLayerMask.bits}}},
+            {"volumes", ToJson(explanation.volumes)},
+            {"passes", passes},
+            {"textures", explanation.textures},
+            {"variants", variants},
+            {"objects", ToJson(explanation.objects)},
+            {"notes", explanation.report.notes}};
+}
+
+/// Leaves only the objects of this name, and what hangs below one of it.
+void Select(Explanation& explanation, const ExplainOptions& options)
+{
+    std::vector<ExplainedObject>& objects = explanation.objects;
+    std::set<std::string> roots; // names for the message: all would fill the screen
+    for (const ExplainedObject& object : objects)
+    {
+        roots.insert(object.parents.empty() ? object.name : object.parents.back());
+    }
+    const auto isOther = [&options](const ExplainedObject& object)
+    {
+        return object.name != options.object &&
+               std::find(object.parents.begin(), object.parents.end(), options.object) ==
+                   object.parents.end();
+    };
+    objects.erase(std::remove_if(objects.begin(), objects.end(), isOther), objects.end());
+    if (objects.empty())
+    {
+        throw AssetError(options.scene, {},
+                         "unknown object with a mesh " +
+                             UnknownName(options.object, {roots.begin(), roots.end()}));
+    }
+}
+
+} // namespace
+
+int RunExplain(const ExplainOptions& options, Console& console)
+{
+    RenderOptions rendering;
+    rendering.scene = options.scene;
+    rendering.packages = options.packages;
+    AssetContext assets(ChooseCompilerOptions(rendering, console));
+    SceneAsset asset = LoadForRendering(rendering, assets);
+    console.Print(asset.notes);
+    Explanation explanation = Explain(std::move(asset), assets);
+    if (!options.object.empty())
+    {
+        Select(explanation, options);
+    }
+    if (options.json)
+    {
+        console.out() << ToJson(explanation).dump(2) << '\n';
+        return static_cast<int>(ExitCode::Done);
+    }
+    PrintText(explanation, console.out());
+    for (const std::string& note : explanation.report.notes)
+    {
+        console.Note(note);
+    }
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "console/Console.h"
+
+#include <map>
+#include <string>
+
+namespace limn
+{
+
+/// `limn explain`, as the command line has it.
+struct ExplainOptions
+{
+    std::string scene;
+    std::string object; ///< "": all
+    bool json = false;
+    std::map<std::string, std::string> packages;
+};
+
+/// Says what a scene's frame draws and why: volume values, passes, textures, variants, objects.
+/// @return an ExitCode
+/// @throws AssetError, also if the scene has no object of that name with a mesh
+int RunExplain(const ExplainOptions& options, Console& console);
+
+} // namespace limn

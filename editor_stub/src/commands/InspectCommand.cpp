@@ -1,0 +1,79 @@
+#include "commands/InspectCommand.h"
+
+#include "reports/InspectProfileFile.h"
+
+#include <algorithm>
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/editor_stub/UnityRendererData.h>
+#include <limn/volume/UnityAsset.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
+{
+    if (IsUnityAsset(documents))
+    {
+        const UnityAsset asset = ReadUnityAsset(documents, path.generic_string());
+        return asset.FindWithField("m_RendererFeatures") ? "renderer" : "profile";
+    }
+    // Without a camera it is no scene; a wrong one should still be called a scene.
+    const bool isScene = path.filename().string().ends_with(".scene.yaml") ||
+                         documents.front().Find("camera") != nullptr;
+    return isScene ? "scene" : "profile";
+}
+
+InspectReport InspectScene(const std::string& file, AssetContext& assets, Console& console)
+{
+    const SceneAsset asset = LoadScene(file, assets);
+    console.Print(asset.notes);
+    InspectReport report;
+    for (const Volume& volume : asset.volumes)
+    {
+        const VolumeProfile& profile = *volume.sharedProfile;
+        report.volumes.push_back({volume.name, volume.enabled, volume.isGlobal, volume.priority,
+                                  volume.weight, volume.blendDistance, profile.name,
+                                  InspectProfile(profile, assets.volumeComponents())});
+    }
+    report.features = InspectFeatures(asset.renderer, asset.layers, asset.renderingLayers);
+    return report;
+}
+
+InspectReport Inspect(const std::string& file, Console& console)
+{
+    AssetContext assets;
+    const std::vector<YamlNode> documents = LoadYamlFile(file);
+    const std::string kind = KindOf(file, documents);
+    InspectReport report;
+    if (kind == "scene")
+    {
+        report = InspectScene(file, assets, console);
+    }
+    else if (kind == "renderer")
+    {
+        const UnityRendererDataLoadResult result = LoadUnityRendererData(file, assets);
+        console.Print(result.notes);
+        report.features = InspectFeatures(result.renderer, {}, {});
+    }
+    else
+    {
+        report.volumes.emplace_back().components =
+            InspectProfileFile(file, documents, assets, console);
+    }
+    report.kind = kind;
+    return report;
+}
+
+} // namespace
+
+int RunInspect(const InspectOptions& options, Console& console)
+{
+    const InspectReport report = Inspect(options.file, console);
+    console.out() << (options.json ? ToJson(report) + "\n" : ToText(report));
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

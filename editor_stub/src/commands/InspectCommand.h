@@ -1,0 +1,23 @@
+#pragma once
+
+#include "console/Console.h"
+
+#include <string>
+
+namespace limn
+{
+
+/// `limn inspect`, as the command line has it.
+struct InspectOptions
+{
+    std::string file; ///< a scene, a profile or a renderer asset, told by its content
+    bool json = false;
+};
+
+/// Prints what the file sets: the parameters of volumes' components and the settings of features,
+/// each with value, default and range. Needs no device and compiles nothing.
+/// @return ExitCode::Done
+/// @throws AssetError
+int RunInspect(const InspectOptions& options, Console& console);
+
+} // namespace limn

@@ -1,0 +1,125 @@
+#include "commands/RenderCommand.h"
+
+#include "reports/RenderReports.h"
+#include "shaders/UsedShaders.h"
+#include "view/SceneView.h"
+
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/vulkan/VulkanDevice.h>
+#include <set>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr float k_SecondsPerFrame = 1.0f / 60.0f;
+
+/// Hands everything on and measures how long starting frames and waiting for them takes.
+class MeasuredDevice final : public GraphicsDevice
+{
+public:
+    MeasuredDevice(GraphicsDevice& device, Timeline& timeline)
+        : m_Device(device), m_Timeline(timeline)
+    {
+    }
+
+    void Execute(const CompiledFrame& frame) override
+    {
+        m_Timeline.Measure("submit", [&] { m_Device.Execute(frame); });
+    }
+    Image ReadBack(const RenderTexture& texture) override
+    {
+        return m_Timeline.Measure("wait", [&] { return m_Device.ReadBack(texture); });
+    }
+    std::vector<PassTiming> LastFrameTimings() override { return m_Device.LastFrameTimings(); }
+
+private:
+    GraphicsDevice& m_Device;
+    Timeline& m_Timeline;
+};
+
+/// Renders all frames and reads the last one back.
+Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice& device,
+                   RenderMeasurements& measurements)
+{
+    MeasuredDevice measured(device, measurements.timeline);
+    UniversalRenderPipeline pipeline(measured);
+    for (int frame = 0; frame < options.frames; ++frame)
+    {
+        const float time =
+            static_cast<float>(options.time) + static_cast<float>(frame) * k_SecondsPerFrame;
+        measurements.lastFrame =
+            measurements.timeline.Measure("frame", [&] { return view.Render(pipeline, time); });
+    }
+    Image image = measured.ReadBack(*measurements.lastFrame.output.rt());
+    measurements.gpuPasses = device.LastFrameTimings();
+    return image;
+}
+
+void PrintNotes(const RenderReport& report, Console& console)
+{
+    std::set<std::string> printed;
+    for (const std::string& note : report.notes)
+    {
+        if (printed.insert(note).second)
+        {
+            console.Note(note);
+        }
+    }
+}
+
+ExitCode PrintValidation(const VulkanDevice& device, Console& console)
+{
+    ExitCode code = ExitCode::Done;
+    for (const ValidationMessage& message : device.validationMessages())
+    {
+        console.Line("validation: " + message.id + ": " + message.text);
+        code = message.severity == Severity::Error ? ExitCode::BadInput : code;
+    }
+    return code;
+}
+
+} // namespace
+
+int RunRender(const RenderOptions& options, Console& console)
+{
+    RenderMeasurements measurements;
+    measurements.frames = options.frames;
+    Timeline& timeline = measurements.timeline;
+
+    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
+    const VulkanDeviceOptions deviceOptions{options.device, options.validate,
+                                            compilerOptions.cacheFolder};
+    // First, because which SubShader a shader draws with depends on the device.
+    const auto device =
+        timeline.Measure("device", [&] { return std::make_unique<VulkanDevice>(deviceOptions); });
+    compilerOptions.missingFeatures = device->missingShaderFeatures();
+    AssetContext assets(compilerOptions);
+    SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
+    console.Print(asset.notes);
+    timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
+
+    console.Line(device->ChoiceSentence());
+    measurements.device = device->deviceName();
+
+    SceneView view(std::move(asset), assets);
+    Image image = RenderFrames(options, view, *device, measurements);
+    measurements.shaders = assets.compiler()->statistics();
+    PrintNotes(measurements.lastFrame.report, console);
+    MakeOpaque(image);
+    timeline.Measure("write", [&] { WritePng(options.output, image); });
+    console.out() << options.output << ' ' << image.width << 'x' << image.height << '\n';
+    if (!options.statsFile.empty())
+    {
+        WriteStats(options.statsFile, measurements);
+    }
+    if (!options.traceFile.empty())
+    {
+        WriteTrace(options.traceFile, measurements);
+    }
+    return static_cast<int>(PrintValidation(*device, console));
+}
+
+} // namespace limn

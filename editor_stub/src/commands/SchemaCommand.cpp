@@ -1,0 +1,39 @@
+#include "commands/SchemaCommand.h"
+
+#include "schema/MaterialSchema.h"
+#include "schema/ProfileSchema.h"
+#include "schema/SceneSchema.h"
+
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+namespace
+{
+
+Json SchemaOf(const std::string& kind)
+{
+    if (kind == "scene")
+    {
+        return SceneSchema();
+    }
+    if (kind == "material")
+    {
+        return MaterialFileSchema();
+    }
+    VolumeComponentRegistry registry;
+    RegisterVolumeComponents(registry);
+    return ProfileSchema(registry);
+}
+
+} // namespace
+
+int RunSchema(const std::string& kind, Console& console)
+{
+    console.out() << SchemaOf(kind).dump(2) << '\n';
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

@@ -1,0 +1,210 @@
+#include "commands/ShaderCommand.h"
+
+#include "console/CacheFolder.h"
+#include "shaders/ShaderDescription.h"
+#include "shaders/ShaderEmit.h"
+#include "shaders/ShaderFolders.h"
+#include "shaders/ShaderSummary.h"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/ShaderDatabase.h>
+#include <mutex>
+#include <thread>
+
+namespace limn
+{
+
+namespace
+{
+
+std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& paths)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& path : paths)
+    {
+        if (!std::filesystem::is_directory(path))
+        {
+            files.emplace_back(path);
+            continue;
+        }
+        const std::vector<std::filesystem::path> found = FindShaderFiles(path);
+        if (found.empty())
+        {
+            throw AssetError(path, {}, "the folder has no .shader file in it");
+        }
+        files.insert(files.end(), found.begin(), found.end());
+    }
+    return files;
+}
+
+/// The folders to look for other shaders in, each once.
+std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& paths)
+{
+    std::vector<std::filesystem::path> folders;
+    for (const std::string& path : paths)
+    {
+        std::filesystem::path folder(path);
+        folder = std::filesystem::is_directory(folder) ? folder : FolderOfShaders(folder);
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end())
+        {
+            folders.push_back(std::move(folder));
+        }
+    }
+    return folders;
+}
+
+std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
+{
+    ShaderCompilerOptions compilerOptions;
+    const std::filesystem::path cacheFolder = DefaultCacheFolder();
+    if (!cacheFolder.empty() && MakeFolder(cacheFolder).empty())
+    {
+        compilerOptions.cacheFolder = cacheFolder;
+    }
+    compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
+    compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
+    return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
+}
+
+/// Checks files on several threads; results are taken in the order of the files.
+class ParallelCheck
+{
+public:
+    ParallelCheck(std::vector<std::filesystem::path> files, const ShaderOptions& options)
+        : m_Files(std::move(files)),
+          m_Folders(FindFolders(options.paths)),
+          m_Compiler(MakeCompiler(options)),
+          m_Promises(m_Files.size())
+    {
+        m_Options.compile = !options.parseOnly && !options.variants;
+        m_Options.shaders = [this]() -> const ShaderDatabase&
+        {
+            return Shaders();
+        };
+        if (!options.keywords.empty())
+        {
+            m_Options.keywords = options.keywords;
+        }
+        const std::size_t wanted = options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
+                                                    : std::thread::hardware_concurrency();
+        const std::size_t count = std::clamp<std::size_t>(wanted, 1, m_Files.size());
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            m_Threads.push_back(std::async(std::launch::async, [this] { Work(); }));
+        }
+    }
+
+    /// Waits for the files begun; those not begun are left out.
+    ~ParallelCheck() { m_Next = m_Files.size(); }
+    ParallelCheck(const ParallelCheck&) = delete;
+    ParallelCheck& operator=(const ParallelCheck&) = delete;
+
+    std::size_t size() const { return m_Files.size(); }
+    const std::filesystem::path& file(std::size_t index) const { return m_Files[index]; }
+
+    /// Once for each index.
+    ShaderCheck Take(std::size_t index) { return m_Promises[index].get_future().get(); }
+
+private:
+    void Work()
+    {
+        for (std::size_t i = m_Next++; i < m_Files.size(); i = m_Next++)
+        {
+            try
+            {
+                m_Promises[i].set_value(CheckShader(m_Files[i], m_Options, *m_Compiler));
+            }
+            catch (...)
+            {
+                m_Promises[i].set_exception(std::current_exception());
+            }
+        }
+    }
+
+    /// Read when it is needed first: that takes its time in a large project.
+    const ShaderDatabase& Shaders()
+    {
+        std::call_once(m_ShadersOnce, [this] { m_Shaders = FindShaders(m_Folders, m_Compiler); });
+        return m_Shaders;
+    }
+
+    std::vector<std::filesystem::path> m_Files;
+    std::vector<std::filesystem::path> m_Folders; ///< that UsePass and Fallback look in
+    std::once_flag m_ShadersOnce;
+    ShaderDatabase m_Shaders;
+    std::shared_ptr<ShaderCompiler> m_Compiler;
+    ShaderCheckOptions m_Options;
+    std::vector<std::promise<ShaderCheck>> m_Promises;
+    std::atomic<std::size_t> m_Next{0};
+    std::vector<std::future<void>> m_Threads; ///< last, so that they end first
+};
+
+/// Writes the files of one shader; what cannot be written is told and counts as the shader's error.
+void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
+{
+    try
+    {
+        for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
+        {
+            console.out() << written.string() << '\n';
+        }
+    }
+    catch (const AssetError& error)
+    {
+        console.PrintWithSource(error.diagnostics());
+        check.diagnostics.insert(check.diagnostics.end(), error.diagnostics().begin(),
+                                 error.diagnostics().end());
+    }
+}
+
+std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
+                                  Console& console)
+{
+    std::vector<ShaderCheck> checks;
+    for (std::size_t i = 0; i < running.size(); ++i)
+    {
+        console.Progress(std::to_string(i + 1) + " of " + std::to_string(running.size()) + ": " +
+                         running.file(i).string());
+        ShaderCheck check = running.Take(i);
+        console.PrintWithSource(check.diagnostics);
+        if (!options.emit.empty())
+        {
+            Emit(check, options, console);
+        }
+        checks.push_back(std::move(check));
+    }
+    console.Progress("");
+    return checks;
+}
+
+} // namespace
+
+int RunShader(const ShaderOptions& options, Console& console)
+{
+    ParallelCheck running(FindFiles(options.paths), options);
+    const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
+    if (options.json)
+    {
+        console.out() << ShadersAsJson(checks) << '\n';
+    }
+    else if (options.variants)
+    {
+        console.out() << DescribeVariants(checks);
+    }
+    else if (checks.size() == 1 && options.emit.empty())
+    {
+        console.out() << DescribeShader(checks.front());
+    }
+    else if (options.emit.empty())
+    {
+        console.out() << ToString(Summarize(checks)) << '\n';
+    }
+    const bool hasErrors = std::any_of(checks.begin(), checks.end(),
+                                       [](const ShaderCheck& check) { return check.hasErrors(); });
+    return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
+}
+
+} // namespace limn

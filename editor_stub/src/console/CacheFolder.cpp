@@ -1,0 +1,72 @@
+#include "console/CacheFolder.h"
+
+#include <charconv>
+#include <cstdlib>
+#include <limn/shaderlab/Diagnostic.h>
+#include <optional>
+#include <string_view>
+
+namespace limn
+{
+
+namespace
+{
+
+/// How far a number is shifted by "", "K", "M" or "G"; nothing for other text.
+std::optional<int> UnitShift(std::string_view unit)
+{
+    static constexpr std::string_view k_Units = "KMG";
+    const std::size_t place = unit.size() == 1 ? k_Units.find(unit[0]) : k_Units.npos;
+    if (place != k_Units.npos)
+    {
+        return 10 * (static_cast<int>(place) + 1);
+    }
+    return unit.empty() ? std::optional(0) : std::nullopt;
+}
+
+} // namespace
+
+std::filesystem::path DefaultCacheFolder()
+{
+    // The XDG specification: relative paths are to be ignored.
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache && std::filesystem::path(cache).is_absolute())
+    {
+        return std::filesystem::path(cache) / "limn";
+    }
+    const char* home = std::getenv("HOME");
+    return home && *home ? std::filesystem::path(home) / ".cache" / "limn"
+                         : std::filesystem::path();
+}
+
+std::uintmax_t CacheLimit(std::uintmax_t otherwise)
+{
+    static constexpr const char* k_Variable = "LIMN_CACHE_LIMIT";
+    const char* variable = std::getenv(k_Variable);
+    if (!variable)
+    {
+        return otherwise;
+    }
+    const std::string_view text = variable;
+    std::uintmax_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::optional<int> shift =
+        UnitShift(text.substr(static_cast<std::size_t>(end - text.data())));
+    if (error != std::errc() || !shift || number > (UINTMAX_MAX >> *shift))
+    {
+        throw AssetError(k_Variable, {},
+                         "'" + std::string(text) +
+                             "' is no size of a cache; write a number of bytes, with K, M or G "
+                             "behind it if need be, such as 512M, or 0 for no limit");
+    }
+    return number << *shift;
+}
+
+std::string MakeFolder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    return error ? error.message() : std::string();
+}
+
+} // namespace limn

@@ -1,0 +1,192 @@
+#include "reports/Explanation.h"
+
+#include "shaders/UsedShaders.h"
+#include "view/SceneView.h"
+
+#include <algorithm>
+#include <limn/core/Culling.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/volume/VolumeManager.h>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+
+namespace limn
+{
+
+namespace
+{
+
+ExplainedTrigger TriggerOf(const Camera& camera)
+{
+    return {camera.volumeTrigger.value_or(camera.transform.position()),
+            camera.volumeTrigger.has_value(), camera.volumeLayerMask};
+}
+
+VolumeTrace TraceVolumes(const SceneAsset& asset, const AssetContext& assets)
+{
+    VolumeManager manager(assets.volumeComponents());
+    for (const Volume& volume : asset.volumes)
+    {
+        manager.Register(&volume);
+    }
+    return manager.Trace(TriggerOf(asset.camera).position, asset.camera.volumeLayerMask);
+}
+
+/// Why culling left an object out.
+std::string AbsenceOf(const GameObject& object, const Camera& camera)
+{
+    if (!object.activeSelf || !object.renderer->enabled)
+    {
+        return object.activeSelf ? "its renderer is disabled" : "inactive";
+    }
+    const bool hasMaterial = std::any_of(object.renderer->sharedMaterials.begin(),
+                                         object.renderer->sharedMaterials.end(),
+                                         [](const auto& material) { return material != nullptr; });
+    if (!object.renderer->mesh || !hasMaterial)
+    {
+        return object.renderer->mesh ? "no material" : "no mesh";
+    }
+    return camera.cullingMask.Intersects(LayerMask::FromIndex(object.layer))
+               ? "outside the camera's frustum"
+               : "its layer is not in the camera's culling mask";
+}
+
+using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<const RendererItem*>>;
+
+ItemsOfObjects Group(const CullingResults& culled)
+{
+    ItemsOfObjects items;
+    for (const RendererItem& item : culled.items)
+    {
+        items[item.object].push_back(&item);
+    }
+    return items;
+}
+
+ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& items,
+                              const RenderReport& report, const Camera& camera)
+{
+    ExplainedObject explained{object.name, {}, {}, {}};
+    const auto own = items.find(&object);
+    if (own == items.end())
+    {
+        explained.absence = AbsenceOf(object, camera);
+        return explained;
+    }
+    for (const RendererItem* item : own->second)
+    {
+        for (const DrawRenderersReport& draw : report.draws)
+        {
+            explained.draws.push_back({draw.pass, item->material->name(),
+                                       Judge(item->filter, draw.filtering, draw.drawing)});
+        }
+    }
+    return explained;
+}
+
+/// Gathers what the passes of a frame use, each thing once.
+class FrameReader
+{
+public:
+    explicit FrameReader(Explanation& explanation) : m_Explanation(explanation) {}
+
+    void Read(const CompiledRenderPass& pass)
+    {
+        for (const ColorAttachment& color : pass.colors)
+        {
+            Add(*color.texture);
+        }
+        if (pass.depth)
+        {
+            Add(*pass.depth->texture);
+        }
+        for (const PassCommand& command : pass.commands)
+        {
+            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            {
+                Read(*draw);
+            }
+        }
+    }
+
+private:
+    void Read(const DrawCommand& draw)
+    {
+        if (m_Bindings.insert(draw.bindings.get()).second)
+        {
+            for (const TextureSlot& slot : draw.bindings->textures)
+            {
+                Add(*slot.texture);
+            }
+        }
+        const bool isFullScreen = draw.mesh == nullptr;
+        if (m_Variants.insert({draw.shader.get(), draw.shaderPass, isFullScreen}).second)
+        {
+            m_Explanation.variants.push_back(
+                {draw.shader->name(), draw.shaderPass, draw.shader->passName(draw.shaderPass),
+                 draw.shader->keywords(draw.shaderPass), isFullScreen});
+        }
+    }
+
+    void Add(const Texture& texture)
+    {
+        if (m_Textures.insert(&texture).second)
+        {
+            m_Explanation.textures.push_back(texture.name() + " " + texture.DescribeSize() + " " +
+                                             ToString(texture.graphicsFormat()));
+        }
+    }
+
+    Explanation& m_Explanation;
+    std::set<const DrawBindings*> m_Bindings;
+    std::set<const Texture*> m_Textures;
+    std::set<std::tuple<const Shader*, int, bool>> m_Variants;
+};
+
+} // namespace
+
+Explanation Explain(SceneAsset asset, const AssetContext& assets)
+{
+    CompileUsedShaders(asset);
+    Explanation explanation;
+    explanation.volumes = TraceVolumes(asset, assets);
+    explanation.trigger = TriggerOf(asset.camera);
+
+    const Camera camera = asset.camera;
+    const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
+    const CullingResults culled = Cull(asset.scene, camera, aspect);
+    std::vector<const GameObject*> objects; // stay where they are when the scene is moved
+    std::unordered_map<const Transform*, const GameObject*> owners;
+    for (const auto& object : asset.scene.objects())
+    {
+        objects.push_back(object.get());
+        owners[&object->transform] = object.get();
+    }
+
+    RecordingDevice device;
+    UniversalRenderPipeline pipeline(device);
+    SceneView view(std::move(asset), assets);
+    const RenderResult result = view.Render(pipeline, 0.0f);
+    explanation.report = result.report;
+    FrameReader reader(explanation);
+    for (const CompiledRenderPass& pass : result.frame.passes)
+    {
+        reader.Read(pass);
+    }
+    const ItemsOfObjects items = Group(culled);
+    for (const GameObject* object : objects)
+    {
+        if (object->renderer)
+        {
+            explanation.objects.push_back(ExplainObject(*object, items, result.report, camera));
+            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
+            {
+                explanation.objects.back().parents.push_back(owners.at(t)->name);
+            }
+        }
+    }
+    return explanation;
+}
+
+} // namespace limn

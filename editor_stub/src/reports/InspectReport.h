@@ -1,0 +1,48 @@
+#pragma once
+
+#include "schema/SettingsCollector.h"
+
+#include <limn/editor_stub/SceneFile.h>
+
+namespace limn
+{
+
+/// A component or a feature.
+struct InspectedGroup
+{
+    std::string type;
+    std::string name; ///< of a feature
+    bool active = true;
+    std::vector<InspectedValue> values;
+};
+
+/// A profile, and the volume that brings it.
+struct InspectedVolume
+{
+    std::string name; ///< "" for a profile that was asked for itself; then the rest says nothing
+    bool enabled = true;
+    bool isGlobal = true;
+    float priority = 0.0f;
+    float weight = 1.0f;
+    float blendDistance = 0.0f; ///< metres
+    std::string profile;
+    std::vector<InspectedGroup> components;
+};
+
+/// What a file sets.
+struct InspectReport
+{
+    std::string kind; ///< "scene", "profile" or "renderer"
+    std::vector<InspectedVolume> volumes;
+    std::vector<InspectedGroup> features;
+};
+
+std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
+                                           const VolumeComponentRegistry& registry);
+std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer, const LayerNames& layers,
+                                            const LayerNames& renderingLayers);
+
+std::string ToText(const InspectReport& report); ///< lines for people
+std::string ToJson(const InspectReport& report);
+
+} // namespace limn

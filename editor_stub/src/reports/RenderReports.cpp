@@ -1,0 +1,163 @@
+#include "reports/RenderReports.h"
+
+#include <limn/shaderlab/WriteFile.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace limn
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json CpuTimes(const Timeline& timeline)
+{
+    const double submit = timeline.Total("submit");
+    return {{"load", timeline.Total("load")},
+            {"compileShaders", timeline.Total("compile shaders")},
+            {"device", timeline.Total("device")},
+            {"record", timeline.Total("frame") - submit},
+            {"submitAndWait", submit + timeline.Total("wait")},
+            {"write", timeline.Total("write")}};
+}
+
+/// A pass of a feature may be several of the device's, all of its name.
+Json GpuTime(const std::string& pass, const std::vector<PassTiming>& timings)
+{
+    double total = 0.0;
+    bool isMeasured = false;
+    for (const PassTiming& timing : timings)
+    {
+        total += timing.name == pass ? timing.milliseconds : 0.0;
+        isMeasured = isMeasured || timing.name == pass;
+    }
+    return isMeasured ? Json(total) : Json(nullptr);
+}
+
+Json Passes(const RenderMeasurements& measurements)
+{
+    Json passes = Json::array();
+    for (const ExecutedPassReport& pass : measurements.lastFrame.report.passes)
+    {
+        passes.push_back({{"name", pass.name},
+                          {"event", static_cast<int>(pass.renderPassEvent)},
+                          {"gpuMilliseconds", GpuTime(pass.name, measurements.gpuPasses)}});
+    }
+    return passes;
+}
+
+Json Draws(const RenderReport& report)
+{
+    Json draws = Json::array();
+    for (const DrawRenderersReport& draw : report.draws)
+    {
+        Json counts = Json::object();
+        for (std::size_t i = 0; i < draw.counts.size(); ++i)
+        {
+            counts[ToString(static_cast<FilterVerdict>(i))] = draw.counts[i];
+        }
+        draws.push_back({{"pass", draw.pass}, {"counts", std::move(counts)}});
+    }
+    return draws;
+}
+
+void AddAttachment(const RenderTexture& texture, Json& attachments)
+{
+    const Json entry{{"name", texture.name()},
+                     {"width", texture.width()},
+                     {"height", texture.height()},
+                     {"format", ToString(texture.graphicsFormat())}};
+    if (std::find(attachments.begin(), attachments.end(), entry) == attachments.end())
+    {
+        attachments.push_back(entry);
+    }
+}
+
+Json Attachments(const CompiledFrame& frame)
+{
+    Json attachments = Json::array();
+    for (const CompiledRenderPass& pass : frame.passes)
+    {
+        for (const ColorAttachment& color : pass.colors)
+        {
+            AddAttachment(*color.texture, attachments);
+        }
+        if (pass.depth)
+        {
+            AddAttachment(*pass.depth->texture, attachments);
+        }
+    }
+    return attachments;
+}
+
+/// A complete event; times in microseconds, as the format has them.
+Json TraceEvent(const std::string& name, int thread, double start, double duration)
+{
+    return {{"name", name}, {"ph", "X"},    {"ts", start * 1000.0}, {"dur", duration * 1000.0},
+            {"pid", 1},     {"tid", thread}};
+}
+
+Json ThreadName(const char* name, int thread)
+{
+    return {{"name", "thread_name"},
+            {"ph", "M"},
+            {"pid", 1},
+            {"tid", thread},
+            {"args", {{"name", name}}}};
+}
+
+std::string Text(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+void WriteStats(const std::filesystem::path& path, const RenderMeasurements& measurements)
+{
+    const RenderResult& frame = measurements.lastFrame;
+    const RenderTexture& output = *frame.output.rt();
+    Json gpuPasses = Json::array();
+    for (const PassTiming& timing : measurements.gpuPasses)
+    {
+        gpuPasses.push_back({{"name", timing.name}, {"milliseconds", timing.milliseconds}});
+    }
+    const Json stats{{"device", measurements.device},
+                     {"width", output.width()},
+                     {"height", output.height()},
+                     {"frames", measurements.frames},
+                     {"cpuMilliseconds", CpuTimes(measurements.timeline)},
+                     {"shaderPasses",
+                      {{"compiled", measurements.shaders.compiled},
+                       {"loadedFromCache", measurements.shaders.loadedFromCache}}},
+                     {"passes", Passes(measurements)},
+                     {"gpuPasses", std::move(gpuPasses)},
+                     {"drawRenderers", Draws(frame.report)},
+                     {"attachments", Attachments(frame.frame)},
+                     {"notes", frame.report.notes}};
+    WriteFile(path, Text(stats));
+}
+
+void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& measurements)
+{
+    constexpr int k_Cpu = 1;
+    constexpr int k_Gpu = 2;
+    Json events = Json::array({ThreadName("CPU", k_Cpu), ThreadName("GPU", k_Gpu)});
+    double gpuStart = 0.0;
+    for (const Timeline::Span& span : measurements.timeline.spans())
+    {
+        events.push_back(TraceEvent(span.name, k_Cpu, span.start, span.duration));
+        gpuStart = span.name == "submit" ? span.start : gpuStart;
+    }
+    for (const PassTiming& timing : measurements.gpuPasses)
+    {
+        events.push_back(TraceEvent(timing.name, k_Gpu, gpuStart, timing.milliseconds));
+        gpuStart += timing.milliseconds;
+    }
+    WriteFile(path, Text({{"displayTimeUnit", "ms"}, {"traceEvents", std::move(events)}}));
+}
+
+} // namespace limn

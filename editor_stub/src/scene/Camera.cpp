@@ -1,0 +1,114 @@
+#include "scene/Loader.h"
+#include "scene/ReadEnum.h"
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr EnumEntry k_ClearFlags[] = {
+    {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
+
+/// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
+constexpr ValueRange k_FieldOfView{0.01, 179.0};
+constexpr double k_MaxDistance = 1e9;
+
+void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
+{
+    glm::vec3 degrees(0.0f);
+    glm::vec3 target(0.0f);
+    const YamlNode* rotation = map.Find("rotation");
+    const YamlNode* lookAt = map.Find("lookAt");
+    if (rotation && lookAt)
+    {
+        diagnostics.Error(lookAt->location(),
+                          "camera.lookAt: the camera has a rotation already; keep one of them");
+        return;
+    }
+    if (map.Read("rotation", degrees))
+    {
+        camera.transform.localRotation = EulerToRotation(degrees);
+    }
+    if (map.Read("lookAt", target))
+    {
+        const glm::vec3 forward = target - camera.transform.localPosition;
+        if (forward == glm::vec3(0.0f))
+        {
+            diagnostics.Error(lookAt->location(),
+                              "camera.lookAt: this is the camera's own position; a point in front "
+                              "of it is expected");
+            return;
+        }
+        camera.transform.localRotation = LookRotation(forward);
+    }
+}
+
+void ReadLens(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
+{
+    map.Read("orthographic", camera.orthographic);
+    map.Read("orthographicSize", camera.orthographicSize, {1e-4, k_MaxDistance});
+    map.Read("fieldOfView", camera.fieldOfView, k_FieldOfView);
+    const double nearest = camera.orthographic ? -k_MaxDistance : 1e-4;
+    map.Read("nearClipPlane", camera.nearClipPlane, {nearest, k_MaxDistance});
+    const bool hasFar = map.Read("farClipPlane", camera.farClipPlane, {nearest, k_MaxDistance});
+    if (camera.farClipPlane <= camera.nearClipPlane)
+    {
+        const YamlNode* node = map.Find(hasFar ? "farClipPlane" : "nearClipPlane");
+        diagnostics.Error(node ? node->location() : map.node().location(),
+                          "camera.farClipPlane: " + NumberText(camera.farClipPlane) +
+                              " is not greater than nearClipPlane, which is " +
+                              NumberText(camera.nearClipPlane));
+    }
+}
+
+} // namespace
+
+void ReadCamera(const YamlNode& node, SceneLoader& loader)
+{
+    Camera& camera = loader.asset.camera;
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    YamlMapReader map(node, "camera", diagnostics);
+    map.Read("position", camera.transform.localPosition);
+    ReadDirection(map, camera, diagnostics);
+    ReadLens(map, camera, diagnostics);
+    if (const YamlNode* flags = map.Find("clearFlags"))
+    {
+        const auto value = ReadEnum(*flags, k_ClearFlags, "camera.clearFlags", diagnostics);
+        camera.clearFlags = value ? static_cast<CameraClearFlags>(*value) : camera.clearFlags;
+    }
+    map.Read("backgroundColor", camera.backgroundColor);
+    map.Read("allowHDR", camera.allowHDR);
+    for (const auto& [key, mask] : {std::pair("cullingMask", &camera.cullingMask),
+                                    std::pair("volumeLayerMask", &camera.volumeLayerMask)})
+    {
+        if (const YamlNode* layers = map.Find(key))
+        {
+            const auto bits =
+                ReadLayerBits(*layers, map.SubjectOf(key), loader.layers(), diagnostics);
+            *mask = LayerMask(bits.value_or(mask->bits));
+        }
+    }
+    glm::vec3 trigger(0.0f);
+    if (map.Read("volumeTrigger", trigger))
+    {
+        camera.volumeTrigger = trigger;
+    }
+    map.Finish();
+}
+
+void ReadLight(const YamlNode& node, SceneLoader& loader)
+{
+    DirectionalLight& light = loader.asset.scene.mainLight;
+    YamlMapReader map(node, "light", loader.diagnostics);
+    glm::vec3 degrees(0.0f);
+    if (map.Read("rotation", degrees))
+    {
+        light.direction = EulerToRotation(degrees) * glm::vec3(0.0f, 0.0f, 1.0f);
+    }
+    map.Read("color", light.color);
+    map.Read("intensity", light.intensity, {0.0, 1e6});
+    map.Finish();
+}
+
+} // namespace limn

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "assets/References.h"
+#include "scene/ReadLayers.h"
+
+#include <limn/editor_stub/SceneFile.h>
+#include <limn/volume/YamlMapReader.h>
+#include <map>
+
+namespace limn
+{
+
+/// The shader of materials that name none.
+inline constexpr const char* k_DefaultShader = "Universal Render Pipeline/Lit";
+
+/// Null for a material whose own description is wrong, which is reported there.
+using MaterialMap = std::map<std::string, std::shared_ptr<const Material>, std::less<>>;
+
+/// What the readers of a scene file's parts share.
+struct SceneLoader
+{
+    AssetDiagnostics& diagnostics;
+    References& references;
+    SceneAsset& asset;
+    MaterialMap materials;
+    std::shared_ptr<const Material> defaultMaterial; ///< of objects without one; made when needed
+    /// By the id of the mesh that they were baked for: objects of one mesh go on sharing one.
+    std::map<std::uint64_t, std::shared_ptr<const Mesh>> outlineMeshes = {};
+
+    LayerKind layers() const { return {asset.layers, "layer"}; }
+    LayerKind renderingLayers() const { return {asset.renderingLayers, "rendering layer"}; }
+    void AddNotes(const std::vector<Diagnostic>& notes); ///< those that are not there yet
+};
+
+void ReadCamera(const YamlNode& node, SceneLoader& loader);
+void ReadLight(const YamlNode& node, SceneLoader& loader);
+void ReadRenderer(const YamlNode& node, SceneLoader& loader); ///< needs layers and materials
+void ReadVolumes(const YamlNode& node, SceneLoader& loader);
+void ReadMaterials(const YamlNode& node, SceneLoader& loader);
+/// One of the scene's materials by name; null, with an error, if there is none or it is wrong.
+std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
+                                                 SceneLoader& loader);
+/// Needs the layers and the materials.
+void ReadObjects(const YamlNode& node, SceneLoader& loader);
+
+/// A built-in mesh by name, or one from a glTF file; null, with an error, if there is none.
+std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
+                                     SceneLoader& loader);
+
+/// The items of a sequence; an error if the node is something else, Null apart.
+std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,
+                                    AssetDiagnostics& diagnostics);
+
+/// `position`, `rotation` (Euler degrees) and `scale` (three numbers or one).
+void ReadTransform(YamlMapReader& map, Transform& transform, AssetDiagnostics& diagnostics);
+
+} // namespace limn

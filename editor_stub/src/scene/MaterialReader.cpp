@@ -1,0 +1,109 @@
+#include "scene/MaterialReader.h"
+
+#include "scene/Loader.h"
+#include "scene/TexturePropertyReader.h"
+
+namespace limn
+{
+
+namespace
+{
+
+/// What a material is read with.
+struct MaterialSources
+{
+    References& references;
+    AssetDiagnostics& diagnostics;
+};
+
+void ReadNumberProperty(const ShaderProperty& property, const YamlNode& node,
+                        const std::string& subject, Material& material,
+                        AssetDiagnostics& diagnostics)
+{
+    const ShaderPropertyId id(property.name);
+    if (property.type == ShaderPropertyType::Integer)
+    {
+        material.SetInt(id, ReadInt(node, subject, diagnostics).value_or(0));
+        return;
+    }
+    const bool hasRange = property.type == ShaderPropertyType::Range;
+    const ValueRange range =
+        hasRange ? ValueRange{property.rangeMin, property.rangeMax} : ValueRange{};
+    material.SetFloat(id, ReadFloat(node, subject, diagnostics, range).value_or(0.0f));
+}
+
+void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& material,
+                  MaterialSources& sources)
+{
+    const YamlNode* node = map.Find(property.name);
+    if (!node)
+    {
+        return;
+    }
+    const std::string subject = map.SubjectOf(property.name);
+    const ShaderPropertyId id(property.name);
+    switch (property.type)
+    {
+    case ShaderPropertyType::Color:
+        material.SetColor(id, ReadColor(*node, subject, sources.diagnostics).value_or(Color{}));
+        break;
+    case ShaderPropertyType::Vector:
+        material.SetVector(
+            id, ReadVector(*node, 4, subject, sources.diagnostics).value_or(glm::vec4(0.0f)));
+        break;
+    case ShaderPropertyType::Texture:
+        ReadTextureProperty(property, *node, subject, material, sources.references,
+                            sources.diagnostics);
+        break;
+    case ShaderPropertyType::Float:
+    case ShaderPropertyType::Range:
+    case ShaderPropertyType::Int:
+    case ShaderPropertyType::Integer:
+        ReadNumberProperty(property, *node, subject, material, sources.diagnostics);
+        break;
+    }
+}
+
+} // namespace
+
+std::shared_ptr<const Material> ReadMaterial(const std::string& name, const YamlNode& node,
+                                             References& references, AssetDiagnostics& diagnostics)
+{
+    MaterialSources sources{references, diagnostics};
+    YamlMapReader map(node, "material '" + name + "'", diagnostics, "property");
+    const YamlNode* shaderNode = map.Find("shader");
+    const std::shared_ptr<const Shader> shader =
+        shaderNode ? references.ReadShader(*shaderNode, map.SubjectOf("shader"))
+                   : references.assets().FindShader(k_DefaultShader);
+    if (!shader)
+    {
+        return nullptr;
+    }
+    auto material = std::make_shared<Material>(shader, name);
+    int queue = -1;
+    if (map.Read("renderQueue", queue, {-1.0, 5000.0}))
+    {
+        material->SetRenderQueue(queue);
+    }
+    for (const ShaderProperty& property : shader->document().properties)
+    {
+        ReadProperty(property, map, *material, sources);
+    }
+    map.Finish();
+    return material;
+}
+
+std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& path,
+                                                 AssetContext& assets)
+{
+    const std::vector<YamlNode> documents = LoadYamlFile(path);
+    AssetDiagnostics diagnostics(path.generic_string());
+    References references(assets, {path.parent_path()}, diagnostics);
+    const std::string name = path.stem().stem().generic_string();
+    std::shared_ptr<const Material> material =
+        ReadMaterial(name, documents.front(), references, diagnostics);
+    references.ThrowIfErrors();
+    return material;
+}
+
+} // namespace limn

@@ -1,0 +1,180 @@
+#include "scene/Loader.h"
+
+#include <algorithm>
+#include <limn/core/OutlineNormals.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using Materials = std::vector<std::shared_ptr<const Material>>;
+
+/// What an object has unless it says otherwise.
+struct Inherited
+{
+    const Transform* parent = nullptr;
+    bool active = true;
+    int layer = 0;
+    RenderingLayerMask renderingLayerMask{1};
+    Materials materials;
+    bool isOneMaterial = true; ///< one for all sub-meshes, from `material`
+    bool bakeOutlineNormals = false;
+};
+
+void ReadMaterialNames(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
+{
+    const YamlNode* one = map.Find("material");
+    const YamlNode* many = map.Find("materials");
+    if (one && many)
+    {
+        loader.diagnostics.Error(many->location(), map.SubjectOf("materials") +
+                                                       ": there is a material already; keep one "
+                                                       "of 'material' and 'materials'");
+        return;
+    }
+    if (one)
+    {
+        settings.materials = {ReadMaterialName(*one, map.SubjectOf("material"), loader)};
+        settings.isOneMaterial = true;
+    }
+    if (many)
+    {
+        settings.materials.clear();
+        settings.isOneMaterial = false;
+        const std::string list = map.SubjectOf("materials");
+        for (const YamlNode& item : ReadItems(*many, list, loader.diagnostics))
+        {
+            const std::string subject =
+                list + "[" + std::to_string(settings.materials.size()) + "]";
+            settings.materials.push_back(ReadMaterialName(item, subject, loader));
+        }
+    }
+}
+
+MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& settings,
+                          SceneLoader& loader)
+{
+    MeshRenderer renderer;
+    renderer.renderingLayerMask = settings.renderingLayerMask;
+    renderer.sharedMaterials = settings.materials;
+    if (renderer.sharedMaterials.empty())
+    {
+        if (!loader.defaultMaterial)
+        {
+            loader.defaultMaterial = std::make_shared<const Material>(
+                loader.references.assets().FindShader(k_DefaultShader), "Default-Material");
+        }
+        renderer.sharedMaterials = {loader.defaultMaterial};
+    }
+    if (settings.isOneMaterial && mesh)
+    {
+        renderer.sharedMaterials.resize(static_cast<std::size_t>(mesh->subMeshCount()),
+                                        renderer.sharedMaterials.front());
+    }
+    if (settings.bakeOutlineNormals && mesh)
+    {
+        std::shared_ptr<const Mesh>& baked = loader.outlineMeshes[mesh->id()];
+        baked = baked ? baked : WithOutlineNormals(*mesh);
+        mesh = baked;
+    }
+    renderer.mesh = std::move(mesh);
+    return renderer;
+}
+
+void ReadLayersOf(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
+{
+    if (const YamlNode* layer = map.Find("layer"))
+    {
+        settings.layer =
+            ReadLayerIndex(*layer, map.SubjectOf("layer"), loader.layers(), loader.diagnostics)
+                .value_or(settings.layer);
+    }
+    if (const YamlNode* mask = map.Find("renderingLayerMask"))
+    {
+        const auto bits = ReadLayerBits(*mask, map.SubjectOf("renderingLayerMask"),
+                                        loader.renderingLayers(), loader.diagnostics);
+        settings.renderingLayerMask =
+            RenderingLayerMask(bits.value_or(settings.renderingLayerMask.bits));
+    }
+}
+
+void ReadObject(const YamlNode& node, const std::string& place, Inherited settings,
+                SceneLoader& loader)
+{
+    const YamlNode* name = node.Find("name");
+    const bool hasName = name && name->isScalar();
+    const std::string subject = hasName ? "object '" + name->scalar() + "'" : place;
+    YamlMapReader map(node, subject, loader.diagnostics);
+    GameObject& object = loader.asset.scene.Add(hasName ? name->scalar() : place);
+    map.Require("name");
+    map.Read("name", object.name);
+
+    bool active = true;
+    map.Read("active", active);
+    settings.active = settings.active && active;
+    ReadLayersOf(map, settings, loader);
+    ReadMaterialNames(map, settings, loader);
+    map.Read("bakeOutlineNormals", settings.bakeOutlineNormals);
+    object.activeSelf = settings.active;
+    object.layer = settings.layer;
+    object.transform.parent = settings.parent;
+    ReadTransform(map, object.transform, loader.diagnostics);
+    glm::vec3 turn(0.0f);
+    if (map.Read("turn", turn))
+    {
+        loader.asset.turns.push_back({&object, object.transform.localRotation, turn});
+    }
+    if (const YamlNode* mesh = map.Find("mesh"))
+    {
+        object.renderer =
+            MakeRenderer(ReadMesh(*mesh, map.SubjectOf("mesh"), loader), settings, loader);
+    }
+    settings.parent = &object.transform;
+    if (const YamlNode* children = map.Find("children"))
+    {
+        const std::string list = map.SubjectOf("children");
+        int index = 0;
+        for (const YamlNode& child : ReadItems(*children, list, loader.diagnostics))
+        {
+            ReadObject(child, list + "[" + std::to_string(index++) + "]", settings, loader);
+        }
+    }
+    map.Finish();
+}
+
+} // namespace
+
+std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
+                                     SceneLoader& loader)
+{
+    AssetContext& assets = loader.references.assets();
+    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
+    if (extension == ".gltf" || extension == ".glb")
+    {
+        return loader.references.Read(node, subject,
+                                      [&assets](const std::filesystem::path& path)
+                                      { return assets.LoadMesh(path); });
+    }
+    const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
+    const std::optional<PrimitiveType> type = name ? PrimitiveTypeFromName(*name) : std::nullopt;
+    if (name && !type)
+    {
+        loader.diagnostics.Error(node.location(), subject + ": unknown mesh " +
+                                                      UnknownName(*name, PrimitiveTypeNames()) +
+                                                      "; a file's path ends in '.gltf' or '.glb'");
+    }
+    return type ? assets.Primitive(*type) : nullptr;
+}
+
+void ReadObjects(const YamlNode& node, SceneLoader& loader)
+{
+    int index = 0;
+    for (const YamlNode& item : ReadItems(node, "objects", loader.diagnostics))
+    {
+        ReadObject(item, "objects[" + std::to_string(index++) + "]", {}, loader);
+    }
+}
+
+} // namespace limn

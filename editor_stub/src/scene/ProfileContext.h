@@ -1,0 +1,48 @@
+#pragma once
+
+#include "unity/UnityProject.h"
+
+#include <limn/editor_stub/AssetContext.h>
+#include <limn/volume/ProfileContext.h>
+
+namespace limn
+{
+
+/// The layers of a scene and the files around a profile: references go by paths relative to its
+/// folder, or by guid through the .meta files of the Unity project it is in.
+class SceneProfileContext : public ProfileContext
+{
+public:
+    /// @param profile  its path; "" for values that are in no file
+    /// @param assets, layers  must outlive this
+    SceneProfileContext(AssetContext& assets, std::filesystem::path profile,
+                        const LayerNames& layers)
+        : m_Assets(assets), m_Profile(std::move(profile)), m_Layers(layers)
+    {
+    }
+
+    /// The scene's; those of every Unity project where the scene names none.
+    std::optional<int> FindLayer(std::string_view name) const override;
+    std::vector<std::string_view> layerNames() const override { return m_Layers.names(); }
+
+    bool loadsAssets() const override { return true; }
+    LoadedAsset<Texture> LoadTexture(const AssetLocation& location) const override;
+    LoadedAsset<Material> LoadMaterial(const AssetLocation& location) const override;
+
+    /// Whether any reference was loaded so far.
+    bool hasLoaded() const { return m_HasLoaded; }
+
+private:
+    std::filesystem::path FileOf(const AssetLocation& location) const;
+    template <typename Asset, typename Load>
+    LoadedAsset<Asset> LoadFile(const AssetLocation& location, std::string_view extension,
+                                const char* noun, Load&& load) const;
+
+    AssetContext& m_Assets;
+    std::filesystem::path m_Profile;
+    const LayerNames& m_Layers;
+    mutable std::optional<UnityProject> m_Project; ///< looked for when a guid needs it
+    mutable bool m_HasLoaded = false;
+};
+
+} // namespace limn

@@ -1,0 +1,147 @@
+#include "scene/Loader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr double k_MaxSize = 16384.0;
+
+void ReadSize(const YamlNode& node, SceneLoader& loader)
+{
+    if (node.items().size() != 2)
+    {
+        loader.diagnostics.Error(node.location(),
+                                 "size: found " + node.Describe() +
+                                     "; width and height in pixels are expected: [1280, 720]");
+        return;
+    }
+    const ValueRange range{1.0, k_MaxSize};
+    SceneAsset& asset = loader.asset;
+    asset.width = ReadInt(node.items()[0], "size[0]", loader.diagnostics, range).value_or(1);
+    asset.height = ReadInt(node.items()[1], "size[1]", loader.diagnostics, range).value_or(1);
+}
+
+/// Calls `read` with the value of a key that may be absent.
+template <typename Read>
+void ReadPart(YamlMapReader& map, std::string_view key, SceneLoader& loader, Read&& read)
+{
+    if (const YamlNode* node = map.Find(key))
+    {
+        read(*node, loader);
+    }
+}
+
+void ReadScene(const YamlNode& root, SceneLoader& loader)
+{
+    YamlMapReader map(root, "scene", loader.diagnostics);
+    SceneAsset& asset = loader.asset;
+    ReadPart(map, "size", loader, ReadSize);
+    if (const YamlNode* node = map.Find("layers"))
+    {
+        ReadLayerNames(*node, "layers", asset.layers, loader.diagnostics);
+    }
+    if (const YamlNode* node = map.Find("renderingLayers"))
+    {
+        ReadLayerNames(*node, "renderingLayers", asset.renderingLayers, loader.diagnostics);
+    }
+    if (const YamlNode* node = map.Require("camera"))
+    {
+        ReadCamera(*node, loader);
+    }
+    ReadPart(map, "light", loader, ReadLight);
+    map.Read("ambientLight", asset.scene.ambientLight);
+    for (const char* key : {"renderer", "volumes"})
+    {
+        map.Find(key); // messages list the keys in this order, though features need the materials
+    }
+    ReadPart(map, "materials", loader, ReadMaterials);
+    ReadPart(map, "renderer", loader, ReadRenderer);
+    ReadPart(map, "volumes", loader, ReadVolumes);
+    ReadPart(map, "objects", loader, ReadObjects);
+    map.Finish();
+}
+
+} // namespace
+
+void SceneLoader::AddNotes(const std::vector<Diagnostic>& notes)
+{
+    for (const Diagnostic& note : notes)
+    {
+        if (std::find(asset.notes.begin(), asset.notes.end(), note) == asset.notes.end())
+        {
+            asset.notes.push_back(note);
+        }
+    }
+}
+
+void TurnObjects(const std::vector<Turn>& turns, double seconds)
+{
+    for (const Turn& turn : turns)
+    {
+        glm::vec3 degrees;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const double rate = static_cast<double>(turn.degreesPerSecond[axis]);
+            degrees[axis] = static_cast<float>(std::fmod(rate * seconds, 360.0));
+        }
+        turn.object->transform.localRotation = turn.rest * EulerToRotation(degrees);
+    }
+}
+
+std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,
+                                    AssetDiagnostics& diagnostics)
+{
+    if (!node.isSequence() && !node.isNull())
+    {
+        diagnostics.Error(node.location(), std::string(subject) + ": found " + node.Describe() +
+                                               "; a list is expected, each item behind a '- '");
+    }
+    return node.items();
+}
+
+void ReadTransform(YamlMapReader& map, Transform& transform, AssetDiagnostics& diagnostics)
+{
+    map.Read("position", transform.localPosition);
+    glm::vec3 degrees(0.0f);
+    if (map.Read("rotation", degrees))
+    {
+        transform.localRotation = EulerToRotation(degrees);
+    }
+    const YamlNode* scale = map.Find("scale");
+    if (scale && scale->isScalar())
+    {
+        transform.localScale =
+            glm::vec3(ReadFloat(*scale, map.SubjectOf("scale"), diagnostics).value_or(1.0f));
+    }
+    else
+    {
+        map.Read("scale", transform.localScale);
+    }
+}
+
+SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets)
+{
+    assets.Reach(path);
+    const std::vector<YamlNode> documents = LoadYamlFile(path);
+    AssetDiagnostics diagnostics(path.generic_string());
+    References references(assets, {path.parent_path()}, diagnostics);
+    SceneAsset asset;
+    asset.path = path;
+    SceneLoader loader{diagnostics, references, asset, {}, nullptr};
+    if (documents.size() > 1)
+    {
+        diagnostics.Error(documents[1].location(),
+                          "a second document; a scene is one, so take out the line '---'");
+    }
+    ReadScene(documents.front(), loader);
+    references.ThrowIfErrors();
+    loader.AddNotes(diagnostics.notes());
+    return asset;
+}
+
+} // namespace limn

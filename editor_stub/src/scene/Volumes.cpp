@@ -1,0 +1,182 @@
+#include "scene/Loader.h"
+
+#include <algorithm>
+#include <array>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr ValueRange k_Length{0.0, 1e9};
+
+void ReadDirection(YamlMapReader& map, int& direction, AssetDiagnostics& diagnostics)
+{
+    const YamlNode* node = map.Find("direction");
+    const auto name = node ? ReadString(*node, map.SubjectOf("direction"), diagnostics)
+                           : std::optional<std::string>();
+    if (!name)
+    {
+        return; // not there, or reported already
+    }
+    const std::size_t axis = name->size() == 1 ? std::string_view("xyz").find(*name) : 3;
+    if (axis > 2)
+    {
+        diagnostics.Error(node->location(), map.SubjectOf("direction") + ": '" + *name +
+                                                "' is no axis; x, y or z is expected");
+        return;
+    }
+    direction = static_cast<int>(axis);
+}
+
+void ReadMeshCollider(YamlMapReader& map, bool enabled, Volume& volume, SceneLoader& loader)
+{
+    const YamlNode* node = map.Require("mesh");
+    const auto mesh = node ? ReadMesh(*node, map.SubjectOf("mesh"), loader) : nullptr;
+    if (!mesh)
+    {
+        return; // reported already
+    }
+    try
+    {
+        MeshCollider collider(mesh);
+        collider.enabled = enabled;
+        volume.colliders.push_back(std::move(collider));
+    }
+    catch (const ContractError& error)
+    {
+        loader.diagnostics.Error(node->location(), map.SubjectOf("mesh") + ": " + error.what());
+    }
+}
+
+void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume& volume,
+               SceneLoader& loader)
+{
+    if (type == "mesh")
+    {
+        ReadMeshCollider(map, enabled, volume, loader);
+    }
+    else if (type == "sphere")
+    {
+        SphereCollider sphere{enabled};
+        map.Read("center", sphere.center);
+        map.Read("radius", sphere.radius, k_Length);
+        volume.colliders.push_back(sphere);
+    }
+    else if (type == "capsule")
+    {
+        CapsuleCollider capsule{enabled};
+        map.Read("center", capsule.center);
+        map.Read("radius", capsule.radius, k_Length);
+        map.Read("height", capsule.height, k_Length);
+        ReadDirection(map, capsule.direction, loader.diagnostics);
+        volume.colliders.push_back(capsule);
+    }
+    else
+    {
+        BoxCollider box{enabled};
+        map.Read("center", box.center);
+        map.Read("size", box.size);
+        volume.colliders.push_back(box);
+    }
+}
+
+void ReadCollider(const YamlNode& node, const std::string& subject, Volume& volume,
+                  SceneLoader& loader)
+{
+    constexpr std::array<std::string_view, 4> k_Types{"box", "sphere", "capsule", "mesh"};
+    YamlMapReader map(node, subject, loader.diagnostics);
+    std::string type = "box";
+    map.Read("type", type);
+    if (std::find(k_Types.begin(), k_Types.end(), type) == k_Types.end())
+    {
+        const YamlNode* named = map.Find("type");
+        loader.diagnostics.Error(named->location(),
+                                 map.SubjectOf("type") + ": unknown shape " +
+                                     UnknownName(type, {k_Types.begin(), k_Types.end()}));
+        return;
+    }
+    bool enabled = true;
+    map.Read("enabled", enabled);
+    ReadShape(map, type, enabled, volume, loader);
+    map.Finish();
+}
+
+void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject, SceneLoader& loader)
+{
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    Transform transform;
+    ReadTransform(map, transform, diagnostics);
+    volume.position = transform.localPosition;
+    volume.rotation = transform.localRotation;
+    volume.scale = transform.localScale;
+    if (const YamlNode* colliders = map.Find("colliders"))
+    {
+        const std::string list = subject + ".colliders";
+        int index = 0;
+        for (const YamlNode& item : ReadItems(*colliders, list, diagnostics))
+        {
+            ReadCollider(item, list + "[" + std::to_string(index++) + "]", volume, loader);
+        }
+    }
+    if (!volume.isGlobal && volume.colliders.empty())
+    {
+        diagnostics.Note(map.node().location(),
+                         subject + ": does nothing, it is not global and has no colliders");
+    }
+}
+
+void ReadProfile(YamlMapReader& map, Volume& volume, SceneLoader& loader)
+{
+    const YamlNode* node = map.Require("profile");
+    if (!node)
+    {
+        return;
+    }
+    References& references = loader.references;
+    const auto load = [&references, &loader](const std::filesystem::path& path)
+    {
+        return references.assets().LoadProfile(path, loader.asset.layers);
+    };
+    VolumeProfileLoadResult result = references.Read(*node, map.SubjectOf("profile"), load);
+    volume.sharedProfile = result.profile;
+    loader.AddNotes(result.notes);
+}
+
+void ReadVolume(const YamlNode& node, const std::string& place, SceneLoader& loader)
+{
+    Volume& volume = loader.asset.volumes.emplace_back();
+    const YamlNode* name = node.Find("name");
+    volume.name = name && name->isScalar() ? name->scalar() : place;
+    const std::string subject = name ? "volume '" + volume.name + "'" : place;
+    YamlMapReader map(node, subject, loader.diagnostics);
+    map.Read("name", volume.name);
+    map.Read("enabled", volume.enabled);
+    map.Read("isGlobal", volume.isGlobal);
+    map.Read("priority", volume.priority);
+    map.Read("weight", volume.weight, {0.0, 1.0});
+    map.Read("blendDistance", volume.blendDistance, {0.0, 1e9});
+    if (const YamlNode* layer = map.Find("layer"))
+    {
+        volume.layer =
+            ReadLayerIndex(*layer, map.SubjectOf("layer"), loader.layers(), loader.diagnostics)
+                .value_or(0);
+    }
+    ReadProfile(map, volume, loader);
+    ReadPlace(map, volume, subject, loader);
+    map.Finish();
+}
+
+} // namespace
+
+void ReadVolumes(const YamlNode& node, SceneLoader& loader)
+{
+    int index = 0;
+    for (const YamlNode& item : ReadItems(node, "volumes", loader.diagnostics))
+    {
+        ReadVolume(item, "volumes[" + std::to_string(index++) + "]", loader);
+    }
+}
+
+} // namespace limn

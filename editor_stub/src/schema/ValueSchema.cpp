@@ -1,0 +1,195 @@
+#include "schema/ValueSchema.h"
+
+#include <charconv>
+#include <cmath>
+#include <limn/volume/YamlMapReader.h>
+
+namespace limn
+{
+
+namespace
+{
+
+Json NumberOfType(const char* type, ValueRange range)
+{
+    Json schema{{"type", type}};
+    if (std::isfinite(range.min))
+    {
+        schema["minimum"] = Json::parse(NumberText(range.min));
+    }
+    if (std::isfinite(range.max))
+    {
+        schema["maximum"] = Json::parse(NumberText(range.max));
+    }
+    return schema;
+}
+
+Json AnyOf(std::initializer_list<Json> schemas)
+{
+    Json list = Json::array();
+    for (const Json& schema : schemas)
+    {
+        list.push_back(schema);
+    }
+    return {{"anyOf", std::move(list)}};
+}
+
+/// So many numbers in a list.
+Json NumbersSchema(int least, int most)
+{
+    return {{"type", "array"}, {"items", NumberSchema()}, {"minItems", least}, {"maxItems", most}};
+}
+
+/// Numbers by one-letter names, of which the first `required` must be there.
+Json FieldsSchema(std::string_view names, std::size_t required)
+{
+    Json schema = MapSchema(Json::object());
+    schema["required"] = Json::array();
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        const std::string name(names.substr(i, 1));
+        schema["properties"][name] = NumberSchema();
+        if (i < required)
+        {
+            schema["required"].push_back(name);
+        }
+    }
+    return schema;
+}
+
+} // namespace
+
+Json BoolSchema()
+{
+    return AnyOf({{{"type", "boolean"}}, {{"enum", {0, 1}}}});
+}
+
+Json NumberSchema(ValueRange range)
+{
+    return NumberOfType("number", range);
+}
+
+Json IntegerSchema(ValueRange range)
+{
+    return NumberOfType("integer", range);
+}
+
+Json TextSchema()
+{
+    // A name such as 12 needs no quotes in a file.
+    return {{"type", {"string", "number", "boolean"}}};
+}
+
+Json ColorSchema()
+{
+    const Json hex{{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})$"}};
+    return AnyOf({FieldsSchema("rgba", 3), NumbersSchema(3, 4), hex});
+}
+
+Json VectorSchema(int count)
+{
+    const auto size = static_cast<std::size_t>(count);
+    return AnyOf({NumbersSchema(count, count),
+                  FieldsSchema(std::string_view("xyzw").substr(0, size), size)});
+}
+
+Json LayerIndexSchema()
+{
+    return AnyOf({IntegerSchema({0.0, 31.0}), {{"type", "string"}}});
+}
+
+Json LayerMaskSchema()
+{
+    const Json bits = IntegerSchema({0.0, 4294967295.0});
+    Json unity = MapSchema({{"serializedVersion", IntegerSchema()}, {"m_Bits", bits}});
+    unity["required"] = {"m_Bits"};
+    return AnyOf({{{"enum", {"Everything", "Nothing"}}},
+                  {{"type", "string"}},
+                  ListSchema(LayerIndexSchema()),
+                  bits,
+                  std::move(unity)});
+}
+
+Json ReferenceSchema()
+{
+    const Json guid{{"type", "string"}, {"pattern", "^[0-9a-fA-F]{32}$"}};
+    Json unitys =
+        MapSchema({{"fileID", IntegerSchema()}, {"guid", guid}, {"type", IntegerSchema()}});
+    unitys["required"] = {"fileID"};
+    return AnyOf({{{"type", {"string", "null"}}}, std::move(unitys)});
+}
+
+Json EnumSchema(std::span<const std::string> names)
+{
+    Json list = Json::array();
+    for (const std::string& name : names)
+    {
+        list.push_back(name);
+    }
+    return AnyOf({{{"enum", std::move(list)}}, {{"type", "integer"}}});
+}
+
+Json RenderPassEventSchema()
+{
+    std::vector<std::string> names;
+    std::string pattern;
+    for (const EnumEntry& entry : RenderPassEventEntries())
+    {
+        names.emplace_back(entry.name);
+        pattern += (pattern.empty() ? "^(" : "|") + std::string(entry.name);
+    }
+    Json schema = EnumSchema(names);
+    schema["anyOf"].push_back({{"type", "string"}, {"pattern", pattern + ") *[+-] *[0-9]+$"}});
+    return schema;
+}
+
+Json MapSchema(Json properties)
+{
+    return {
+        {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+Json ListSchema(Json items)
+{
+    return {{"type", "array"}, {"items", std::move(items)}};
+}
+
+void AddProperty(Json& map, std::string_view name, const Json& value)
+{
+    const std::string plain = PlainSpelling(name);
+    map["properties"][std::string(name)] = value;
+    if (plain != name)
+    {
+        map["properties"][plain] = value;
+        map["allOf"].push_back(
+            {{"not", {{"type", "object"}, {"required", {std::string(name), plain}}}}});
+    }
+}
+
+Json RootSchema(std::string_view title, const Json& map)
+{
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+    schema.update(map);
+    return schema;
+}
+
+Json ToJson(const YamlNode& node)
+{
+    Json json;
+    for (const YamlNode& item : node.items())
+    {
+        json.push_back(ToJson(item));
+    }
+    for (const YamlEntry& entry : node.entries())
+    {
+        json[entry.key] = ToJson(entry.value);
+    }
+    if (!node.isScalar())
+    {
+        return json.is_null() && node.isSequence() ? Json::array() : json;
+    }
+    const Json number = node.isQuoted() ? Json() : Json::parse(node.scalar(), nullptr, false);
+    return number.is_number() || number.is_boolean() ? number : Json(node.scalar());
+}
+
+} // namespace limn

@@ -1,0 +1,74 @@
+#include "shaders/ShaderFolders.h"
+
+#include <algorithm>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+std::filesystem::path FolderOfShaders(const std::filesystem::path& shaderFile)
+{
+    std::filesystem::path folder = shaderFile.parent_path();
+    for (std::filesystem::path above = std::filesystem::absolute(folder); above.has_relative_path();
+         above = above.parent_path())
+    {
+        if (above.filename() == "Assets")
+        {
+            folder = above;
+        }
+    }
+    return folder.empty() ? "." : folder;
+}
+
+ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders,
+                           const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    ShaderDatabase database;
+    for (const std::filesystem::path& folder : folders)
+    {
+        database.AddFolder(folder);
+    }
+    for (const std::string_view name : ShippedShaderNames())
+    {
+        const std::shared_ptr<const Shader> shader = FindShippedShader(name, compiler);
+        database.Add({shader, &shader->document()});
+    }
+    return database;
+}
+
+bool isUnityShader(std::string_view name)
+{
+    // Names without a folder, as the built-in pipeline's oldest shaders have them.
+    static constexpr std::string_view k_Names[] = {
+        "Diffuse",         "Specular", "VertexLit",      "Bumped Diffuse",
+        "Bumped Specular", "Standard", "Diffuse Detail", "Standard (Specular setup)"};
+    static constexpr std::string_view k_Folders[] = {"Autodesk Interactive",
+                                                     "FX/",
+                                                     "GUI/",
+                                                     "HDRP/",
+                                                     "Hidden/Core/",
+                                                     "Hidden/HDRP/",
+                                                     "Hidden/Internal",
+                                                     "Hidden/Nature/",
+                                                     "Hidden/Shader Graph/",
+                                                     "Hidden/TerrainEngine/",
+                                                     "Hidden/Universal Render Pipeline/",
+                                                     "Legacy Shaders/",
+                                                     "Lightmapped/",
+                                                     "Mobile/",
+                                                     "Nature/",
+                                                     "Particles/",
+                                                     "Reflective/",
+                                                     "Self-Illumin/",
+                                                     "Skybox/",
+                                                     "Sprites/",
+                                                     "Transparent/",
+                                                     "UI/",
+                                                     "Universal Render Pipeline/",
+                                                     "Unlit/"};
+    return std::find(std::begin(k_Names), std::end(k_Names), name) != std::end(k_Names) ||
+           std::any_of(std::begin(k_Folders), std::end(k_Folders),
+                       [&](std::string_view folder) { return name.starts_with(folder); });
+}
+
+} // namespace limn

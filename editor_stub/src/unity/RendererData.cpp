@@ -1,0 +1,257 @@
+#include "assets/References.h"
+#include "scene/ReadLayers.h"
+#include "scene/SettingsReader.h"
+#include "unity/UnityProject.h"
+
+#include <algorithm>
+#include <array>
+#include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/Features.h>
+#include <limn/volume/UnityAsset.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// What every MonoBehaviour of a feature has; the rest are settings.
+constexpr std::array<std::string_view, 11> k_HeaderFields{"m_ObjectHideFlags",
+                                                          "m_CorrespondingSourceObject",
+                                                          "m_PrefabInstance",
+                                                          "m_PrefabAsset",
+                                                          "m_GameObject",
+                                                          "m_Enabled",
+                                                          "m_EditorHideFlags",
+                                                          "m_Script",
+                                                          "m_Name",
+                                                          "m_EditorClassIdentifier",
+                                                          "m_Active"};
+
+/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
+constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
+    {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
+    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
+
+struct Loading
+{
+    AssetContext& assets;
+    AssetDiagnostics& diagnostics;
+    References references;
+    UnityProject project;
+    LayerNames layers; ///< an asset's masks are numbers, so no names are needed
+};
+
+/// The file of a guid; who watches sees it get another.
+const std::filesystem::path* FindFile(const std::string& guid, Loading& loading)
+{
+    const std::filesystem::path* path = loading.project.Find(guid);
+    if (path)
+    {
+        loading.assets.Reach(path->string() + ".meta");
+    }
+    return path;
+}
+
+std::string GuidOf(const YamlNode& reference)
+{
+    const YamlNode* guid = reference.Find("guid");
+    return guid ? guid->scalar() : std::string();
+}
+
+/// The shader of a reference {fileID, guid}; one that comes with limn where the project's own file
+/// is not there. Null, with a note, if there is neither.
+std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const std::string& subject,
+                                                  Loading& loading)
+{
+    if (ReadFileID(node) == 0)
+    {
+        return nullptr;
+    }
+    const std::string guid = GuidOf(node);
+    const std::filesystem::path* path = FindFile(guid, loading);
+    if (path)
+    {
+        loading.assets.Reach(*path);
+    }
+    std::error_code ignored;
+    if (path && std::filesystem::exists(*path, ignored))
+    {
+        try
+        {
+            return loading.assets.LoadShader(*path);
+        }
+        catch (const AssetError& error)
+        {
+            loading.references.Report(node, subject, error);
+            return nullptr;
+        }
+    }
+    const std::string_view shipped = path ? ShippedShaderOfFile(path->stem().string()) : "";
+    const std::string missing =
+        path ? path->filename().string() + " is not in the project"
+             : "no .meta file of the project has the shader's guid '" + guid + "'";
+    if (shipped.empty())
+    {
+        loading.diagnostics.Note(node.location(), subject + ": left out, " + missing);
+        return nullptr;
+    }
+    loading.diagnostics.Note(node.location(), subject + ": " + missing + ", so " +
+                                                  std::string(shipped) +
+                                                  " that comes with limn is used");
+    return loading.assets.FindShader(shipped);
+}
+
+/// The map that holds a feature's settings: where authors put them all, a member of its own.
+YamlNode SettingsOf(const UnityObject& object, std::string& subject)
+{
+    for (const char* member : {"m_Settings", "settings"})
+    {
+        const YamlNode* settings = object.fields.Find(member);
+        if (settings && settings->isMap())
+        {
+            subject += std::string(".") + member;
+            return *settings;
+        }
+    }
+    return object.fields;
+}
+
+void ReadSettings(const UnityObject& object, const std::string& type,
+                  ScriptableRendererFeature& feature, Loading& loading)
+{
+    std::string subject = object.name;
+    const YamlNode settings = SettingsOf(object, subject);
+    YamlMapReader map(settings, subject, loading.diagnostics);
+    const auto readShader = [&loading](const YamlNode& node, const std::string& name)
+    {
+        return ReadShaderReference(node, name, loading);
+    };
+    const auto readMaterial = [&loading](const YamlNode& node, const std::string& name)
+    {
+        if (ReadFileID(node) != 0)
+        {
+            loading.diagnostics.Note(node.location(),
+                                     name + ": left out, Unity's .mat files are not read; name a "
+                                            "material of the scene in a scene file instead");
+        }
+        return std::shared_ptr<const Material>();
+    };
+    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, false};
+    SettingsReader reader(map, context, loading.diagnostics);
+    feature.Describe(reader);
+    const std::vector<std::string>& known = reader.fieldNames();
+    for (const YamlEntry& entry : settings.entries())
+    {
+        const bool isHeader = std::find(k_HeaderFields.begin(), k_HeaderFields.end(), entry.key) !=
+                              k_HeaderFields.end();
+        if (!isHeader && std::find(known.begin(), known.end(), entry.key) == known.end())
+        {
+            loading.diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +
+                                                            type + " has no such setting");
+        }
+    }
+}
+
+/// The class of a feature; "", with a note, if it cannot be told.
+std::string FeatureType(const UnityObject& object, Loading& loading)
+{
+    const YamlNode* script = object.fields.Find("m_Script");
+    const std::string guid = script ? GuidOf(*script) : std::string();
+    for (const auto& [packageGuid, type] : k_PackageScripts)
+    {
+        if (guid == packageGuid)
+        {
+            return std::string(type);
+        }
+    }
+    const std::filesystem::path* path = FindFile(guid, loading);
+    if (!path)
+    {
+        loading.diagnostics.Note(object.location,
+                                 object.name +
+                                     ": left out, no .cs.meta file of the project has the "
+                                     "script's guid '" +
+                                     guid + "'");
+        return {};
+    }
+    return path->stem().string();
+}
+
+void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)
+{
+    const std::string type = FeatureType(object, loading);
+    std::unique_ptr<ScriptableRendererFeature> feature = CreateFeature(type);
+    if (!feature)
+    {
+        if (!type.empty())
+        {
+            loading.diagnostics.Note(object.location,
+                                     object.name + ": left out, limn has no feature " + type);
+        }
+        return;
+    }
+    feature->name = object.name;
+    if (const YamlNode* active = object.fields.Find("m_Active"))
+    {
+        feature->SetActive(
+            ReadBool(*active, object.name + ".m_Active", loading.diagnostics).value_or(true));
+    }
+    ReadSettings(object, type, *feature, loading);
+    renderer.features.push_back(std::move(feature));
+    renderer.featureTypes.push_back(type);
+}
+
+void ReadFeatures(const UnityAsset& asset, const YamlNode& references, RendererAsset& renderer,
+                  Loading& loading)
+{
+    for (const YamlNode& reference : references.items())
+    {
+        const UnityObject* object = asset.Find(ReadFileID(reference).value_or(0));
+        if (object)
+        {
+            ReadFeature(*object, renderer, loading);
+            continue;
+        }
+        // Unity leaves such a reference behind where a feature's script was deleted.
+        loading.diagnostics.Note(reference.location(),
+                                 "m_RendererFeatures: left out, the feature is not in this file");
+    }
+}
+
+void ReadLayers(const UnityObject& root, const char* field, LayerMask& mask, Loading& loading)
+{
+    if (const YamlNode* node = root.fields.Find(field))
+    {
+        const auto bits =
+            ReadLayerBits(*node, field, {loading.layers, "layer"}, loading.diagnostics);
+        mask = LayerMask(bits.value_or(mask.bits));
+    }
+}
+
+} // namespace
+
+UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
+                                                  AssetContext& assets)
+{
+    assets.Reach(path);
+    const UnityAsset asset = LoadUnityAsset(path);
+    AssetDiagnostics diagnostics(path.generic_string());
+    const UnityObject* root = asset.FindWithField("m_RendererFeatures");
+    if (!root)
+    {
+        throw AssetError(path.generic_string(), {},
+                         "no renderer in this Unity asset; one is a MonoBehaviour with a list "
+                         "'m_RendererFeatures'");
+    }
+    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, UnityProject(path), {}};
+    UnityRendererDataLoadResult result;
+    ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);
+    ReadLayers(*root, "m_OpaqueLayerMask", result.renderer.opaqueLayerMask, loading);
+    ReadLayers(*root, "m_TransparentLayerMask", result.renderer.transparentLayerMask, loading);
+    loading.references.ThrowIfErrors();
+    result.notes = diagnostics.notes();
+    return result;
+}
+
+} // namespace limn

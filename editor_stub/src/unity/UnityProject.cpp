@@ -1,0 +1,88 @@
+#include "unity/UnityProject.h"
+
+#include <fstream>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::string_view k_GuidKey = "guid: ";
+
+std::filesystem::path FindRoot(const std::filesystem::path& asset)
+{
+    std::error_code ignored;
+    std::filesystem::path folder = std::filesystem::absolute(asset, ignored).parent_path();
+    while (!std::filesystem::is_directory(folder / "Assets", ignored))
+    {
+        if (folder == folder.parent_path())
+        {
+            return {};
+        }
+        folder = folder.parent_path();
+    }
+    return folder;
+}
+
+bool IsReferredTo(const std::filesystem::path& path)
+{
+    const std::filesystem::path extension = path.extension();
+    return extension == ".cs" || extension == ".shader" || extension == ".png" ||
+           extension == ".mat";
+}
+
+/// The guid a .meta file gives; "" if it gives none.
+std::string ReadGuid(const std::filesystem::path& metaFile)
+{
+    std::ifstream stream(metaFile);
+    std::string line;
+    while (std::getline(stream, line))
+    {
+        if (std::string_view(line).starts_with(k_GuidKey))
+        {
+            const std::size_t end = line.find_last_not_of(" \r");
+            return line.substr(k_GuidKey.size(), end + 1 - k_GuidKey.size());
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+UnityProject::UnityProject(const std::filesystem::path& asset) : m_Root(FindRoot(asset))
+{
+    if (!m_Root.empty())
+    {
+        Scan();
+    }
+}
+
+void UnityProject::Scan()
+{
+    std::error_code ignored;
+    const auto options = std::filesystem::directory_options::skip_permission_denied;
+    // Not only Assets: packages kept in the project are beside it.
+    std::filesystem::recursive_directory_iterator entry(m_Root, options, ignored);
+    for (; entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored))
+    {
+        const std::filesystem::path& path = entry->path();
+        if (path.filename() == ".git")
+        {
+            entry.disable_recursion_pending();
+        }
+        const std::filesystem::path described = path.parent_path() / path.stem();
+        if (path.extension() == ".meta" && IsReferredTo(described))
+        {
+            m_Files.emplace(ReadGuid(path), described);
+        }
+    }
+}
+
+const std::filesystem::path* UnityProject::Find(std::string_view guid) const
+{
+    const auto found = m_Files.find(guid);
+    return found == m_Files.end() || guid.empty() ? nullptr : &found->second;
+}
+
+} // namespace limn

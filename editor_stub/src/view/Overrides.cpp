@@ -1,0 +1,261 @@
+#include "assets/References.h"
+#include "scene/FeatureReader.h"
+#include "scene/ProfileContext.h"
+
+#include <algorithm>
+#include <limits>
+#include <limn/editor_stub/Overrides.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// "NAME.path=value" taken apart.
+struct Override
+{
+    std::string text; ///< as given; what errors call it
+    std::string name;
+    std::string path;
+    YamlNode value;
+};
+
+YamlNode ParseValue(const std::string& value, const std::string& file)
+{
+    // A colour is typed without the quotes that YAML needs, since a shell takes them away.
+    const bool isColor = !value.empty() && value.front() == '#';
+    const std::vector<YamlNode> documents = ParseYaml(isColor ? "'" + value + "'" : value, file);
+    return documents.front();
+}
+
+Override Parse(const std::string& text)
+{
+    Override result;
+    const std::size_t equals = text.find('=');
+    const std::size_t dot = text.substr(0, equals).rfind('.');
+    const bool hasValue = equals != std::string::npos && equals + 1 < text.size();
+    if (!hasValue || dot == std::string::npos || dot == 0 || dot + 1 == equals)
+    {
+        throw AssetError("--set " + text, {},
+                         "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4");
+    }
+    result.text = "--set " + text;
+    result.name = text.substr(0, dot);
+    result.path = text.substr(dot + 1, equals - dot - 1);
+    result.value = ParseValue(text.substr(equals + 1), result.text);
+    return result;
+}
+
+std::vector<std::filesystem::path> SearchFolders(const SceneAsset& asset)
+{
+    return {{}, asset.path.parent_path()};
+}
+
+/// One line `path: value`, as if it stood in a file.
+YamlNode AsMap(const Override& change)
+{
+    YamlContent content;
+    content.kind = YamlKind::Map;
+    content.entries.push_back({change.path, {}, change.value});
+    return YamlNode(std::move(content));
+}
+
+/// A global volume whose layer the camera looks at.
+Volume& AddGlobalVolume(SceneAsset& asset, const std::string& name, const std::string& reason)
+{
+    const std::uint32_t mask = asset.camera.volumeLayerMask.bits;
+    if (mask == 0)
+    {
+        throw AssetError(reason, {},
+                         "the camera's volumeLayerMask is Nothing, so no volume has an effect");
+    }
+    Volume& volume = asset.volumes.emplace_back();
+    volume.name = name;
+    while (((mask >> volume.layer) & 1u) == 0)
+    {
+        ++volume.layer;
+    }
+    return volume;
+}
+
+class Overrider
+{
+public:
+    Overrider(SceneAsset& asset, AssetContext& assets) : m_Asset(asset), m_Assets(assets) {}
+
+    void Apply(const std::string& text)
+    {
+        const Override change = Parse(text);
+        AssetDiagnostics diagnostics(change.text);
+        References references(m_Assets, SearchFolders(m_Asset), diagnostics);
+        if (m_Assets.volumeComponents().Find(change.name))
+        {
+            SetParameter(change, diagnostics);
+        }
+        else if (!SetFeatures(change, references, diagnostics))
+        {
+            diagnostics.Error({}, "unknown name " + UnknownName(change.name, KnownNames()));
+        }
+        references.ThrowIfErrors();
+    }
+
+    /// Adds a volume above all others for the parameters that were set.
+    void Finish()
+    {
+        if (m_Profile)
+        {
+            Volume& volume = AddGlobalVolume(m_Asset, "--set", "--set");
+            volume.priority = std::numeric_limits<float>::max();
+            volume.sharedProfile = m_Profile;
+        }
+    }
+
+private:
+    std::vector<std::string_view> KnownNames() const
+    {
+        std::vector<std::string_view> names = m_Assets.volumeComponents().names();
+        const auto add = [&names](std::string_view name)
+        {
+            if (std::find(names.begin(), names.end(), name) == names.end())
+            {
+                names.push_back(name);
+            }
+        };
+        const RendererAsset& renderer = m_Asset.renderer;
+        for (std::size_t i = 0; i < renderer.features.size(); ++i)
+        {
+            add(renderer.features[i]->name);
+            add(renderer.featureTypes[i]);
+        }
+        return names;
+    }
+
+    void SetParameter(const Override& change, AssetDiagnostics& diagnostics)
+    {
+        VolumeComponent& component = Component(change.name);
+        const SceneProfileContext context(m_Assets, {}, m_Asset.layers);
+        YamlMapReader map(AsMap(change), change.name, diagnostics, "parameter");
+        for (VolumeParameter* parameter : component.parameters())
+        {
+            if (const YamlNode* value = map.Find(parameter->name()))
+            {
+                parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics, context);
+                parameter->SetOverrideState(true);
+            }
+        }
+        map.Finish();
+    }
+
+    VolumeComponent& Component(const std::string& type)
+    {
+        if (!m_Profile)
+        {
+            m_Profile = std::make_shared<VolumeProfile>();
+            m_Profile->name = "--set";
+        }
+        VolumeComponent*& component = m_Components[type];
+        if (!component)
+        {
+            component = &m_Profile->Add(m_Assets.volumeComponents().Create(type));
+        }
+        return *component;
+    }
+
+    SettingsContext ContextOf(References& references, AssetDiagnostics& diagnostics) const
+    {
+        return {m_Asset.layers, m_Asset.renderingLayers,
+                [&references](const YamlNode& node, const std::string& subject)
+                { return references.ReadShader(node, subject); },
+                [&diagnostics](const YamlNode& node, const std::string& subject)
+                {
+                    diagnostics.Error(node.location(), subject + ": a material can be chosen in "
+                                                                 "the scene file only");
+                    return std::shared_ptr<const Material>();
+                }};
+    }
+
+    /// Whether there is a feature of that name or, if there is none, of that type.
+    bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
+    {
+        RendererAsset& renderer = m_Asset.renderer;
+        const bool isName =
+            std::any_of(renderer.features.begin(), renderer.features.end(),
+                        [&change](const auto& feature) { return feature->name == change.name; });
+        bool isFound = false;
+        for (std::size_t i = 0; i < renderer.features.size(); ++i)
+        {
+            ScriptableRendererFeature& feature = *renderer.features[i];
+            if ((isName ? feature.name : renderer.featureTypes[i]) == change.name)
+            {
+                YamlMapReader map(AsMap(change), change.name, diagnostics, "setting");
+                ReadFeatureSettings(map, feature, ContextOf(references, diagnostics), diagnostics);
+                map.Finish();
+                isFound = true;
+            }
+        }
+        return isFound;
+    }
+
+    SceneAsset& m_Asset;
+    AssetContext& m_Assets;
+    std::shared_ptr<VolumeProfile> m_Profile;
+    std::map<std::string, VolumeComponent*> m_Components; ///< of m_Profile, by type
+};
+
+/// Places in a value typed on a command line say nothing; those in files stay.
+void AddWithoutPlace(const AssetError& error, const std::string& override,
+                     std::vector<Diagnostic>& problems)
+{
+    for (Diagnostic diagnostic : error.diagnostics())
+    {
+        diagnostic.location =
+            diagnostic.file == "--set " + override ? SourceLocation{} : diagnostic.location;
+        problems.push_back(std::move(diagnostic));
+    }
+}
+
+} // namespace
+
+void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides, AssetContext& assets)
+{
+    Overrider overrider(asset, assets);
+    std::vector<Diagnostic> problems;
+    for (const std::string& text : overrides)
+    {
+        try
+        {
+            overrider.Apply(text);
+        }
+        catch (const AssetError& error)
+        {
+            AddWithoutPlace(error, text, problems);
+        }
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
+    overrider.Finish();
+}
+
+void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& assets)
+{
+    AssetDiagnostics diagnostics("--profile");
+    const References references(assets, SearchFolders(asset), diagnostics);
+    const VolumeProfileLoadResult& result =
+        assets.LoadProfile(references.Resolve(file), asset.layers);
+    asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
+    bool isAnyGlobal = false;
+    for (Volume& volume : asset.volumes)
+    {
+        volume.sharedProfile = volume.isGlobal ? result.profile : volume.sharedProfile;
+        isAnyGlobal = isAnyGlobal || volume.isGlobal;
+    }
+    if (!isAnyGlobal)
+    {
+        AddGlobalVolume(asset, "--profile", "--profile " + file).sharedProfile = result.profile;
+    }
+}
+
+} // namespace limn

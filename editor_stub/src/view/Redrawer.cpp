@@ -1,0 +1,132 @@
+#include "view/Redrawer.h"
+
+#include "shaders/UsedShaders.h"
+
+#include <cmath>
+
+namespace limn
+{
+
+namespace
+{
+
+ShaderCompilerOptions ForDevice(ShaderCompilerOptions options, const VulkanDevice& device)
+{
+    options.missingFeatures = device.missingShaderFeatures();
+    return options;
+}
+
+} // namespace
+
+Redrawer::Redrawer(const RenderOptions& options, Console& console)
+    : m_Options(options),
+      m_Console(console),
+      m_CompilerOptions(ChooseCompilerOptions(options, console)),
+      m_Device({options.device, options.validate, m_CompilerOptions.cacheFolder}),
+      m_Assets(ForDevice(m_CompilerOptions, m_Device)),
+      m_Pipeline(m_Device)
+{
+    m_Console.Line(m_Device.ChoiceSentence());
+    m_Watcher.Watch({options.scene});
+}
+
+void Redrawer::Redraw(const std::set<std::filesystem::path>& changes)
+{
+    const Clock::time_point start = Clock::now();
+    const auto readSince = std::chrono::system_clock::now();
+    bool isSceneStale = !m_View;
+    bool isProfileNew = false;
+    for (const std::filesystem::path& path : changes)
+    {
+        Guard([&] { (ReadAgain(path) ? isProfileNew : isSceneStale) = true; });
+    }
+    const bool isSceneNew = isSceneStale && Guard([&] { LoadScene(); });
+    if (m_View && (isSceneNew || isProfileNew))
+    {
+        Guard([&] { Draw(start); });
+    }
+    m_Watcher.Watch(m_Assets.reachedFiles(), readSince);
+}
+
+/// Whether the work was done; an error is printed. The driver's failures go on.
+template <typename Work>
+bool Redrawer::Guard(Work&& work)
+{
+    try
+    {
+        work();
+        return true;
+    }
+    catch (const AssetError& error)
+    {
+        m_Console.Print(error.diagnostics());
+    }
+    catch (const ContractError& error)
+    {
+        m_Console.Error(error.what());
+    }
+    return false;
+}
+
+/// A profile is read into the picture that there is. After any other change the scene has to be
+/// loaded again, which reads only what the assets do not have.
+/// @return whether it was a profile
+bool Redrawer::ReadAgain(const std::filesystem::path& path)
+{
+    const VolumeProfileLoadResult* profile = m_Assets.ReloadProfile(path);
+    if (profile)
+    {
+        PrintNew(profile->notes);
+        return true;
+    }
+    m_Assets.Forget(path);
+    return false;
+}
+
+void Redrawer::LoadScene()
+{
+    SceneAsset asset = LoadForRendering(m_Options, m_Assets);
+    m_Console.Print(CompileOrReplaceShaders(asset, m_Assets.compiler()));
+    PrintNew(asset.notes);
+    m_View = std::make_unique<SceneView>(std::move(asset), m_Assets);
+}
+
+void Redrawer::Draw(Clock::time_point start)
+{
+    const RenderResult result = m_View->Render(m_Pipeline, static_cast<float>(m_Options.time));
+    Image image = m_Device.ReadBack(*result.output.rt());
+    MakeOpaque(image);
+    PrintNew(result.report);
+    WritePng(m_Options.output, image);
+    const std::chrono::duration<double, std::milli> duration = Clock::now() - start;
+    m_Console.out() << m_Options.output << ' ' << image.width << 'x' << image.height << ' '
+                    << std::lround(duration.count()) << " ms" << std::endl;
+}
+
+// What was said before is not said at every save.
+
+void Redrawer::PrintNew(const RenderReport& report)
+{
+    const std::set<std::string> notes(report.notes.begin(), report.notes.end());
+    for (const std::string& note : notes)
+    {
+        if (m_RenderNotes.count(note) == 0)
+        {
+            m_Console.Note(note);
+        }
+    }
+    m_RenderNotes = notes;
+}
+
+void Redrawer::PrintNew(const std::vector<Diagnostic>& notes)
+{
+    for (const Diagnostic& note : notes)
+    {
+        if (m_LoadNotes.insert(ToString(note)).second)
+        {
+            m_Console.Print(note);
+        }
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "view/FileWatcher.h"
+#include "view/SceneView.h"
+
+#include <chrono>
+#include <limn/vulkan/VulkanDevice.h>
+
+namespace limn
+{
+
+/// Draws a scene into a PNG and keeps all that it took, so that after a change only what hangs on
+/// the changed files is made again. What is wrong with a file is printed; the last good picture
+/// stays, or, if a shader of objects does not compile, those objects are drawn in magenta.
+class Redrawer
+{
+public:
+    /// Draws nothing yet.
+    /// @param options, console  must outlive this
+    /// @throws VulkanError
+    Redrawer(const RenderOptions& options, Console& console);
+
+    /// Reads what changed again and draws, if any of it is usable. The first call loads the scene.
+    /// @throws VulkanError
+    void Redraw(const std::set<std::filesystem::path>& changes);
+
+    /// Watches every file that the scene reached so far.
+    FileWatcher& watcher() { return m_Watcher; }
+    const AssetContext& assets() const { return m_Assets; }
+    const VulkanDevice& device() const { return m_Device; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    template <typename Work>
+    bool Guard(Work&& work);
+    bool ReadAgain(const std::filesystem::path& path);
+    void LoadScene();
+    void Draw(Clock::time_point start);
+    void PrintNew(const RenderReport& report);
+    void PrintNew(const std::vector<Diagnostic>& notes);
+
+    const RenderOptions& m_Options;
+    Console& m_Console;
+    const ShaderCompilerOptions m_CompilerOptions;
+    VulkanDevice m_Device;
+    AssetContext m_Assets;
+    UniversalRenderPipeline m_Pipeline;
+    FileWatcher m_Watcher;
+    std::unique_ptr<SceneView> m_View; ///< the last that could be loaded; null before the first
+    std::set<std::string> m_LoadNotes;
+    std::set<std::string> m_RenderNotes; ///< of the last frame
+};
+
+} // namespace limn

@@ -1,0 +1,103 @@
+#include "scene/FeatureReader.h"
+#include "scene/Loader.h"
+
+#include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Settings that are good one by one may not fit each other; better said here, where they stand,
+/// than when the feature is used.
+void TryCreate(ScriptableRendererFeature& feature, const YamlNode& node, const std::string& subject,
+               AssetDiagnostics& diagnostics)
+{
+    try
+    {
+        feature.Create();
+    }
+    catch (const ContractError& error)
+    {
+        diagnostics.Error(node.location(), subject + ": " + error.what());
+    }
+}
+
+void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& loader)
+{
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    YamlMapReader map(node, subject, diagnostics);
+    std::string type;
+    map.Require("type");
+    if (!map.Read("type", type))
+    {
+        return;
+    }
+    std::unique_ptr<ScriptableRendererFeature> feature = CreateFeature(type);
+    if (!feature)
+    {
+        diagnostics.Error(map.Find("type")->location(), map.SubjectOf("type") +
+                                                            ": unknown feature " +
+                                                            UnknownName(type, FeatureTypeNames()));
+        return;
+    }
+    feature->name = type;
+    map.Read("name", feature->name);
+    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers,
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  { return loader.references.ReadShader(value, setting); },
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  {
+                                      return ReadMaterialName(value, setting, loader);
+                                  }};
+    ReadFeatureSettings(map, *feature, context, diagnostics);
+    map.Finish();
+    TryCreate(*feature, node, subject, diagnostics);
+    loader.asset.renderer.features.push_back(std::move(feature));
+    loader.asset.renderer.featureTypes.push_back(type);
+}
+
+void ReadRendererData(const YamlNode& node, SceneLoader& loader)
+{
+    References& references = loader.references;
+    const auto load = [&references](const std::filesystem::path& path)
+    {
+        return LoadUnityRendererData(path, references.assets());
+    };
+    UnityRendererDataLoadResult result = references.Read(node, "renderer.rendererData", load);
+    loader.asset.renderer = std::move(result.renderer);
+    loader.AddNotes(result.notes);
+}
+
+} // namespace
+
+void ReadRenderer(const YamlNode& node, SceneLoader& loader)
+{
+    YamlMapReader map(node, "renderer", loader.diagnostics);
+    const YamlNode* data = map.Find("rendererData");
+    const YamlNode* features = map.Find("features");
+    map.Finish();
+    if (data && features)
+    {
+        loader.diagnostics.Error(features->location(),
+                                 "renderer.features: the features come from rendererData already; "
+                                 "keep one of them");
+        return;
+    }
+    if (data)
+    {
+        ReadRendererData(*data, loader);
+    }
+    if (features)
+    {
+        int index = 0;
+        for (const YamlNode& item : ReadItems(*features, "renderer.features", loader.diagnostics))
+        {
+            ReadFeature(item, "renderer.features[" + std::to_string(index++) + "]", loader);
+        }
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,103 @@
+#include "view/SceneView.h"
+
+#include "console/CacheFolder.h"
+
+#include <limn/editor_stub/Overrides.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// "" if nothing is to be kept.
+std::filesystem::path ChooseCacheFolder(const RenderOptions& options, Console& console)
+{
+    if (options.noCache)
+    {
+        return {};
+    }
+    const bool isDefault = options.cacheFolder.empty();
+    const std::filesystem::path folder =
+        isDefault ? DefaultCacheFolder() : std::filesystem::path(options.cacheFolder);
+    const std::string problem = folder.empty() ? std::string() : MakeFolder(folder);
+    if (problem.empty())
+    {
+        return folder;
+    }
+    if (!isDefault)
+    {
+        throw AssetError(folder.string(), {}, "the cache folder cannot be made: " + problem);
+    }
+    console.Note("nothing is cached: " + folder.string() + " cannot be made: " + problem);
+    return {};
+}
+
+} // namespace
+
+ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Console& console)
+{
+    ShaderCompilerOptions result;
+    result.cacheFolder = ChooseCacheFolder(options, console);
+    result.cacheLimit = CacheLimit(result.cacheLimit);
+    result.packages.insert(options.packages.begin(), options.packages.end());
+    return result;
+}
+
+SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
+{
+    SceneAsset asset = LoadScene(options.scene, assets);
+    if (!options.profile.empty())
+    {
+        ReplaceProfile(asset, options.profile, assets);
+    }
+    ApplyOverrides(asset, options.overrides, assets);
+    asset.width = options.width > 0 ? options.width : asset.width;
+    asset.height = options.height > 0 ? options.height : asset.height;
+    return asset;
+}
+
+void MakeOpaque(Image& image)
+{
+    for (std::size_t i = 3; i < image.texels.size(); i += 4)
+    {
+        image.texels[i] = std::byte{255};
+    }
+}
+
+SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
+    : m_Asset(std::move(asset)),
+      m_Renderer(assets.compiler()),
+      m_Volumes(assets.volumeComponents()),
+      m_Stack(m_Volumes.CreateStack())
+{
+    m_Renderer.opaqueLayerMask = m_Asset.renderer.opaqueLayerMask;
+    m_Renderer.transparentLayerMask = m_Asset.renderer.transparentLayerMask;
+    for (std::unique_ptr<ScriptableRendererFeature>& feature : m_Asset.renderer.features)
+    {
+        m_Renderer.AddFeature(std::move(feature));
+    }
+    m_Asset.renderer.features.clear();
+    for (const Volume& volume : m_Asset.volumes)
+    {
+        m_Volumes.Register(&volume);
+    }
+}
+
+RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, float time)
+{
+    TurnObjects(m_Asset.turns, static_cast<double>(time));
+    const Camera& camera = m_Asset.camera;
+    m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
+                     camera.volumeLayerMask);
+    RenderRequest request;
+    request.scene = &m_Asset.scene;
+    request.camera = &camera;
+    request.width = m_Asset.width;
+    request.height = m_Asset.height;
+    request.time = time;
+    request.volumeStack = &m_Stack;
+    return pipeline.RenderSingleCamera(m_Renderer, request);
+}
+
+} // namespace limn

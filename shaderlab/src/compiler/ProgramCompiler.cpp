@@ -1,0 +1,320 @@
+#include "compiler/ProgramCompiler.h"
+
+#include <limn/shaderlab/MissingIncludeError.h>
+#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "hlsl/Checks.h"
+#include "hlsl/Preprocessor.h"
+#include "hlsl/Rewriter.h"
+#include "spirv/DiagnosticColumns.h"
+#include "spirv/SpirvBuilder.h"
+#include "spirv/SpirvReflection.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+const EntryPoint& EntryOf(const PassProgram& program, ShaderStage stage)
+{
+    return stage == ShaderStage::Vertex     ? program.vertex
+           : stage == ShaderStage::Geometry ? program.geometry
+                                            : program.fragment;
+}
+
+std::string_view StageName(ShaderStage stage)
+{
+    return stage == ShaderStage::Vertex     ? "vertex"
+           : stage == ShaderStage::Geometry ? "geometry"
+                                            : "fragment";
+}
+
+void RequireEntryPoints(const PassProgram& program)
+{
+    std::vector<Diagnostic> missing;
+    for (const ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment})
+    {
+        if (EntryOf(program, stage).name.empty())
+        {
+            const std::string name(StageName(stage));
+            missing.push_back(
+                {Severity::Error, program.file, program.location,
+                 "program: '#pragma " + name + "' is missing; it names the " + name + " function"});
+        }
+    }
+    if (!missing.empty())
+    {
+        throw AssetError(std::move(missing));
+    }
+}
+
+const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& source,
+                              ShaderStage stage)
+{
+    const EntryPoint& entry = EntryOf(program, stage);
+    if (const HlslFunction* function = source.declarations.FindDefinition(entry.name))
+    {
+        return *function;
+    }
+    std::vector<std::string_view> known;
+    for (const HlslFunction& function : source.declarations.functions)
+    {
+        known.push_back(function.name);
+    }
+    const std::string_view nearest = NearestName(entry.name, known);
+    throw AssetError(program.file, entry.location,
+                     "#pragma " + std::string(StageName(stage)) + ": there is no function '" +
+                         entry.name + "'" +
+                         (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
+}
+
+StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& function,
+                           ShaderStage stage)
+{
+    try
+    {
+        return ReadStageInterface(source.declarations, function, stage);
+    }
+    catch (const StageInterfaceError& error)
+    {
+        const std::size_t token = function.begin;
+        const HlslPlace place = PlaceOf(source.text, source.tokens[token].Begin(source.text));
+        throw AssetError(place.file, place.location,
+                         std::string(function.name) + ": " + error.message);
+    }
+}
+
+/// One stage on its way to SPIR-V.
+struct Stage
+{
+    ShaderStage stage = ShaderStage::None;
+    std::shared_ptr<const HlslSource> source; ///< other stages may have the same
+    StageInterface interface;                 ///< into source
+};
+
+/// Vertex first, fragment last.
+using Stages = std::vector<Stage>;
+
+Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
+                  IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
+{
+    Stages stages;
+    std::shared_ptr<const HlslSource> shared;
+    for (const ShaderStage stage :
+         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment})
+    {
+        if (EntryOf(program, stage).name.empty())
+        {
+            continue; // RequireEntryPoints has asked for the two that must be there
+        }
+        auto source = shared;
+        if (!source)
+        {
+            PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
+            source = std::make_shared<const HlslSource>(std::move(hlsl.text));
+            RequireSound(*source);
+            shared = hlsl.namesStages ? nullptr : source;
+        }
+        StageInterface interface = InterfaceOf(*source, FindEntry(program, *source, stage), stage);
+        stages.push_back({stage, std::move(source), std::move(interface)});
+    }
+    return stages;
+}
+
+StageLinkage Link(const PassProgram& program, const Stages& stages)
+{
+    try
+    {
+        return LinkStages(stages.front().interface,
+                          stages.size() > 2 ? &stages[1].interface : nullptr,
+                          stages.back().interface);
+    }
+    catch (const StageInterfaceError& error)
+    {
+        throw AssetError(program.file, program.fragment.location,
+                         program.fragment.name + ": " + error.message);
+    }
+}
+
+void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const StageLinkage& linkage,
+                     std::vector<Diagnostic>& warnings)
+{
+    for (std::size_t i = 1; i < stages.size(); ++i)
+    {
+        const EntryPoint& entry = EntryOf(program, stages[i].stage);
+        for (const std::string& semantic : linkage.Before(stages[i].stage).unwritten)
+        {
+            if (semantic == "PSIZE")
+            {
+                continue; // it ends at the rasteriser, but stands in the struct of both functions
+            }
+            warnings.push_back({Severity::Warning, program.file, entry.location,
+                                entry.name + ": it reads '" + semantic + "', which the " +
+                                    std::string(StageName(stages[i - 1].stage)) +
+                                    " function does not write; it is 0"});
+        }
+    }
+}
+
+/// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
+/// signature of the author's.
+void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& error,
+                    const PassProgram& program, const EntryPoint& entry)
+{
+    for (Diagnostic diagnostic : error.diagnostics())
+    {
+        if (diagnostic.file == k_EntryFile)
+        {
+            diagnostic.file = program.file;
+            diagnostic.location = entry.location;
+            diagnostic.message = entry.name + ": it cannot be called; " + diagnostic.message;
+        }
+        if (diagnostic.location.line == 0)
+        {
+            diagnostic.location = program.location;
+        }
+        if (std::find(diagnostics.begin(), diagnostics.end(), diagnostic) == diagnostics.end())
+        {
+            diagnostics.push_back(std::move(diagnostic));
+        }
+    }
+}
+
+std::vector<std::uint32_t>& SpirvOf(CompiledPass& pass, ShaderStage stage)
+{
+    return stage == ShaderStage::Vertex     ? pass.vertexSpirv
+           : stage == ShaderStage::Geometry ? pass.geometrySpirv
+                                            : pass.fragmentSpirv;
+}
+
+/// SPIR-V of all stages; their mistakes are reported together, each once.
+void BuildStages(CompiledPass& pass, const PassProgram& program, const Stages& stages,
+                 const StageLinkage& linkage)
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const Stage& stage : stages)
+    {
+        const std::string hlsl = RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
+        try
+        {
+            SpirvOf(pass, stage.stage) =
+                BuildSpirv(hlsl, stage.stage, program.file, pass.diagnostics);
+        }
+        catch (const AssetError& error)
+        {
+            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage.stage));
+        }
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+void ThrowMessages(const std::vector<std::string>& messages, const PassProgram& program)
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const std::string& message : messages)
+    {
+        diagnostics.push_back({Severity::Error, program.file, program.location, message});
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+GeometryInput GeometryInputOf(const StageInterface& interface)
+{
+    static constexpr std::pair<std::string_view, GeometryInput> k_Inputs[] = {
+        {"point", GeometryInput::Point},
+        {"line", GeometryInput::Line},
+        {"lineadj", GeometryInput::LineAdjacency},
+        {"triangle", GeometryInput::Triangle},
+        {"triangleadj", GeometryInput::TriangleAdjacency}};
+    return std::find_if(std::begin(k_Inputs), std::end(k_Inputs),
+                        [&](const auto& item)
+                        { return item.first == interface.geometry->primitive; })
+        ->second;
+}
+
+CompiledPass Build(const PassProgram& program, std::span<const std::string> keywords,
+                   IncludeResolver& resolver)
+{
+    CompiledPass pass;
+    const Stages stages = ReadStages(program, keywords, resolver, pass.diagnostics);
+    std::vector<HlslVariable> objects;
+    for (const Stage& stage : stages)
+    {
+        const std::vector<HlslVariable>& declared = stage.source->declarations.objects;
+        objects.insert(objects.end(), declared.begin(), declared.end());
+    }
+    const StageLinkage linkage = Link(program, stages);
+    WarnOfUnwritten(program, stages, linkage, pass.diagnostics);
+    BuildStages(pass, program, stages, linkage);
+    std::vector<std::string> messages;
+    ReflectLayout(pass, linkage, objects, messages);
+    if (stages.size() > 2)
+    {
+        pass.layout.geometryInput = GeometryInputOf(stages[1].interface);
+    }
+    ThrowMessages(messages, program);
+    return pass;
+}
+
+/// What several stages say is said once.
+void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
+{
+    std::vector<Diagnostic> once;
+    for (Diagnostic& diagnostic : diagnostics)
+    {
+        if (std::find(once.begin(), once.end(), diagnostic) == once.end())
+        {
+            once.push_back(std::move(diagnostic));
+        }
+    }
+    diagnostics = std::move(once);
+}
+
+} // namespace
+
+CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
+                            IncludeResolver& resolver)
+{
+    RequireEntryPoints(program);
+    try
+    {
+        CompiledPass pass = Build(program, keywords, resolver);
+        const std::vector<Diagnostic> warnings = CheckPragmas(program);
+        pass.diagnostics.insert(pass.diagnostics.begin(), warnings.begin(), warnings.end());
+        RemoveRepeated(pass.diagnostics);
+        AddColumns(pass.diagnostics, program, resolver);
+        return pass;
+    }
+    catch (const UnsupportedProgramError& error)
+    {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        AddColumns(diagnostics, program, resolver);
+        throw UnsupportedProgramError(diagnostics.front());
+    }
+    catch (const MissingIncludeError& error)
+    {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        AddColumns(diagnostics, program, resolver);
+        throw MissingIncludeError(std::move(diagnostics));
+    }
+    catch (const AssetError& error)
+    {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        AddColumns(diagnostics, program, resolver);
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+} // namespace limn

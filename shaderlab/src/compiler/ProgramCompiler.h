@@ -1,0 +1,21 @@
+#pragma once
+
+#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/PassProgram.h>
+
+#include "program/IncludeResolver.h"
+
+#include <span>
+#include <string>
+
+namespace limn
+{
+
+/// Compiles a program that limn supports, with all pragmas read, for one set of keywords.
+///
+/// @throws AssetError with columns where they can be told
+/// @throws UnsupportedProgramError where that shows in what the program includes
+CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
+                            IncludeResolver& resolver);
+
+} // namespace limn

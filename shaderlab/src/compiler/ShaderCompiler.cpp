@@ -1,0 +1,184 @@
+#include <limn/shaderlab/ShaderCompiler.h>
+
+#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "compiler/ProgramCompiler.h"
+#include "compiler/ShaderCache.h"
+#include "program/PragmaScanner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <mutex>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Raised whenever the same text compiles to something else than before.
+constexpr int k_CompilerVersion = 6;
+
+std::string HashName(const std::string& text)
+{
+    char name[20];
+    std::snprintf(name, sizeof(name), "%016llx",
+                  static_cast<unsigned long long>(HashContent(text)));
+    return name;
+}
+
+std::string CacheKey(const PassProgram& program, std::span<const std::string> keywords,
+                     const ShaderCompilerOptions& options)
+{
+    std::vector<std::string> parts = {std::to_string(k_CompilerVersion),
+                                      std::to_string(HashLibrary()),
+                                      std::filesystem::absolute(program.file).string(),
+                                      options.projectRoot.string(),
+                                      program.language == ProgramLanguage::Cg ? "cg" : "hlsl",
+                                      program.vertex.name,
+                                      program.fragment.name,
+                                      program.geometry.name,
+                                      std::to_string(program.target)};
+    for (const auto& [name, folder] : options.packages)
+    {
+        parts.push_back(name + "=" + folder.string());
+    }
+    for (const std::filesystem::path& folder : options.includeFolders)
+    {
+        parts.push_back("include=" + folder.string());
+    }
+    std::vector<std::string> sorted(keywords.begin(), keywords.end());
+    std::sort(sorted.begin(), sorted.end());
+    parts.insert(parts.end(), sorted.begin(), sorted.end());
+    for (const SourceChunk& chunk : program.chunks)
+    {
+        parts.push_back(chunk.text);
+    }
+    std::string all;
+    for (const std::string& part : parts)
+    {
+        all += std::to_string(part.size()) + ":" + part;
+    }
+    return HashName(all);
+}
+
+/// A pass with warnings holds lines of the .shader file: it is another one once it moves.
+std::string PlacedKey(const std::string& key, const PassProgram& program)
+{
+    std::string placed = key;
+    for (const SourceChunk& chunk : program.chunks)
+    {
+        placed += "-" + std::to_string(chunk.firstLine);
+    }
+    return HashName(placed);
+}
+
+} // namespace
+
+struct ShaderCompiler::State
+{
+    explicit State(ShaderCompilerOptions value)
+        : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
+    {
+    }
+
+    const ShaderCompilerOptions options;
+    const ShaderCache cache;
+    std::atomic<int> compiled{0};
+    std::atomic<int> loadedFromCache{0};
+
+    void Remember(const std::vector<IncludeDependency>& dependencies)
+    {
+        const std::lock_guard lock(mutex);
+        for (const IncludeDependency& dependency : dependencies)
+        {
+            includeFiles.insert(dependency.path);
+        }
+    }
+
+    std::mutex mutex;
+    std::set<std::filesystem::path> includeFiles;
+};
+
+ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
+    : m_State(std::make_unique<State>(std::move(options)))
+{
+}
+
+ShaderCompiler::~ShaderCompiler() = default;
+
+const std::vector<std::string>& ShaderCompiler::missingFeatures() const
+{
+    return m_State->options.missingFeatures;
+}
+
+PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
+{
+    const bool isComplete = std::none_of(program.pragmas.begin(), program.pragmas.end(),
+                                         [](const ProgramPragma& pragma)
+                                         { return pragma.name == "include_with_pragmas"; });
+    PassProgram complete = program;
+    if (!isComplete)
+    {
+        IncludeResolver resolver(m_State->options, program.file);
+        ScanPragmas(complete, [&](std::string_view include, std::string_view includer)
+                    { return resolver.Find(include, includer); });
+    }
+    return complete;
+}
+
+std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& written,
+                                                            std::span<const std::string> keywords)
+{
+    const PassProgram program = ReadPragmas(written);
+    if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
+    {
+        throw UnsupportedProgramError(std::move(*reason));
+    }
+    const std::string key = CacheKey(program, keywords, m_State->options);
+    std::vector<IncludeDependency> cachedDependencies;
+    const std::string placedKey = PlacedKey(key, program);
+    auto cached = m_State->cache.Load(key, cachedDependencies);
+    if (!cached)
+    {
+        cached = m_State->cache.Load(placedKey, cachedDependencies);
+    }
+    if (cached)
+    {
+        ++m_State->loadedFromCache;
+        m_State->Remember(cachedDependencies);
+        return std::make_shared<const CompiledPass>(std::move(*cached));
+    }
+    IncludeResolver resolver(m_State->options, program.file);
+    try
+    {
+        auto pass =
+            std::make_shared<const CompiledPass>(CompileProgram(program, keywords, resolver));
+        ++m_State->compiled;
+        m_State->Remember(resolver.dependencies());
+        m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,
+                             resolver.dependencies());
+        return pass;
+    }
+    catch (...)
+    {
+        // A missing or wrong include is what a person mends next.
+        m_State->Remember(resolver.dependencies());
+        throw;
+    }
+}
+
+std::set<std::filesystem::path> ShaderCompiler::includeFiles() const
+{
+    const std::lock_guard lock(m_State->mutex);
+    return m_State->includeFiles;
+}
+
+ShaderCompiler::Statistics ShaderCompiler::statistics() const
+{
+    return {m_State->compiled, m_State->loadedFromCache};
+}
+
+} // namespace limn

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "hlsl/Tokens.h"
+#include "program/IntegerExpression.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// `[modifiers] type name[dimensions] : SEMANTIC`, of a global, a struct member or a parameter.
+struct HlslVariable
+{
+    std::vector<std::string_view> modifiers;
+    std::string_view type; ///< without template arguments
+    std::string_view templateArgument;
+    std::string_view name;
+    std::vector<std::string_view> dimensions; ///< text between each [ ]
+    std::string_view semantic;
+    std::string_view value;   ///< behind `=`
+    std::size_t token = 0;    ///< index of the name
+    std::size_t endToken = 0; ///< of a uniform: index of the token that ends its declaration
+    // Of a declaration with one name at file scope or in a cbuffer: its tokens, `;` included.
+    std::size_t firstToken = 0;
+    std::size_t lastToken = 0; ///< 0 = the declaration has several names
+    bool isInBuffer = false;   ///< a member of a cbuffer; endToken is the buffer's end
+
+    bool Has(std::string_view modifier) const;
+};
+
+struct HlslStruct
+{
+    std::string_view name;
+    std::vector<HlslVariable> members;
+};
+
+/// `typedef type name;`
+struct HlslAlias
+{
+    std::string_view name;
+    std::string_view type;
+};
+
+struct HlslFunction
+{
+    std::string_view returnType;
+    std::string_view name;
+    std::string_view semantic; ///< of the return value
+    std::vector<HlslVariable> parameters;
+    std::vector<std::string_view> attributes; ///< each with its brackets
+    std::size_t begin = 0;                    ///< first token, attributes included
+    std::size_t end = 0;                      ///< one behind the last token
+    bool hasBody = false;
+};
+
+/// What preprocessed HLSL declares at file scope. All views point into the source.
+struct HlslDeclarations
+{
+    std::vector<HlslStruct> structs;
+    std::vector<HlslFunction> functions;
+    std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
+    std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
+    std::vector<HlslAlias> aliases;
+    std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
+    std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
+    std::vector<std::string_view> methods; ///< names, of all structs
+    IntegerNames constants;                ///< `static const` scalars
+
+    /// The type behind a typedef; other names stay as they are.
+    std::string_view ResolveAlias(std::string_view type) const;
+    const HlslStruct* FindStruct(std::string_view name) const;
+    const HlslFunction* FindDefinition(std::string_view name) const;
+};
+
+HlslDeclarations ReadDeclarations(const std::vector<HlslToken>& tokens);
+
+} // namespace limn

@@ -1,0 +1,189 @@
+#include "hlsl/Preprocessor.h"
+
+#include <limn/shaderlab/MissingIncludeError.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "hlsl/Tokens.h"
+#include "hlsl/rewrites/Spelling.h"
+#include "program/DynamicKeywords.h"
+#include "spirv/GlslangIncluder.h"
+#include "spirv/GlslangLog.h"
+#include "spirv/GlslangSession.h"
+#include "text/Text.h"
+
+#include <glslang/Public/ResourceLimits.h>
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+bool StartsWith(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+void Define(std::string& source, std::string_view name, std::string_view value = "1")
+{
+    source.append("#define ").append(name).append(" ").append(value).append("\n");
+}
+
+std::string AssembleSource(const PassProgram& program, ShaderStage stage,
+                           std::span<const std::string> keywords)
+{
+    std::string source;
+    Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
+                   : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
+                                                    : "SHADER_STAGE_FRAGMENT");
+    Define(source, "SHADER_TARGET", std::to_string(program.target));
+    const auto dynamic = DynamicKeywords(program);
+    for (const std::string& keyword : keywords)
+    {
+        if (dynamic.count(keyword) == 0)
+        {
+            Define(source, keyword);
+        }
+    }
+    source += DeclareDynamicKeywords(program);
+    source += "#include \"limn/Prelude.hlsl\"\n";
+    if (program.language == ProgramLanguage::Cg)
+    {
+        source += "#include \"HLSLSupport.cginc\"\n#include \"UnityShaderVariables.cginc\"\n"
+                  "#include \"UnityShaderUtilities.cginc\"\n";
+    }
+    for (const SourceChunk& chunk : program.chunks)
+    {
+        source += "#line " + std::to_string(chunk.firstLine) + " \"" + program.file + "\"\n";
+        source += TranslateDirectives(chunk.text);
+    }
+    return source;
+}
+
+void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
+{
+    constexpr std::string_view k_Start = "'#include': ";
+    constexpr std::string_view k_Unsaid = "Could not process include directive";
+    constexpr std::string_view k_File = " for header name: ";
+    for (Diagnostic& diagnostic : diagnostics)
+    {
+        const std::string_view message = diagnostic.message;
+        const std::size_t file = message.rfind(k_File);
+        if (!StartsWith(message, k_Start) || file == message.npos)
+        {
+            continue;
+        }
+        const std::string_view reason = message.substr(k_Start.size(), file - k_Start.size());
+        const std::string name = "\"" + std::string(message.substr(file + k_File.size())) + "\"";
+        diagnostic.message =
+            reason == k_Unsaid
+                ? "#include: no such file " + name +
+                      "; it was looked for beside this file, in the project, its packages and the "
+                      "built-in ShaderLibrary"
+                : "#include: " + name + " is " + std::string(reason);
+    }
+}
+
+/// As for Unity's compilers, which take the new meaning, defining a macro anew is no error.
+bool AllowRedefinitions(std::vector<Diagnostic>& diagnostics)
+{
+    bool hasAny = false;
+    for (Diagnostic& diagnostic : diagnostics)
+    {
+        if (StartsWith(diagnostic.message, "'#define': Macro redefined;"))
+        {
+            const std::size_t name = diagnostic.message.rfind(' ') + 1;
+            diagnostic = {Severity::Warning, diagnostic.file, diagnostic.location,
+                          "'" + diagnostic.message.substr(name) +
+                              "': this #define changes its meaning, from here on"};
+            hasAny = true;
+        }
+    }
+    return hasAny;
+}
+
+/// Blanks the pragmas that are left and reports those that stand for `#warning`.
+void TakePragmas(std::string& text, std::vector<Diagnostic>& warnings)
+{
+    for (std::size_t line = 0; line < text.size();)
+    {
+        const std::size_t end = std::min(text.find('\n', line), text.size());
+        const std::string_view trimmed = Trim(std::string_view(text).substr(line, end - line));
+        if (const auto message = ReadWarningPragma(trimmed))
+        {
+            const HlslPlace place = PlaceOf(text, line);
+            warnings.push_back(
+                {Severity::Warning, place.file, place.location, "'#warning': " + *message});
+        }
+        if (StartsWith(trimmed, "#pragma") && trimmed.find("pack_matrix") == trimmed.npos)
+        {
+            text.replace(line, end - line, end - line, ' ');
+        }
+        line = end + 1;
+    }
+}
+
+/// Sorts what glslang says into warnings and what stops the compilation.
+void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& program,
+           bool hasMissing, std::vector<Diagnostic>& warnings)
+{
+    const auto errors = std::stable_partition(diagnostics.begin(), diagnostics.end(),
+                                              [](const Diagnostic& diagnostic)
+                                              { return diagnostic.severity != Severity::Error; });
+    warnings.insert(warnings.end(), diagnostics.begin(), errors);
+    diagnostics.erase(diagnostics.begin(), errors);
+    if (!good && diagnostics.empty())
+    {
+        diagnostics.push_back({Severity::Error, program.file, program.location,
+                               "program: the preprocessor failed without a message"});
+    }
+    if (!diagnostics.empty())
+    {
+        ExplainIncludes(diagnostics);
+        if (hasMissing)
+        {
+            throw MissingIncludeError(std::move(diagnostics));
+        }
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+} // namespace
+
+PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                                std::span<const std::string> keywords, IncludeResolver& resolver,
+                                std::vector<Diagnostic>& warnings)
+{
+    StartGlslang();
+    const std::string source = AssembleSource(program, stage, keywords);
+    const char* const text = source.c_str();
+    const char* const name = program.file.c_str();
+    const int size = static_cast<int>(source.size());
+    glslang::TShader shader(GlslangStage(stage));
+    shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
+    SetEnvironment(shader, stage);
+    GlslangIncluder includer(resolver);
+    std::string result;
+    const bool good = shader.preprocess(GetDefaultResources(), 500, ENoProfile, false, false,
+                                        k_GlslangMessages, &result, includer);
+    if (includer.needsHighDefinition())
+    {
+        throw UnsupportedProgramError(
+            {Severity::Error, program.file, program.location,
+             "program: it is for the High Definition Render Pipeline, which limn does not stand in "
+             "for"});
+    }
+    std::vector<Diagnostic> diagnostics = ReadGlslangLog(shader.getInfoLog(), program.file);
+    const bool isRedefined = AllowRedefinitions(diagnostics);
+    Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
+    TakePragmas(result, warnings);
+    const bool namesStages =
+        includer.namesStages() ||
+        std::any_of(program.chunks.begin(), program.chunks.end(),
+                    [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
+    return {RespellForGlslang(std::move(result), program, warnings), namesStages};
+}
+
+} // namespace limn

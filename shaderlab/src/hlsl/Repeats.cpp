@@ -1,0 +1,76 @@
+#include "hlsl/Repeats.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace limn
+{
+
+namespace
+{
+
+bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
+{
+    return a.type == b.type && a.templateArgument == b.templateArgument &&
+           a.dimensions == b.dimensions;
+}
+
+/// Whether one declaration may go because the other says the same.
+bool isRemovable(const HlslVariable& variable)
+{
+    return !variable.isInBuffer && variable.lastToken > 0;
+}
+
+} // namespace
+
+HlslRepeats FindRepeats(const HlslDeclarations& declarations)
+{
+    HlslRepeats repeats;
+    std::unordered_map<std::string_view, const HlslVariable*> known;
+    const auto compare = [&](const HlslVariable& variable)
+    {
+        const auto [entry, isNew] = known.try_emplace(variable.name, &variable);
+        const HlslVariable*& other = entry->second;
+        if (isNew)
+        {
+            return;
+        }
+        const bool isSame = isSameDeclaration(*other, variable);
+        if (isSame && isRemovable(variable))
+        {
+            repeats.superfluous.push_back(&variable);
+        }
+        else if (isSame && isRemovable(*other))
+        {
+            // A member of a buffer stays: the others count on the buffer's layout.
+            repeats.superfluous.push_back(other);
+            other = &variable;
+        }
+        else if (!variable.isInBuffer)
+        {
+            repeats.redefinitions.push_back(&variable);
+        }
+    };
+    for (const HlslVariable& object : declarations.objects)
+    {
+        compare(object);
+    }
+    for (const HlslVariable& uniform : declarations.uniforms)
+    {
+        compare(uniform);
+    }
+    for (const HlslVariable& uniform : declarations.uniforms)
+    {
+        const bool isOther =
+            declarations.FindStruct(uniform.name) ||
+            std::any_of(declarations.statics.begin(), declarations.statics.end(),
+                        [&](std::string_view name) { return name == uniform.name; });
+        if (isOther && !uniform.isInBuffer)
+        {
+            repeats.redefinitions.push_back(&uniform);
+        }
+    }
+    return repeats;
+}
+
+} // namespace limn

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "hlsl/Declarations.h"
+
+#include <vector>
+
+namespace limn
+{
+
+/// Names that are declared more than once at file scope or in cbuffers.
+struct HlslRepeats
+{
+    /// Equal to another declaration, which is enough. Newer versions of Unity's library declare
+    /// what authors had to declare before, and authors still do.
+    std::vector<const HlslVariable*> superfluous;
+    /// Loose uniforms whose name is something else already. glslang 12 crashes on them.
+    std::vector<const HlslVariable*> redefinitions;
+};
+
+/// Pointers into `declarations`.
+HlslRepeats FindRepeats(const HlslDeclarations& declarations);
+
+} // namespace limn

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "hlsl/Declarations.h"
+#include "stages/EntryPointWriter.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// Preprocessed HLSL, taken apart as far as rewriting needs it.
+struct HlslSource
+{
+    explicit HlslSource(std::string preprocessed);
+    HlslSource(const HlslSource&) = delete;
+    HlslSource& operator=(const HlslSource&) = delete;
+
+    const std::string text;
+    const std::vector<HlslToken> tokens; ///< into text
+    const HlslDeclarations declarations; ///< into text
+};
+
+/// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
+/// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
+///
+/// Functions out of reach have to go because they may use what only the other stage has (ddx,
+/// clip). Line breaks and #line directives stay, so that positions of messages hold.
+///
+/// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
+std::string RewriteStage(const HlslSource& source, ShaderStage stage,
+                         const StageInterface& interface, const StageLinkage& linkage);
+
+} // namespace limn

@@ -1,0 +1,108 @@
+#include "hlsl/Tokens.h"
+
+#include "text/Text.h"
+
+#include <array>
+#include <charconv>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::array<std::string_view, 22> k_Operators = {
+    "<<=", ">>=", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "%=",
+    "&=",  "|=",  "^=", "++", "--", "&&", "||", "<<", ">>", "::", "->"};
+
+std::size_t TokenLength(std::string_view text)
+{
+    std::size_t size = 1;
+    if (isLetter(text[0]))
+    {
+        while (size < text.size() && (isLetter(text[size]) || isDigit(text[size])))
+        {
+            ++size;
+        }
+        return size;
+    }
+    if (isDigit(text[0]) || (text[0] == '.' && text.size() > 1 && isDigit(text[1])))
+    {
+        while (size < text.size() &&
+               (isLetter(text[size]) || isDigit(text[size]) || text[size] == '.' ||
+                ((text[size] == '+' || text[size] == '-') && ToLower(text[size - 1]) == 'e')))
+        {
+            ++size;
+        }
+        return size;
+    }
+    if (text[0] == '"')
+    {
+        return std::min(text.find('"', 1), text.size() - 1) + 1;
+    }
+    for (const std::string_view candidate : k_Operators)
+    {
+        if (text.substr(0, candidate.size()) == candidate)
+        {
+            return candidate.size();
+        }
+    }
+    return size;
+}
+
+} // namespace
+
+std::vector<HlslToken> TokenizeHlsl(std::string_view source)
+{
+    std::vector<HlslToken> tokens;
+    bool lineStart = true;
+    for (std::size_t i = 0; i < source.size();)
+    {
+        if (isBlank(source[i]))
+        {
+            lineStart = lineStart || source[i] == '\n';
+            ++i;
+        }
+        else if (source[i] == '#' && lineStart)
+        {
+            i = std::min(source.find('\n', i), source.size());
+        }
+        else
+        {
+            const std::size_t size = TokenLength(source.substr(i));
+            tokens.push_back({source.substr(i, size), isLetter(source[i])});
+            i += size;
+            lineStart = false;
+        }
+    }
+    return tokens;
+}
+
+HlslPlace PlaceOf(std::string_view source, std::size_t offset)
+{
+    HlslPlace place{"", {1, 0}};
+    for (std::size_t line = 0; line < source.size();)
+    {
+        const std::size_t end = std::min(source.find('\n', line), source.size());
+        if (offset <= end)
+        {
+            return place;
+        }
+        const std::string_view text = Trim(source.substr(line, end - line));
+        ++place.location.line;
+        if (text.substr(0, 6) == "#line ")
+        {
+            const std::string_view rest = text.substr(6);
+            std::from_chars(rest.data(), rest.data() + rest.size(), place.location.line);
+            const std::size_t quote = rest.find('"');
+            if (quote != rest.npos)
+            {
+                place.file = std::string(rest.substr(quote + 1, rest.rfind('"') - quote - 1));
+            }
+        }
+        line = end + 1;
+    }
+    return place;
+}
+
+} // namespace limn

@@ -1,0 +1,141 @@
+#include "hlsl/rewrites/OldForms.h"
+
+#include "hlsl/Editor.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::pair<std::string_view, std::string_view> k_TextureTypes[] = {
+    {"texture", "Texture2D"},   {"Texture", "Texture2D"},       {"texture2D", "Texture2D"},
+    {"texture3D", "Texture3D"}, {"textureCUBE", "TextureCube"},
+};
+
+class OldFormTaker
+{
+public:
+    OldFormTaker(const std::string& text, std::vector<Diagnostic>& warnings)
+        : m_Code(text), m_Warnings(warnings)
+    {
+    }
+
+    std::string Take()
+    {
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
+        {
+            m_Depth += m_Code.Step(i);
+            if (m_Depth == 0)
+            {
+                m_isInConstants = Text(i) != "}" && (m_isInConstants || isConstants(Text(i)));
+            }
+            if (m_Code.isWord(i))
+            {
+                TakeWord(i);
+            }
+        }
+        return m_Code.Assemble();
+    }
+
+private:
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    static bool isConstants(std::string_view word)
+    {
+        return word == "cbuffer" || word == "tbuffer";
+    }
+
+    void TakeWord(std::size_t index)
+    {
+        const std::string_view word = Text(index);
+        if (word == "sampler_state" && index > 1 && Text(index - 1) == "=" &&
+            Text(index + 1) == "{")
+        {
+            TakeState(DeclaredBefore(index), index - 1, index + 1);
+        }
+        else if (word.substr(1, 6) == "ampler" && m_Depth == 0 && m_Code.isWord(index + 1))
+        {
+            TakeSampler(index + 1);
+        }
+        else if (word == "unsigned")
+        {
+            m_Code.Spelling(index) = Text(index + 1) == "int" ? "" : "uint";
+            if (Text(index + 1) == "int")
+            {
+                m_Code.Spelling(index + 1) = "uint";
+            }
+        }
+        else if (word == "row_major" && (m_Depth == 0 || (m_isInConstants && m_Depth == 1)))
+        {
+            m_Code.Spelling(index).clear();
+        }
+        else if (m_Code.isWord(index + 1))
+        {
+            const auto* const type =
+                std::find_if(std::begin(k_TextureTypes), std::end(k_TextureTypes),
+                             [&](const auto& item) { return item.first == word; });
+            if (type != std::end(k_TextureTypes))
+            {
+                m_Code.Spelling(index) = type->second;
+            }
+        }
+    }
+
+    /// `SamplerState name : register(s0) { … }`
+    void TakeSampler(std::size_t name)
+    {
+        std::size_t open = name + 1;
+        if (Text(open) == ":")
+        {
+            open += Text(open + 2) == "(" ? m_Code.AfterBracket(open + 2) - open : 2;
+        }
+        if (Text(open) == "{")
+        {
+            TakeState(name, open, open);
+        }
+    }
+
+    /// The name in `modifiers type name … =` before the token.
+    std::size_t DeclaredBefore(std::size_t index) const
+    {
+        while (index > 0 && Text(index - 1) != ";" && Text(index - 1) != "}")
+        {
+            --index;
+        }
+        while (m_Code.isWord(index + 1))
+        {
+            ++index;
+        }
+        return index;
+    }
+
+    void TakeState(std::size_t name, std::size_t first, std::size_t open)
+    {
+        const HlslPlace place = m_Code.Place(name);
+        m_Warnings.push_back(
+            {Severity::Warning, place.file, place.location,
+             "'" + std::string(Text(name)) +
+                 "': the state written here has no effect; filter and wrap modes come from the "
+                 "texture, or from the name of a SamplerState"});
+        m_Code.Erase(first, m_Code.AfterBracket(open));
+    }
+
+    HlslEditor m_Code;
+    std::vector<Diagnostic>& m_Warnings;
+    int m_Depth = 0; ///< brackets around the token
+    bool m_isInConstants = false;
+};
+
+} // namespace
+
+std::string TakeOldForms(std::string text, std::vector<Diagnostic>& warnings)
+{
+    return OldFormTaker(text, warnings).Take();
+}
+
+} // namespace limn

@@ -1,0 +1,167 @@
+#include "parser/Parser.h"
+
+#include "text/Text.h"
+
+#include <cmath>
+
+namespace limn
+{
+
+namespace
+{
+
+std::optional<int> ColorMaskOf(std::string_view letters)
+{
+    int mask = 0;
+    for (const char letter : letters)
+    {
+        switch (ToLower(letter))
+        {
+        case 'r':
+            mask |= ColorWriteMask::Red;
+            break;
+        case 'g':
+            mask |= ColorWriteMask::Green;
+            break;
+        case 'b':
+            mask |= ColorWriteMask::Blue;
+            break;
+        case 'a':
+            mask |= ColorWriteMask::Alpha;
+            break;
+        default:
+            return std::nullopt;
+        }
+    }
+    return mask;
+}
+
+} // namespace
+
+std::optional<std::size_t> Parser::ParseTargetIndex(std::string_view subject)
+{
+    if (m_Token.kind != TokenKind::Number)
+    {
+        return std::nullopt;
+    }
+    const float number = m_Token.number;
+    const float count = static_cast<float>(m_Scope.state.targets.size());
+    if (number < 0.0f || number >= count || number != std::floor(number))
+    {
+        Error(std::string(subject) + ": target " + std::string(m_Token.text.substr(0, 40)) +
+              " does not exist; a target is 0...7");
+        Advance();
+        return std::nullopt;
+    }
+    Advance();
+    return static_cast<std::size_t>(number);
+}
+
+std::span<PassBlendState> Parser::TargetsOf(std::optional<std::size_t> index)
+{
+    if (!index)
+    {
+        return m_Scope.state.targets;
+    }
+    return std::span(m_Scope.state.targets).subspan(*index, 1);
+}
+
+bool Parser::ParseBlendFactor(StateValue<BlendMode>& target)
+{
+    return ParseEnum<BlendMode>("Blend", k_BlendModes, target);
+}
+
+void Parser::ParseBlend()
+{
+    const auto index = ParseTargetIndex("Blend");
+    PassBlendState blend;
+    if (isWord("Off") || isWord("False"))
+    {
+        Advance();
+    }
+    else
+    {
+        blend.enabled = true;
+        if (!ParseBlendFactor(blend.srcColor) || !ParseBlendFactor(blend.dstColor))
+        {
+            return;
+        }
+        blend.srcAlpha = blend.srcColor;
+        blend.dstAlpha = blend.dstColor;
+        if (Accept(',') && (!ParseBlendFactor(blend.srcAlpha) || !ParseBlendFactor(blend.dstAlpha)))
+        {
+            return;
+        }
+    }
+    for (PassBlendState& target : TargetsOf(index))
+    {
+        target.enabled = blend.enabled;
+        target.srcColor = blend.srcColor;
+        target.dstColor = blend.dstColor;
+        target.srcAlpha = blend.srcAlpha;
+        target.dstAlpha = blend.dstAlpha;
+    }
+}
+
+bool Parser::ParseBlendOperation(StateValue<BlendOp>& target)
+{
+    return ParseEnum<BlendOp>("BlendOp", k_BlendOps, target);
+}
+
+void Parser::ParseBlendOp()
+{
+    const auto index = ParseTargetIndex("BlendOp");
+    StateValue<BlendOp> color;
+    if (!ParseBlendOperation(color))
+    {
+        return;
+    }
+    StateValue<BlendOp> alpha = color;
+    if (Accept(',') && !ParseBlendOperation(alpha))
+    {
+        return;
+    }
+    for (PassBlendState& target : TargetsOf(index))
+    {
+        target.colorOp = color;
+        target.alphaOp = alpha;
+    }
+}
+
+std::optional<StateValue<int>> Parser::ParseMask()
+{
+    if (isPunctuation('['))
+    {
+        const auto property = ParseReference("ColorMask");
+        return property ? std::optional(StateValue<int>::FromProperty(*property)) : std::nullopt;
+    }
+    const bool none = isWord("Off") || isWord("False") ||
+                      (m_Token.kind == TokenKind::Number && m_Token.text == "0");
+    const auto letters = none ? 0 : ColorMaskOf(m_Token.text);
+    if (!letters || (!none && m_Token.kind != TokenKind::Identifier))
+    {
+        Error("ColorMask: " + Found() + " is no mask; write letters of RGBA, 0 or [_Property]");
+        if (!isPunctuation('}') && !isAnyCommand())
+        {
+            Advance();
+        }
+        return std::nullopt;
+    }
+    Advance();
+    return StateValue<int>(*letters);
+}
+
+void Parser::ParseColorMask()
+{
+    const auto mask = ParseMask();
+    if (!mask)
+    {
+        return;
+    }
+    for (PassBlendState& target : TargetsOf(ParseTargetIndex("ColorMask")))
+    {
+        target.writeMask = *mask;
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,253 @@
+#pragma once
+
+#include <limn/shaderlab/ShaderLabParser.h>
+
+#include "document/StateNames.h"
+#include "parser/Lexer.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// Recursive descent over the tokens of one file. Each scope is a table of commands; what no table
+/// knows is reported and skipped. Only Category blocks can be nested without end, so their depth is
+/// limited; everything else that could grow beyond the size of the file is counted.
+class Parser
+{
+public:
+    Parser(std::string_view text, std::string file);
+
+    ShaderLabParseResult Parse();
+
+private:
+    struct Command
+    {
+        std::string_view name;
+        void (Parser::*parse)(); ///< called with the token behind the name
+        bool isRaw = false;      ///< raw text follows: called with the name as the token
+    };
+    using CommandTable = std::vector<Command>;
+
+    /// What a scope hands on to the scopes inside it.
+    struct Scope
+    {
+        RenderState state;
+        ShaderTags tags;
+        int lod = 0;
+        std::vector<LegacyCommand> legacyCommands;
+    };
+
+    // Parser.cpp: tokens and blocks
+    Token Advance();
+    void TakeDirective();
+    bool isWord(std::string_view word) const;
+    bool isPunctuation(char mark) const;
+    bool Accept(char mark);
+    bool Expect(std::string_view subject, char mark);
+    const Command* FindCommand(const CommandTable& table) const;
+    bool isAnyCommand() const;
+    bool isOuterCommand() const;
+    void SkipUnknown();
+    void SkipRestOfCommand();
+    void SkipBraces();
+    void ParseBlock(std::string_view scope, const CommandTable& table);
+    void ParseCommand(const Command& command);
+    void ParseUnknown(std::string_view scope, const CommandTable& table);
+    std::optional<std::string> ParseString(std::string_view subject);
+    std::optional<float> ParseNumber(std::string_view subject);
+    std::optional<std::string> ParseReference(std::string_view subject);
+
+    // ParserReport.cpp: diagnostics and limits
+    std::string Found() const;
+    void Report(Severity severity, SourceLocation location, std::string message);
+    void Error(std::string message);
+    void ReportNotClosed(std::string_view scope, SourceLocation opening);
+    void Stop();
+    bool Count(std::size_t items = 1);
+    bool CountRepeated(std::size_t bytes);
+    void FinishDiagnostics();
+
+    // ParserStructure.cpp: shader, category, sub-shader, pass
+    void ParseFile();
+    void ParseIncludesBeforeShader();
+    void ParseCategory();
+    void ParseSubShader();
+    void ParsePass();
+    void ParseUsePass();
+    void ParseGrabPass();
+    void ParseGrabPassBody(ShaderLabPass& pass);
+    void AddPass(ShaderLabPass pass);
+    void ParseName();
+    void ParseIgnoredName();
+    void ParseFallback();
+    void ParseCustomEditor();
+    void ParsePipelineEditor();
+    void ParseDependency();
+
+    // ParserTags.cpp
+    void ParseTags();
+    void ParseTag(ShaderTags& tags);
+    void CheckTag(const Token& key, const Token& value);
+    void ParseLod();
+    void ParsePackageRequirements();
+
+    // ParserPrograms.cpp
+    std::optional<SourceChunk> ReadChunk(std::string_view endWord);
+    std::optional<PassProgram> ReadProgram();
+    void ParseIncludeBlock();
+    void ParseProgram();
+    void ParseSurface();
+
+    // ParserTables.cpp: which command stands where
+    static const CommandTable& ShaderCommands();
+    static const CommandTable& CategoryCommands();
+    static const CommandTable& SubShaderCommands();
+    static const CommandTable& PassCommands();
+    static const CommandTable& StencilCommands();
+    static void AppendCommonCommands(CommandTable& table);
+    std::string_view PlaceOf(std::string_view word) const;
+
+    // ParserProperties.cpp
+    void ParseProperties();
+    void ParseProperty();
+    bool ParseAttributes(ShaderProperty& property);
+    bool ParsePropertyHead(ShaderProperty& property);
+    bool ParsePropertyType(ShaderProperty& property);
+    bool ParseRangeLimits(ShaderProperty& property);
+    void ParsePropertyDefault(ShaderProperty& property);
+    void ParseNumberDefault(ShaderProperty& property);
+    void ParseVectorDefault(ShaderProperty& property);
+    void ParseTextureDefault(ShaderProperty& property);
+    void ParseTextureMode(ShaderProperty& property);
+    void SkipProperty(int line);
+    void ReportDuplicateProperties();
+
+    // ParserState.cpp, ParserBlend.cpp: fixed-function state into m_Scope.state
+    void ParseCull();
+    void ParseZTest();
+    void ParseZWrite();
+    void ParseZClip();
+    void ParseAlphaToMask();
+    void ParseConservative();
+    void ParseOffset();
+    void ParseBlend();
+    void ParseBlendOp();
+    void ParseColorMask();
+    std::optional<StateValue<int>> ParseMask();
+    std::optional<std::size_t> ParseTargetIndex(std::string_view subject);
+    std::span<PassBlendState> TargetsOf(std::optional<std::size_t> index);
+    bool ParseBool(std::string_view subject, StateValue<bool>& target);
+    bool ParseFloat(std::string_view subject, StateValue<float>& target);
+    bool ParseBlendFactor(StateValue<BlendMode>& target);
+    bool ParseBlendOperation(StateValue<BlendOp>& target);
+    template <typename T>
+    bool ParseEnum(std::string_view subject, std::span<const EnumName<T>> names,
+                   StateValue<T>& target);
+
+    // ParserStencil.cpp
+    void ParseStencil();
+    void ParseStencilRef();
+    void ParseStencilReadMask();
+    void ParseStencilWriteMask();
+    void ParseStencilByte(std::string_view subject, StateValue<int>& target);
+    template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>
+    void ParseStencilCompare();
+    template <StateValue<StencilOp> StencilFaceState::*Field, bool Front, bool Back>
+    void ParseStencilOperation();
+
+    // ParserLegacy.cpp: fixed-function lighting and texturing, kept as text in m_Legacy
+    void ParseLegacySwitch();
+    void ParseLegacyColor();
+    void ParseLegacyBlock();
+    void ParseColorMaterial();
+    void ParseAlphaTest();
+    void ParseBind();
+    void ParseFogMode();
+    void ParseFogRange();
+    void ParseLegacyNumberField();
+    void ParseLegacyColorField();
+    void ParseSetTexture();
+    void ParseMatrix();
+    void ParseCombine();
+    bool AppendCombineSource();
+    bool AppendCombination();
+    bool AppendNumber();
+    bool AppendColor();
+    bool AppendReference();
+    template <typename T>
+    bool AppendName(std::span<const EnumName<T>> names);
+    bool AppendLerpFactor();
+    void AddLegacy(SourceLocation location, bool isGood);
+    void NoteLegacyCommands(const ShaderLabPass& pass);
+    static const CommandTable& LegacyBlockCommands(std::string_view command);
+
+    Lexer m_Lexer;
+    Token m_Token;
+    SourceLocation m_Command; ///< of the command word being parsed
+    std::string_view m_Word;  ///< the command word being parsed, as the tables spell it
+    bool m_ReportedEnd = false;
+    int m_FailedLine = 0; ///< line of an error in the command being parsed; 0 = none so far
+    std::array<std::size_t, 3> m_Reported{}; ///< by severity
+    std::size_t m_Items = 0;
+    bool m_IsStopped = false;
+    std::vector<const CommandTable*> m_Tables;          ///< of the scopes around the current place
+    std::array<std::vector<SourceChunk>, 3> m_Includes; ///< by ProgramLanguage, of the file so far
+    std::size_t m_RepeatedBytes = 0; ///< of what inner scopes were handed copies of
+    int m_CategoryDepth = 0;
+    Scope m_Scope;
+    ShaderLabSubShader* m_SubShader = nullptr;
+    ShaderLabPass* m_Pass = nullptr;
+    std::string m_Legacy; ///< the legacy command being parsed, canonical
+    SourceLocation m_NotedLegacy;
+    ShaderLabParseResult m_Result;
+};
+
+template <typename T>
+bool Parser::ParseEnum(std::string_view subject, std::span<const EnumName<T>> names,
+                       StateValue<T>& target)
+{
+    if (isPunctuation('['))
+    {
+        const auto property = ParseReference(subject);
+        if (property)
+        {
+            target = StateValue<T>::FromProperty(*property);
+        }
+        return property.has_value();
+    }
+    for (const EnumName<T>& name : names)
+    {
+        if (isWord(name.name))
+        {
+            target = name.value;
+            Advance();
+            return true;
+        }
+    }
+    if (m_Token.kind != TokenKind::Identifier || isAnyCommand())
+    {
+        Error(std::string(subject) + ": value is missing before " + Found() +
+              "; write a name or [_Property]");
+        if (m_Token.kind == TokenKind::Number)
+        {
+            Advance();
+        }
+        return false;
+    }
+    std::vector<std::string_view> known;
+    for (const EnumName<T>& name : names)
+    {
+        known.push_back(name.name);
+    }
+    Error(std::string(subject) + ": unknown value " + UnknownName(m_Token.text, known));
+    Advance();
+    return false;
+}
+
+} // namespace limn

@@ -1,0 +1,161 @@
+#include "parser/Parser.h"
+
+#include "hlsl/Lines.h"
+#include "program/PragmaScanner.h"
+#include "text/Text.h"
+
+namespace limn
+{
+
+namespace
+{
+
+/// Of the block that `word` opens.
+ProgramLanguage LanguageOf(std::string_view word)
+{
+    return word.substr(0, 2) == "CG"     ? ProgramLanguage::Cg
+           : word.substr(0, 4) == "HLSL" ? ProgramLanguage::Hlsl
+                                         : ProgramLanguage::Glsl;
+}
+
+std::string_view EndWordOf(ProgramLanguage language)
+{
+    static constexpr std::string_view k_Words[] = {"ENDHLSL", "ENDCG", "ENDGLSL"};
+    return k_Words[static_cast<std::size_t>(language)];
+}
+
+bool EndsInComment(std::string_view text)
+{
+    const std::size_t last = text.rfind("/*");
+    if (last == text.npos || text.find("*/", last + 2) != text.npos)
+    {
+        return false; // as nearly always
+    }
+    HlslLines lines(text, 1);
+    std::string line;
+    int number = 0;
+    while (lines.Next(line, number))
+    {
+    }
+    return lines.endsInComment();
+}
+
+std::size_t SizeOf(const std::vector<SourceChunk>& chunks)
+{
+    std::size_t size = 0;
+    for (const SourceChunk& chunk : chunks)
+    {
+        size += chunk.text.size();
+    }
+    return size;
+}
+
+} // namespace
+
+std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
+{
+    const SourceLocation location = m_Command;
+    SourceChunk chunk;
+    chunk.firstLine = m_Lexer.line();
+    const RawBlock block = m_Lexer.ReadBlock(endWord);
+    const std::string subject(m_Word);
+    if (block.endWord.empty())
+    {
+        Report(Severity::Error, location,
+               subject + ": no " + std::string(endWord) + " closes this block");
+        Stop();
+        return std::nullopt;
+    }
+    if (!EqualsIgnoringCase(block.endWord, endWord))
+    {
+        Report(Severity::Error, location,
+               subject + ": " + std::string(block.endWord) + " stands at its end; write " +
+                   std::string(endWord));
+    }
+    else if (block.inComment)
+    {
+        Report(Severity::Warning, location,
+               subject + ": the " + std::string(endWord) +
+                   " that closes it stands in a comment; put it on a line of its own");
+    }
+    else if (!block.opener.empty())
+    {
+        Report(Severity::Warning, location,
+               subject + ": '" + std::string(block.opener) + "' stands inside it; is an " +
+                   std::string(endWord) + " missing before that?");
+    }
+    chunk.text = std::string(block.text);
+    if (EndsInComment(chunk.text))
+    {
+        Report(Severity::Warning, location,
+               subject + ": a comment in it is not closed; write */ before " +
+                   std::string(endWord));
+    }
+    Advance();
+    return chunk;
+}
+
+void Parser::ParseIncludeBlock()
+{
+    const ProgramLanguage language = LanguageOf(m_Word);
+    if (auto chunk = ReadChunk(EndWordOf(language)); chunk && Count())
+    {
+        m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
+    }
+}
+
+/// The program that starts here, behind all include blocks of its language that the file has so
+/// far.
+std::optional<PassProgram> Parser::ReadProgram()
+{
+    PassProgram program;
+    program.location = m_Command;
+    program.language = LanguageOf(m_Word);
+    auto chunk = ReadChunk(EndWordOf(program.language));
+    const std::vector<SourceChunk>& includes =
+        m_Includes[static_cast<std::size_t>(program.language)];
+    if (!chunk || !CountRepeated(SizeOf(includes)) || !Count(includes.size()))
+    {
+        return std::nullopt;
+    }
+    program.file = m_Result.document.file;
+    program.chunks = includes;
+    program.chunks.push_back(std::move(*chunk));
+    ScanPragmas(program);
+    return program;
+}
+
+void Parser::ParseProgram()
+{
+    const SourceLocation location = m_Command;
+    auto program = ReadProgram();
+    if (program && m_Pass->program)
+    {
+        Report(Severity::Error, location, "Pass: it has a program already; start another Pass");
+    }
+    else if (program)
+    {
+        m_Pass->program = std::move(program);
+    }
+}
+
+void Parser::ParseSurface()
+{
+    ShaderLabPass pass;
+    pass.location = m_Command;
+    pass.isSurface = true;
+    const std::string subject(m_Word);
+    pass.program = ReadProgram();
+    if (!pass.program)
+    {
+        return;
+    }
+    Report(Severity::Warning, pass.location,
+           subject + ": a program outside a Pass is a surface shader, which limn does not compile; "
+                     "write a Pass with a vertex and a fragment function");
+    pass.state = m_Scope.state;
+    pass.legacyCommands = m_Scope.legacyCommands;
+    AddPass(std::move(pass));
+}
+
+} // namespace limn

@@ -1,0 +1,170 @@
+#include "parser/Parser.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_MaxShown = 100;     ///< diagnostics of a severity
+constexpr std::size_t k_MaxErrors = 10000;  ///< no more of the file is read then
+constexpr std::size_t k_MaxItems = 1 << 20; ///< that a document is made of
+constexpr std::size_t k_MaxRepeatedBytes = 256 << 20;
+constexpr std::size_t k_MaxFound = 40; ///< bytes of the file that a message quotes
+
+std::string_view SeverityNoun(Severity severity)
+{
+    switch (severity)
+    {
+    case Severity::Error:
+        return "errors";
+    case Severity::Warning:
+        return "warnings";
+    case Severity::Note:
+        return "notes";
+    }
+    throw ContractError("Severity: unknown value");
+}
+
+/// Text of the file that a message can show: short, and without what a terminal cannot.
+std::string Shown(std::string_view text)
+{
+    static constexpr char k_Digits[] = "0123456789ABCDEF";
+    std::string shown;
+    for (const char c : text.substr(0, k_MaxFound))
+    {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7F)
+        {
+            shown += c;
+        }
+        else
+        {
+            shown += {'\\', 'x', k_Digits[byte / 16], k_Digits[byte % 16]};
+        }
+    }
+    return shown + (text.size() > k_MaxFound ? "..." : "");
+}
+
+} // namespace
+
+std::string Parser::Found() const
+{
+    switch (m_Token.kind)
+    {
+    case TokenKind::End:
+        return "the end of the file";
+    case TokenKind::String:
+        return "\"" + Shown(m_Token.text) + "\"";
+    default:
+        return "'" + Shown(m_Token.text) + "'";
+    }
+}
+
+void Parser::Report(Severity severity, SourceLocation location, std::string message)
+{
+    std::size_t& count = m_Reported[static_cast<std::size_t>(severity)];
+    if (++count <= k_MaxShown)
+    {
+        m_Result.diagnostics.push_back(
+            {severity, m_Result.document.file, location, std::move(message)});
+    }
+    if (severity == Severity::Error && count == k_MaxErrors)
+    {
+        Stop();
+    }
+}
+
+void Parser::Error(std::string message)
+{
+    // A file that breaks off is one mistake, however many scopes were open.
+    if (m_Token.kind == TokenKind::End && m_ReportedEnd)
+    {
+        return;
+    }
+    // What is wrong at one place is said once: the first message knows most of what was meant.
+    const std::vector<Diagnostic>& said = m_Result.diagnostics;
+    if (!said.empty() && said.back().severity == Severity::Error &&
+        said.back().location == m_Token.location)
+    {
+        return;
+    }
+    m_ReportedEnd = m_Token.kind == TokenKind::End;
+    m_FailedLine = m_Token.location.line;
+    Report(Severity::Error, m_Token.location, std::move(message));
+}
+
+void Parser::ReportNotClosed(std::string_view scope, SourceLocation opening)
+{
+    Error(std::string(scope) + ": '{' of line " + std::to_string(opening.line) +
+          " is never closed; add '}'");
+}
+
+/// Reads no more of the file; the scopes that are open end without a word.
+void Parser::Stop()
+{
+    m_IsStopped = true;
+    m_ReportedEnd = true;
+    m_Lexer.SkipToEnd();
+    m_Token.kind = TokenKind::End;
+    m_Token.text = {};
+}
+
+/// Whether the document may have this many parts more; otherwise the file is given up.
+bool Parser::Count(std::size_t items)
+{
+    m_Items += items;
+    if (m_Items > k_MaxItems && !m_IsStopped)
+    {
+        Report(Severity::Error, m_Token.location,
+               "file: it declares more than limn can hold (" + std::to_string(k_MaxItems) +
+                   " properties, attributes, tags and commands; a pass counts as 16)");
+        Stop();
+    }
+    return m_Items <= k_MaxItems;
+}
+
+/// Whether inner scopes may be handed so many bytes of what stands around them, again and again.
+/// It is the one way in which a document can become much larger than its file.
+bool Parser::CountRepeated(std::size_t bytes)
+{
+    m_RepeatedBytes += bytes;
+    if (m_RepeatedBytes > k_MaxRepeatedBytes && !m_IsStopped)
+    {
+        Report(Severity::Error, m_Command,
+               "file: its include blocks, tags and commands, copied into every pass that they hold "
+               "for, have more than " +
+                   std::to_string(k_MaxRepeatedBytes) + " bytes; move common code to a file");
+        Stop();
+    }
+    return m_RepeatedBytes <= k_MaxRepeatedBytes;
+}
+
+void Parser::FinishDiagnostics()
+{
+    std::vector<Diagnostic>& diagnostics = m_Result.diagnostics;
+    const auto isBefore = [](const Diagnostic& a, const Diagnostic& b)
+    {
+        return a.location.line != b.location.line ? a.location.line < b.location.line
+                                                  : a.location.column < b.location.column;
+    };
+    std::stable_sort(diagnostics.begin(), diagnostics.end(), isBefore);
+    for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note})
+    {
+        const std::size_t count = m_Reported[static_cast<std::size_t>(severity)];
+        if (count > k_MaxShown)
+        {
+            const bool isOpen = severity == Severity::Error && count >= k_MaxErrors;
+            diagnostics.push_back({severity,
+                                   m_Result.document.file,
+                                   {},
+                                   "file: " + std::string(isOpen ? "at least " : "") +
+                                       std::to_string(count - k_MaxShown) + " more " +
+                                       std::string(SeverityNoun(severity)) + " are not shown"});
+        }
+    }
+}
+
+} // namespace limn

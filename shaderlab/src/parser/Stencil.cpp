@@ -1,0 +1,100 @@
+#include "parser/Parser.h"
+
+namespace limn
+{
+
+const Parser::CommandTable& Parser::StencilCommands()
+{
+    using Face = StencilFaceState;
+    static const CommandTable table = {
+        {"Ref", &Parser::ParseStencilRef},
+        {"ReadMask", &Parser::ParseStencilReadMask},
+        {"WriteMask", &Parser::ParseStencilWriteMask},
+        {"Comp", &Parser::ParseStencilCompare<&Face::compare, true, true>},
+        {"CompFront", &Parser::ParseStencilCompare<&Face::compare, true, false>},
+        {"CompBack", &Parser::ParseStencilCompare<&Face::compare, false, true>},
+        {"Pass", &Parser::ParseStencilOperation<&Face::pass, true, true>},
+        {"PassFront", &Parser::ParseStencilOperation<&Face::pass, true, false>},
+        {"PassBack", &Parser::ParseStencilOperation<&Face::pass, false, true>},
+        {"Fail", &Parser::ParseStencilOperation<&Face::fail, true, true>},
+        {"FailFront", &Parser::ParseStencilOperation<&Face::fail, true, false>},
+        {"FailBack", &Parser::ParseStencilOperation<&Face::fail, false, true>},
+        {"ZFail", &Parser::ParseStencilOperation<&Face::zFail, true, true>},
+        {"ZFailFront", &Parser::ParseStencilOperation<&Face::zFail, true, false>},
+        {"ZFailBack", &Parser::ParseStencilOperation<&Face::zFail, false, true>},
+    };
+    return table;
+}
+
+void Parser::ParseStencil()
+{
+    // A block replaces what an outer scope set: fields it does not name have their defaults.
+    m_Scope.state.stencil = PassStencilState{};
+    m_Scope.state.stencil.enabled = true;
+    ParseBlock("Stencil", StencilCommands());
+}
+
+void Parser::ParseStencilRef()
+{
+    ParseStencilByte("Ref", m_Scope.state.stencil.reference);
+}
+
+void Parser::ParseStencilReadMask()
+{
+    ParseStencilByte("ReadMask", m_Scope.state.stencil.readMask);
+}
+
+void Parser::ParseStencilWriteMask()
+{
+    ParseStencilByte("WriteMask", m_Scope.state.stencil.writeMask);
+}
+
+void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
+{
+    if (isPunctuation('['))
+    {
+        const auto property = ParseReference(subject);
+        target = property ? StateValue<int>::FromProperty(*property) : target;
+        return;
+    }
+    const Token token = m_Token;
+    const auto number = ParseNumber(subject);
+    if (!number)
+    {
+        return;
+    }
+    if (*number < 0.0f || *number > 255.0f)
+    {
+        Report(Severity::Error, token.location,
+               std::string(subject) + ": " + std::string(token.text) +
+                   " does not fit into 8 bits; write 0...255");
+        return;
+    }
+    target = static_cast<int>(*number);
+}
+
+template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>
+void Parser::ParseStencilCompare()
+{
+    StateValue<CompareFunction> value;
+    if (ParseEnum<CompareFunction>(m_Word, k_CompareFunctions, value))
+    {
+        PassStencilState& stencil = m_Scope.state.stencil;
+        stencil.front.*Field = Front ? value : stencil.front.*Field;
+        stencil.back.*Field = Back ? value : stencil.back.*Field;
+    }
+}
+
+template <StateValue<StencilOp> StencilFaceState::*Field, bool Front, bool Back>
+void Parser::ParseStencilOperation()
+{
+    StateValue<StencilOp> value;
+    if (ParseEnum<StencilOp>(m_Word, k_StencilOps, value))
+    {
+        PassStencilState& stencil = m_Scope.state.stencil;
+        stencil.front.*Field = Front ? value : stencil.front.*Field;
+        stencil.back.*Field = Back ? value : stencil.back.*Field;
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,145 @@
+#include "parser/Parser.h"
+
+#include "text/Text.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+template <typename Table>
+bool Knows(const Table& table, std::string_view word)
+{
+    return std::any_of(table.begin(), table.end(),
+                       [&](const auto& command) { return EqualsIgnoringCase(command.name, word); });
+}
+
+} // namespace
+
+const Parser::CommandTable& Parser::ShaderCommands()
+{
+    static const CommandTable table = {
+        {"Properties", &Parser::ParseProperties},
+        {"SubShader", &Parser::ParseSubShader},
+        {"Category", &Parser::ParseCategory},
+        {"Fallback", &Parser::ParseFallback},
+        {"CustomEditor", &Parser::ParseCustomEditor},
+        {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
+        {"Dependency", &Parser::ParseDependency},
+        {"HLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"CGINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+    };
+    return table;
+}
+
+const Parser::CommandTable& Parser::CategoryCommands()
+{
+    static const CommandTable table = []
+    {
+        CommandTable commands = {
+            {"SubShader", &Parser::ParseSubShader},
+            {"Category", &Parser::ParseCategory},
+            {"Tags", &Parser::ParseTags},
+            {"LOD", &Parser::ParseLod},
+            {"Fallback", &Parser::ParseFallback},
+            {"CustomEditor", &Parser::ParseCustomEditor},
+            {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
+            {"Dependency", &Parser::ParseDependency},
+        };
+        AppendCommonCommands(commands);
+        return commands;
+    }();
+    return table;
+}
+
+const Parser::CommandTable& Parser::SubShaderCommands()
+{
+    static const CommandTable table = []
+    {
+        CommandTable commands = {
+            {"Pass", &Parser::ParsePass},
+            {"Tags", &Parser::ParseTags},
+            {"LOD", &Parser::ParseLod},
+            {"Name", &Parser::ParseIgnoredName},
+            {"UsePass", &Parser::ParseUsePass},
+            {"GrabPass", &Parser::ParseGrabPass},
+            {"PackageRequirements", &Parser::ParsePackageRequirements},
+            {"HLSLPROGRAM", &Parser::ParseSurface, true},
+            {"CGPROGRAM", &Parser::ParseSurface, true},
+            {"GLSLPROGRAM", &Parser::ParseSurface, true},
+        };
+        AppendCommonCommands(commands);
+        return commands;
+    }();
+    return table;
+}
+
+const Parser::CommandTable& Parser::PassCommands()
+{
+    static const CommandTable table = []
+    {
+        CommandTable commands = {
+            {"Name", &Parser::ParseName},
+            {"Tags", &Parser::ParseTags},
+            {"LOD", &Parser::ParseLod},
+            {"PackageRequirements", &Parser::ParsePackageRequirements},
+            {"HLSLPROGRAM", &Parser::ParseProgram, true},
+            {"CGPROGRAM", &Parser::ParseProgram, true},
+            {"GLSLPROGRAM", &Parser::ParseProgram, true},
+            {"SetTexture", &Parser::ParseSetTexture},
+        };
+        AppendCommonCommands(commands);
+        return commands;
+    }();
+    return table;
+}
+
+/// State, legacy state and include blocks may stand in every scope from Category to Pass.
+void Parser::AppendCommonCommands(CommandTable& table)
+{
+    const CommandTable common = {
+        {"Cull", &Parser::ParseCull},
+        {"ZTest", &Parser::ParseZTest},
+        {"ZWrite", &Parser::ParseZWrite},
+        {"ZClip", &Parser::ParseZClip},
+        {"Offset", &Parser::ParseOffset},
+        {"Blend", &Parser::ParseBlend},
+        {"BlendOp", &Parser::ParseBlendOp},
+        {"ColorMask", &Parser::ParseColorMask},
+        {"AlphaToMask", &Parser::ParseAlphaToMask},
+        {"Conservative", &Parser::ParseConservative},
+        {"Stencil", &Parser::ParseStencil},
+        {"Lighting", &Parser::ParseLegacySwitch},
+        {"SeparateSpecular", &Parser::ParseLegacySwitch},
+        {"ColorMaterial", &Parser::ParseColorMaterial},
+        {"Color", &Parser::ParseLegacyColor},
+        {"Material", &Parser::ParseLegacyBlock},
+        {"Fog", &Parser::ParseLegacyBlock},
+        {"AlphaTest", &Parser::ParseAlphaTest},
+        {"BindChannels", &Parser::ParseLegacyBlock},
+        {"HLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"CGINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+    };
+    table.insert(table.end(), common.begin(), common.end());
+}
+
+/// Where a command belongs that the current scope does not know; "" if it is none at all.
+std::string_view Parser::PlaceOf(std::string_view word) const
+{
+    if (Knows(PassCommands(), word))
+    {
+        return "a Pass";
+    }
+    if (Knows(SubShaderCommands(), word))
+    {
+        return "a SubShader";
+    }
+    return Knows(StencilCommands(), word) ? "a Stencil block" : "";
+}
+
+} // namespace limn

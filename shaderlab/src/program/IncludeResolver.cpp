@@ -1,0 +1,273 @@
+#include "program/IncludeResolver.h"
+
+#include "text/Text.h"
+#include "text/TextFile.h"
+
+#include <limn/shaderlab/EmbeddedFile.h>
+
+#include <algorithm>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace limn
+{
+
+namespace embedded
+{
+std::span<const EmbeddedFile> ShaderLibrary();
+}
+
+namespace
+{
+
+const EmbeddedFile* FindEmbedded(std::string_view path)
+{
+    for (const EmbeddedFile& file : embedded::ShaderLibrary())
+    {
+        if (EqualsIgnoringCase(file.path, path))
+        {
+            return &file;
+        }
+    }
+    return nullptr;
+}
+
+/// The path with each part spelt as the disk has it, where one differs in case only.
+std::optional<std::filesystem::path> FindIgnoringCase(const std::filesystem::path& path)
+{
+    std::filesystem::path found;
+    for (const std::filesystem::path& part : path)
+    {
+        std::error_code error;
+        if (std::filesystem::exists(found / part, error))
+        {
+            found /= part;
+            continue;
+        }
+        std::string match;
+        const std::filesystem::path folder = found.empty() ? "." : found;
+        for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error))
+        {
+            const std::string name = entry->path().filename().string();
+            const bool isMatch = EqualsIgnoringCase(name, part.string());
+            match = isMatch && (match.empty() || name < match) ? name : match;
+        }
+        if (match.empty())
+        {
+            return std::nullopt;
+        }
+        found /= match;
+    }
+    return found;
+}
+
+/// The folder that holds the `Assets` or `Packages` folder the file lies in.
+std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path& file)
+{
+    std::filesystem::path folder;
+    for (const std::filesystem::path& part : file)
+    {
+        if (part == "Assets" || part == "Packages")
+        {
+            return folder;
+        }
+        folder /= part;
+    }
+    return std::nullopt;
+}
+
+bool isAbsolute(std::string_view path)
+{
+    const bool hasDrive = path.size() > 1 && isLetter(path[0]) && path[1] == ':';
+    return hasDrive || path.substr(0, 1) == "/";
+}
+
+bool StartsWith(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+} // namespace
+
+std::uint64_t HashContent(std::string_view text)
+{
+    const std::uint64_t hash = XXH3_64bits(text.data(), text.size());
+    return hash == 0 ? 1 : hash; // 0 stands for an absent file
+}
+
+std::uint64_t HashFile(const std::string& path)
+{
+    const auto text = ReadTextFile(path);
+    return text ? HashContent(*text) : 0;
+}
+
+std::uint64_t HashLibrary()
+{
+    static const std::uint64_t hash = []
+    {
+        std::string all;
+        for (const EmbeddedFile& file : embedded::ShaderLibrary())
+        {
+            all.append(file.path).append(1, '\0').append(file.text).append(1, '\0');
+        }
+        return HashContent(all);
+    }();
+    return hash;
+}
+
+IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
+                                 const std::string& shaderFile)
+    : m_Options(options)
+{
+    const std::filesystem::path file = std::filesystem::absolute(shaderFile);
+    std::vector<std::filesystem::path> roots = options.includeFolders;
+    roots.push_back(options.projectRoot.empty() ? std::filesystem::current_path()
+                                                : options.projectRoot);
+    roots.push_back(file.parent_path());
+    m_UnityProject = UnityProjectOf(file);
+    if (m_UnityProject)
+    {
+        roots.push_back(*m_UnityProject);
+    }
+    for (const auto& [name, folder] : options.packages)
+    {
+        roots.push_back(folder);
+    }
+    for (const std::filesystem::path& root : roots)
+    {
+        std::error_code error;
+        m_Roots.push_back(std::filesystem::weakly_canonical(root, error));
+    }
+}
+
+std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
+                                                  std::string_view includer)
+{
+    m_Refusal.clear();
+    std::string path(include.substr(0, include.find('\0')));
+    std::replace(path.begin(), path.end(), '\\', '/');
+    if (isAbsolute(path))
+    {
+        m_Refusal = "an absolute path; write it from this file or from the project's folder";
+        return std::nullopt;
+    }
+    const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
+    const std::string beside = (folder / path).lexically_normal().generic_string();
+    const EmbeddedFile* embedded = FindEmbedded(includer) ? FindEmbedded(beside) : nullptr;
+    if (embedded)
+    {
+        return IncludedFile{std::string(embedded->path), std::string(embedded->text)};
+    }
+    const auto candidates = Candidates(path, std::string(includer));
+    for (const std::filesystem::path& candidate : candidates)
+    {
+        if (auto file = ReadFromDisk(candidate))
+        {
+            return file;
+        }
+    }
+    for (const std::string& name : {path, "CGIncludes/" + path})
+    {
+        if (const EmbeddedFile* file = FindEmbedded(name))
+        {
+            return IncludedFile{std::string(file->path), std::string(file->text)};
+        }
+    }
+    // Last, because it lists folders.
+    for (const std::filesystem::path& candidate : candidates)
+    {
+        const auto spelt = FindIgnoringCase(candidate);
+        if (auto file = spelt ? ReadFromDisk(*spelt) : std::nullopt)
+        {
+            return file;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
+{
+    const EmbeddedFile* embedded = FindEmbedded(name);
+    return embedded ? IncludedFile{name, std::string(embedded->text)} : ReadFromDisk(name);
+}
+
+std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string& include,
+                                                               const std::string& includer) const
+{
+    std::vector<std::filesystem::path> candidates;
+    if (!FindEmbedded(includer))
+    {
+        candidates.push_back(std::filesystem::path(includer).parent_path() / include);
+    }
+    if (StartsWith(include, "Packages/"))
+    {
+        const std::size_t nameStart = std::string_view("Packages/").size();
+        const std::size_t nameEnd = std::min(include.find('/', nameStart), include.size());
+        const auto package =
+            m_Options.packages.find(include.substr(nameStart, nameEnd - nameStart));
+        if (package != m_Options.packages.end() && nameEnd < include.size())
+        {
+            candidates.push_back(package->second / include.substr(nameEnd + 1));
+        }
+    }
+    candidates.push_back(m_Options.projectRoot / include);
+    if (m_UnityProject)
+    {
+        candidates.push_back(*m_UnityProject / include);
+    }
+    for (std::filesystem::path& candidate : candidates)
+    {
+        candidate = candidate.lexically_normal();
+    }
+    return candidates;
+}
+
+bool IncludeResolver::isAllowed(const std::filesystem::path& path) const
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+    return std::any_of(
+        m_Roots.begin(), m_Roots.end(),
+        [&](const std::filesystem::path& root) {
+            return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
+                   root.end();
+        });
+}
+
+std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem::path& path)
+{
+    constexpr std::uintmax_t k_MaximumSize = 64 << 20;
+    const std::string name = path.generic_string();
+    std::error_code error;
+    std::optional<std::string> text;
+    if (std::filesystem::is_regular_file(path, error))
+    {
+        if (!isAllowed(path))
+        {
+            m_Refusal = "outside the folders that includes may lie in; move it into the project";
+        }
+        else if (std::filesystem::file_size(path, error) > k_MaximumSize)
+        {
+            m_Refusal = "larger than 64 MB; split it";
+        }
+        else
+        {
+            text = ReadTextFile(path);
+        }
+    }
+    const IncludeDependency dependency{name, text ? HashContent(*text) : 0};
+    if (std::find(m_Dependencies.begin(), m_Dependencies.end(), dependency) == m_Dependencies.end())
+    {
+        m_Dependencies.push_back(dependency);
+    }
+    if (!text)
+    {
+        return std::nullopt;
+    }
+    m_Refusal.clear();
+    return IncludedFile{name, std::move(*text)};
+}
+
+} // namespace limn

@@ -1,0 +1,249 @@
+#include "spirv/GlslangIncluder.h"
+
+#include "text/Text.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_MaximumDepth = 64;
+constexpr std::size_t k_MaximumCount = 10'000;
+constexpr std::size_t k_MaximumTotal = std::size_t{256} << 20;
+
+bool StartsWith(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+/// What follows the name if the line is the directive `name`; blanks may stand around the `#`.
+std::optional<std::string_view> BehindDirective(std::string_view line, std::string_view name)
+{
+    line = Trim(line);
+    if (!StartsWith(line, "#"))
+    {
+        return std::nullopt;
+    }
+    line = Trim(line.substr(1));
+    const bool isName =
+        StartsWith(line, name) && (line.size() == name.size() || !isLetter(line[name.size()]));
+    return isName ? std::optional(line.substr(name.size())) : std::nullopt;
+}
+
+bool Continues(std::string_view line)
+{
+    return !Trim(line).empty() && Trim(line).back() == '\\';
+}
+
+std::string_view WithoutByteOrderMark(std::string_view text)
+{
+    constexpr std::string_view k_ByteOrderMark = "\xEF\xBB\xBF";
+    while (StartsWith(text, k_ByteOrderMark))
+    {
+        text.remove_prefix(k_ByteOrderMark.size());
+    }
+    return text;
+}
+
+bool HasPragmaOnce(std::string_view text)
+{
+    text = WithoutByteOrderMark(text);
+    for (std::size_t at = text.find("once"); at != text.npos; at = text.find("once", at + 1))
+    {
+        const std::size_t start = text.rfind('\n', at);
+        const std::string_view line = text.substr(start == text.npos ? 0 : start + 1);
+        const auto pragma = BehindDirective(line.substr(0, line.find('\n')), "pragma");
+        if (pragma && StartsWith(Trim(*pragma), "once"))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The preprocessor takes the blanks out of a pragma, so that the message is one word: two letters a
+// byte.
+constexpr std::string_view k_WarningPragma = "#pragma limn_warning_";
+
+std::string WriteWarningPragma(std::string_view message)
+{
+    constexpr std::size_t k_LongestMessage = 400; // glslang's words have up to 1024 letters
+    std::string line(k_WarningPragma);
+    for (const char c : message.substr(0, k_LongestMessage))
+    {
+        const int byte = static_cast<unsigned char>(c);
+        line += static_cast<char>('a' + byte / 16);
+        line += static_cast<char>('a' + byte % 16);
+    }
+    return line;
+}
+
+/// A line as glslang is to see it; "" drops it and what continues it.
+std::string TranslateLine(std::string_view line)
+{
+    if (const auto file = BehindDirective(line, "include_with_pragmas"))
+    {
+        return "#include" + std::string(*file);
+    }
+    if (const auto warning = BehindDirective(line, "warning"))
+    {
+        return WriteWarningPragma(Trim(*warning));
+    }
+    if (const auto pragma = BehindDirective(line, "pragma"))
+    {
+        // The pragmas are Unity's; matrix packing alone is the compiler's business. Real files
+        // contain `#pragma x#define y`, a line break forgotten.
+        const std::size_t glued = pragma->find('#');
+        const bool isPacking = StartsWith(Trim(*pragma), "pack_matrix");
+        return isPacking               ? std::string(line)
+               : glued != pragma->npos ? std::string(pragma->substr(glued))
+                                       : "";
+    }
+    return std::string(line);
+}
+
+} // namespace
+
+std::string TranslateDirectives(std::string_view text)
+{
+    text = WithoutByteOrderMark(text);
+    std::string result;
+    result.reserve(text.size() + 1);
+    bool isDropped = false; // the line before goes on in this one, and it was a pragma
+    while (!text.empty())
+    {
+        const std::size_t size = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, size);
+        const bool isDirective = line.find('#') != line.npos;
+        const std::string translated = isDropped     ? ""
+                                       : isDirective ? TranslateLine(line)
+                                                     : std::string(line);
+        isDropped = translated.empty() && Continues(line);
+        result.append(translated);
+        result += '\n';
+        text.remove_prefix(std::min(size + 1, text.size()));
+    }
+    return result;
+}
+
+std::optional<std::string> ReadWarningPragma(std::string_view line)
+{
+    line = Trim(line);
+    if (!StartsWith(line, k_WarningPragma))
+    {
+        return std::nullopt;
+    }
+    std::string message;
+    line.remove_prefix(k_WarningPragma.size());
+    for (; line.size() > 1; line.remove_prefix(2))
+    {
+        message += static_cast<char>((line[0] - 'a') * 16 + (line[1] - 'a'));
+    }
+    return message;
+}
+
+bool NamesStages(std::string_view text)
+{
+    return text.find("SHADER_STAGE_") != text.npos;
+}
+
+glslang::TShader::Includer::IncludeResult*
+GlslangIncluder::includeLocal(const char* header, const char* includer, std::size_t depth)
+{
+    m_FailedHeader.clear();
+    IncludeResult* const result = Include(header, includer, depth);
+    if (!result || result->headerName.empty())
+    {
+        m_FailedHeader = header;
+        m_FailedDepth = depth;
+        m_FailedResult = result;
+    }
+    return result;
+}
+
+glslang::TShader::Includer::IncludeResult*
+GlslangIncluder::includeSystem(const char* header, const char* includer, std::size_t depth)
+{
+    const bool isSecondTry = depth == m_FailedDepth && header == m_FailedHeader;
+    return isSecondTry ? m_FailedResult : Include(header, includer, depth);
+}
+
+glslang::TShader::Includer::IncludeResult*
+GlslangIncluder::Include(const std::string& header, const char* includer, std::size_t depth)
+{
+    if (m_HasStopped)
+    {
+        return Keep(header, "\n"); // why it stopped is said already
+    }
+    m_Chain.resize(std::min(depth - 1, m_Chain.size()));
+    std::string problem = ReasonToStop(depth);
+    auto file = problem.empty() ? m_Resolver.Find(header, includer) : std::nullopt;
+    if (!file)
+    {
+        problem = problem.empty() ? m_Resolver.refusal() : problem;
+        m_NeedsHighDefinition =
+            m_NeedsHighDefinition ||
+            header.find("com.unity.render-pipelines.high-definition") != header.npos;
+        m_HasMissing = m_HasMissing || problem.empty();
+        return problem.empty() ? nullptr : Keep("", problem);
+    }
+    m_Chain.push_back(file->name);
+    m_TotalSize += file->text.size();
+    m_NamesStages = m_NamesStages || NamesStages(file->text);
+    if (HasPragmaOnce(file->text) && !m_Once.insert(file->name).second)
+    {
+        file->text.clear();
+    }
+    // glslang reads the last character of a header unasked.
+    return Keep(file->name, TranslateDirectives(file->text.empty() ? "\n" : file->text));
+}
+
+glslang::TShader::Includer::IncludeResult* GlslangIncluder::Keep(const std::string& name,
+                                                                 std::string text)
+{
+    Loaded& loaded = m_Loaded.emplace_back();
+    loaded.text = std::move(text);
+    loaded.result =
+        std::make_unique<IncludeResult>(name, loaded.text.c_str(), loaded.text.size(), nullptr);
+    return loaded.result.get();
+}
+
+std::string GlslangIncluder::Circle() const
+{
+    for (auto first = m_Chain.begin(); first != m_Chain.end(); ++first)
+    {
+        const auto again = std::find(first + 1, m_Chain.end(), *first);
+        if (again != m_Chain.end())
+        {
+            std::string circle = *first;
+            for (auto file = first + 1; file <= again; ++file)
+            {
+                circle += " -> " + *file;
+            }
+            return circle;
+        }
+    }
+    return {};
+}
+
+std::string GlslangIncluder::ReasonToStop(std::size_t depth)
+{
+    if (depth > k_MaximumDepth)
+    {
+        m_HasStopped = true;
+        const std::string circle = Circle();
+        return circle.empty()
+                   ? "nested more than " + std::to_string(k_MaximumDepth) +
+                         " files deep; include less"
+                   : "a circle, " + circle + "; write '#pragma once' at the top of these files";
+    }
+    m_HasStopped = m_Loaded.size() >= k_MaximumCount || m_TotalSize > k_MaximumTotal;
+    return m_HasStopped ? "more included than 10000 files or 256 MB; write '#pragma once' at the "
+                          "top of included files"
+                        : "";
+}
+
+} // namespace limn

@@ -1,0 +1,415 @@
+#include "stages/StageInterface.h"
+
+#include "text/Text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace limn
+{
+
+namespace
+{
+
+struct BuiltInType
+{
+    std::string scalar;
+    int rows = 1;
+    int columns = 1;
+    bool isMatrix = false;
+};
+
+constexpr std::pair<std::string_view, std::string_view> k_Scalars[] = {
+    {"float", "float"}, {"half", "float"},       {"double", "float"},     {"fixed", "float"},
+    {"real", "float"},  {"min16float", "float"}, {"min10float", "float"}, {"uint", "uint"},
+    {"int", "int"},     {"min16uint", "uint"},   {"min16int", "int"},     {"min12int", "int"},
+    {"dword", "uint"},  {"bool", "bool"},
+};
+
+std::optional<BuiltInType> ReadBuiltInType(std::string_view name)
+{
+    for (const auto& [spelling, scalar] : k_Scalars)
+    {
+        if (name.substr(0, spelling.size()) != spelling)
+        {
+            continue;
+        }
+        const std::string_view rest = name.substr(spelling.size());
+        const auto digit = [&](std::size_t i)
+        {
+            return rest[i] - '0';
+        };
+        const bool first = !rest.empty() && rest[0] >= '1' && rest[0] <= '4';
+        if (rest.empty())
+        {
+            return BuiltInType{std::string(scalar)};
+        }
+        if (rest.size() == 1 && first)
+        {
+            return BuiltInType{std::string(scalar), 1, digit(0)};
+        }
+        if (rest.size() == 3 && first && rest[1] == 'x' && rest[2] >= '1' && rest[2] <= '4')
+        {
+            return BuiltInType{std::string(scalar), digit(0), digit(2), true};
+        }
+    }
+    return std::nullopt;
+}
+
+struct Semantic
+{
+    std::string name;
+    int index = 0;
+};
+
+Semantic SplitSemantic(std::string_view text)
+{
+    std::size_t size = text.size();
+    while (size > 0 && isDigit(text[size - 1]))
+    {
+        --size;
+    }
+    Semantic semantic;
+    for (const char c : text.substr(0, size))
+    {
+        semantic.name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    std::from_chars(text.data() + size, text.data() + text.size(), semantic.index);
+    return semantic;
+}
+
+/// The old names that Direct3D 9 shaders use for system values.
+std::string ModernName(const std::string& name, int index, ShaderStage stage, bool isOutput)
+{
+    const bool isPosition = name == "POSITION" && index == 0;
+    if (stage == ShaderStage::Geometry)
+    {
+        return isPosition ? "SV_POSITION" : name;
+    }
+    if (stage == ShaderStage::Vertex)
+    {
+        if (isOutput)
+        {
+            return isPosition ? "SV_POSITION" : name;
+        }
+        return name == "SV_POSITION" ? "POSITION" : name;
+    }
+    if (isOutput)
+    {
+        return name == "COLOR" ? "SV_TARGET" : name == "DEPTH" ? "SV_DEPTH" : name;
+    }
+    if (isPosition || name == "VPOS")
+    {
+        return "SV_POSITION";
+    }
+    return name == "VFACE" || name == "FACE" ? "SV_ISFRONTFACE" : name;
+}
+
+/// Whether the pipeline makes or takes this value at this border.
+bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
+{
+    static constexpr std::array<std::string_view, 2> k_VertexInputs = {"SV_VERTEXID",
+                                                                       "SV_INSTANCEID"};
+    static constexpr std::array<std::string_view, 6> k_VertexOutputs = {
+        "SV_POSITION",           "SV_CLIPDISTANCE",
+        "SV_CULLDISTANCE",       "SV_RENDERTARGETARRAYINDEX",
+        "SV_VIEWPORTARRAYINDEX", "PSIZE"};
+    static constexpr std::array<std::string_view, 8> k_FragmentInputs = {
+        "SV_POSITION",
+        "SV_ISFRONTFACE",
+        "SV_SAMPLEINDEX",
+        "SV_COVERAGE",
+        "SV_CLIPDISTANCE",
+        "SV_PRIMITIVEID",
+        "SV_RENDERTARGETARRAYINDEX",
+        "SV_VIEWPORTARRAYINDEX"};
+    static constexpr std::array<std::string_view, 5> k_FragmentOutputs = {
+        "SV_TARGET", "SV_DEPTH", "SV_DEPTHLESSEQUAL", "SV_DEPTHGREATEREQUAL", "SV_COVERAGE"};
+    static constexpr std::array<std::string_view, 5> k_GeometryInputs = {
+        "SV_POSITION", "SV_CLIPDISTANCE", "SV_CULLDISTANCE", "SV_PRIMITIVEID", "SV_GSINSTANCEID"};
+    static constexpr std::array<std::string_view, 6> k_GeometryOutputs = {
+        "SV_POSITION",    "SV_CLIPDISTANCE",           "SV_CULLDISTANCE",
+        "SV_PRIMITIVEID", "SV_RENDERTARGETARRAYINDEX", "SV_VIEWPORTARRAYINDEX"};
+    const auto contains = [&](const auto& names)
+    {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (stage == ShaderStage::Geometry)
+    {
+        return isOutput ? contains(k_GeometryOutputs) : contains(k_GeometryInputs);
+    }
+    if (stage == ShaderStage::Vertex)
+    {
+        return isOutput ? contains(k_VertexOutputs) : contains(k_VertexInputs);
+    }
+    return isOutput ? contains(k_FragmentOutputs) : contains(k_FragmentInputs);
+}
+
+class InterfaceReader
+{
+public:
+    InterfaceReader(const HlslDeclarations& declarations, ShaderStage stage)
+        : m_Declarations(declarations), m_Stage(stage)
+    {
+    }
+
+    /// The values of a parameter of a geometry function, into the list that they belong to.
+    void ExpandGeometry(HlslVariable parameter, std::size_t index, StageInterface& result)
+    {
+        const std::string argument = ArgumentName(index);
+        if (const auto primitive = PrimitiveOf(parameter))
+        {
+            RequireOne(result.geometry->primitive, "array of vertices");
+            result.geometry->inputParameter = index;
+            result.geometry->primitive = primitive->name;
+            result.geometry->inputVertices = primitive->vertices;
+            RequireVertices(parameter, *primitive);
+            parameter.dimensions.clear();
+            Expand(parameter, argument + "[" + std::string(k_InputIndex) + "]", false,
+                   result.inputs);
+        }
+        else if (isStream(parameter.type))
+        {
+            RequireOne(result.geometry->stream, "stream");
+            result.geometry->streamParameter = index;
+            result.geometry->stream = parameter.type;
+            result.geometry->outputType = parameter.templateArgument;
+            parameter.type = parameter.templateArgument;
+            Expand(parameter, std::string(k_OutputVertex), true, result.outputs);
+        }
+        else
+        {
+            Expand(parameter, argument, false, result.primitiveInputs);
+        }
+    }
+
+    void Expand(const HlslVariable& variable, const std::string& expression, bool isOutput,
+                std::vector<StageValue>& values)
+    {
+        const std::string_view typeName = m_Declarations.ResolveAlias(variable.type);
+        if (const HlslStruct* type = m_Declarations.FindStruct(typeName))
+        {
+            // Structs may hold themselves, or so many that nobody waits for the end.
+            constexpr int k_MaximumDepth = 16;
+            constexpr std::size_t k_MaximumValues = 256;
+            if (m_Depth == k_MaximumDepth || values.size() > k_MaximumValues)
+            {
+                throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
+                                          std::string(variable.type) +
+                                          "' holds too much to cross the border of a stage"};
+            }
+            ++m_Depth;
+            for (const HlslVariable& member : type->members)
+            {
+                Expand(member, expression + "." + std::string(member.name), isOutput, values);
+            }
+            --m_Depth;
+            return;
+        }
+        const auto type = ReadBuiltInType(typeName);
+        if (!type)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
+                                      std::string(variable.type) +
+                                      "' cannot cross the border of a stage"};
+        }
+        if (variable.semantic.empty())
+        {
+            throw StageInterfaceError{
+                "'" + std::string(variable.name) +
+                "' has no semantic; write one behind it, as in ': TEXCOORD0'"};
+        }
+        ExpandElements(variable, *type, expression, isOutput, values);
+    }
+
+private:
+    struct Primitive
+    {
+        std::string_view name;
+        int vertices;
+    };
+
+    static std::optional<Primitive> PrimitiveOf(const HlslVariable& parameter)
+    {
+        static constexpr std::array<Primitive, 5> k_Primitives = {
+            {{"point", 1}, {"line", 2}, {"lineadj", 4}, {"triangle", 3}, {"triangleadj", 6}}};
+        const auto found =
+            std::find_if(k_Primitives.begin(), k_Primitives.end(),
+                         [&](const Primitive& item) { return parameter.Has(item.name); });
+        return found == k_Primitives.end() ? std::nullopt : std::optional(*found);
+    }
+
+    static void RequireOne(std::string_view known, const std::string& kind)
+    {
+        if (!known.empty())
+        {
+            throw StageInterfaceError{"a geometry function with more than one " + kind +
+                                      " is not supported"};
+        }
+    }
+
+    void RequireVertices(const HlslVariable& parameter, const Primitive& primitive) const
+    {
+        const bool isRight = parameter.dimensions.size() == 1 &&
+                             EvaluateInteger(parameter.dimensions[0], m_Declarations.constants) ==
+                                 primitive.vertices;
+        if (!isRight)
+        {
+            throw StageInterfaceError{"'" + std::string(parameter.name) + "': '" +
+                                      std::string(primitive.name) + "' needs an array of " +
+                                      std::to_string(primitive.vertices)};
+        }
+    }
+
+    void ExpandElements(const HlslVariable& variable, const BuiltInType& type,
+                        const std::string& expression, bool isOutput,
+                        std::vector<StageValue>& values)
+    {
+        const Semantic semantic = SplitSemantic(variable.semantic);
+        StageValue value;
+        value.semantic = ModernName(semantic.name, semantic.index, m_Stage, isOutput);
+        value.index = semantic.index;
+        value.isSystemValue = isPipelineValue(value.semantic, m_Stage, isOutput);
+        RequireKnown(variable, value, isOutput);
+        value.scalar = type.scalar;
+        value.components = type.columns;
+        for (const std::string_view modifier :
+             {"nointerpolation", "noperspective", "centroid", "sample"})
+        {
+            value.interpolation += variable.Has(modifier) ? std::string(modifier) + " " : "";
+        }
+        const int rows = type.isMatrix ? type.rows : 1;
+        const int count = variable.dimensions.empty() ? 1 : ArraySize(variable);
+        for (int element = 0; element < count; ++element)
+        {
+            for (int row = 0; row < rows; ++row)
+            {
+                value.expression = expression;
+                value.expression +=
+                    variable.dimensions.empty() ? "" : "[" + std::to_string(element) + "]";
+                value.expression += type.isMatrix ? "[" + std::to_string(row) + "]" : "";
+                values.push_back(value);
+                ++value.index;
+            }
+        }
+    }
+
+    void RequireKnown(const HlslVariable& variable, const StageValue& value, bool isOutput) const
+    {
+        // An instance id that travels to the fragment function is a varying like any other.
+        const bool isReserved =
+            value.semantic.substr(0, 3) == "SV_" && value.semantic != "SV_INSTANCEID";
+        const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
+        if (!value.isSystemValue && !isFree)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) + "': semantic '" +
+                                      std::string(variable.semantic) +
+                                      "' is not possible at this place"};
+        }
+    }
+
+    int ArraySize(const HlslVariable& variable) const
+    {
+        constexpr std::int64_t k_MostVaryings = 32;
+        const std::int64_t size = EvaluateInteger(variable.dimensions[0], m_Declarations.constants);
+        if (variable.dimensions.size() > 1 || size < 1 || size > k_MostVaryings)
+        {
+            throw StageInterfaceError{"'" + std::string(variable.name) +
+                                      "': an array between stages needs one size, a number from 1 "
+                                      "to 32"};
+        }
+        return static_cast<int>(size);
+    }
+
+    const HlslDeclarations& m_Declarations;
+    ShaderStage m_Stage;
+    int m_Depth = 0; ///< structs around what is being expanded
+};
+
+} // namespace
+
+std::string StageValue::semanticName() const
+{
+    const bool isNumbered = semantic == "TEXCOORD" || index > 0;
+    return isNumbered ? semantic + std::to_string(index) : semantic;
+}
+
+std::string ArgumentName(std::size_t index)
+{
+    return "limn_argument" + std::to_string(index);
+}
+
+std::string TypeName(const std::string& scalar, int components)
+{
+    return components == 1 ? scalar : scalar + std::to_string(components);
+}
+
+bool isStream(std::string_view type)
+{
+    return type == "PointStream" || type == "LineStream" || type == "TriangleStream";
+}
+
+namespace
+{
+
+StageInterface ReadGeometryInterface(const HlslDeclarations& declarations,
+                                     const HlslFunction& function)
+{
+    StageInterface result;
+    result.function = &function;
+    result.geometry.emplace();
+    InterfaceReader reader(declarations, ShaderStage::Geometry);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    {
+        reader.ExpandGeometry(function.parameters[i], i, result);
+    }
+    const bool hasMaximum =
+        std::any_of(function.attributes.begin(), function.attributes.end(),
+                    [](std::string_view text) { return text.find("maxvertexcount") != text.npos; });
+    if (result.geometry->primitive.empty() || result.geometry->stream.empty() || !hasMaximum)
+    {
+        throw StageInterfaceError{
+            "a geometry function needs [maxvertexcount(N)] before it, an array of vertices as in "
+            "'triangle v2g input[3]', and a stream as in 'inout TriangleStream<g2f> stream'"};
+    }
+    return result;
+}
+
+} // namespace
+
+StageInterface ReadStageInterface(const HlslDeclarations& declarations,
+                                  const HlslFunction& function, ShaderStage stage)
+{
+    if (stage == ShaderStage::Geometry)
+    {
+        return ReadGeometryInterface(declarations, function);
+    }
+    StageInterface result;
+    result.function = &function;
+    InterfaceReader reader(declarations, stage);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    {
+        const HlslVariable& parameter = function.parameters[i];
+        const bool isOutput = parameter.Has("out") || parameter.Has("inout");
+        if (!parameter.Has("out"))
+        {
+            reader.Expand(parameter, ArgumentName(i), false, result.inputs);
+        }
+        if (isOutput)
+        {
+            reader.Expand(parameter, ArgumentName(i), true, result.outputs);
+        }
+    }
+    if (function.returnType != "void")
+    {
+        HlslVariable returned;
+        returned.name = function.name;
+        returned.type = function.returnType;
+        returned.semantic = function.semantic;
+        reader.Expand(returned, std::string(k_ResultName), true, result.outputs);
+    }
+    return result;
+}
+
+} // namespace limn

@@ -1,0 +1,141 @@
+#include "stages/StageLinkage.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+// Locations are the same in every shader, so that one vertex layout serves all of them.
+constexpr std::string_view k_FixedInputs[] = {
+    "POSITION",  "NORMAL",    "TANGENT",      "COLOR",       "TEXCOORD0",
+    "TEXCOORD1", "TEXCOORD2", "TEXCOORD3",    "TEXCOORD4",   "TEXCOORD5",
+    "TEXCOORD6", "TEXCOORD7", "BLENDWEIGHTS", "BLENDINDICES"};
+
+UniformType TypeOf(const std::string& scalar)
+{
+    return scalar == "float" ? UniformType::Float
+           : scalar == "int" ? UniformType::Int
+                             : UniformType::UInt;
+}
+
+/// A semantic may be used once per border.
+template <typename T>
+void RequireNew(const std::vector<T>& values, const std::string& semantic)
+{
+    const bool isKnown = std::any_of(values.begin(), values.end(),
+                                     [&](const T& value) { return value.semantic == semantic; });
+    if (isKnown)
+    {
+        throw StageInterfaceError{"semantic '" + semantic +
+                                  "' is given to two values; each needs its own"};
+    }
+}
+
+void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
+{
+    auto next = static_cast<std::uint32_t>(std::size(k_FixedInputs));
+    for (const StageValue& value : vertex.inputs)
+    {
+        if (value.isSystemValue)
+        {
+            continue;
+        }
+        const std::string semantic = value.semanticName();
+        RequireNew(linkage.vertexInputs, semantic);
+        const auto fixed = std::find(std::begin(k_FixedInputs), std::end(k_FixedInputs), semantic);
+        const std::uint32_t location =
+            fixed == std::end(k_FixedInputs)
+                ? next++
+                : static_cast<std::uint32_t>(fixed - std::begin(k_FixedInputs));
+        linkage.vertexInputs.push_back(
+            {semantic, location, TypeOf(value.scalar), value.components});
+    }
+}
+
+void CollectVaryings(const StageInterface& writer, StageBorder& border)
+{
+    for (const StageValue& value : writer.outputs)
+    {
+        if (!value.isSystemValue)
+        {
+            RequireNew(border.varyings, value.semanticName());
+            const int location = static_cast<int>(border.varyings.size());
+            border.varyings.push_back({value.semanticName(),
+                                       value.scalar == "bool" ? "uint" : value.scalar,
+                                       value.components, location});
+        }
+    }
+}
+
+void MatchInputs(const StageInterface& reader, StageBorder& border)
+{
+    for (const StageValue& value : reader.inputs)
+    {
+        if (value.isSystemValue)
+        {
+            continue;
+        }
+        const std::string semantic = value.semanticName();
+        const auto varying =
+            std::find_if(border.varyings.begin(), border.varyings.end(),
+                         [&](const Varying& candidate) { return candidate.semantic == semantic; });
+        if (varying == border.varyings.end())
+        {
+            border.unwritten.push_back(semantic);
+            continue;
+        }
+        varying->components = std::max(varying->components, value.components);
+    }
+}
+
+StageBorder LinkBorder(const StageInterface& writer, const StageInterface& reader)
+{
+    StageBorder border;
+    CollectVaryings(writer, border);
+    MatchInputs(reader, border);
+    return border;
+}
+
+int CountColorOutputs(const StageInterface& fragment)
+{
+    int count = 0;
+    for (const StageValue& value : fragment.outputs)
+    {
+        count = value.semantic == "SV_TARGET" ? std::max(count, value.index + 1) : count;
+    }
+    return count;
+}
+
+} // namespace
+
+const Varying& StageBorder::Find(const std::string& semantic) const
+{
+    return *std::find_if(varyings.begin(), varyings.end(),
+                         [&](const Varying& varying) { return varying.semantic == semantic; });
+}
+
+const StageBorder& StageLinkage::Before(ShaderStage stage) const
+{
+    return stage == ShaderStage::Geometry ? behindVertex : beforeFragment;
+}
+
+const StageBorder& StageLinkage::Behind(ShaderStage stage) const
+{
+    return stage == ShaderStage::Vertex ? behindVertex : beforeFragment;
+}
+
+StageLinkage LinkStages(const StageInterface& vertex, const StageInterface* geometry,
+                        const StageInterface& fragment)
+{
+    StageLinkage linkage;
+    CollectVertexInputs(vertex, linkage);
+    linkage.behindVertex = LinkBorder(vertex, geometry ? *geometry : fragment);
+    linkage.beforeFragment = geometry ? LinkBorder(*geometry, fragment) : linkage.behindVertex;
+    linkage.colorOutputs = CountColorOutputs(fragment);
+    return linkage;
+}
+
+} // namespace limn

@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+#include <limn/core/CoreUtils.h>
+#include <limn/core/ProfilingScope.h>
+
+#include "ThrownMessage.h"
+#include "scene/TestScene.h"
+
+namespace limn
+{
+namespace
+{
+
+std::shared_ptr<const RenderTexture> Multisampled(const std::string& name)
+{
+    RenderTextureDescriptor descriptor(8, 4, GraphicsFormat::R8_UNorm);
+    descriptor.msaaSamples = 4;
+    return std::make_shared<const RenderTexture>(name, descriptor);
+}
+
+/// What a command buffer keeps and refuses.
+class CommandBuffers : public testing::Test
+{
+protected:
+    template <typename Action>
+    std::string ErrorOf(Action&& action)
+    {
+        const std::string message = test::ThrownMessage<ContractError>(action);
+        EXPECT_TRUE(m_Cmd.commands().empty()) << "nothing is recorded by a call that throws";
+        return message;
+    }
+
+    CommandBuffer m_Cmd;
+    const RTHandle m_Color{test::Target("Color")};
+    const RTHandle m_Depth{test::DepthTarget("Depth")};
+    const std::shared_ptr<const Material> m_Material =
+        std::make_shared<Material>(test::ShaderWithModes({"A", "B"}), "Two");
+};
+
+TEST_F(CommandBuffers, KeepCommandsInOrderUntilCleared)
+{
+    m_Cmd.BeginSample("mask");
+    m_Cmd.SetRenderTarget(m_Color, m_Depth);
+    m_Cmd.ClearRenderTarget(ClearFlag::Color, Color::red);
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), m_Material, 1, 3);
+    m_Cmd.EndSample();
+    ASSERT_EQ(m_Cmd.commands().size(), 5u);
+    EXPECT_EQ(std::get<BeginSampleCommand>(m_Cmd.commands()[0]).name, "mask");
+    EXPECT_EQ(std::get<SetRenderTargetCommand>(m_Cmd.commands()[1]).depth, m_Depth.rt());
+    EXPECT_EQ(std::get<ClearCommand>(m_Cmd.commands()[2]).color, Color::red);
+    EXPECT_EQ(std::get<RecordedDraw>(m_Cmd.commands()[3]).shaderPass, 1);
+    m_Cmd.Clear();
+    EXPECT_TRUE(m_Cmd.commands().empty());
+}
+
+TEST_F(CommandBuffers, RefuseTargetsThatAreEmpty)
+{
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(RTHandle()); }),
+              "SetRenderTarget: both colour and depth are empty handles");
+    const std::vector<RTHandle> colors{m_Color, RTHandle()};
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(colors, m_Depth); }),
+              "SetRenderTarget: a colour target is an empty handle");
+}
+
+TEST_F(CommandBuffers, RefuseTargetsOfDifferentSizes)
+{
+    const RTHandle large(test::DepthTarget("Large", 16, 4));
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(m_Color, large); }),
+              "SetRenderTarget: all targets must have one size and sample count, but 'Color' is "
+              "8x4 with 1 samples and 'Large' is 16x4 with 1 samples");
+}
+
+TEST_F(CommandBuffers, RefuseTargetsOfDifferentSampleCounts)
+{
+    const RTHandle samples(Multisampled("Samples"));
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(samples, m_Depth); }),
+              "SetRenderTarget: all targets must have one size and sample count, but 'Samples' is "
+              "8x4 with 4 samples and 'Depth' is 8x4 with 1 samples");
+}
+
+TEST_F(CommandBuffers, RefuseMoreColorsThanAPassWrites)
+{
+    const std::vector<RTHandle> colors(9, m_Color);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(colors, m_Depth); }),
+              "SetRenderTarget: 9 colour targets; at most 8");
+}
+
+TEST_F(CommandBuffers, RefuseAColorAsDepthAndADepthAmongColors)
+{
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(m_Color, m_Color); }),
+              "SetRenderTarget: the depth target 'Color' has the format R8G8B8A8_UNorm; it needs a "
+              "depth format");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(m_Depth, m_Depth); }),
+              "SetRenderTarget: the colour target 'Depth' has the format D32_SFloat_S8_UInt; give "
+              "it as depth");
+}
+
+TEST_F(CommandBuffers, TakeADepthTextureOnItsOwnAsDepth)
+{
+    m_Cmd.SetRenderTarget(m_Depth);
+    ASSERT_EQ(m_Cmd.commands().size(), 1u);
+    const auto& target = std::get<SetRenderTargetCommand>(m_Cmd.commands()[0]);
+    EXPECT_TRUE(target.colors.empty());
+    EXPECT_EQ(target.depth, m_Depth.rt());
+}
+
+TEST_F(CommandBuffers, RefuseAViewportWithoutTexels)
+{
+    EXPECT_EQ(ErrorOf(
+                  [&] {
+                      m_Cmd.SetViewport({0, 0, 0, 4});
+                  }),
+              "SetViewport: the size is 0x4; both must be greater than 0");
+}
+
+TEST_F(CommandBuffers, RefuseDrawsThatLackSomething)
+{
+    const glm::mat4 matrix(1.0f);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, nullptr); }),
+              "a draw needs a material, but it is null");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(nullptr, matrix, m_Material); }),
+              "DrawMesh needs a mesh, but it is null");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, nullptr, 0, 3); }),
+              "a draw needs a material, but it is null");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, m_Material, 0, -3); }),
+              "DrawProcedural: the vertex count -3 is negative");
+}
+
+TEST_F(CommandBuffers, RefuseDrawsOfPartsThatDoNotExist)
+{
+    const glm::mat4 matrix(1.0f);
+    const std::string noPass = "material 'Two': shader 'Test/Modes' has no pass ";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, m_Material, 0, 2); }),
+              noPass + "2; it has 2");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, m_Material, -1, 3); }),
+              noPass + "-1; it has 2");
+    const std::string mesh = "mesh '" + test::Cube()->name() + "' has no sub-mesh ";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, m_Material, 1); }),
+              mesh + "1; it has 1");
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, m_Material, -1); }),
+              mesh + "-1; it has 1");
+}
+
+TEST(CommandBufferPool, GivesOutEmptyBuffers)
+{
+    CommandBufferPool::Pooled first = CommandBufferPool::Get();
+    first->BeginSample("left over");
+    CommandBufferPool::Release(first);
+    EXPECT_EQ(first, nullptr);
+    EXPECT_TRUE(CommandBufferPool::Get()->commands().empty());
+}
+
+TEST(CommandBufferPool, GivesABufferThatWasReturnedOutAgain)
+{
+    CommandBufferPool::Pooled first = CommandBufferPool::Get();
+    const CommandBuffer* address = first.get();
+    CommandBufferPool::Release(first);
+    EXPECT_EQ(CommandBufferPool::Get().get(), address);
+}
+
+TEST(CommandBufferPool, GivesTwoOwnersTwoBuffers)
+{
+    const CommandBufferPool::Pooled first = CommandBufferPool::Get();
+    const CommandBufferPool::Pooled second = CommandBufferPool::Get();
+    EXPECT_NE(first, second);
+}
+
+TEST(ProfilingScope, NamesWhatIsRecordedWhileItLives)
+{
+    CommandBuffer cmd;
+    const ProfilingSampler sampler("Outline");
+    {
+        const ProfilingScope scope(cmd, sampler);
+        cmd.SetGlobalFloat(ShaderPropertyId("_Value"), 1.0f);
+    }
+    ASSERT_EQ(cmd.commands().size(), 3u);
+    EXPECT_EQ(std::get<BeginSampleCommand>(cmd.commands()[0]).name, "Outline");
+    EXPECT_TRUE(std::holds_alternative<EndSampleCommand>(cmd.commands()[2]));
+}
+
+TEST_F(CommandBuffers, ClearWhatCoreUtilsIsAskedTo)
+{
+    CoreUtils::SetRenderTarget(m_Cmd, m_Color);
+    EXPECT_EQ(m_Cmd.commands().size(), 1u);
+    CoreUtils::SetRenderTarget(m_Cmd, m_Color, m_Depth, ClearFlag::All, Color::green);
+    ASSERT_EQ(m_Cmd.commands().size(), 3u);
+    const auto& clear = std::get<ClearCommand>(m_Cmd.commands()[2]);
+    EXPECT_EQ(clear.flags, ClearFlag::All);
+    EXPECT_EQ(clear.color, Color::green);
+    EXPECT_EQ(clear.depth, 1.0f);
+    EXPECT_EQ(clear.stencil, 0);
+}
+
+TEST(CoreUtils, RefusesAMaterialWithoutAShader)
+{
+    EXPECT_EQ(test::ThrownMessage<ContractError>([] { CoreUtils::CreateEngineMaterial(nullptr); }),
+              "CreateEngineMaterial: no shader is assigned");
+}
+
+TEST_F(CommandBuffers, BlitATriangleOverTheDestination)
+{
+    const RTHandle destination(test::Target("Destination"));
+    Blitter::BlitCameraTexture(m_Cmd, m_Color, destination, m_Material, 1);
+    ASSERT_EQ(m_Cmd.commands().size(), 2u);
+    const auto& target = std::get<SetRenderTargetCommand>(m_Cmd.commands()[0]);
+    EXPECT_EQ(target.colors, std::vector{destination.rt()});
+    EXPECT_EQ(target.depth, nullptr);
+    const auto& draw = std::get<RecordedDraw>(m_Cmd.commands()[1]);
+    EXPECT_EQ(draw.mesh, nullptr);
+    EXPECT_EQ(draw.vertexCount, 3u);
+    EXPECT_EQ(draw.shaderPass, 1);
+    const auto* source = draw.properties.Find(ShaderPropertyId("_BlitTexture"));
+    ASSERT_NE(source, nullptr);
+    EXPECT_EQ(std::get<std::shared_ptr<const Texture>>(*source), m_Color.rt());
+    const auto* scaleBias = draw.properties.Find(ShaderPropertyId("_BlitScaleBias"));
+    ASSERT_NE(scaleBias, nullptr);
+    EXPECT_EQ(std::get<glm::vec4>(*scaleBias), glm::vec4(1, 1, 0, 0));
+}
+
+TEST_F(CommandBuffers, RefuseABlitIntoItsOwnSource)
+{
+    EXPECT_EQ(ErrorOf([&] { Blitter::BlitCameraTexture(m_Cmd, m_Color, m_Color, m_Material, 0); }),
+              "BlitCameraTexture: 'Color' is both source and destination");
+}
+
+TEST_F(CommandBuffers, RefuseABlitFromOrToNothing)
+{
+    EXPECT_EQ(
+        ErrorOf([&] { Blitter::BlitCameraTexture(m_Cmd, RTHandle(), m_Color, m_Material, 0); }),
+        "BlitCameraTexture: the source is an empty handle");
+    EXPECT_EQ(
+        ErrorOf([&] { Blitter::BlitCameraTexture(m_Cmd, m_Color, RTHandle(), m_Material, 0); }),
+        "BlitCameraTexture: the destination is an empty handle");
+    EXPECT_EQ(
+        ErrorOf([&] { Blitter::BlitTexture(m_Cmd, RTHandle(), glm::vec4(1), m_Material, 0); }),
+        "BlitTexture: the source is an empty handle");
+}
+
+} // namespace
+} // namespace limn

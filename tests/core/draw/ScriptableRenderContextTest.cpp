@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "ThrownMessage.h"
+#include "draw/DrawHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+
+const ShaderPropertyId _Value("_Value");
+
+/// How recorded buffers become the frame's plain data.
+class Contexts : public testing::Test
+{
+protected:
+    void Triangle(const MaterialPropertyBlock& properties = {})
+    {
+        m_Cmd.DrawProcedural(glm::mat4(1.0f), m_Material, 0, 3, properties);
+    }
+    FrameCommands Execute()
+    {
+        m_Context.ExecuteCommandBuffer(m_Cmd);
+        return m_Context.TakeCommands();
+    }
+    static float ValueOf(const FrameCommands& frame, std::size_t draw)
+    {
+        return test::ReadUniform<float>(frame, test::DrawsOf(frame).at(draw), "_Value", 1)[0];
+    }
+
+    RenderReport m_Report;
+    ScriptableRenderContext m_Context{m_Report};
+    CommandBuffer m_Cmd;
+    const std::shared_ptr<Material> m_Material =
+        std::make_shared<Material>(test::ShaderWithProgram("", "float _Value;", "_Value"), "Paint");
+};
+
+TEST_F(Contexts, AppendNothingUntilABufferIsExecuted)
+{
+    Triangle();
+    EXPECT_TRUE(m_Context.TakeCommands().commands.empty());
+    EXPECT_EQ(test::DrawsOf(Execute()).size(), 1u);
+}
+
+TEST_F(Contexts, AppendABufferAsOftenAsItIsExecuted)
+{
+    Triangle();
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    m_Cmd.Clear();
+    EXPECT_EQ(test::DrawsOf(m_Context.TakeCommands()).size(), 2u);
+}
+
+TEST_F(Contexts, AreEmptyOnceTheCommandsAreTaken)
+{
+    Triangle();
+    Execute();
+    const FrameCommands second = m_Context.TakeCommands();
+    EXPECT_TRUE(second.commands.empty());
+    EXPECT_TRUE(second.uniformData.empty());
+    EXPECT_TRUE(second.perDraw.empty());
+}
+
+TEST_F(Contexts, CanBeUsedAgainOnceTheCommandsAreTaken)
+{
+    m_Material->SetFloat(_Value, 1.0f);
+    Triangle();
+    Execute();
+    const FrameCommands second = Execute();
+    EXPECT_EQ(ValueOf(second, 0), 1.0f);
+    EXPECT_EQ(test::DrawsOf(second)[0].firstInstance, 0u);
+}
+
+TEST_F(Contexts, GiveEachDrawTheGlobalsOfItsMoment)
+{
+    m_Cmd.SetGlobalFloat(_Value, 1.0f);
+    Triangle();
+    m_Cmd.SetGlobalFloat(_Value, 2.0f);
+    Triangle();
+    const FrameCommands frame = Execute();
+    EXPECT_EQ(ValueOf(frame, 0), 1.0f);
+    EXPECT_EQ(ValueOf(frame, 1), 2.0f);
+}
+
+TEST_F(Contexts, GiveEachDrawItsOwnProperties)
+{
+    for (const float value : {1.0f, 2.0f})
+    {
+        MaterialPropertyBlock properties;
+        properties.SetFloat(_Value, value);
+        Triangle(properties);
+    }
+    const FrameCommands frame = Execute();
+    EXPECT_EQ(ValueOf(frame, 0), 1.0f);
+    EXPECT_EQ(ValueOf(frame, 1), 2.0f);
+}
+
+TEST_F(Contexts, LookAtTheMaterialWhenTheBufferIsExecuted)
+{
+    Triangle();
+    m_Material->SetFloat(_Value, 1.0f);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    m_Material->SetFloat(_Value, 2.0f);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    const FrameCommands frame = m_Context.TakeCommands();
+    EXPECT_EQ(ValueOf(frame, 0), 1.0f);
+    EXPECT_EQ(ValueOf(frame, 1), 2.0f);
+}
+
+TEST_F(Contexts, MergeEqualMeshDrawsOfOneBuffer)
+{
+    for (const float x : {1.0f, 2.0f})
+    {
+        Transform transform;
+        transform.localPosition.x = x;
+        m_Cmd.DrawMesh(test::Cube(), transform.localToWorldMatrix(), m_Material);
+    }
+    const FrameCommands frame = Execute();
+    ASSERT_EQ(test::DrawsOf(frame).size(), 1u);
+    EXPECT_EQ(test::DrawsOf(frame)[0].instanceCount, 2u);
+    EXPECT_EQ(frame.perDraw.at(1).objectToWorld[12], 2.0f);
+}
+
+TEST_F(Contexts, KeepDrawsApartThatACommandSeparates)
+{
+    m_Cmd.DrawMesh(test::Cube(), glm::mat4(1.0f), m_Material);
+    m_Cmd.ClearRenderTarget(ClearFlag::Depth, Color::clear);
+    m_Cmd.DrawMesh(test::Cube(), glm::mat4(1.0f), m_Material);
+    EXPECT_EQ(test::DrawsOf(Execute()).size(), 2u);
+}
+
+TEST_F(Contexts, ReportAShaderThatDoesNotCompile)
+{
+    const auto broken =
+        std::make_shared<Material>(test::ShaderWithProgram("", "", "undeclared"), "Broken");
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), broken, 0, 3);
+    const std::string message =
+        test::ThrownMessage<AssetError>([&] { m_Context.ExecuteCommandBuffer(m_Cmd); });
+    EXPECT_NE(message.find("test.shader:"), std::string::npos) << message;
+    EXPECT_NE(message.find("undeclared"), std::string::npos) << message;
+}
+
+} // namespace
+} // namespace limn

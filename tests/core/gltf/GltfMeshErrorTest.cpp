@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+#include <limits>
+#include <limn/core/GltfMesh.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "TemporaryFolder.h"
+#include "ThrownMessage.h"
+#include "gltf/GltfFile.h"
+
+namespace limn
+{
+namespace
+{
+
+using test::GltfFile;
+using test::OnePrimitive;
+
+/// What loading the file says, without the folder.
+std::string ErrorOf(const std::string& content)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.Write("a.gltf", content);
+    std::string message =
+        test::ThrownMessage<AssetError>([&] { static_cast<void>(LoadGltfMesh(path)); });
+    const std::string prefix = path.parent_path().string() + "/";
+    for (std::size_t at; (at = message.find(prefix)) != std::string::npos;)
+    {
+        message.erase(at, prefix.size());
+    }
+    return message;
+}
+
+GltfFile Triangle()
+{
+    GltfFile file;
+    file.AddFloats("VEC3", {1, 0, 0, 3, 0, 0, 1, 2, 0});
+    return file;
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to)
+{
+    text.replace(text.find(from), from.size(), to);
+    return text;
+}
+
+TEST(GltfMeshError, SaysThatAFileIsMissing)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "none.gltf";
+    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { static_cast<void>(LoadGltfMesh(path)); }),
+              path.string() + ": error: cannot be read: No such file or directory");
+}
+
+TEST(GltfMeshError, SaysThatAFileIsAFolder)
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.gltf");
+    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadGltfMesh(folder / "a.gltf"); }),
+              (folder / "a.gltf").string() + ": error: cannot be read: Is a directory");
+}
+
+TEST(GltfMeshError, SaysThatAFileIsEmpty)
+{
+    EXPECT_EQ(ErrorOf(""), "a.gltf: error: is empty; a glTF 2.0 file is expected");
+}
+
+TEST(GltfMeshError, SaysWhereAFileIsNoJson)
+{
+    const std::string message = ErrorOf("{\n  \"asset\" ?\n}");
+    EXPECT_EQ(message.rfind("a.gltf:2:11: error: is not glTF 2.0: syntax error", 0), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+TEST(GltfMeshError, SaysThatAFileIsNoGltf)
+{
+    EXPECT_EQ(ErrorOf("[1, 2]"),
+              "a.gltf: error: is not glTF 2.0: Root element is not a JSON object");
+    EXPECT_EQ(ErrorOf("glTF and then nothing much"),
+              "a.gltf: error: is not glTF 2.0: Invalid glTF binary.");
+}
+
+TEST(GltfMeshError, NamesTheVersionOfAnOlderFile)
+{
+    const std::string text = Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0})"));
+    EXPECT_EQ(ErrorOf(Replaced(text, R"("version": "2.0")", R"("version": "1.0")")),
+              "a.gltf: error: asset: version 1.0; 2.0 is read");
+}
+
+TEST(GltfMeshError, SaysThatAFileHoldsNoTriangles)
+{
+    const std::string expected =
+        "a.gltf: error: holds no triangles; a mesh that the scene shows is needed";
+    EXPECT_EQ(ErrorOf(R"({"asset": {"version": "2.0"}})"), expected);
+    EXPECT_EQ(ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0}, "mode": 1)"))),
+              expected);
+    EXPECT_EQ(ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {})"))), expected);
+}
+
+TEST(GltfMeshError, RejectsCompressionItCannotRead)
+{
+    const std::string text = Triangle().Text(
+        OnePrimitive(R"("attributes": {"POSITION": 0})") +
+        R"(, "extensionsRequired": ["KHR_materials_unlit", "KHR_draco_mesh_compression"])");
+    EXPECT_EQ(ErrorOf(text), "a.gltf: error: extension 'KHR_draco_mesh_compression' is not "
+                             "supported; export without compression");
+}
+
+TEST(GltfMeshError, RejectsAnAccessorThatDoesNotExist)
+{
+    EXPECT_EQ(
+        ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 4})"))),
+        "a.gltf: error: mesh 'shape' primitive 0: accessor 4: does not exist; the file has 1");
+}
+
+TEST(GltfMeshError, RejectsElementsThatLeaveTheBuffer)
+{
+    const std::string text = Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0})"));
+    const std::string expected = "a.gltf: error: mesh 'shape' primitive 0: accessor 0: its "
+                                 "elements leave the buffer of 36 bytes";
+    EXPECT_EQ(ErrorOf(Replaced(text, R"("count": 3)", R"("count": 4)")), expected);
+    EXPECT_EQ(ErrorOf(Replaced(text, R"("count": 3)", R"("count": 9223372036854775807)")),
+              expected);
+    EXPECT_EQ(ErrorOf(Replaced(text, R"("byteOffset": 0)", R"("byteOffset": 4)")), expected);
+}
+
+TEST(GltfMeshError, RejectsElementsOfAnotherShape)
+{
+    GltfFile file = Triangle();
+    file.AddFloats("VEC2", {0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 1})"))),
+              "a.gltf: error: mesh 'shape' primitive 0: accessor 1: 2 numbers an element; 3 to 3 "
+              "are right here");
+}
+
+TEST(GltfMeshError, RejectsIndicesThatAreNoIntegers)
+{
+    EXPECT_EQ(
+        ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0}, "indices": 0)"))),
+        "a.gltf: error: mesh 'shape' primitive 0: accessor 0: component type 5126 is none of "
+        "indices; 5121, 5123 or 5125 (unsigned) is right");
+}
+
+TEST(GltfMeshError, RejectsSparseAccessors)
+{
+    const std::string text = Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0})"));
+    EXPECT_EQ(ErrorOf(Replaced(text, R"({"bufferView": 0, )", "{")),
+              "a.gltf: error: mesh 'shape' primitive 0: accessor 0: is sparse or names no buffer "
+              "view, which limn does not read; export it dense");
+}
+
+TEST(GltfMeshError, RejectsAnAttributeOfAnotherLength)
+{
+    GltfFile file = Triangle();
+    file.AddFloats("VEC2", {0, 0, 1, 1});
+    EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0, "TEXCOORD_0": 1})"))),
+              "a.gltf: error: mesh 'shape' primitive 0: TEXCOORD_0 has 2 elements for 3 vertices");
+}
+
+TEST(GltfMeshError, RejectsNodesThatFormACircle)
+{
+    const std::string text = Triangle().Text(
+        R"("nodes": [{"children": [1]}, {"children": [0, 5]}], "scenes": [{"nodes": [0]}])");
+    EXPECT_EQ(ErrorOf(text), "a.gltf: error: node 0: does not exist or has two parents; nodes form "
+                             "a tree\n"
+                             "a.gltf: error: node 5: does not exist or has two parents; nodes form "
+                             "a tree");
+}
+
+TEST(GltfMeshError, RejectsAMeshThatDoesNotExist)
+{
+    EXPECT_EQ(ErrorOf(Triangle().Text(R"("nodes": [{"mesh": 2}], "scenes": [{"nodes": [0]}])")),
+              "a.gltf: error: mesh 2: does not exist; the file has 0");
+}
+
+TEST(GltfMeshError, RejectsPositionsThatAreNoNumbers)
+{
+    GltfFile file;
+    file.AddFloats("VEC3", {1, 0, 0, 3, 0, 0, 1, std::numeric_limits<float>::infinity(), 0});
+    file.AddFloats("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0, "NORMAL": 1})"))),
+              "a.gltf: error: vertices[2]: not a finite number");
+}
+
+TEST(GltfMeshError, ListsEveryPrimitiveThatCannotBeRead)
+{
+    GltfFile file = Triangle();
+    file.AddIndices<std::uint16_t>({0, 1, 3});
+    file.AddIndices<std::uint16_t>({0, 1, 2, 0});
+    const std::string text = file.Text(R"("meshes": [{"name": "m", "primitives": [)"
+                                       R"({"attributes": {"POSITION": 0}, "indices": 1}, )"
+                                       R"({"attributes": {"POSITION": 0}, "indices": 2}]}], )"
+                                       R"("nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
+    EXPECT_EQ(ErrorOf(text), "a.gltf: error: mesh 'm' primitive 0: index 3 of 3 vertices\n"
+                             "a.gltf: error: mesh 'm' primitive 1: 4 indices; a multiple of three "
+                             "is right");
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "draw/DrawHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+
+/// A shader whose result tells which keyword is on: _Off, _On or _Loud.
+std::shared_ptr<const Shader> KeywordShader(const std::string& properties)
+{
+    return test::ShaderOf("Shader \"Test/Keywords\" { Properties { " + properties +
+                          " } SubShader { Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n"
+                          "HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
+                          "#pragma shader_feature _ TINT_ON TINT_LOUD\n"
+                          "#if TINT_ON\nfloat _On;\n#define RESULT _On\n"
+                          "#elif TINT_LOUD\nfloat _Loud;\n#define RESULT _Loud\n"
+                          "#else\nfloat _Off;\n#define RESULT _Off\n#endif\n"
+                          "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+                          "float4 F() : SV_Target { return RESULT; }\nENDHLSL } } }");
+}
+
+/// The only uniform of the variant that a material draws with.
+std::string Drawn(const std::shared_ptr<const Material>& material)
+{
+    test::OneDraw draw;
+    draw.Resolve(material);
+    return draw.draw().pass->layout.buffers.at(0).members.at(0).name;
+}
+
+TEST(MaterialKeywords, BeginWithTheDefaultsOfToggleAndKeywordEnum)
+{
+    const auto on =
+        std::make_shared<Material>(KeywordShader("[Toggle(TINT_ON)] _Tint (\"\", Float) = 1"));
+    EXPECT_THAT(on->shaderKeywords(), ElementsAre("TINT_ON"));
+    EXPECT_EQ(Drawn(on), "_On");
+    const auto off =
+        std::make_shared<Material>(KeywordShader("[Toggle(TINT_ON)] _Tint (\"\", Float) = 0"));
+    EXPECT_EQ(Drawn(off), "_Off");
+    const auto loud = std::make_shared<Material>(
+        KeywordShader("[KeywordEnum(Quiet, Loud)] TINT (\"\", Float) = 1"));
+    EXPECT_TRUE(loud->IsKeywordEnabled("TINT_LOUD"));
+    EXPECT_EQ(Drawn(loud), "_Loud");
+}
+
+TEST(MaterialKeywords, ChooseTheVariantThatIsDrawn)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    EXPECT_EQ(Drawn(material), "_Off");
+    material->EnableKeyword("TINT_LOUD");
+    EXPECT_EQ(Drawn(material), "_Loud");
+    material->DisableKeyword("TINT_LOUD");
+    material->EnableKeyword("UNKNOWN");
+    EXPECT_EQ(Drawn(material), "_Off");
+    EXPECT_TRUE(material->IsKeywordEnabled("UNKNOWN"));
+}
+
+TEST(MaterialKeywords, AreValuesWhereTheShaderBranchesOnThem)
+{
+    const auto material = std::make_shared<Material>(test::ShaderOf(
+        "Shader \"Test/Branches\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex V\n"
+        "#pragma fragment F\n#pragma dynamic_branch _ WET MOSS\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+        "float4 F() : SV_Target { if (WET) { return MOSS; } return 2; }\nENDHLSL } } }"));
+    test::OneDraw draw;
+    draw.Resolve(material);
+    const auto pass = draw.draw().pass;
+    const auto values = [&]
+    {
+        draw.Resolve(material);
+        return std::pair(draw.Ints("WET", 1).at(0), draw.Ints("MOSS", 1).at(0));
+    };
+    EXPECT_EQ(values(), std::pair(0, 0));
+    material->EnableKeyword("MOSS");
+    EXPECT_EQ(values(), std::pair(0, 1));
+    material->EnableKeyword("WET"); // no set of one at a time, as in Unity
+    EXPECT_EQ(values(), std::pair(1, 1));
+    material->DisableKeyword("MOSS");
+    EXPECT_EQ(values(), std::pair(1, 0));
+    // No property can take their place.
+    material->SetFloat(ShaderPropertyId("WET"), 7.0f);
+    EXPECT_EQ(values(), std::pair(1, 0));
+    EXPECT_EQ(draw.draw().pass, pass);
+}
+
+TEST(MaterialTexture, HasScaleOffsetAndSizeFed)
+{
+    const auto material = std::make_shared<Material>(test::ShaderWithProgram(
+        "_Map (\"\", 2D) = \"white\" {}",
+        "Texture2D _Map; float4 _Map_ST; float4 _Map_TexelSize; float4 _Map_HDR;",
+        "_Map.Load(0) + _Map_ST + _Map_TexelSize + _Map_HDR"));
+    const ShaderPropertyId map("_Map");
+    material->SetTexture(map, test::Target("map", 8, 4));
+    test::OneDraw draw;
+    draw.Resolve(material);
+    EXPECT_THAT(draw.Floats("_Map_ST", 4), ElementsAre(1.0f, 1.0f, 0.0f, 0.0f));
+    EXPECT_THAT(draw.Floats("_Map_TexelSize", 4), ElementsAre(0.125f, 0.25f, 8.0f, 4.0f));
+    EXPECT_THAT(draw.Floats("_Map_HDR", 4), ElementsAre(1.0f, 1.0f, 0.0f, 0.0f));
+    material->SetTextureScale(map, {2.0f, 3.0f});
+    material->SetTextureOffset(map, {0.5f, 0.25f});
+    draw.Resolve(material);
+    EXPECT_THAT(draw.Floats("_Map_ST", 4), ElementsAre(2.0f, 3.0f, 0.5f, 0.25f));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,250 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "ThrownMessage.h"
+#include "draw/DrawHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::FloatEq;
+
+const ShaderPropertyId _Value("_Value");
+const ShaderPropertyId _Color("_Color");
+const ShaderPropertyId _Glow("_Glow");
+const ShaderPropertyId _Count("_Count");
+const ShaderPropertyId _Matrix("_Matrix");
+const ShaderPropertyId _Points("_Points");
+const ShaderPropertyId _Map("_Map");
+
+/// What reaches a shader's uniforms.
+class Uniforms : public testing::Test
+{
+protected:
+    /// A material of a shader with these properties and uniforms, all of them in use.
+    static std::shared_ptr<Material> MaterialOf(const std::string& properties,
+                                                const std::string& declarations,
+                                                const std::string& result)
+    {
+        return std::make_shared<Material>(test::ShaderWithProgram(properties, declarations, result),
+                                          "Paint");
+    }
+
+    test::OneDraw m_Draw;
+};
+
+TEST_F(Uniforms, AreZeroWhereNobodySetThem)
+{
+    m_Draw.Resolve(MaterialOf("", "float4 _Value;", "_Value"));
+    EXPECT_THAT(m_Draw.Floats("_Value", 4), ElementsAre(0, 0, 0, 0));
+}
+
+//   block  >  material  >  globals
+TEST_F(Uniforms, TakeTheBlocksValueThenTheMaterialsThenTheGlobal)
+{
+    const auto material = MaterialOf("", "float4 _Value;", "_Value");
+    m_Draw.before.SetGlobalVector(_Value, {1, 1, 1, 1});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Value", 4), ElementsAre(1, 1, 1, 1));
+    material->SetVector(_Value, {2, 2, 2, 2});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Value", 4), ElementsAre(2, 2, 2, 2));
+    m_Draw.block.SetVector(_Value, {3, 3, 3, 3});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Value", 4), ElementsAre(3, 3, 3, 3));
+}
+
+TEST_F(Uniforms, TakeThePropertysDefaultBeforeTheGlobal)
+{
+    m_Draw.before.SetGlobalFloat(_Value, 9.0f);
+    m_Draw.Resolve(MaterialOf("_Value (\"Value\", Float) = 0.25", "float _Value;", "_Value"));
+    EXPECT_THAT(m_Draw.Floats("_Value", 1), ElementsAre(0.25f));
+}
+
+/// sRGB to linear as IEC 61966-2-1 has it, in double.
+double Linear(double s)
+{
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+TEST_F(Uniforms, HoldColorsAsLinear)
+{
+    const auto material =
+        MaterialOf("_Color (\"Color\", Color) = (1, 1, 1, 1)", "float4 _Color;", "_Color");
+    for (int i = 0; i <= 255; ++i)
+    {
+        const double s = i / 255.0;
+        material->SetColor(_Color, {static_cast<float>(s), 0.0f, 1.0f, static_cast<float>(s)});
+        m_Draw.Resolve(material);
+        const std::vector<float> color = m_Draw.Floats("_Color", 4);
+        EXPECT_NEAR(color[0], Linear(s), 1e-6) << "sRGB " << i;
+        EXPECT_EQ(color[1], 0.0f);
+        EXPECT_EQ(color[2], 1.0f);
+        EXPECT_EQ(color[3], static_cast<float>(s)) << "alpha is no colour";
+    }
+}
+
+TEST_F(Uniforms, HoldBrightColorsAsAPowerOf2Point2)
+{
+    const auto material = MaterialOf("", "float4 _Color;", "_Color");
+    material->SetColor(_Color, {2.0f, 4.0f, 0.0f, 1.0f});
+    m_Draw.Resolve(material);
+    EXPECT_NEAR(m_Draw.Floats("_Color", 1)[0], std::pow(2.0, 2.2), 1e-5);
+    EXPECT_NEAR(m_Draw.Floats("_Color", 1, 4)[0], std::pow(4.0, 2.2), 1e-4);
+}
+
+TEST_F(Uniforms, HoldHdrColorsAndVectorsAsTheyAre)
+{
+    const auto material = MaterialOf("[HDR] _Glow (\"Glow\", Color) = (0.5, 2, 0, 1)\n"
+                                     "_Value (\"Value\", Vector) = (0.5, 0.5, 0.5, 0.5)",
+                                     "float4 _Glow; float4 _Value;", "_Glow + _Value");
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Glow", 4), ElementsAre(0.5f, 2, 0, 1));
+    EXPECT_THAT(m_Draw.Floats("_Value", 4), ElementsAre(0.5f, 0.5f, 0.5f, 0.5f));
+    material->SetColor(_Glow, {0.25f, 8, 0, 1});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Glow", 4), ElementsAre(0.25f, 8, 0, 1));
+}
+
+TEST_F(Uniforms, DescribeTheTexelsOfTheTextureOfTheirName)
+{
+    const auto material = MaterialOf("", "float4 _Map_TexelSize;", "_Map_TexelSize");
+    material->SetTexture(_Map, test::Target("map", 40, 8));
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Map_TexelSize", 4), ElementsAre(0.025f, 0.125f, 40, 8));
+}
+
+TEST_F(Uniforms, DescribeTheTexelsOfTheBlocksTexture)
+{
+    const auto material = MaterialOf("", "float4 _Map_TexelSize;", "_Map_TexelSize");
+    material->SetTexture(_Map, test::Target("map", 40, 8));
+    m_Draw.block.SetTexture(_Map, test::Target("other", 2, 4));
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Map_TexelSize", 4), ElementsAre(0.5f, 0.25f, 2, 4));
+}
+
+TEST_F(Uniforms, DescribeOneTexelWhereNoTextureIsSet)
+{
+    m_Draw.Resolve(MaterialOf("_Map (\"Map\", 2D) = \"white\" {}", "float4 _Map_TexelSize;",
+                              "_Map_TexelSize"));
+    EXPECT_THAT(m_Draw.Floats("_Map_TexelSize", 4), ElementsAre(1, 1, 1, 1));
+}
+
+TEST_F(Uniforms, LeaveTextureCoordinatesAloneUnlessTold)
+{
+    const auto material = MaterialOf("", "float4 _Map_ST;", "_Map_ST");
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Map_ST", 4), ElementsAre(1, 1, 0, 0));
+    material->SetVector(ShaderPropertyId("_Map_ST"), {2, 3, 4, 5});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Map_ST", 4), ElementsAre(2, 3, 4, 5));
+}
+
+TEST_F(Uniforms, HoldIntegersAsTheShaderDeclaresThem)
+{
+    const auto material =
+        MaterialOf("_Count (\"Count\", Integer) = -7\n_Value (\"V\", Float) = 2.6",
+                   "int _Count; int _Value;", "_Count + _Value");
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Ints("_Count", 1), ElementsAre(-7));
+    EXPECT_THAT(m_Draw.Ints("_Value", 1), ElementsAre(3));
+    const auto asFloat = MaterialOf("", "float _Count;", "_Count");
+    asFloat->SetInt(_Count, -7);
+    m_Draw.Resolve(asFloat);
+    EXPECT_THAT(m_Draw.Floats("_Count", 1), ElementsAre(-7.0f));
+}
+
+TEST_F(Uniforms, HoldMatricesColumnByColumn)
+{
+    const auto material = MaterialOf("", "float4x4 _Matrix;", "mul(_Matrix, float4(1, 2, 3, 4))");
+    glm::mat4 matrix(0.0f);
+    for (int i = 0; i < 16; ++i)
+    {
+        matrix[i / 4][i % 4] = static_cast<float>(i);
+    }
+    material->SetMatrix(_Matrix, matrix);
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 16),
+                ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+}
+
+TEST_F(Uniforms, HoldAsManyArrayElementsAsThereAre)
+{
+    const auto material =
+        MaterialOf("", "float4 _Points[3];", "_Points[0] + _Points[1] + _Points[2]");
+    m_Draw.block.SetVectorArray(_Points, {{1, 2, 3, 4}, {5, 6, 7, 8}});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Points", 12), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0));
+    m_Draw.block.SetVectorArray(_Points, std::vector<glm::vec4>(10, glm::vec4(9)));
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Points", 12), ElementsAre(9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9));
+}
+
+TEST_F(Uniforms, HoldTheFirstComponentOfEachElementOfAFloatArray)
+{
+    const auto material = MaterialOf("", "float _Points[2];", "_Points[0] + _Points[1]");
+    m_Draw.block.SetVectorArray(_Points, {{1, 2, 3, 4}, {5, 6, 7, 8}});
+    m_Draw.Resolve(material);
+    EXPECT_EQ(m_Draw.Floats("_Points", 1)[0], 1.0f);
+    EXPECT_EQ(m_Draw.Floats("_Points", 1, 16)[0], 5.0f);
+}
+
+TEST_F(Uniforms, DoNotOverflowTheirPlace)
+{
+    const auto material = MaterialOf("", "float2 _Value; float2 _Glow;", "float4(_Value, _Glow)");
+    material->SetVector(_Value, {1, 2, 3, 4});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Value", 2), ElementsAre(1, 2));
+    EXPECT_THAT(m_Draw.Floats("_Glow", 2), ElementsAre(0, 0));
+}
+
+std::string ErrorOf(const std::shared_ptr<const Material>& material)
+{
+    return test::ThrownMessage<ContractError>([&] { test::OneDraw().Resolve(material); });
+}
+
+TEST_F(Uniforms, RefuseAValueOfAnotherKind)
+{
+    const auto matrix = MaterialOf("", "float4x4 _Matrix;", "_Matrix[0]");
+    matrix->SetFloat(_Matrix, 1.0f);
+    EXPECT_EQ(ErrorOf(matrix), "material 'Paint': property '_Matrix' is set to a number, but the "
+                               "shader declares a matrix");
+    const auto number = MaterialOf("", "float4 _Value;", "_Value");
+    number->SetMatrix(_Value, glm::mat4(1.0f));
+    EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to a matrix, but the "
+                               "shader declares a number or vector");
+    number->SetTexture(_Value, test::Target("map"));
+    EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to a texture, but the "
+                               "shader declares a number or vector");
+}
+
+TEST_F(Uniforms, RefuseAMaterialsValueThatIsNoNumber)
+{
+    constexpr float k_Nan = std::numeric_limits<float>::quiet_NaN();
+    const auto material = MaterialOf("", "float4 _Value;", "_Value");
+    material->SetFloat(_Value, k_Nan);
+    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
+    material->SetVector(_Value, {0.0f, 1.0f, 2.0f, k_Nan});
+    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
+}
+
+TEST_F(Uniforms, BeginAtOffsetsThatAnyDeviceAccepts)
+{
+    const auto material = MaterialOf("", "cbuffer A { float4 _Value; } cbuffer B { float4 _Glow; }",
+                                     "_Value + _Glow");
+    m_Draw.Resolve(material);
+    ASSERT_EQ(m_Draw.draw().bindings->uniforms.size(), 2u);
+    for (const UniformSlice& slice : m_Draw.draw().bindings->uniforms)
+    {
+        EXPECT_EQ(slice.offset % 256, 0u);
+        EXPECT_LE(slice.offset + slice.size, m_Draw.frame().uniformData.size());
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/RendererHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A pass that draws what its filter lets through.
+class FilteredPass final : public test::LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void Execute(ScriptableRenderContext& context, RenderingData& data) override
+    {
+        context.DrawRenderers(data.cullResults,
+                              CreateDrawingSettings(ShaderTagId("UniversalForward"), data,
+                                                    SortingCriteria::CommonOpaque),
+                              filtering);
+    }
+    FilteringSettings filtering;
+};
+
+/// What the user is told about a frame.
+class Reports : public testing::Test
+{
+protected:
+    Reports()
+    {
+        const auto shown = std::make_shared<Material>(test::ShaderWithProgram(""));
+        const auto unmatched = std::make_shared<Material>(test::ShaderWithModes({"Other"}));
+        test::AddCube(m_Scene, "a", {0, 0, 10}, {shown});
+        test::AddCube(m_Scene, "b", {0, 0, 10}, {shown});
+        test::AddCube(m_Scene, "c", {0, 0, 10}, {unmatched}).layer = 6;
+        m_Harness.cullResults = Cull(m_Scene, m_Harness.camera, 2.0f);
+    }
+
+    test::Log m_Log;
+    Scene m_Scene;
+    test::RendererHarness m_Harness;
+    FilteredPass m_Pass{"Outline", RenderPassEvent::AfterRenderingOpaques, m_Log};
+};
+
+TEST_F(Reports, ListPassesInTheOrderTheyRan)
+{
+    test::LoggingPass early("Early", RenderPassEvent::BeforeRenderingOpaques + 3, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&m_Pass, &early});
+    m_Harness.Render();
+    ASSERT_EQ(m_Harness.report.passes.size(), 2u);
+    EXPECT_EQ(m_Harness.report.passes[0].name, "Early");
+    EXPECT_EQ(static_cast<int>(m_Harness.report.passes[0].renderPassEvent), 253);
+    EXPECT_EQ(m_Harness.report.passes[1].name, "Outline");
+}
+
+TEST_F(Reports, CountWhatEachRuleDecided)
+{
+    m_Harness.AddFeature("f", m_Log, {&m_Pass});
+    m_Harness.Render();
+    ASSERT_EQ(m_Harness.report.draws.size(), 1u);
+    EXPECT_EQ(m_Harness.report.draws[0].pass, "Outline");
+    EXPECT_EQ(m_Harness.report.draws[0].counts, (FilterCounts{2, 0, 0, 0, 1}));
+    EXPECT_THAT(m_Harness.report.notes, IsEmpty());
+}
+
+TEST_F(Reports, SayWhyAFeaturesPassDrewNothing)
+{
+    m_Pass.filtering.layerMask = LayerMask::FromIndex(6);
+    m_Harness.AddFeature("f", m_Log, {&m_Pass});
+    m_Harness.Render();
+    EXPECT_THAT(m_Harness.report.notes,
+                ElementsAre("Outline: 0 of 3 renderers drawn: 2 layer mask, 1 no pass with a "
+                            "wanted LightMode"));
+}
+
+TEST_F(Reports, SayThatAFeaturesMaskIsEmpty)
+{
+    m_Pass.filtering.layerMask = LayerMask::Nothing();
+    m_Harness.AddFeature("f", m_Log, {&m_Pass});
+    m_Harness.Render();
+    EXPECT_THAT(m_Harness.report.notes,
+                ElementsAre("Outline: 0 of 3 renderers drawn: 3 layer mask; the filter's layerMask "
+                            "is 0 (Nothing)"));
+}
+
+TEST_F(Reports, SayOnceWhyAPassThatRanTwiceDrewNothing)
+{
+    m_Pass.filtering.layerMask = LayerMask::Nothing();
+    m_Harness.AddFeature("f", m_Log, {&m_Pass, &m_Pass});
+    m_Harness.Render();
+    EXPECT_EQ(m_Harness.report.draws.size(), 2u);
+    EXPECT_EQ(m_Harness.report.notes.size(), 1u);
+}
+
+TEST_F(Reports, SayNothingOfABuiltInPassWithNothingToDo)
+{
+    m_Pass.filtering.layerMask = LayerMask::Nothing();
+    m_Harness.renderer.builtIn = {&m_Pass};
+    m_Harness.Render();
+    EXPECT_EQ(m_Harness.report.draws.size(), 1u);
+    EXPECT_THAT(m_Harness.report.notes, IsEmpty());
+}
+
+} // namespace
+} // namespace limn

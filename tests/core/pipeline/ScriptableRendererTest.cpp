@@ -1,0 +1,203 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "ThrownMessage.h"
+#include "pipeline/RendererHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using test::Log;
+using test::LoggingPass;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// The order in which features and passes are called.
+class ScriptableRendererOrder : public testing::Test
+{
+protected:
+    /// Names of the passes in the order they executed.
+    Log ExecutedPasses() const
+    {
+        Log names;
+        for (const ExecutedPassReport& pass : m_Harness.report.passes)
+        {
+            names.push_back(pass.name);
+        }
+        return names;
+    }
+
+    Log m_Log;
+    test::RendererHarness m_Harness;
+};
+
+TEST_F(ScriptableRendererOrder, CallsAllFeaturesAndPassesStepByStep)
+{
+    LoggingPass late("late", RenderPassEvent::AfterRenderingTransparents, m_Log);
+    LoggingPass first("first", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass second("second", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass builtIn("builtIn", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&late, &first});
+    m_Harness.AddFeature("g", m_Log, {&second});
+    m_Harness.renderer.builtIn = {&builtIn};
+    m_Harness.renderer.log = &m_Log;
+    m_Harness.Render();
+    EXPECT_THAT(m_Log,
+                ElementsAre("f.Create", "g.Create", "f.AddRenderPasses", "g.AddRenderPasses",
+                            "Setup", "f.SetupRenderPasses", "g.SetupRenderPasses",
+                            "late.OnCameraSetup", "first.OnCameraSetup", "second.OnCameraSetup",
+                            "builtIn.OnCameraSetup", "first.Configure", "second.Configure",
+                            "builtIn.Configure", "late.Configure", "first.Execute",
+                            "second.Execute", "builtIn.Execute", "late.Execute",
+                            "first.OnCameraCleanup", "second.OnCameraCleanup",
+                            "builtIn.OnCameraCleanup", "late.OnCameraCleanup"));
+}
+
+TEST_F(ScriptableRendererOrder, SortsByEventAndKeepsEqualEventsAsEnqueued)
+{
+    LoggingPass a("A", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass b("B", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    LoggingPass c("C", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass d("D", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&a, &b, &c, &d});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("B", "D", "A", "C"));
+}
+
+TEST_F(ScriptableRendererOrder, HonoursOffsetsOfEvents)
+{
+    using enum RenderPassEvent;
+    LoggingPass a("301", AfterRenderingOpaques + 1, m_Log);
+    LoggingPass b("299", AfterRenderingOpaques - 1, m_Log);
+    LoggingPass c("300", AfterRenderingOpaques, m_Log);
+    LoggingPass d("255", static_cast<RenderPassEvent>(255), m_Log);
+    LoggingPass e("1002", AfterRendering + 2, m_Log);
+    LoggingPass f("-1", BeforeRendering - 1, m_Log);
+    a.ConfigureTarget(m_Harness.renderer.color);
+    m_Harness.AddFeature("f", m_Log, {&a, &b, &c, &d, &e, &f});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("-1", "255", "299", "300", "301", "1002"));
+}
+
+TEST_F(ScriptableRendererOrder, RunsAPassAsOftenAsItIsEnqueued)
+{
+    LoggingPass pass("twice", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&pass, &pass});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("twice", "twice"));
+}
+
+TEST_F(ScriptableRendererOrder, RunsAFeaturesPassBeforeTheBuiltInOneOfTheSameEvent)
+{
+    LoggingPass user("user", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    LoggingPass opaque("opaque", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&user});
+    m_Harness.renderer.builtIn = {&opaque};
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("user", "opaque"));
+}
+
+/// A pass that moves to another event when the camera is set up.
+class MovingPass final : public LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void OnCameraSetup(CommandBuffer&, RenderingData&) override
+    {
+        renderPassEvent = RenderPassEvent::AfterRenderingTransparents;
+    }
+};
+
+TEST_F(ScriptableRendererOrder, SortsBehindOnCameraSetup)
+{
+    MovingPass moving("moving", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    LoggingPass still("still", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&moving, &still});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("still", "moving"));
+}
+
+TEST_F(ScriptableRendererOrder, StartsEachCameraWithAnEmptyQueue)
+{
+    LoggingPass pass("pass", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&pass});
+    m_Harness.Render();
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("pass"));
+}
+
+TEST_F(ScriptableRendererOrder, CallsNothingOfAnInactiveFeatureAndSaysSo)
+{
+    LoggingPass pass("pass", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("Outline", m_Log, {&pass});
+    m_Log.clear();
+    m_Harness.renderer.rendererFeatures().front()->SetActive(false);
+    m_Harness.Render();
+    EXPECT_THAT(m_Log, IsEmpty());
+    EXPECT_THAT(ExecutedPasses(), IsEmpty());
+    EXPECT_THAT(m_Harness.report.notes, ElementsAre("Outline: not drawn, the feature is inactive"));
+}
+
+TEST_F(ScriptableRendererOrder, CreatesAFeatureOnceWhenItIsAdded)
+{
+    m_Harness.AddFeature("f", m_Log, {});
+    m_Harness.renderer.rendererFeatures().front()->SetActive(false);
+    m_Harness.renderer.rendererFeatures().front()->SetActive(true);
+    EXPECT_THAT(m_Log, ElementsAre("f.Create"));
+}
+
+TEST_F(ScriptableRendererOrder, RefusesAFeatureThatIsNull)
+{
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Harness.renderer.AddFeature(nullptr); }),
+              "AddFeature: the feature is null");
+}
+
+/// A pass that fails on request.
+class FailingPass final : public LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void Execute(ScriptableRenderContext&, RenderingData&) override
+    {
+        if (fails)
+        {
+            throw std::runtime_error("the mask is missing");
+        }
+    }
+    bool fails = true;
+};
+
+TEST_F(ScriptableRendererOrder, CanRenderAgainAfterAPassHasThrown)
+{
+    FailingPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass other("other", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&failing, &other});
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }),
+              "the mask is missing");
+    EXPECT_THROW(m_Harness.renderer.cameraColorTargetHandle(), ContractError);
+    failing.fails = false;
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("failing", "other"));
+}
+
+TEST(RenderPassBlock, DividesTheFrameAt150And300And600)
+{
+    const auto block = [](int event)
+    {
+        return BlockOf(static_cast<RenderPassEvent>(event));
+    };
+    EXPECT_EQ(static_cast<int>(block(0)), 0);
+    EXPECT_EQ(static_cast<int>(block(149)), 0);
+    EXPECT_EQ(static_cast<int>(block(150)), 1);
+    EXPECT_EQ(static_cast<int>(block(299)), 1);
+    EXPECT_EQ(static_cast<int>(block(300)), 2);
+    EXPECT_EQ(static_cast<int>(block(599)), 2);
+    EXPECT_EQ(static_cast<int>(block(600)), 3);
+    EXPECT_EQ(static_cast<int>(block(1002)), 3);
+}
+
+} // namespace
+} // namespace limn

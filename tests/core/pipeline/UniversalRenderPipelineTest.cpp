@@ -1,0 +1,347 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
+
+#include "ThrownMessage.h"
+#include "draw/DrawHarness.h"
+#include "frame/FrameBuilder.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+using enum TextureUsage;
+
+/// Two cubes before a camera, rendered at 64 x 32 pixels on a device that draws nothing.
+class Pipeline : public testing::Test
+{
+protected:
+    Pipeline()
+    {
+        test::AddCube(m_Scene, "left", {-1, 0, 10}, {m_Opaque});
+        test::AddCube(m_Scene, "right", {1, 0, 10}, {m_Opaque});
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = 64;
+        m_Request.height = 32;
+    }
+
+    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
+
+    RecordingDevice m_Device;
+    UniversalRenderPipeline m_Pipeline{m_Device};
+    UniversalRenderer m_Renderer{test::Compiler()};
+    const std::shared_ptr<Material> m_Opaque =
+        std::make_shared<Material>(test::ShaderWithProgram("", "float4 _Value;", "_Value"));
+    Scene m_Scene;
+    Camera m_Camera;
+    RenderRequest m_Request;
+};
+
+std::vector<DrawCommand> DrawsOf(const CompiledRenderPass& pass)
+{
+    std::vector<DrawCommand> draws;
+    for (const PassCommand& command : pass.commands)
+    {
+        if (const auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            draws.push_back(*draw);
+        }
+    }
+    return draws;
+}
+
+//   Draw Opaque Objects ─▶ _CameraColorAttachmentA ─▶ Final Blit ─▶ limn_Output ─▶ read back
+//                       └▶ _CameraDepthAttachment (not stored)
+TEST_F(Pipeline, DrawsASceneInOnePassAndCopiesItToTheOutput)
+{
+    const RenderResult result = Render();
+    ASSERT_EQ(result.frame.passes.size(), 2u);
+    const CompiledRenderPass& scene = result.frame.passes[0];
+    EXPECT_EQ(scene.name, "Draw Opaque Objects");
+    EXPECT_EQ(scene.width, 64);
+    EXPECT_EQ(scene.height, 32);
+    ASSERT_EQ(scene.colors.size(), 1u);
+    EXPECT_EQ(scene.colors[0].texture->graphicsFormat(), GraphicsFormat::R16G16B16A16_SFloat);
+    EXPECT_EQ(scene.colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(scene.colors[0].store, StoreOp::Store);
+    ASSERT_TRUE(scene.depth);
+    EXPECT_EQ(scene.depth->texture->graphicsFormat(), GraphicsFormat::D32_SFloat);
+    EXPECT_EQ(scene.depth->load, LoadOp::Clear);
+    EXPECT_EQ(scene.depth->clearDepth, 1.0f);
+
+    const CompiledRenderPass& blit = result.frame.passes[1];
+    EXPECT_EQ(blit.name, "Final Blit");
+    ASSERT_EQ(blit.colors.size(), 1u);
+    EXPECT_EQ(blit.colors[0].texture, result.output.rt());
+    EXPECT_EQ(blit.colors[0].store, StoreOp::Store);
+    EXPECT_FALSE(blit.depth);
+}
+
+TEST_F(Pipeline, DoesNotStoreTheDepthThatNobodyReads)
+{
+    const CompiledRenderPass pass = Render().frame.passes.at(0);
+    EXPECT_EQ(pass.depth->store, StoreOp::DontCare);
+    EXPECT_EQ(pass.depth->stencilStore, StoreOp::DontCare);
+}
+
+TEST_F(Pipeline, DrawsEqualCubesAsInstances)
+{
+    const RenderResult result = Render();
+    const auto draws = DrawsOf(result.frame.passes.at(0));
+    ASSERT_EQ(draws.size(), 1u);
+    EXPECT_EQ(draws[0].mesh, test::Cube());
+    EXPECT_EQ(draws[0].instanceCount, 2u);
+    EXPECT_EQ(result.frame.perDraw.at(draws[0].firstInstance).objectToWorld[12], -1.0f);
+}
+
+TEST_F(Pipeline, AddsNoPassForASceneWithoutTransparentObjects)
+{
+    const RenderResult opaque = Render();
+    const auto transparent = std::make_shared<Material>(m_Opaque->shader());
+    transparent->SetRenderQueue(3000);
+    test::AddCube(m_Scene, "glass", {0, 0, 5}, {transparent});
+    const RenderResult mixed = Render();
+    EXPECT_EQ(opaque.frame.passes.size(), 2u);
+    EXPECT_EQ(mixed.frame.passes.size(), 2u);
+    EXPECT_THAT(DrawsOf(opaque.frame.passes[0]).size(), 1u);
+    EXPECT_THAT(DrawsOf(mixed.frame.passes[0]).size(), 2u);
+}
+
+TEST_F(Pipeline, RunsTheBuiltInPassesAtTheirEvents)
+{
+    std::vector<std::pair<std::string, int>> passes;
+    for (const ExecutedPassReport& pass : Render().report.passes)
+    {
+        passes.emplace_back(pass.name, static_cast<int>(pass.renderPassEvent));
+    }
+    EXPECT_THAT(passes, ElementsAre(std::pair{"Draw Opaque Objects", 250},
+                                    std::pair{"Draw Transparent Objects", 450},
+                                    std::pair{"Final Blit", 1001}));
+}
+
+TEST_F(Pipeline, MakesTheOutputReadableBehindTheFrame)
+{
+    const RenderResult result = Render();
+    EXPECT_EQ(result.output.rt()->graphicsFormat(), GraphicsFormat::R8G8B8A8_SRGB);
+    EXPECT_EQ(result.output.rt()->width(), 64);
+    EXPECT_THAT(result.frame.finalBarriers,
+                ElementsAre(TextureBarrier{result.output.rt(), ColorAttachment, CopySource}));
+}
+
+TEST_F(Pipeline, WaitsForTheSceneBeforeTheCopy)
+{
+    const RenderResult result = Render();
+    const auto& color = result.frame.passes.at(0).colors.at(0).texture;
+    EXPECT_THAT(
+        result.frame.passes.at(1).barriers,
+        UnorderedElementsAre(TextureBarrier{color, ColorAttachment, ShaderRead},
+                             TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
+}
+
+TEST_F(Pipeline, GivesTheDeviceTheFrameThatItReturns)
+{
+    const RenderResult result = Render();
+    ASSERT_EQ(m_Device.frames().size(), 1u);
+    EXPECT_EQ(m_Device.frames()[0].passes.size(), result.frame.passes.size());
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Device.ReadBack(*result.output.rt()); }),
+              "RecordingDevice draws nothing, so 'limn_Output' has no texels to read back");
+}
+
+TEST_F(Pipeline, KeepsItsTexturesBetweenFrames)
+{
+    const RenderResult first = Render();
+    const RenderResult second = Render();
+    EXPECT_EQ(first.output, second.output);
+    EXPECT_EQ(first.frame.passes[0].colors[0].texture, second.frame.passes[0].colors[0].texture);
+    EXPECT_EQ(second.frame.passes[0].colors[0].load, LoadOp::Clear);
+}
+
+TEST_F(Pipeline, MakesNewTexturesForAnotherSize)
+{
+    const RenderResult first = Render();
+    m_Request.width = 1;
+    m_Request.height = 1;
+    const RenderResult second = Render();
+    EXPECT_NE(first.output, second.output);
+    EXPECT_EQ(second.output.rt()->width(), 1);
+    EXPECT_EQ(second.frame.passes[0].colors[0].texture->height(), 1);
+}
+
+TEST_F(Pipeline, UsesALowRangeTargetForACameraWithoutHdr)
+{
+    m_Camera.allowHDR = false;
+    EXPECT_EQ(Render().frame.passes.at(0).colors[0].texture->graphicsFormat(),
+              GraphicsFormat::R8G8B8A8_SRGB);
+}
+
+TEST_F(Pipeline, ClearsToTheBackgroundOfAnEmptyScene)
+{
+    m_Scene = Scene();
+    m_Camera.backgroundColor = {1, 0, 0, 0.5f};
+    const CompiledRenderPass pass = Render().frame.passes.at(0);
+    EXPECT_EQ(pass.colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(pass.colors[0].clearColor, (Color{1, 0, 0, 0.5f}));
+}
+
+TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
+{
+    m_Renderer.opaqueLayerMask = LayerMask::FromIndex(3);
+    EXPECT_TRUE(DrawsOf(Render().frame.passes.at(0)).empty());
+    m_Renderer.opaqueLayerMask = LayerMask::FromIndex(0);
+    EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
+}
+
+TEST_F(Pipeline, RefusesARequestThatCannotBeRendered)
+{
+    m_Request.width = 0;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
+              "RenderSingleCamera: the size is 0x32; both must be greater than 0");
+    m_Request.width = 64;
+    m_Request.alsoReadBack = {RTHandle()};
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
+              "RenderSingleCamera: alsoReadBack[0] is an empty handle");
+    m_Request.alsoReadBack.clear();
+    m_Request.scene = nullptr;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
+              "RenderSingleCamera: scene and camera must be given");
+    EXPECT_TRUE(m_Device.frames().empty());
+}
+
+/// The floats of a global that the scene's shader reads as `_Value`'s neighbour.
+std::vector<float> GlobalOf(UniversalRenderPipeline& pipeline, UniversalRenderer& renderer,
+                            const Camera& camera, const std::string& name, float time = 0.0f)
+{
+    Scene scene;
+    const auto material =
+        std::make_shared<Material>(test::ShaderWithProgram("", "float4 " + name + ";", name));
+    const glm::vec3 ahead = camera.transform.position() + camera.transform.forward() * 5.0f;
+    test::AddCube(scene, "probe", ahead, {material});
+    RenderRequest request;
+    request.scene = &scene;
+    request.camera = &camera;
+    request.width = 64;
+    request.height = 32;
+    request.time = time;
+    const CompiledFrame frame = pipeline.RenderSingleCamera(renderer, request).frame;
+    FrameCommands data;
+    data.uniformData = frame.uniformData;
+    return test::ReadUniform<float>(data, DrawsOf(frame.passes.at(0)).at(0), name, 4);
+}
+
+TEST_F(Pipeline, TellsShadersHowToReadDepth)
+{
+    m_Camera.nearClipPlane = 0.3f;
+    m_Camera.farClipPlane = 1000.0f;
+    const auto params = GlobalOf(m_Pipeline, m_Renderer, m_Camera, "_ZBufferParams");
+    EXPECT_NEAR(params[0], 3332.333, 0.001);
+    EXPECT_EQ(params[1], 1.0f);
+    EXPECT_NEAR(params[2], 3.332333, 1e-6);
+    EXPECT_NEAR(params[3], 0.001, 1e-9);
+    EXPECT_NEAR(1.0 / (params[2] * 1.0 + params[3]), 0.3, 1e-6) << "LinearEyeDepth at near";
+    EXPECT_NEAR(1.0 / (params[2] * 0.0 + params[3]), 1000.0, 1e-3) << "LinearEyeDepth at far";
+}
+
+TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
+{
+    m_Camera.transform.localPosition = {1, 2, 3};
+    const auto global = [&](const char* name)
+    {
+        return GlobalOf(m_Pipeline, m_Renderer, m_Camera, name, 2.0f);
+    };
+    EXPECT_THAT(global("_WorldSpaceCameraPos"), ElementsAre(1, 2, 3, 0));
+    EXPECT_THAT(global("_ScreenParams"), ElementsAre(64, 32, 1.015625f, 1.03125f));
+    EXPECT_THAT(global("_ProjectionParams"), ElementsAre(1, 0.3f, 1000, 0.001f));
+    EXPECT_THAT(global("_Time"), ElementsAre(0.1f, 2, 4, 6));
+    EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
+}
+
+TEST_F(Pipeline, TellsShadersOfBothPipelinesTheColorOfTheMainLight)
+{
+    for (const char* name : {"_MainLightColor", "_LightColor0"})
+    {
+        EXPECT_THAT(GlobalOf(m_Pipeline, m_Renderer, m_Camera, name), ElementsAre(1, 1, 1, 1))
+            << name;
+    }
+}
+
+TEST_F(Pipeline, DoesNotLoadTheLastPictureIntoTheOutput)
+{
+    Render();
+    const RenderResult second = Render();
+    EXPECT_EQ(second.frame.passes.back().colors[0].texture->name(), "limn_Output");
+    EXPECT_EQ(second.frame.passes.back().colors[0].load, LoadOp::DontCare);
+}
+
+/// Refuses frames while told to.
+class RefusingDevice final : public GraphicsDevice
+{
+public:
+    bool m_Refuses = false;
+    void Execute(const CompiledFrame&) override
+    {
+        if (m_Refuses)
+        {
+            throw ContractError("refused");
+        }
+    }
+    Image ReadBack(const RenderTexture&) override { return {}; }
+    std::vector<PassTiming> LastFrameTimings() override { return {}; }
+};
+
+TEST_F(Pipeline, ForgetsAFrameThatTheDeviceRefused)
+{
+    RefusingDevice device;
+    UniversalRenderPipeline pipeline(device);
+    pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    device.m_Refuses = true;
+    m_Request.width = 32; // new textures, which the device never made
+    EXPECT_THROW(pipeline.RenderSingleCamera(m_Renderer, m_Request), ContractError);
+    device.m_Refuses = false;
+    const RenderResult result = pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    for (const TextureBarrier& barrier : result.frame.passes[0].barriers)
+    {
+        EXPECT_EQ(barrier.before, Undefined) << barrier.texture->name();
+    }
+    EXPECT_EQ(result.frame.passes[0].barriers.size(), 2u);
+}
+
+TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)
+{
+    Scene scene;
+    test::AddCube(
+        scene, "reader", {0, 0, 10},
+        {std::make_shared<Material>(test::ShaderWithProgram(
+            "", "Texture2D _CameraDepthTexture;", "_CameraDepthTexture.Load(int3(0, 0, 0))"))});
+    m_Request.scene = &scene;
+    const RenderResult result = Render();
+    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
+    ASSERT_EQ(draws.size(), 1u);
+    ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
+    EXPECT_EQ(draws[0].bindings->textures[0].texture, DefaultTexture("black"));
+}
+
+TEST_F(Pipeline, ReflectsNothingWithoutAReflectionProbe)
+{
+    Scene scene;
+    test::AddCube(scene, "mirror", {0, 0, 10},
+                  {std::make_shared<Material>(test::ShaderWithProgram(
+                      "", "TextureCube unity_SpecCube0; SamplerState samplerunity_SpecCube0;",
+                      "unity_SpecCube0.Sample(samplerunity_SpecCube0, float3(0, 0, 1))"))});
+    m_Request.scene = &scene;
+    const RenderResult result = Render();
+    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
+    ASSERT_EQ(draws.size(), 1u);
+    ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
+    EXPECT_EQ(draws[0].bindings->textures[0].texture,
+              DefaultTexture("black", TextureDimension::Cube));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,230 @@
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <limn/core/Image.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "TemporaryFolder.h"
+#include "ThrownMessage.h"
+#include "texture/FileSizeLimit.h"
+
+namespace limn
+{
+namespace
+{
+
+using test::FileSizeLimit;
+using test::TemporaryFolder;
+using test::ThrownMessage;
+
+/// 2x1, palette (255, 128, 0, opaque) and (10, 20, 30, alpha 64). This one and the next were put
+/// together byte by byte with zlib alone.
+const unsigned char k_PalettePng[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
+    0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x03, 0x00, 0x00, 0x00, 0xc3,
+    0xfc, 0x8f, 0xb8, 0x00, 0x00, 0x00, 0x06, 0x50, 0x4c, 0x54, 0x45, 0xff, 0x80, 0x00, 0x0a,
+    0x14, 0x1e, 0x29, 0x73, 0xcd, 0x71, 0x00, 0x00, 0x00, 0x02, 0x74, 0x52, 0x4e, 0x53, 0xff,
+    0x40, 0x93, 0x6b, 0x71, 0xda, 0x00, 0x00, 0x00, 0x0b, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda,
+    0x63, 0x60, 0x60, 0x04, 0x00, 0x00, 0x04, 0x00, 0x02, 0x2c, 0xde, 0x48, 0xad, 0x00, 0x00,
+    0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+/// 1x1, RGB with 16 bits each: 0, 0x8080, 0xffff; no gamma stated.
+const unsigned char k_Rgb16Png[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
+    0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x10, 0x02, 0x00, 0x00, 0x00, 0xc0,
+    0xe7, 0x8f, 0x9d, 0x00, 0x00, 0x00, 0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x60,
+    0x60, 0x68, 0x68, 0xf8, 0xff, 0x1f, 0x00, 0x06, 0x84, 0x02, 0xff, 0xff, 0x1b, 0x62, 0xf1,
+    0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+std::string_view Bytes(const unsigned char* bytes, std::size_t size)
+{
+    return {reinterpret_cast<const char*>(bytes), size};
+}
+
+std::vector<std::byte> Texels(const std::vector<int>& values)
+{
+    std::vector<std::byte> texels;
+    for (const int value : values)
+    {
+        texels.push_back(static_cast<std::byte>(value));
+    }
+    return texels;
+}
+
+/// 2x2 in four clearly different texels, one of them half and one wholly transparent.
+Image FourTexels(GraphicsFormat format = GraphicsFormat::R8G8B8A8_SRGB)
+{
+    return {2, 2, format, Texels({255, 0, 0, 255, 0, 128, 0, 255, 0, 0, 1, 128, 200, 100, 50, 0})};
+}
+
+/// So many texels of noise that no compressor makes a small file of them.
+Image Noise()
+{
+    Image image{64, 64, GraphicsFormat::R8_UNorm, {}};
+    std::uint32_t state = 1;
+    for (int i = 0; i < 64 * 64; ++i)
+    {
+        state = state * 1664525u + 1013904223u;
+        image.texels.push_back(static_cast<std::byte>(state >> 24));
+    }
+    return image;
+}
+
+std::string ContentOf(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(ReadPng, ReadsAPaletteWithAlpha)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.Write("a.png", Bytes(k_PalettePng, sizeof k_PalettePng));
+    const Image expected{2, 1, GraphicsFormat::R8G8B8A8_SRGB,
+                         Texels({255, 128, 0, 255, 10, 20, 30, 64})};
+    EXPECT_EQ(ReadPng(path), expected);
+}
+
+TEST(ReadPng, TakesSixteenBitsForSrgbToo)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.Write("a.png", Bytes(k_Rgb16Png, sizeof k_Rgb16Png));
+    const Image expected{1, 1, GraphicsFormat::R8G8B8A8_SRGB, Texels({0, 0x80, 255, 255})};
+    EXPECT_EQ(ReadPng(path), expected);
+}
+
+TEST(ReadPng, SaysThatAFileIsMissing)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { ReadPng(folder / "none.png"); }),
+              (folder / "none.png").string() +
+                  ": error: cannot be read: No such file or directory");
+}
+
+TEST(ReadPng, SaysThatAFileIsNoPng)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.Write("a.png", "GIF89a, as it were");
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { ReadPng(path); }),
+              path.string() + ": error: is no readable PNG: Not a PNG file");
+}
+
+TEST(ReadPng, RejectsAFileThatIsCutOff)
+{
+    const TemporaryFolder folder;
+    for (std::size_t size = 0; size < sizeof k_PalettePng - 12; ++size)
+    {
+        const auto path = folder.Write("a.png", Bytes(k_PalettePng, size));
+        EXPECT_THROW(ReadPng(path), AssetError) << "after " << size << " bytes";
+    }
+}
+
+TEST(WritePng, KeepsEveryTexelAsItIs)
+{
+    const TemporaryFolder folder;
+    for (const GraphicsFormat format :
+         {GraphicsFormat::R8G8B8A8_SRGB, GraphicsFormat::R8G8B8A8_UNorm})
+    {
+        WritePng(folder / "a.png", FourTexels(format));
+        EXPECT_EQ(ReadPng(folder / "a.png"), FourTexels());
+    }
+}
+
+TEST(WritePng, WritesASingleChannelAsGrayscale)
+{
+    const TemporaryFolder folder;
+    WritePng(folder / "a.png", {3, 1, GraphicsFormat::R8_UNorm, Texels({0, 100, 255})});
+    const Image expected{3, 1, GraphicsFormat::R8G8B8A8_SRGB,
+                         Texels({0, 0, 0, 255, 100, 100, 100, 255, 255, 255, 255, 255})};
+    EXPECT_EQ(ReadPng(folder / "a.png"), expected);
+    // The header's bit depth and colour type: 8 bits, grayscale.
+    EXPECT_EQ(ContentOf(folder / "a.png").substr(24, 2), std::string("\x08\x00", 2));
+}
+
+TEST(WritePng, ReplacesAnExistingFileAndLeavesNoOther)
+{
+    const TemporaryFolder folder;
+    folder.Write("a.png", "old");
+    WritePng(folder / "a.png", FourTexels());
+    EXPECT_EQ(ReadPng(folder / "a.png"), FourTexels());
+    EXPECT_EQ(folder.fileCount(), 1);
+}
+
+TEST(WritePng, SaysWhyAFolderCannotTakeTheFile)
+{
+    const TemporaryFolder folder;
+    folder.Write("file", "");
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { WritePng(folder / "missing/a.png", FourTexels()); }),
+              (folder / "missing/a.png").string() +
+                  ": error: cannot be written: No such file or directory");
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { WritePng(folder / "file/a.png", FourTexels()); }),
+              (folder / "file/a.png").string() + ": error: cannot be written: Not a directory");
+}
+
+TEST(WritePng, LeavesNoTemporaryFileWhenTheNameIsTaken)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "a.png");
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { WritePng(folder / "a.png", FourTexels()); }),
+              (folder / "a.png").string() + ": error: cannot be written: Is a directory");
+    EXPECT_EQ(folder.fileCount(), 1);
+}
+
+TEST(WritePng, KeepsTheExistingFileWhenThereIsNoRoomForTheNewOne)
+{
+    const TemporaryFolder folder;
+    folder.Write("a.png", "old");
+    const Image noise = Noise();
+    const FileSizeLimit limit(1024);
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { WritePng(folder / "a.png", noise); }),
+              (folder / "a.png").string() + ": error: cannot be written: File too large");
+    EXPECT_EQ(ContentOf(folder / "a.png"), "old");
+    EXPECT_EQ(folder.fileCount(), 1);
+}
+
+TEST(WritePng, RejectsFormatsThatPngDoesNotKnow)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [&]
+                  { WritePng(folder / "a.png", FourTexels(GraphicsFormat::R16G16B16A16_SFloat)); }),
+              "WritePng: format R16G16B16A16_SFloat; R8G8B8A8_SRGB, R8G8B8A8_UNorm and R8_UNorm "
+              "can be written");
+    EXPECT_EQ(folder.fileCount(), 0);
+}
+
+TEST(WritePng, RejectsAnImageWithoutAllItsTexels)
+{
+    const TemporaryFolder folder;
+    Image image = FourTexels();
+    image.texels.pop_back();
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { WritePng(folder / "a.png", image); }),
+              "WritePng: 15 bytes of texels; 2x2 of R8G8B8A8_SRGB takes 16");
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [&] {
+                      WritePng(folder / "a.png", {0, 2, GraphicsFormat::R8_UNorm, {}});
+                  }),
+              "WritePng: size 0x2; both must be at least 1");
+}
+
+TEST(FlipRows, PutsTheLastRowFirst)
+{
+    const std::vector<std::byte> texels = {std::byte{1}, std::byte{2}, std::byte{3},
+                                           std::byte{4}, std::byte{5}, std::byte{6}};
+    EXPECT_EQ(FlipRows(texels, 3), (std::vector{std::byte{5}, std::byte{6}, std::byte{3},
+                                                std::byte{4}, std::byte{1}, std::byte{2}}));
+    EXPECT_EQ(FlipRows(texels, 1), texels);
+    EXPECT_EQ(FlipRows({}, 2), std::vector<std::byte>());
+}
+
+TEST(FlipRows, RefusesBytesThatAreNoWholeRows)
+{
+    const std::vector<std::byte> texels(6);
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { FlipRows(texels, 4); }),
+              "FlipRows: 6 bytes are not 4 rows");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { FlipRows(texels, 0); }),
+              "FlipRows: 6 bytes are not 0 rows");
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,255 @@
+#include "commands/CommandRun.h"
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Runs `limn render` on files that are wrong.
+class BadInput : public testing::Test
+{
+protected:
+    std::string Path(const std::string& name) const { return (folder / name).generic_string(); }
+
+    CommandRun Render(const std::string& scene, const std::vector<std::string>& more = {}) const
+    {
+        folder.Write("s.scene.yaml", scene);
+        std::vector<std::string> args{"render", Path("s.scene.yaml"), "-o", Path("out.png")};
+        args.insert(args.end(), more.begin(), more.end());
+        return RunCommand(args);
+    }
+
+    /// The run failed with these lines, wrote nothing to stdout and left no file but `inputs`.
+    void ExpectRefusal(const CommandRun& run, const std::string& lines, int inputs) const
+    {
+        EXPECT_EQ(1, run.exitCode);
+        EXPECT_EQ(lines, run.err);
+        EXPECT_EQ("", run.out);
+        EXPECT_EQ(inputs, folder.fileCount());
+    }
+
+    TemporaryFolder folder;
+};
+
+constexpr const char* k_Camera = "camera: {}\n";
+
+} // namespace
+
+TEST(CommandLine, VersionGoesToStdout)
+{
+    const CommandRun run = RunCommand({"--version"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.out, StartsWith("limn "));
+    EXPECT_EQ("", run.err);
+}
+
+TEST(CommandLine, HelpNamesEveryVerbAndTheExitCodes)
+{
+    const CommandRun run = RunCommand({"--help"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.out, HasSubstr("\n  render "));
+    EXPECT_THAT(run.out, HasSubstr("\n  watch "));
+    EXPECT_THAT(run.out, HasSubstr("\n  inspect "));
+    EXPECT_THAT(run.out, HasSubstr("\n  shader "));
+    EXPECT_THAT(run.out, HasSubstr("\n  doctor "));
+    EXPECT_THAT(run.out, HasSubstr("Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the "
+                                   "machine lacks something."));
+}
+
+TEST(CommandLine, WrongUsageEndsWith2)
+{
+    const std::string hint = "\nRun with --help for more information.\n";
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{}, "A subcommand is required" + hint},
+        {{"rendr"},
+         "error: unknown verb 'rendr'; did you mean 'render'? (known: render, watch, inspect, "
+         "explain, set, schema, shader, doctor)\n"},
+        {{"render"}, "scene is required" + hint},
+        {{"render", "s", "-o", "o", "--size", "3"},
+         "--size: '3' is no size; WxH is expected, 1...16384 each: 1280x720" + hint},
+        {{"render", "s", "-o", "o", "--size", "0x4"},
+         "--size: '0x4' is no size; WxH is expected, 1...16384 each: 1280x720" + hint},
+        {{"render", "s", "-o", "o", "--time", "nan"},
+         "--time: 'nan' is no time; seconds are expected: 1.5" + hint},
+        {{"render", "s", "-o", "o", "--frames", "0"},
+         "--frames: Value 0 not in range 1 to 100000" + hint},
+        {{"render", "s", "-o", "o", "--package", "core"},
+         "--package: 'core' is no package; NAME=DIR is expected: "
+         "com.unity.render-pipelines.core=DIR" +
+             hint},
+        {{"shader", "s", "--emit", "glsl"}, "--emit requires --output" + hint},
+    };
+    for (const auto& [args, message] : cases)
+    {
+        const CommandRun run = RunCommand(args);
+        EXPECT_EQ(2, run.exitCode) << message;
+        EXPECT_EQ(message, run.err);
+        EXPECT_EQ("", run.out);
+    }
+}
+
+TEST_F(BadInput, AMissingSceneIsNamed)
+{
+    ExpectRefusal(RunCommand({"render", Path("no.scene.yaml"), "-o", Path("out.png")}),
+                  Path("no.scene.yaml") + ": error: there is no such file\n", 0);
+}
+
+TEST_F(BadInput, AnUnknownKeyComesWithASuggestion)
+{
+    ExpectRefusal(Render("camera: {}\nambientLigth: red\n"),
+                  Path("s.scene.yaml") +
+                      ":2:1: error: scene: unknown key 'ambientLigth'; did you mean "
+                      "'ambientLight'? (known: size, layers, renderingLayers, camera, light, "
+                      "ambientLight, renderer, volumes, materials, objects)\n",
+                  1);
+}
+
+TEST_F(BadInput, AWidthOf14IsOutsideItsRange)
+{
+    folder.Write("w.profile.yaml", "ScreenSpaceOutline:\n  m_OutlineWidth: 14\n");
+    ExpectRefusal(Render(k_Camera, {"--profile", "w.profile.yaml"}),
+                  Path("w.profile.yaml") +
+                      ":2:19: error: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]\n",
+                  2);
+}
+
+TEST_F(BadInput, NanIsNoNumber)
+{
+    ExpectRefusal(Render("camera: {fieldOfView: .nan}\n"),
+                  Path("s.scene.yaml") +
+                      ":1:23: error: camera.fieldOfView: '.nan' is not a finite number; a number "
+                      "such as 0.5 is expected\n",
+                  1);
+}
+
+TEST_F(BadInput, ADuplicateKeyIsNamedWithItsFirstPlace)
+{
+    ExpectRefusal(
+        Render("camera: {}\ncamera: {}\n"),
+        Path("s.scene.yaml") + ":2:1: error: duplicate key 'camera'; it is already at 1:1\n", 1);
+}
+
+TEST_F(BadInput, AMissingShaderFileIsNamed)
+{
+    ExpectRefusal(Render("camera: {}\nmaterials: {a: {shader: no.shader}}\n"),
+                  Path("s.scene.yaml") +
+                      ":2:25: error: material 'a'.shader: 'no.shader' cannot be used; see the "
+                      "errors of that file\n" +
+                      Path("no.shader") + ": error: file: no such file\n",
+                  1);
+}
+
+TEST_F(BadInput, AnHlslErrorIsReportedAtItsLineOfTheShaderFile)
+{
+    folder.Write("bad.shader", "Shader \"Bad\"\n"
+                               "{\n"
+                               "    SubShader\n"
+                               "    {\n"
+                               "        Pass\n"
+                               "        {\n"
+                               "            HLSLPROGRAM\n"
+                               "            #pragma vertex V\n"
+                               "            #pragma fragment F\n"
+                               "            float4 V(float4 p : POSITION) : SV_POSITION\n"
+                               "            {\n"
+                               "                return p;\n"
+                               "            }\n"
+                               "            float4 F() : SV_Target\n"
+                               "            {\n"
+                               "                return missing;\n"
+                               "            }\n"
+                               "            ENDHLSL\n"
+                               "        }\n"
+                               "    }\n"
+                               "}\n");
+    ExpectRefusal(Render("camera: {}\n"
+                         "materials: {a: {shader: bad.shader}}\n"
+                         "objects: [{name: A, mesh: cube, material: a}]\n"),
+                  Path("bad.shader") + ":16:24: error: 'missing': unknown variable\n", 2);
+}
+
+TEST_F(BadInput, AMissingMeshIsNamed)
+{
+    ExpectRefusal(Render("camera: {}\nobjects: [{name: A, mesh: no.glb}]\n"),
+                  Path("s.scene.yaml") +
+                      ":2:27: error: object 'A'.mesh: 'no.glb' cannot be used; see the errors of "
+                      "that file\n" +
+                      Path("no.glb") + ": error: cannot be read: No such file or directory\n",
+                  1);
+}
+
+TEST_F(BadInput, AnUnknownLayerComesWithTheKnownOnes)
+{
+    ExpectRefusal(Render("camera: {}\nlayers: {6: Furniture}\nobjects: [{name: A, layer: Sofa}]\n"),
+                  Path("s.scene.yaml") +
+                      ":3:28: error: object 'A'.layer: unknown layer 'Sofa' (known: Default, "
+                      "Furniture)\n",
+                  1);
+}
+
+TEST_F(BadInput, AnEmptySceneSaysSo)
+{
+    ExpectRefusal(Render(""),
+                  Path("s.scene.yaml") +
+                      ": error: is empty; it begins with a name and a colon, 'name:'\n",
+                  1);
+}
+
+TEST_F(BadInput, ABinarySceneSaysSo)
+{
+    ExpectRefusal(Render(std::string("camera\0: {}", 11)),
+                  Path("s.scene.yaml") +
+                      ":1:7: error: a NUL byte: this is a binary file or UTF-16; UTF-8 text is "
+                      "expected\n",
+                  1);
+}
+
+TEST_F(BadInput, ASetOutsideItsRangeNamesTheOption)
+{
+    ExpectRefusal(Render(k_Camera, {"--set", "ScreenSpaceOutline.m_OutlineWidth=14"}),
+                  "--set ScreenSpaceOutline.m_OutlineWidth=14: error: "
+                  "ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]\n",
+                  1);
+}
+
+TEST_F(BadInput, ACacheFolderThatCannotBeMadeIsNamed)
+{
+    folder.Write("file", "");
+    ExpectRefusal(
+        Render(k_Camera, {"--cache-dir", Path("file/cache")}),
+        Path("file/cache") + ": error: the cache folder cannot be made: Not a directory\n", 2);
+}
+
+TEST(Machine, WithoutAnyDriverEndsWith3AndSaysWhatToInstall)
+{
+    const TemporaryFolder folder;
+    folder.Write("s.scene.yaml", k_Camera);
+    const std::string prefix =
+        "env -u VK_ICD_FILENAMES VK_DRIVER_FILES=/nowhere/driver.json '" LIMN_EXECUTABLE "' ";
+    const std::string suffix =
+        " > '" + (folder / "out").string() + "' 2> '" + (folder / "err").string() + "'";
+    const int render =
+        std::system((prefix + "render '" + (folder / "s.scene.yaml").string() +
+                     "' --no-cache -o '" + (folder / "out.png").string() + "'" + suffix)
+                        .c_str());
+    EXPECT_EQ(3, WEXITSTATUS(render));
+    EXPECT_EQ("error: no Vulkan device: the loader found no driver (VK_DRIVER_FILES is set to "
+              "'/nowhere/driver.json'); install mesa-vulkan-drivers for the software one\n",
+              ReadText(folder / "err"));
+    EXPECT_EQ("", ReadText(folder / "out"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
+
+    const int doctor = std::system((prefix + "doctor" + suffix).c_str());
+    EXPECT_EQ(3, WEXITSTATUS(doctor));
+    EXPECT_THAT(ReadText(folder / "out"), HasSubstr("\nVulkan devices      0\n"));
+}
+
+} // namespace limn::test

@@ -1,0 +1,201 @@
+#include "commands/CommandRun.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::HasSubstr;
+
+constexpr const char* k_Scene = "camera: {position: [0, 0, -5]}\n"
+                                "size: [64, 64]\n"
+                                "volumes:\n"
+                                "  - {name: Placement, profile: p.profile.yaml}\n"
+                                "  - name: Corner\n"
+                                "    profile: q.profile.yaml\n"
+                                "    isGlobal: false\n"
+                                "    priority: 1\n"
+                                "    weight: 0.5\n"
+                                "    blendDistance: 4\n"
+                                "    position: [0, 0, -2]\n"
+                                "    colliders: [{type: sphere, radius: 1}]\n"
+                                "objects:\n"
+                                "  - {name: Seen, mesh: Cube}\n"
+                                "  - {name: Behind, mesh: Cube, position: [0, 0, -50]}\n"
+                                "  - {name: Off, mesh: Cube, active: false}\n";
+
+class ExplainCommand : public testing::Test
+{
+protected:
+    CommandRun Explain(const std::vector<std::string>& more = {},
+                       const std::string& scene = k_Scene) const
+    {
+        m_Folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 4}\n");
+        m_Folder.Write("q.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 8}\n");
+        const std::filesystem::path path = m_Folder.Write("s.scene.yaml", scene);
+        std::vector<std::string> args{"explain", path.string()};
+        args.insert(args.end(), more.begin(), more.end());
+        return RunCommand(args);
+    }
+
+    TemporaryFolder m_Folder;
+};
+
+TEST_F(ExplainCommand, TellsWhereEveryVolumeValueComesFrom)
+{
+    const CommandRun run = Explain();
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out,
+                HasSubstr("volume values:\n"
+                          "  ScreenSpaceOutline.m_OutlineWidth ← Placement (factor 1, weight 1, "
+                          "global) → 4\n"
+                          "  ScreenSpaceOutline.m_OutlineWidth ← Corner (factor 0.375, weight 0.5, "
+                          "distance 2 m) → 5.5\n"));
+}
+
+TEST_F(ExplainCommand, TellsWhereTheCameraTakesVolumes)
+{
+    EXPECT_THAT(Explain().out, HasSubstr("the camera takes volumes at:\n"
+                                         "  (0, 0, -5), its own position; layers 0\n"));
+    const std::string own = "{camera: {volumeTrigger: [1, 2, 3], volumeLayerMask: [0, 4]}}";
+    EXPECT_THAT(Explain({}, own).out, HasSubstr("(1, 2, 3), its volumeTrigger; layers 0 4\n"));
+    const auto json = nlohmann::json::parse(Explain({"--json"}, own).out);
+    EXPECT_EQ(nlohmann::json::parse("[1, 2, 3]"), json.at("trigger").at("position"));
+    EXPECT_EQ(17, json.at("trigger").at("volumeLayerMask"));
+    const std::string none = "camera: {volumeLayerMask: Nothing}";
+    EXPECT_THAT(Explain({}, none).out, HasSubstr("its own position; no layer\n"));
+}
+
+TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUsed)
+{
+    m_Folder.Write("own.shader",
+                   "Shader \"Test/Own\" { Properties { _BaseMap (\"Map\", 2D) = \"red\" {} }\n"
+                   "SubShader { Pass { Name \"Only\"\nHLSLPROGRAM\n"
+                   "#pragma vertex V\n#pragma fragment F\n"
+                   "#pragma multi_compile WARM COLD\n#pragma multi_compile _ OFF\n"
+                   "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
+                   "Core.hlsl\"\n"
+                   "TEXTURE2D(_BaseMap); SAMPLER(sampler_BaseMap);\n"
+                   "float4 V(float4 p : POSITION) : SV_POSITION\n"
+                   "{ return TransformObjectToHClip(p.xyz); }\n"
+                   "half4 F() : SV_Target\n"
+                   "{ return SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, float2(0, 0)); }\n"
+                   "ENDHLSL\n} } }\n");
+    const std::string scene = "{camera: {position: [0, 0, -5]}, size: [64, 32],\n"
+                              " materials: {own: {shader: own.shader}},\n"
+                              " objects: [{name: A, mesh: cube, material: own},\n"
+                              "           {name: B, mesh: sphere, material: own}]}\n";
+    const CommandRun run = Explain({}, scene);
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("variants:\n  Test/Own, pass 0 'Only': WARM\n"));
+    EXPECT_THAT(run.out, HasSubstr("full screen: no keywords\n"));
+    EXPECT_THAT(run.out, HasSubstr("  red 1x1 R8G8B8A8_UNorm\n"));
+    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB\n"));
+    const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
+    EXPECT_EQ(nlohmann::json::parse(R"({"shader": "Test/Own", "pass": 0, "name": "Only",
+                                        "keywords": ["WARM"], "fullScreen": false})"),
+              json.at("variants")[0]);
+}
+
+TEST_F(ExplainCommand, NamesEveryOneOfManyObjects)
+{
+    constexpr int k_Count = 1000;
+    std::string scene = "camera: {position: [0, 0, -5]}\nobjects:\n";
+    for (int i = 0; i < k_Count; ++i)
+    {
+        scene += "  - {name: O" + std::to_string(i) + ", mesh: cube}\n";
+    }
+    const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
+    ASSERT_EQ(static_cast<std::size_t>(k_Count), json.at("objects").size());
+    for (const auto& object : json.at("objects"))
+    {
+        EXPECT_TRUE(object.at("draws")[0].at("drawn")) << object.at("name");
+    }
+}
+
+TEST_F(ExplainCommand, TellsWhyEachObjectIsDrawnOrNot)
+{
+    const CommandRun run = Explain();
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("  Seen\n"));
+    EXPECT_THAT(run.out, HasSubstr("Default-Material: drawn\n"));
+    EXPECT_THAT(run.out, HasSubstr("Default-Material: left out, render queue\n"));
+    EXPECT_THAT(run.out, HasSubstr("  Behind: not drawn, outside the camera's frustum\n"));
+    EXPECT_THAT(run.out, HasSubstr("  Off: not drawn, inactive\n"));
+}
+
+TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
+{
+    const CommandRun run = Explain({"--object", "Off"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("objects:\n  Off: not drawn, inactive\n"));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("Behind")));
+}
+
+TEST(ExplainSample, ShowsWhatHangsBelowTheObjectAskedFor)
+{
+    const CommandRun run = RunCommand(
+        {"explain", LIMN_SOURCE_DIR "/samples/furniture/furniture.scene.yaml", "--object", "Sofa"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Screen Space Outline, petrol: drawn\n"));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("Slab")));
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("Screen Space Outline, oak: drawn\n")));
+}
+
+TEST_F(ExplainCommand, RefusesAnObjectThatIsNotThere)
+{
+    const CommandRun run = Explain({"--object", "Sen"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ("", run.out);
+    EXPECT_THAT(run.err, HasSubstr("s.scene.yaml: error: unknown object with a mesh 'Sen'; did you "
+                                   "mean 'Seen'?"));
+}
+
+TEST_F(ExplainCommand, GivesTheSameToProgramsAsJson)
+{
+    const CommandRun run = Explain({"--json"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto json = nlohmann::json::parse(run.out);
+    ASSERT_EQ(1u, json.at("volumes").size());
+    const auto& width = json.at("volumes")[0];
+    EXPECT_EQ("m_OutlineWidth", width.at("parameter"));
+    EXPECT_EQ("3", width.at("default"));
+    EXPECT_EQ("5.5", width.at("value"));
+    ASSERT_EQ(2u, width.at("steps").size());
+    EXPECT_TRUE(width.at("steps")[0].at("distance").is_null());
+    EXPECT_EQ(0.375, width.at("steps")[1].at("factor"));
+    EXPECT_EQ(2.0, width.at("steps")[1].at("distance"));
+    EXPECT_FALSE(json.at("passes").empty());
+    EXPECT_FALSE(json.at("textures").empty());
+    EXPECT_FALSE(json.at("variants").empty());
+    EXPECT_EQ("Behind", json.at("objects")[1].at("name"));
+    EXPECT_EQ("outside the camera's frustum", json.at("objects")[1].at("absence"));
+}
+
+TEST_F(ExplainCommand, NamesWhatIsWrongWithAShapeAndItsWeight)
+{
+    const CommandRun run = Explain(
+        {}, "camera: {}\nvolumes:\n  - name: V\n    profile: p.profile.yaml\n    isGlobal: false\n"
+            "    weight: .nan\n    colliders: [{type: spher}, {type: capsule, direction: w}]\n");
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("volume 'V'.weight: '.nan' is not a finite number"));
+    EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[0].type: unknown shape 'spher'; did you "
+                                   "mean 'sphere'?"));
+    EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[1].direction: 'w' is no axis; x, y or z "
+                                   "is expected"));
+}
+
+TEST_F(ExplainCommand, NeedsAScene)
+{
+    const CommandRun run = RunCommand({"explain"});
+    EXPECT_EQ(2, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("scene is required"));
+}
+
+} // namespace
+
+} // namespace limn::test

@@ -1,0 +1,262 @@
+#include "commands/CommandRun.h"
+#include "vulkan/GpuTestDevice.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/Image.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+/// A selected cube in the middle, half hidden by another one.
+constexpr const char* k_Scene =
+    "size: [64, 48]\n"
+    "layers: {6: Furniture}\n"
+    "renderingLayers: {8: Selected}\n"
+    "camera: {position: [0, 0, -4], backgroundColor: \"#000000\"}\n"
+    "renderer:\n"
+    "  features:\n"
+    "    - type: ScreenSpaceOutlineRenderFeature\n"
+    "      name: Outline\n"
+    "      m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutline\n"
+    "      m_LayerMask: [Furniture]\n"
+    "      m_RenderingLayerMask: Selected\n"
+    "materials: {black: {_BaseColor: \"#000000\"}}\n"
+    "objects:\n"
+    "  - {name: Piece, mesh: cube, material: black, layer: Furniture,\n"
+    "     renderingLayerMask: [Default, Selected]}\n"
+    "  - {name: Front, mesh: cube, material: black, position: [1, 0, -1]}\n";
+
+class Render : public GpuTest
+{
+protected:
+    void SetUp() override
+    {
+        GpuTest::SetUp();
+        folder.Write("s.scene.yaml", k_Scene);
+        folder.Write("on.profile.yaml", "ScreenSpaceOutline:\n"
+                                        "  m_Enable: true\n"
+                                        "  m_OutlineColor: \"#00ff00\"\n"
+                                        "  m_OutlineWidth: 4\n");
+        folder.Write("off.profile.yaml", "ScreenSpaceOutline: {m_Enable: false}\n");
+    }
+
+    std::string Path(const std::string& name) const { return (folder / name).string(); }
+
+    CommandRun Draw(const std::vector<std::string>& more, const std::string& picture = "out.png")
+    {
+        std::vector<std::string> args{"render", Path("s.scene.yaml"), "--validate", "-o",
+                                      Path(picture)};
+        args.insert(args.end(), more.begin(), more.end());
+        return RunCommand(args);
+    }
+
+    /// How many pixels are greener than a black scene can be.
+    int GreenPixels(const std::string& picture) const
+    {
+        const Image image = ReadPng(folder / picture);
+        int count = 0;
+        for (std::size_t i = 0; i < image.texels.size(); i += 4)
+        {
+            count += std::to_integer<int>(image.texels[i + 1]) > 200 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /// stderr without its first line, which names the device.
+    static std::string Notes(const CommandRun& run)
+    {
+        return run.err.substr(run.err.find('\n') + 1);
+    }
+
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(Render, WritesThePictureAndNamesPathSizeAndDevice)
+{
+    const CommandRun run = Draw({"--profile", "on.profile.yaml"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(Path("out.png") + " 64x48\n", run.out);
+    EXPECT_EQ(SharedDevice().ChoiceSentence() + "\n", run.err);
+    const Image image = ReadPng(folder / "out.png");
+    EXPECT_EQ(64, image.width);
+    EXPECT_EQ(48, image.height);
+    EXPECT_EQ(std::byte{255}, image.texels.at(3)) << "opaque, though the background's alpha is not";
+    EXPECT_GT(GreenPixels("out.png"), 40);
+}
+
+// No device has barycentrics for limn, which does not ask for the extension.
+TEST_F(Render, ASubShaderThatRequiresWhatTheDeviceLacksIsPassedOver)
+{
+    const auto subShader = [](const std::string& pragma, const std::string& color)
+    {
+        return "SubShader { Pass { Cull Off\nHLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n" +
+               pragma +
+               "\nfloat4 V(float4 p : POSITION) : SV_POSITION { return float4(p.xy, 0.5, 1); }\n"
+               "float4 F() : SV_Target { return float4(" +
+               color + ", 1); }\nENDHLSL } }\n";
+    };
+    folder.Write("two.shader", "Shader \"Two\" {\n" +
+                                   subShader("#pragma require barycentrics", "1, 0, 0") +
+                                   subShader("", "0, 1, 0") + "}");
+    folder.Write("s.scene.yaml", "size: [64, 48]\ncamera: {backgroundColor: \"#000000\"}\n"
+                                 "materials: {m: {shader: two.shader}}\n"
+                                 "objects: [{name: a, mesh: cube, material: m, "
+                                 "position: [0, 0, 3]}]\n");
+    const CommandRun run = Draw({});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_GT(GreenPixels("out.png"), 40);
+}
+
+TEST_F(Render, TheSizeOptionWinsOverTheScene)
+{
+    const CommandRun run = Draw({"--size", "20x10"});
+    EXPECT_EQ(Path("out.png") + " 20x10\n", run.out);
+    EXPECT_EQ(20, ReadPng(folder / "out.png").width);
+}
+
+TEST_F(Render, WithoutAVolumeSaysWhyThereIsNoOutline)
+{
+    const CommandRun run = Draw({});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ("note: Outline: not drawn, no volume at the camera sets ScreenSpaceOutline.m_Enable, "
+              "which is false by default\n",
+              Notes(run));
+    EXPECT_EQ(0, GreenPixels("out.png"));
+}
+
+TEST_F(Render, WithADisabledVolumeComponentSaysSo)
+{
+    const CommandRun run = Draw({"--profile", "off.profile.yaml"});
+    EXPECT_EQ("note: Outline: not drawn, a volume sets ScreenSpaceOutline.m_Enable to false\n",
+              Notes(run));
+    EXPECT_EQ(0, GreenPixels("out.png"));
+}
+
+TEST_F(Render, WithAnInactiveFeatureSaysSo)
+{
+    const CommandRun run = Draw({"--profile", "on.profile.yaml", "--set", "Outline.active=false"});
+    EXPECT_EQ("note: Outline: not drawn, the feature is inactive\n", Notes(run));
+    EXPECT_EQ(0, GreenPixels("out.png"));
+}
+
+TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
+{
+    const CommandRun run =
+        Draw({"--profile", "on.profile.yaml", "--set", "Outline.m_RenderingLayerMask=9"});
+    EXPECT_EQ("note: Outline: 0 of 2 renderers drawn: 1 layer mask, 1 rendering layer mask\n",
+              Notes(run));
+    EXPECT_EQ(0, GreenPixels("out.png"));
+}
+
+TEST_F(Render, SetChangesAVolumesColour)
+{
+    const CommandRun run = Draw(
+        {"--profile", "on.profile.yaml", "--set", "ScreenSpaceOutline.m_OutlineColor=#ff0000"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(0, GreenPixels("out.png"));
+}
+
+TEST_F(Render, ACachedShaderGivesTheSamePicture)
+{
+    const std::vector<std::string> cached{"--profile",   "on.profile.yaml", "--cache-dir",
+                                          Path("cache"), "--stats",         Path("stats.json")};
+    ASSERT_EQ(0, Draw(cached, "cold.png").exitCode);
+    const auto cold = nlohmann::json::parse(ReadText(folder / "stats.json"));
+    ASSERT_EQ(0, Draw(cached, "warm.png").exitCode);
+    const auto warm = nlohmann::json::parse(ReadText(folder / "stats.json"));
+    EXPECT_EQ(cold["shaderPasses"]["compiled"], warm["shaderPasses"]["loadedFromCache"]);
+    EXPECT_EQ(0, warm["shaderPasses"]["compiled"]);
+    EXPECT_EQ(ReadPng(folder / "cold.png"), ReadPng(folder / "warm.png"));
+}
+
+TEST_F(Render, StatsTellPassesCountsAndTextures)
+{
+    ASSERT_EQ(0, Draw({"--profile", "on.profile.yaml", "--stats", Path("stats.json")}).exitCode);
+    const auto stats = nlohmann::json::parse(ReadText(folder / "stats.json"));
+    EXPECT_EQ(64, stats["width"]);
+    EXPECT_EQ(SharedDevice().deviceName(), stats["device"]);
+    const auto& passes = stats["passes"];
+    const auto outline = std::find_if(passes.begin(), passes.end(),
+                                      [](const auto& pass) { return pass["name"] == "Outline"; });
+    ASSERT_NE(passes.end(), outline);
+    EXPECT_EQ(500, (*outline)["event"]);
+    EXPECT_GE((*outline)["gpuMilliseconds"], 0.0);
+    const auto& draws = stats["drawRenderers"];
+    const auto draw = std::find_if(draws.begin(), draws.end(),
+                                   [](const auto& entry) { return entry["pass"] == "Outline"; });
+    ASSERT_NE(draws.end(), draw);
+    EXPECT_EQ(1, (*draw)["counts"]["drawn"]);
+    EXPECT_EQ(1, (*draw)["counts"]["layer mask"]);
+    const auto& textures = stats["attachments"];
+    const auto mask = std::find_if(textures.begin(), textures.end(),
+                                   [](const auto& texture)
+                                   { return texture["name"] == "_RendererDrawingTexture"; });
+    ASSERT_NE(textures.end(), mask);
+    EXPECT_EQ(32, (*mask)["width"]);
+    EXPECT_EQ(24, (*mask)["height"]);
+    EXPECT_EQ("R8_UNorm", (*mask)["format"]);
+    EXPECT_GT(stats["cpuMilliseconds"]["record"], 0.0);
+}
+
+TEST_F(Render, ATraceHasPhasesAndGpuPasses)
+{
+    ASSERT_EQ(0, Draw({"--profile", "on.profile.yaml", "--trace", Path("trace.json")}).exitCode);
+    const auto trace = nlohmann::json::parse(ReadText(folder / "trace.json"));
+    std::vector<std::string> names;
+    for (const auto& event : trace["traceEvents"])
+    {
+        names.push_back(event["name"]);
+        EXPECT_TRUE(event["ph"] == "M" || event["dur"] >= 0.0);
+    }
+    EXPECT_THAT(names, testing::IsSupersetOf({"load", "compile shaders", "device", "frame",
+                                              "submit", "wait", "write", "Outline"}));
+}
+
+TEST_F(Render, SeveralFramesGiveThePictureOfTheLast)
+{
+    ASSERT_EQ(0, Draw({"--frames", "3", "--time", "1"}, "last.png").exitCode);
+    ASSERT_EQ(0, Draw({"--time", "1"}, "first.png").exitCode);
+    EXPECT_EQ(ReadPng(folder / "first.png"), ReadPng(folder / "last.png"))
+        << "nothing in the scene moves";
+}
+
+TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
+{
+    const int before = folder.fileCount();
+    const CommandRun run = Draw({}, "no/out.png");
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, EndsWith(Path("no/out.png") +
+                                  ": error: cannot be written: No such file or directory\n"));
+    EXPECT_EQ("", run.out);
+    EXPECT_EQ(before, folder.fileCount());
+}
+
+TEST_F(Render, AnUnknownDeviceEndsWith3)
+{
+    const CommandRun run = Draw({"--device", "no such device"});
+    EXPECT_EQ(3, run.exitCode);
+    EXPECT_THAT(run.err,
+                HasSubstr("error: no usable Vulkan device is 'no such device'; there are:"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
+}
+
+TEST_F(Render, DoctorNamesTheChosenDevice)
+{
+    const CommandRun run = RunCommand({"doctor"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.out,
+                HasSubstr("chosen device       " + SharedDevice().ChoiceSentence() + "\n"));
+    EXPECT_THAT(run.out, HasSubstr("validation layer    present\n"));
+    EXPECT_EQ("", run.err);
+}
+
+} // namespace limn::test

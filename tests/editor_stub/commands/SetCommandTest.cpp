@@ -1,0 +1,93 @@
+#include "commands/CommandRun.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::test
+{
+
+TEST(LimnSet, ChangesTheValueAndPrintsNothing)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.Write("a.profile.yaml", "ScreenSpaceOutline:\n"
+                                                     "  m_OutlineWidth: 4 # pixels\n"
+                                                     "  enable: true\n");
+    const CommandRun run = RunCommand({"set", file.string(), "ScreenSpaceOutline.outlineWidth=6",
+                                       "ScreenSpaceOutline.m_Enable=false"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ("", run.out + run.err);
+    EXPECT_EQ("ScreenSpaceOutline:\n  m_OutlineWidth: 6 # pixels\n  enable: false\n",
+              ReadText(file));
+}
+
+TEST(LimnSet, LeavesTheFileIfOneOfTheValuesIsWrong)
+{
+    const TemporaryFolder folder;
+    const std::string text = "ScreenSpaceOutline: {outlineWidth: 4, enable: true}\n";
+    const auto file = folder.Write("a.profile.yaml", text);
+    const CommandRun run = RunCommand({"set", file.string(), "ScreenSpaceOutline.enable=false",
+                                       "ScreenSpaceOutline.outlineWidth=14"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ("ScreenSpaceOutline.outlineWidth=14: error: ScreenSpaceOutline.m_OutlineWidth: 14 is "
+              "outside [1, 10]\n",
+              run.err);
+    EXPECT_EQ(text, ReadText(file));
+}
+
+TEST(LimnSet, OfAMissingFileIsBadInputAndOfAWrongFormWrongUsage)
+{
+    EXPECT_EQ(1, RunCommand({"set", "/nowhere.yaml", "A.b=1"}).exitCode);
+    const CommandRun run = RunCommand({"set", "/nowhere.yaml", "nonsense"});
+    EXPECT_EQ(2, run.exitCode);
+    EXPECT_THAT(run.err, testing::HasSubstr("Component.param=value is expected"));
+}
+
+TEST(LimnSchema, OfProfilesHoldsRangeDefaultAndBothSpellings)
+{
+    const CommandRun run = RunCommand({"schema", "profile"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto schema = nlohmann::json::parse(run.out);
+    EXPECT_EQ("https://json-schema.org/draft/2020-12/schema", schema["$schema"]);
+    const auto& outline = schema["properties"]["ScreenSpaceOutline"]["properties"];
+    const auto& width = outline["m_OutlineWidth"];
+    EXPECT_EQ(1, width["minimum"]);
+    EXPECT_EQ(10, width["maximum"]);
+    EXPECT_EQ(3, width["default"]);
+    EXPECT_NE("", width["description"]);
+    EXPECT_EQ(width, outline["outlineWidth"]);
+}
+
+TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
+{
+    const CommandRun run = RunCommand({"schema", "scene"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto schema = nlohmann::json::parse(run.out);
+    const auto& feature = schema["properties"]["renderer"]["properties"]["features"]["items"];
+    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", feature["properties"]["type"]["enum"][0]);
+    const auto& settings = feature["allOf"][0]["then"]["properties"];
+    EXPECT_TRUE(settings.contains("m_LayerMask"));
+    EXPECT_TRUE(settings.contains("layerMask"));
+    EXPECT_EQ("Basic Settings: When in the frame the outline is drawn",
+              settings["m_RenderPassEvent"]["description"]);
+}
+
+TEST(LimnSchema, OfMaterialsIsWhatAScenesMaterialsHave)
+{
+    const CommandRun run = RunCommand({"schema", "material"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto schema = nlohmann::json::parse(run.out);
+    EXPECT_EQ("limn material", schema["title"]);
+    EXPECT_EQ("A shader's name or a .shader file", schema["properties"]["shader"]["description"]);
+    const auto scene = nlohmann::json::parse(RunCommand({"schema", "scene"}).out);
+    const auto& inScenes = scene["properties"]["materials"]["additionalProperties"];
+    EXPECT_EQ(inScenes["properties"], schema["properties"]);
+    EXPECT_EQ(inScenes["additionalProperties"], schema["additionalProperties"]);
+}
+
+TEST(LimnSchema, OfAnotherKindIsWrongUsage)
+{
+    EXPECT_EQ(2, RunCommand({"schema", "shader"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"schema"}).exitCode);
+}
+
+} // namespace limn::test

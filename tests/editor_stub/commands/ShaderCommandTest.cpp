@@ -1,0 +1,230 @@
+#include "commands/CommandRun.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::HasSubstr;
+
+constexpr const char* k_Good = "Shader \"My/Good\"\n"
+                               "{\n"
+                               "    Properties { _Tint (\"Tint\", Color) = (1, 0.5, 0, 1) }\n"
+                               "    SubShader\n"
+                               "    {\n"
+                               "        Pass\n"
+                               "        {\n"
+                               "            Name \"Only\"\n"
+                               "            Cull [_Cull]\n"
+                               "            ZTest Always\n"
+                               "            Blend SrcAlpha OneMinusSrcAlpha\n"
+                               "            ColorMask RGB\n"
+                               "            Stencil { Ref 2 Comp Equal Pass Replace }\n"
+                               "            HLSLPROGRAM\n"
+                               "            #pragma vertex V\n"
+                               "            #pragma fragment F\n"
+                               "            #pragma multi_compile _ FOG\n"
+                               "            float4 _Tint;\n"
+                               "            float4 V(float4 p : POSITION) : SV_POSITION\n"
+                               "            {\n"
+                               "                return p;\n"
+                               "            }\n"
+                               "            float4 F() : SV_Target\n"
+                               "            {\n"
+                               "                return _Tint;\n"
+                               "            }\n"
+                               "            ENDHLSL\n"
+                               "        }\n"
+                               "    }\n"
+                               "}\n";
+
+class ShaderCommand : public testing::Test
+{
+protected:
+    std::string Write(const std::string& name, const std::string& text) const
+    {
+        return folder.Write(name, text).string();
+    }
+
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(ShaderCommand, DescribesASingleFile)
+{
+    const std::string path = Write("good.shader", k_Good);
+    const CommandRun run = RunCommand({"shader", path});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ("", run.err);
+    EXPECT_THAT(run.out, HasSubstr("Shader \"My/Good\" (" + path +
+                                   ")\n"
+                                   "  property _Tint Color = (1, 0.5, 0, 1)\n"
+                                   "  SubShader 0, used\n"
+                                   "    pass 0 'Only', LightMode SRPDefaultUnlit\n"
+                                   "      Cull [_Cull], ZTest Always, ZWrite On, Blend SrcAlpha "
+                                   "OneMinusSrcAlpha, ColorMask RGB, Stencil {Ref 2 ReadMask 255 "
+                                   "WriteMask 255 Comp Equal Pass Replace Fail Keep ZFail Keep}\n"
+                                   "      multi_compile: (none) FOG\n"
+                                   "      2 variants\n"
+                                   "      SPIR-V: vertex "));
+    EXPECT_THAT(run.out, HasSubstr("SRP Batcher: not compatible, the property _Tint is in $Global, "
+                                   "not in the cbuffer UnityPerMaterial\n"));
+    EXPECT_THAT(run.out, HasSubstr("float4 _Tint @0"));
+    EXPECT_THAT(run.out, HasSubstr("vertex input float4 POSITION, location 0\n"));
+}
+
+TEST_F(ShaderCommand, ReportsEveryErrorOfAllFilesAndSumsUp)
+{
+    Write("a.shader", k_Good);
+    Write("b.shader", "Shader \"B\" {\n SubShader { Pas { } } }");
+    Write("notes.txt", "no shader");
+    const CommandRun run = RunCommand({"shader", (folder / "").string()});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("b.shader:2:14: error: SubShader: unknown command 'Pas'; did "
+                                   "you mean 'Pass'?"));
+    EXPECT_THAT(run.err, HasSubstr("\n SubShader { Pas { } } }\n             ^\n"));
+    EXPECT_EQ("2 files: 1 parsed (50.0 %), 1 error; 1 of 1 pass compiled (100.0 %)\n", run.out);
+}
+
+TEST_F(ShaderCommand, ParseOnlyLeavesProgramsAlone)
+{
+    std::string text = k_Good;
+    text.replace(text.find("return _Tint"), 12, "return _Tnt");
+    const std::string path = Write("good.shader", text);
+    EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
+    const CommandRun run = RunCommand({"shader", path});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ(path + ":25:24: error: '_Tnt': unknown variable\n"
+                     "                return _Tnt;\n"
+                     "                       ^\n",
+              run.err);
+}
+
+TEST_F(ShaderCommand, GivesTheSameAsJson)
+{
+    const std::string good = Write("good.shader", k_Good);
+    const std::string bad = Write("bad.shader", "Shader \"B\" { Oops }");
+    const CommandRun run = RunCommand({"shader", good, bad, "--json"});
+    EXPECT_EQ(1, run.exitCode);
+    const nlohmann::json json = nlohmann::json::parse(run.out);
+    const nlohmann::json& files = json["files"];
+    ASSERT_EQ(2u, files.size());
+    EXPECT_EQ("My/Good", files[0]["name"]);
+    EXPECT_EQ(true, files[0]["parsed"]);
+    EXPECT_EQ("_Tint", files[0]["properties"][0]["name"]);
+    const nlohmann::json& pass = files[0]["subShaders"][0]["passes"][0];
+    EXPECT_EQ("Only", pass["name"]);
+    EXPECT_EQ(6, pass["line"]);
+    EXPECT_EQ("compiled", pass["outcome"]);
+    EXPECT_EQ("2", pass["variants"]);
+    EXPECT_EQ("FOG", pass["keywords"][0]["keywords"][1]);
+    EXPECT_EQ("POSITION", pass["layout"]["vertexInputs"][0]["semantic"]);
+    EXPECT_EQ("the property _Tint is in $Global, not in the cbuffer UnityPerMaterial",
+              pass["srpBatcherProblem"]);
+    EXPECT_TRUE(files[0]["diagnostics"].empty());
+    EXPECT_EQ(false, files[1]["parsed"]);
+    EXPECT_EQ(1, files[1]["diagnostics"][0]["line"]);
+    EXPECT_EQ("error", files[1]["diagnostics"][0]["severity"]);
+    EXPECT_EQ(2, json["summary"]["files"]);
+    EXPECT_EQ(1, json["summary"]["parsed"]);
+    EXPECT_EQ(1, json["summary"]["passesCompiled"]);
+}
+
+TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
+{
+    const auto replaced = [](const std::string& what, const std::string& by)
+    {
+        std::string text = k_Good;
+        return text.replace(text.find(what), what.size(), by);
+    };
+    Write("compute.shader", replaced("#pragma fragment F", "#pragma fragment F\n#pragma hull H"));
+    Write("fails.shader", replaced("return _Tint", "return _Tnt"));
+    Write("good.shader", k_Good);
+    Write("include.shader", replaced("float4 _Tint;", "#include \"nosuch.hlsl\"\nfloat4 _Tint;"));
+    Write("hdrp.shader",
+          replaced("SubShader\n    {", "SubShader\n    {\n        Tags { \"RenderPipeline\" = "
+                                       "\"HDRenderPipeline\" }"));
+    const CommandRun run = RunCommand({"shader", (folder / "").string(), "-j", "2"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ("5 files: 5 parsed (100.0 %), 2 errors; 1 of 2 passes compiled (50.0 %), 1 failed, "
+              "2 refused, 1 with a missing include\n",
+              run.out);
+    EXPECT_THAT(run.err, HasSubstr("note: program: its SubShader is for the HDRenderPipeline, "
+                                   "which limn does not stand in for\n"));
+    EXPECT_THAT(run.err,
+                HasSubstr("include.shader:18: error: #include: no such file \"nosuch.hlsl\""));
+}
+
+TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)
+{
+    std::string text = k_Good;
+    text.replace(text.find("return _Tint"), 12, "return _Tnt");
+    const std::string path = Write("good.shader", text);
+    const CommandRun run = RunCommand({"shader", path, "--variants"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ(path + ":6: pass 'Only': 2\ntotal: 2\n", run.out);
+}
+
+TEST_F(ShaderCommand, CompilesTheVariantOfTheKeywords)
+{
+    std::string text = k_Good;
+    const std::string line = "float4 _Tint;\n";
+    text.insert(text.find(line) + line.size(), "#ifdef FOG\n#error foggy\n#endif\n");
+    const std::string path = Write("good.shader", text);
+    EXPECT_EQ(0, RunCommand({"shader", path}).exitCode);
+    const CommandRun run = RunCommand({"shader", path, "--keywords", "FOG"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("foggy"));
+}
+
+TEST_F(ShaderCommand, ShowsWarningsOfFilesWithoutErrors)
+{
+    std::string text = k_Good;
+    text.insert(text.find("Cull [_Cull]"), "LOD 1e2\n");
+    const CommandRun run = RunCommand({"shader", Write("good.shader", text), "--parse-only"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("good.shader:9:17: warning: "));
+}
+
+TEST_F(ShaderCommand, EmitsBothStagesInEveryLanguage)
+{
+    const std::string path = Write("good.shader", k_Good);
+    const std::vector<std::pair<std::string, std::string>> languages{
+        {"glsl", "#version 450"}, {"hlsl", "SV_Position"}, {"msl", "#include <metal_stdlib>"}};
+    const std::string output = (folder / "emitted").string();
+    for (const auto& [language, content] : languages)
+    {
+        const CommandRun run = RunCommand({"shader", path, "--emit", language, "-o", output});
+        const std::string stem = output + "/My_Good.0.";
+        EXPECT_EQ(0, run.exitCode) << run.err;
+        EXPECT_EQ(stem + "vert." + language + "\n" + stem + "frag." + language + "\n", run.out);
+        EXPECT_THAT(ReadText(stem + "vert." + language), HasSubstr(content));
+        EXPECT_FALSE(ReadText(stem + "frag." + language).empty());
+    }
+    EXPECT_EQ(0, RunCommand({"shader", path, "--emit", "spirv", "-o", output}).exitCode);
+    const std::string spirv = ReadText(output + "/My_Good.0.vert.spv");
+    EXPECT_EQ("\x03\x02\x23\x07", spirv.substr(0, 4)) << "SPIR-V's magic number, little-endian";
+}
+
+TEST_F(ShaderCommand, NamesAFileThatIsNotThere)
+{
+    const std::string path = (folder / "no.shader").string();
+    const CommandRun run = RunCommand({"shader", path});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ(path + ": error: file: no such file\n", run.err);
+}
+
+TEST_F(ShaderCommand, NamesAFolderWithoutShaders)
+{
+    const std::string path = (folder / "").string();
+    const CommandRun run = RunCommand({"shader", path});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ(path + ": error: the folder has no .shader file in it\n", run.err);
+}
+
+} // namespace limn::test

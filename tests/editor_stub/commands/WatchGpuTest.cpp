@@ -1,0 +1,140 @@
+#include "commands/WatchTest.h"
+
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::HasSubstr;
+
+constexpr const char* k_Scene =
+    "size: [160, 90]\n"
+    "renderingLayers: {8: Selected}\n"
+    "camera: {position: [0, 0, -4], backgroundColor: \"#000000\"}\n"
+    "renderer:\n"
+    "  features:\n"
+    "    - type: ScreenSpaceOutlineRenderFeature\n"
+    "      m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutline\n"
+    "      m_LayerMask: Everything\n"
+    "      m_RenderingLayerMask: Selected\n"
+    "volumes: [{name: All, profile: p.profile.yaml}]\n"
+    "materials: {black: {_BaseColor: \"#000000\"}}\n"
+    "objects: [{name: Piece, mesh: cube, material: black, renderingLayerMask: [Selected]}]\n";
+
+std::string Profile(const std::string& color)
+{
+    return "ScreenSpaceOutline: {m_Enable: true, m_OutlineColor: \"" + color + "\"}\n";
+}
+
+/// A black cube with an outline in the profile's colour.
+class Watch : public WatchTest
+{
+protected:
+    void SetUp() override
+    {
+        WatchTest::SetUp();
+        folder.Write("s.scene.yaml", k_Scene);
+        folder.Write("p.profile.yaml", Profile("#ff0000"));
+    }
+
+    /// Whether the picture has an outline in this channel and none in the others.
+    bool IsOutlined(std::size_t channel) const
+    {
+        if (!std::filesystem::exists(folder / "out.png"))
+        {
+            return false;
+        }
+        const Image image = ReadPng(folder / "out.png");
+        int counts[3] = {0, 0, 0};
+        for (std::size_t i = 0; i < image.texels.size(); ++i)
+        {
+            counts[i % 4 % 3] += i % 4 < 3 && std::to_integer<int>(image.texels[i]) > 200 ? 1 : 0;
+        }
+        return counts[channel] > 0 && counts[0] + counts[1] + counts[2] == counts[channel];
+    }
+
+    bool WaitForOutline(std::size_t channel) const
+    {
+        return WaitFor([&] { return IsOutlined(channel); });
+    }
+};
+
+} // namespace
+
+TEST_F(Watch, FollowsEveryWayOfSavingAProfile)
+{
+    Start();
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    {
+        std::fstream file(folder / "p.profile.yaml", std::ios::in | std::ios::out);
+        file << Profile("#00ff00");
+    }
+    EXPECT_TRUE(WaitForOutline(1)) << "written in place";
+    folder.Write("p.tmp", Profile("#0000ff"));
+    std::filesystem::rename(folder / "p.tmp", folder / "p.profile.yaml");
+    EXPECT_TRUE(WaitForOutline(2)) << "renamed";
+    folder.Write("p.profile.yaml", Profile("#ff0000"));
+    EXPECT_TRUE(WaitForOutline(0)) << "truncated, then written";
+    EXPECT_EQ("", ReadText(folder / "err").substr(ReadText(folder / "err").find('\n') + 1));
+    EXPECT_THAT(ReadText(folder / "out"), testing::StartsWith(Path("out.png") + " 160x90 "));
+}
+
+TEST_F(Watch, KeepsTheLastPictureWhileAProfileIsBroken)
+{
+    Start();
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    const std::string before = ReadText(folder / "out.png");
+    folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 14}\n");
+    EXPECT_TRUE(WaitFor(
+        [&]
+        {
+            return ReadText(folder / "err")
+                       .find(Path("p.profile.yaml") + ":1:38: error: ScreenSpaceOutline."
+                                                      "m_OutlineWidth: 14 is outside [1, 10]\n") !=
+                   std::string::npos;
+        }));
+    EXPECT_EQ(before, ReadText(folder / "out.png"));
+    folder.Write("p.profile.yaml", Profile("#00ff00"));
+    EXPECT_TRUE(WaitForOutline(1));
+}
+
+TEST_F(Watch, FollowsTheScene)
+{
+    Start();
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    folder.Write("q.profile.yaml", Profile("#0000ff"));
+    std::string scene = k_Scene;
+    scene.replace(scene.find("p.profile"), 1, "q");
+    folder.Write("s.scene.yaml", scene);
+    EXPECT_TRUE(WaitForOutline(2));
+    folder.Write("q.profile.yaml", Profile("#00ff00"));
+    EXPECT_TRUE(WaitForOutline(1)) << "a profile that the scene did not reach at first";
+}
+
+TEST_F(Watch, EndsWith0OnSigintAndSigterm)
+{
+    for (const int signal : {SIGINT, SIGTERM})
+    {
+        Start();
+        ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+        EXPECT_EQ(0, Stop(signal));
+        std::filesystem::remove(folder / "out.png");
+    }
+}
+
+TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)
+{
+    const CommandRun noScene = RunCommand({"watch", Path("no.scene.yaml"), "-o", Path("o.png")});
+    EXPECT_EQ(1, noScene.exitCode);
+    EXPECT_EQ(Path("no.scene.yaml") + ": error: there is no such file\n", noScene.err);
+    const CommandRun noFolder = RunCommand({"watch", Path("s.scene.yaml"), "-o", Path("no/o.png")});
+    EXPECT_EQ(1, noFolder.exitCode);
+    EXPECT_EQ(Path("no/o.png") + ": error: cannot be written: No such file or directory\n",
+              noFolder.err);
+    EXPECT_EQ(2, RunCommand({"watch"}).exitCode);
+}
+
+} // namespace limn::test

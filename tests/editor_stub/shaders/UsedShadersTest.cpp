@@ -1,0 +1,58 @@
+#include "shaders/UsedShaders.h"
+#include "SceneFolder.h"
+#include "commands/WatchedAssets.h"
+
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+constexpr const char* k_Materials = "camera: {}\n"
+                                    "materials:\n"
+                                    "  own: {shader: own.shader, renderQueue: 2600}\n"
+                                    "  lit: {}\n"
+                                    "objects:\n"
+                                    "  - {name: A, mesh: cube, material: own}\n"
+                                    "  - {name: B, mesh: cube, material: lit}\n"
+                                    "  - {name: C, mesh: cube, material: own}\n";
+
+} // namespace
+
+TEST(UsedShaders, GivesObjectsOfABrokenShaderTheErrorShaderInTheirQueue)
+{
+    SceneFolder folder;
+    folder.Write("Tint.hlsl", TintText("1, 1, 1"));
+    folder.Write("own.shader", ShaderText("undeclared"));
+    SceneAsset asset = folder.Load(k_Materials);
+    const std::vector<Diagnostic> problems =
+        CompileOrReplaceShaders(asset, folder.assets.compiler());
+    ASSERT_FALSE(problems.empty());
+    EXPECT_THAT(ToString(problems.front()), testing::HasSubstr("undeclared"));
+    const auto materialOf = [&asset](std::size_t index)
+    {
+        return asset.scene.objects()[index]->renderer->sharedMaterials.front();
+    };
+    EXPECT_EQ("Hidden/Core/FallbackError", materialOf(0)->shader()->name());
+    EXPECT_EQ(2600, materialOf(0)->renderQueue());
+    EXPECT_EQ("own", materialOf(0)->name());
+    EXPECT_EQ("Universal Render Pipeline/Lit", materialOf(1)->shader()->name());
+    EXPECT_EQ(materialOf(0), materialOf(2)) << "one material, so that both are instances";
+    EXPECT_EQ(1, materialOf(0)->passCount());
+    EXPECT_NO_THROW(materialOf(0)->shader()->Compile(0));
+}
+
+TEST(UsedShaders, RefusesAFeaturesBrokenShader)
+{
+    SceneFolder folder;
+    folder.Write("Tint.hlsl", TintText("1, 1, 1"));
+    folder.Write("own.shader", ShaderText("undeclared"));
+    SceneAsset asset =
+        folder.LoadWithCamera("renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, "
+                              "m_ScreenSpaceOutlineShader: own.shader}]}\n");
+    EXPECT_THROW(CompileOrReplaceShaders(asset, folder.assets.compiler()), AssetError);
+}
+
+} // namespace limn::test

@@ -1,0 +1,372 @@
+#include "hlsl/DialectTestSupport.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using namespace test;
+
+TEST(HlslDialect, SamplesOldSamplersInEveryWay)
+{
+    const auto pass = CompileFragment(R"(
+        sampler2D _A; sampler3D _B; samplerCUBE _C; sampler2D_float _D; sampler2D_half _E;
+        fixed4 frag(v2f i) : SV_Target
+        {
+            float4 u = float4(i.uv, 0, 1);
+            return tex2D(_A, i.uv) + tex2D(_A, i.uv, ddx(i.uv), ddy(i.uv)) + tex2Dlod(_A, u)
+                + tex2Dbias(_A, u) + tex2Dgrad(_A, i.uv, ddx(i.uv), ddy(i.uv)) + tex2Dproj(_A, u)
+                + tex3D(_B, u.xyz) + tex3Dlod(_B, u) + texCUBE(_C, u.xyz) + texCUBElod(_C, u)
+                + texCUBEbias(_C, u) + tex2D(_D, i.uv) + tex2D(_E, i.uv);
+        })");
+    EXPECT_EQ(pass->layout.textures.size(), 5u);
+    EXPECT_TRUE(pass->layout.samplers.empty());
+    const std::string spirv = test::Disassemble(pass->fragmentSpirv);
+    EXPECT_THAT(spirv, HasSubstr("OpImageSampleExplicitLod"));
+}
+
+TEST(HlslDialect, HasFixedAndHalfScalarsVectorsAndMatrices)
+{
+    CompileFragment(R"(
+        half4 twice(half3x3 m, fixed4x4 k) { return mul(k, half4(m[0], 1)); }
+        fixed4 frag(v2f i) : COLOR
+        {
+            fixed2x2 a = fixed2x2(1, 0, 0, 1); half3x3 m = (half3x3)1; fixed4x4 k = (fixed4x4)2;
+            fixed f = a[0][0]; half3 h = i.uv.xyx;
+            return twice(m, k) * f + h.xyzz;
+        })");
+}
+
+TEST(HlslDialect, TakesTheFaceInEveryType)
+{
+    for (const std::string parameter :
+         {"fixed f : VFACE", "float f : VFACE", "half f : vface", "float f : FACE",
+          "bool f : SV_IsFrontFace", "uint f : SV_IsFrontFace"})
+    {
+        SCOPED_TRACE(parameter);
+        const auto pass = CompileFragment("fixed4 frag(v2f i, " + parameter +
+                                          ") : SV_Target { return f > 0 ? 1 : 0; }");
+        EXPECT_THAT(test::Disassemble(pass->fragmentSpirv), HasSubstr("BuiltIn FrontFacing"));
+    }
+}
+
+TEST(HlslDialect, TakesThePixelsPosition)
+{
+    for (const std::string parameter :
+         {"float4 s : VPOS", "float2 s : VPOS", "float4 s : SV_Position", "float4 s : sv_position"})
+    {
+        SCOPED_TRACE(parameter);
+        const auto pass = CompileValid("float4 vert(float4 p : POSITION) : SV_POSITION { return p; "
+                                       "}\nfloat4 frag(" +
+                                       parameter + ") : SV_Target { return s.xyxy; }");
+        EXPECT_THAT(test::Disassemble(pass->fragmentSpirv), HasSubstr("BuiltIn FragCoord"));
+    }
+}
+
+TEST(HlslDialect, WritesUpToEightTargetsAndADepth)
+{
+    const auto one = CompileFragment(R"(
+        struct target { float4 a : SV_Target0; half4 b : SV_TARGET1; float4 c : COLOR2;
+                        float d : SV_Depth; };
+        target frag(v2f i)
+        {
+            target r; r.a = 1; r.b = 2; r.c = i.uv.xyxy; r.d = 0.5; return r;
+        })");
+    EXPECT_EQ(one->layout.colorOutputs, 3);
+    std::string parameters;
+    std::string body;
+    for (const char digit : std::string("01234567"))
+    {
+        parameters += std::string(", out float4 t") + digit + " : SV_Target" + digit;
+        body += std::string("t") + digit + " = " + digit + "; ";
+    }
+    const auto eight = CompileFragment("void frag(v2f i" + parameters + ") { " + body + "}");
+    EXPECT_EQ(eight->layout.colorOutputs, 8);
+    EXPECT_EQ(CompileFragment("half3 frag(v2f i) : SV_Target { return 1; }")->layout.colorOutputs,
+              1);
+    EXPECT_EQ(CompileFragment("void frag(v2f i) {}")->layout.colorOutputs, 0);
+}
+
+TEST(HlslDialect, CarriesArraysMatricesIntegersAndModifiersBetweenTheStages)
+{
+    const auto pass = CompileValid(R"(
+        #define N 3
+        static const int COUNT = 2;
+        struct v2f
+        {
+            float4 pos : SV_POSITION;
+            float4 a[N - 1] : TEXCOORD0;
+            float2 b[COUNT] : TEXCOORD4;
+            float3x3 tbn : TEXCOORD6;
+            nointerpolation uint id : TEXCOORD9;
+            centroid float2 c : TEXCOORD10;
+            noperspective float z : TEXCOORD11;
+        };
+        v2f vert(float4 p : POSITION, uint id : SV_VertexID, uint instance : SV_InstanceID)
+        {
+            v2f o;
+            o.pos = p; o.a[0] = p; o.a[1] = p; o.b[0] = o.b[1] = p.xy; o.tbn = (float3x3)1;
+            o.id = id + instance; o.c = p.xy; o.z = p.z;
+            return o;
+        }
+        float4 frag(v2f i) : SV_Target
+        {
+            return i.a[1] + i.b[1].xyxy + i.tbn[2].xyzz + i.id + i.c.xyxy + i.z;
+        })");
+    const std::string spirv = test::Disassemble(pass->fragmentSpirv);
+    EXPECT_THAT(spirv, HasSubstr(" Flat"));
+    EXPECT_THAT(spirv, HasSubstr(" Centroid"));
+    EXPECT_THAT(spirv, HasSubstr(" NoPerspective"));
+}
+
+TEST(HlslDialect, GivesZeroAndAWarningForWhatTheVertexFunctionDoesNotWrite)
+{
+    const auto pass = test::CompileHlsl(
+        "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n"
+        "float4 frag(float2 uv : TEXCOORD1) : SV_Target { return uv.xyxy + 0.25; }");
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+    EXPECT_THAT(test::Messages(pass->diagnostics),
+                ElementsAre("1:1: warning: frag: it reads 'TEXCOORD1', which the vertex function "
+                            "does not write; it is 0"));
+    const std::string spirv = test::Disassemble(pass->fragmentSpirv);
+    EXPECT_THAT(spirv, testing::Not(HasSubstr("OpLoad")));
+    EXPECT_THAT(spirv, HasSubstr("%float_0_25"));
+}
+
+TEST(HlslDialect, ReflectsUniformsOfEveryType)
+{
+    const auto pass = CompileFragment(R"(
+        float4 _Arr[8]; float _Weights[4]; float4x4 _M[2]; half3x3 _R;
+        int _Count; bool _On; uint _U; int4 _I4; float2 _V2; float3 _V3; float _Scale = 2;
+        float4 frag(v2f i) : SV_Target
+        {
+            float4 s = 0;
+            for (int k = 0; k < _Count; k++) s += _Arr[k] * _Weights[k];
+            if (_On) s += mul(_M[1], s);
+            s.xy += _V2;
+            s.xyz += mul(_R, _V3);
+            return s * _Scale + _I4 + _U;
+        })");
+    EXPECT_EQ(Member(*pass, "_Arr").arraySize, 8);
+    EXPECT_EQ(Member(*pass, "_Arr").arrayStride, 16u);
+    EXPECT_EQ(Member(*pass, "_Weights").arraySize, 4);
+    EXPECT_EQ(Member(*pass, "_Weights").arrayStride, 16u);
+    EXPECT_EQ(Member(*pass, "_M").type, UniformType::Matrix4x4);
+    EXPECT_EQ(Member(*pass, "_M").arraySize, 2);
+    EXPECT_EQ(Member(*pass, "_Count").type, UniformType::Int);
+    EXPECT_EQ(Member(*pass, "_On").type, UniformType::UInt);
+    EXPECT_EQ(Member(*pass, "_U").type, UniformType::UInt);
+    EXPECT_EQ(Member(*pass, "_I4").components, 4);
+    EXPECT_EQ(Member(*pass, "_V2").components, 2);
+    EXPECT_EQ(Member(*pass, "_V3").components, 3);
+    EXPECT_EQ(Member(*pass, "_Scale").type, UniformType::Float);
+}
+
+TEST(HlslDialect, KeepsConstantBuffersApart)
+{
+    const auto pass = CompileFragment(R"(
+        CBUFFER_START(UnityPerMaterial) float4 _C; half _S; CBUFFER_END
+        cbuffer Third : register(b3) { float3 _E : packoffset(c0); float _G; float2 _Pairs[2]; }
+        float4 frag(v2f i) : SV_Target
+        {
+            return _C * _S + _E.xyzz * _G + _Pairs[1].xyxy;
+        })");
+    ASSERT_EQ(pass->layout.buffers.size(), 2u);
+    EXPECT_EQ(Member(*pass, "_S").offset, 16u);
+    EXPECT_EQ(Member(*pass, "_G").offset, 12u);
+    EXPECT_EQ(Member(*pass, "_Pairs").offset, 16u);
+}
+
+TEST(HlslDialect, NamesSamplerStatesAsWritten)
+{
+    const auto pass = CompileFragment(R"(
+        Texture2D _A; Texture2D<half4> _B; sampler sampler_A;
+        SamplerState sampler_LinearClamp, my_trilinear_mirror_sampler;
+        SamplerState sampler_linear_clampU_mirrorV;
+        SamplerComparisonState sampler_LinearClampCompare;
+        float4 frag(v2f i) : SV_Target
+        {
+            uint w, h, n;
+            _A.GetDimensions(w, h);
+            _A.GetDimensions(0, w, h, n);
+            return _A.Sample(sampler_A, i.uv, int2(1, 0)) + _B.Sample(sampler_LinearClamp, i.uv)
+                + _A.SampleLevel(my_trilinear_mirror_sampler, i.uv, 0)
+                + _A.SampleGrad(sampler_linear_clampU_mirrorV, i.uv, i.uv, i.uv)
+                + _A.SampleCmpLevelZero(sampler_LinearClampCompare, i.uv, 0.5)
+                + _A.Load(int3(1, 2, 0)) + _A[uint2(1, 1)] + _A.GatherRed(sampler_A, i.uv) + w;
+        })");
+    std::vector<std::string> names;
+    for (const SamplerBinding& sampler : pass->layout.samplers)
+    {
+        names.push_back(sampler.name);
+        EXPECT_EQ(sampler.comparison, sampler.name == "sampler_LinearClampCompare");
+    }
+    EXPECT_THAT(names, testing::UnorderedElementsAre(
+                           "sampler_A", "sampler_LinearClamp", "my_trilinear_mirror_sampler",
+                           "sampler_linear_clampU_mirrorV", "sampler_LinearClampCompare"));
+}
+
+TEST(HlslDialect, ReadsStructuredAndRawBuffers)
+{
+    const auto pass = CompileValid(R"(
+        struct Item { float3 p; float w; float4x4 m; uint id; };
+        StructuredBuffer<Item> _Items; StructuredBuffer<uint> _Ids; ByteAddressBuffer _Raw;
+        float4 vert(float4 p : POSITION, uint id : SV_InstanceID) : SV_POSITION
+        {
+            return mul(_Items[_Ids[id]].m, p) + asfloat(_Raw.Load(4)) + asfloat(_Raw.Load2(8)).xyxy;
+        }
+        float4 frag() : SV_Target { return _Items[1].w; })");
+    std::map<std::string, std::uint32_t> strides;
+    for (const StorageBufferBinding& buffer : pass->layout.storageBuffers)
+    {
+        strides[buffer.name] = buffer.stride;
+    }
+    EXPECT_EQ(strides.size(), 3u);
+    EXPECT_EQ(strides["_Ids"], 4u);
+    EXPECT_EQ(strides["_Raw"], 4u);
+}
+
+TEST(HlslDialect, HasConstantsOverloadsDefaultsAndMacrosThatDeclare)
+{
+    CompileFragment(R"(
+        static const float2 K[3] = { float2(0, 1), float2(1, 0), { 1, 1 } };
+        const float G = 0.5;
+        static float counter = 0;
+        #define DECLARE(x) float4 _##x##_ST; Texture2D _##x; SamplerState sampler_##x;
+        DECLARE(Main)
+        #ifdef UNDEFINED
+        Broken here;
+        #endif
+        float f(float a, float b = 2, float3 c = float3(1, 2, 3)) { return a * b + c.x; }
+        float f(float2 a) { return a.x; }
+        float4 later(float x);
+        float4 frag(v2f i) : SV_Target
+        {
+            counter += 1;
+            return f(i.uv.x) + f(i.uv.x, 3) + f(i.uv) + K[(int)i.uv.x].xyxy * G * counter
+                + _Main.Sample(sampler_Main, i.uv * _Main_ST.xy) + later(i.uv.y);
+        }
+        float4 later(float x) { return x; })");
+}
+
+TEST(HlslDialect, LetsTheCodeAssignToMaterialConstantsThroughMembersAndInout)
+{
+    const auto pass = CompileFragment(R"(
+        float4 _C; float _F;
+        cbuffer UnityPerMaterial { float4 _M; };
+        float4 frag(v2f i) : SV_Target
+        {
+            _C.xyz *= 2; _F++; _M = _C;
+            return _C * _F + _M;
+        })");
+    EXPECT_EQ(Member(*pass, "_F").components, 1);
+}
+
+TEST(HlslDialect, LetsVariablesBeCalledAsGeometryModifiersAre)
+{
+    CompileFragment(R"(
+        struct shape { float line : A; float triangle : B; };
+        float4 frag(v2f i) : SV_Target
+        {
+            float point = 1, line = 2; float4 sample = 3; float triangle = 4; float linear = 5;
+            shape s; s.line = line; s.triangle = triangle;
+            for (int shared = 0; shared < 2; shared++) point += linear;
+            return point + s.line * s.triangle + sample;
+        })");
+}
+
+TEST(HlslDialect, LeavesTheNameNoiseToTheAuthor)
+{
+    CompileFragment(R"(
+        float noise(float2 p) { return frac(sin(dot(p, float2(12.9, 78.2))) * 43758.5); }
+        fixed4 frag(v2f i) : SV_Target { float noise2 = noise(i.uv); return noise2; })");
+    // The language's own function exists on no device.
+    try
+    {
+        test::CompileHlsl(k_Vertex + "float4 frag(v2f i) : SV_Target { return noise(i.uv); }");
+        FAIL();
+    }
+    catch (const AssetError& error)
+    {
+        EXPECT_THAT(error.what(), HasSubstr("'noise_': no matching overloaded function found"));
+    }
+}
+
+TEST(HlslDialect, SwizzlesMatrices)
+{
+    const auto pass = CompileFragment(R"(
+        float4x4 _M;
+        float4 frag(v2f i) : SV_Target
+        {
+            float3 position = _M._m03_m13_m23;
+            float4x4 m = _M;
+            m._m00 = 2;
+            m[0][1] = 3;
+            return _M._m03_m13_m23.xzyy + _M._14_24_34.x + m._m00_m11_m22_m33 + position.xyzz
+                + mul((float3x3)m, i.uv.xyx).xyzz;
+        })");
+    EXPECT_EQ(Member(*pass, "_M").type, UniformType::Matrix4x4);
+}
+
+TEST(HlslDialect, KeepsLoopVariablesThatAreUsedAfterTheirLoop)
+{
+    CompileFragment(R"(
+        float4 frag(v2f i) : SV_Target
+        {
+            float sum = 0;
+            for (int n = 0; n < 4; n++) { sum += n; }
+            for (n = 0; n < 3; n++) sum += i.uv.x;
+            [unroll] for (int k = 0; k < 4; k++) if (k > 1) { sum += k; } else sum -= k;
+            sum += k;
+            for (int k = 0; k < 2; k++) sum += k;
+            return sum + k + n;
+        })");
+}
+
+TEST(HlslDialect, KeepsAllVariablesOfALoopIfOneIsUsedAfterIt)
+{
+    CompileFragment(R"(
+        float4 frag(v2f i) : SV_Target
+        {
+            float sum = 0;
+            for (int n = 0, k = min(3, 4), unset; n < k; n++, k--) sum += n;
+            sum += k;
+            for (int n = 0, k = 1; n < k; n++) sum += n;
+            { for (uint m = 0, q = 1; m < 2; m++) { sum += q; } sum += m; }
+            { for (uint m = 0, q = 1; m < 2; m++) { sum += m; } sum += q; }
+            for (int a = 0, b = 1; a < 2; a++) { sum += b; }
+            float b = 2;
+            return sum + k + n + b;
+        })");
+}
+
+TEST(HlslDialect, LeavesLoopVariablesAloneThatAreDeclaredAgain)
+{
+    CompileFragment(R"(
+        float Sum(int n) { float s = n; { for (int n = 0; n < 3; ++n) { s += n; } } return s + n; }
+        float4 frag(v2f i) : SV_Target
+        {
+            float sum = 0;
+            for (int n = 0; n < 4; n++) { sum += n; }
+            for (uint n = 0; n < 4; n++) { sum += n; }
+            float a = 1, n = 2;
+            for (int j = 0, k = 1; j < 4; j++) { sum += k; }
+            return sum + a + n + Sum(2);
+        })");
+}
+
+TEST(HlslDialect, RefusesTexturesOfOneDimension)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_Vertex + "Texture1D _T;\nSamplerState sampler_T;\nfloat4 frag(v2f i) : "
+                               "SV_Target { return _T.Sample(sampler_T, i.uv.x); }")),
+                ElementsAre("t.shader:1:1: error: '_T': only textures of 2D, 3D and cube kind, and "
+                            "arrays of them, are supported"));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,186 @@
+#include <limn/volume/VolumeManager.h>
+
+#include "blending/VolumeBlending.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Stable, and quick on a list that is nearly sorted; allocates nothing, unlike std::stable_sort.
+void SortByPriority(std::vector<const Volume*>& volumes)
+{
+    for (std::size_t i = 1; i < volumes.size(); ++i)
+    {
+        const Volume* moved = volumes[i];
+        std::size_t to = i;
+        for (; to > 0 && volumes[to - 1]->priority > moved->priority; --to)
+        {
+            volumes[to] = volumes[to - 1];
+        }
+        volumes[to] = moved;
+    }
+}
+
+} // namespace
+
+bool VolumeManager::Register(const Volume* volume)
+{
+    if (!volume)
+    {
+        throw ContractError("VolumeManager::Register got no volume");
+    }
+    const bool isKnown =
+        std::any_of(m_Registrations.begin(), m_Registrations.end(),
+                    [volume](const Registration& known) { return known.volume == volume; });
+    if (isKnown)
+    {
+        return false;
+    }
+    const Registration registration{volume, volume->layer, volume->priority};
+    AddToLists(registration);
+    m_Registrations.push_back(registration);
+    return true;
+}
+
+void VolumeManager::Unregister(const Volume* volume)
+{
+    const auto found =
+        std::find_if(m_Registrations.begin(), m_Registrations.end(),
+                     [volume](const Registration& known) { return known.volume == volume; });
+    if (found != m_Registrations.end())
+    {
+        RemoveFromLists(*found);
+        m_Registrations.erase(found);
+    }
+}
+
+void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger,
+                           LayerMask layerMask)
+{
+    if (m_Registrations.empty() && !stack.requiresReset())
+    {
+        return; // the stack shows its defaults
+    }
+    stack.m_RequiresReset = !m_Registrations.empty();
+    ResetToDefaults(stack);
+    const auto apply =
+        [&stack](const Volume&, const VolumeComponent& component, const VolumeInfluence& influence)
+    {
+        // A stack does not have a type that was registered after it was created.
+        if (VolumeComponent* state = stack.Find(typeid(component)))
+        {
+            component.Override(*state, influence.factor);
+        }
+    };
+    ForEachContribution(GetVolumes(layerMask), trigger, apply);
+}
+
+std::span<const Volume* const> VolumeManager::GetVolumes(LayerMask layerMask)
+{
+    NoticeChanges();
+    auto list = std::find_if(m_Lists.begin(), m_Lists.end(),
+                             [layerMask](const SortedList& l) { return l.mask == layerMask; });
+    if (list == m_Lists.end())
+    {
+        list = m_Lists.insert(m_Lists.end(), {layerMask, {}, true});
+        for (const Registration& registration : m_Registrations)
+        {
+            if (layerMask.Intersects(LayerMask::FromIndex(registration.layer)))
+            {
+                list->volumes.push_back(registration.volume);
+            }
+        }
+    }
+    if (list->isDirty)
+    {
+        SortByPriority(list->volumes);
+        list->isDirty = false;
+    }
+    return list->volumes;
+}
+
+bool VolumeManager::IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const
+{
+    const auto isActive = [&type](const std::unique_ptr<VolumeComponent>& owned)
+    {
+        const VolumeComponent& component = *owned;
+        return component.active && typeid(component) == type;
+    };
+    const auto counts = [&isActive](const Volume* volume)
+    {
+        const VolumeProfile* profile = volume->enabled ? volume->profileRef() : nullptr;
+        return profile &&
+               std::any_of(profile->components().begin(), profile->components().end(), isActive);
+    };
+    const auto list =
+        std::find_if(m_Lists.begin(), m_Lists.end(),
+                     [layerMask](const SortedList& l) { return l.mask == layerMask; });
+    return list != m_Lists.end() && std::any_of(list->volumes.begin(), list->volumes.end(), counts);
+}
+
+void VolumeManager::NoticeChanges()
+{
+    for (std::size_t i = 0, remaining = m_Registrations.size(); remaining > 0; --remaining)
+    {
+        Registration& registration = m_Registrations[i];
+        const Volume& volume = *registration.volume;
+        if (registration.priority != volume.priority)
+        {
+            registration.priority = volume.priority;
+            MarkDirty(registration.layer);
+        }
+        if (registration.layer == volume.layer)
+        {
+            ++i;
+            continue;
+        }
+        const Registration moved{&volume, volume.layer, volume.priority};
+        LayerMask::FromIndex(moved.layer); // refuses a bad layer while nothing is changed yet
+        RemoveFromLists(registration);
+        AddToLists(moved);
+        m_Registrations.erase(m_Registrations.begin() + static_cast<std::ptrdiff_t>(i));
+        m_Registrations.push_back(moved);
+    }
+}
+
+void VolumeManager::AddToLists(const Registration& registration)
+{
+    const LayerMask layer = LayerMask::FromIndex(registration.layer);
+    for (SortedList& list : m_Lists)
+    {
+        if (list.mask.Intersects(layer))
+        {
+            list.volumes.push_back(registration.volume);
+            list.isDirty = true;
+        }
+    }
+}
+
+void VolumeManager::RemoveFromLists(const Registration& registration)
+{
+    const LayerMask layer = LayerMask::FromIndex(registration.layer);
+    for (SortedList& list : m_Lists)
+    {
+        if (list.mask.Intersects(layer))
+        {
+            list.volumes.erase(
+                std::remove(list.volumes.begin(), list.volumes.end(), registration.volume),
+                list.volumes.end());
+        }
+    }
+}
+
+void VolumeManager::MarkDirty(int layer)
+{
+    const LayerMask changed = LayerMask::FromIndex(layer);
+    for (SortedList& list : m_Lists)
+    {
+        list.isDirty = list.isDirty || list.mask.Intersects(changed);
+    }
+}
+
+} // namespace limn

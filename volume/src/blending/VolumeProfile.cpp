@@ -1,0 +1,62 @@
+#include <limn/volume/VolumeProfile.h>
+
+#include "blending/CloneComponent.h"
+#include "parameters/TypeName.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+VolumeComponent& VolumeProfile::Add(std::unique_ptr<VolumeComponent> component)
+{
+    if (!component)
+    {
+        throw ContractError("VolumeProfile::Add got no component");
+    }
+    const VolumeComponent& added = *component;
+    if (Find(typeid(added)))
+    {
+        throw ContractError("the volume profile '" + name + "' has a component of type " +
+                            TypeName(typeid(added)) + " already");
+    }
+    m_Components.push_back(std::move(component));
+    return *m_Components.back();
+}
+
+VolumeProfile VolumeProfile::Clone(const VolumeComponentRegistry& registry) const
+{
+    VolumeProfile copy;
+    copy.name = name;
+    for (const std::unique_ptr<VolumeComponent>& component : m_Components)
+    {
+        copy.m_Components.push_back(CloneComponent(*component, registry));
+    }
+    return copy;
+}
+
+VolumeComponent* VolumeProfile::Find(const std::type_info& type) const
+{
+    for (const std::unique_ptr<VolumeComponent>& owned : m_Components)
+    {
+        VolumeComponent& component = *owned;
+        if (typeid(component) == type)
+        {
+            return &component;
+        }
+    }
+    return nullptr;
+}
+
+void VolumeProfile::Remove(const std::type_info& type)
+{
+    m_Components.erase(std::remove_if(m_Components.begin(), m_Components.end(),
+                                      [&type](const std::unique_ptr<VolumeComponent>& owned)
+                                      {
+                                          const VolumeComponent& component = *owned;
+                                          return typeid(component) == type;
+                                      }),
+                       m_Components.end());
+}
+
+} // namespace limn

@@ -1,0 +1,175 @@
+#include "parameters/ParameterValues.h"
+
+#include <cmath>
+
+namespace limn::detail
+{
+
+namespace
+{
+
+template <typename T>
+bool Store(const std::optional<T>& read, T& value)
+{
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+/// "[1, 2]"
+std::string ListText(const float* numbers, std::size_t count)
+{
+    std::string text = "[";
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        text += (i > 0 ? ", " : "") + LimnText(numbers[i]);
+    }
+    return text + "]";
+}
+
+/// "{x: 1, y: 2}"
+std::string FieldsText(const float* numbers, std::string_view names)
+{
+    std::string text = "{";
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        text += (i > 0 ? ", " : "") + std::string(1, names[i]) + ": " + UnityText(numbers[i]);
+    }
+    return text + "}";
+}
+
+std::optional<glm::vec4> ReadNumbers(const ValueSource& source, int count)
+{
+    return ReadVector(source.node, count, source.subject, source.diagnostics);
+}
+
+} // namespace
+
+bool ValueSource::Refuse(std::string_view problem) const
+{
+    diagnostics.Error(node.location(), std::string(subject).append(": ").append(problem));
+    return false;
+}
+
+bool ReadValue(const ValueSource& source, bool& value)
+{
+    return Store(ReadBool(source.node, source.subject, source.diagnostics), value);
+}
+
+bool ReadValue(const ValueSource& source, int& value)
+{
+    return Store(ReadInt(source.node, source.subject, source.diagnostics, source.range), value);
+}
+
+bool ReadValue(const ValueSource& source, float& value)
+{
+    return Store(ReadFloat(source.node, source.subject, source.diagnostics, source.range), value);
+}
+
+bool ReadValue(const ValueSource& source, Color& value)
+{
+    return Store(ReadColor(source.node, source.subject, source.diagnostics), value);
+}
+
+bool ReadValue(const ValueSource& source, glm::vec2& value)
+{
+    const auto read = ReadNumbers(source, 2);
+    if (!read)
+    {
+        return false;
+    }
+    // Only a range has limits, and of each end one: as its setter does it.
+    if (static_cast<float>(source.range.min) > read->x ||
+        static_cast<float>(source.range.max) < read->y)
+    {
+        return source.Refuse(ListText(&read->x, 2) + " goes beyond " + RangeText(source.range));
+    }
+    value = glm::vec2(*read);
+    return true;
+}
+
+bool ReadValue(const ValueSource& source, glm::vec3& value)
+{
+    const auto read = ReadNumbers(source, 3);
+    return Store(read ? std::optional(glm::vec3(*read)) : std::nullopt, value);
+}
+
+bool ReadValue(const ValueSource& source, glm::vec4& value)
+{
+    return Store(ReadNumbers(source, 4), value);
+}
+
+std::string LimnText(bool value)
+{
+    return value ? "true" : "false";
+}
+
+std::string LimnText(int value)
+{
+    return std::to_string(value);
+}
+
+std::string LimnText(float value)
+{
+    return NumberText(static_cast<double>(value));
+}
+
+std::string LimnText(const Color& value)
+{
+    return FieldsText(&value.r, "rgba");
+}
+
+std::string LimnText(const glm::vec2& value)
+{
+    return ListText(&value.x, 2);
+}
+
+std::string LimnText(const glm::vec3& value)
+{
+    return ListText(&value.x, 3);
+}
+
+std::string LimnText(const glm::vec4& value)
+{
+    return ListText(&value.x, 4);
+}
+
+std::string UnityText(bool value)
+{
+    return value ? "1" : "0";
+}
+
+std::string UnityText(int value)
+{
+    return std::to_string(value);
+}
+
+std::string UnityText(float value)
+{
+    if (std::isinf(value))
+    {
+        return value > 0.0f ? "Infinity" : "-Infinity";
+    }
+    return std::isnan(value) ? "NaN" : NumberText(static_cast<double>(value));
+}
+
+std::string UnityText(const Color& value)
+{
+    return FieldsText(&value.r, "rgba");
+}
+
+std::string UnityText(const glm::vec2& value)
+{
+    return FieldsText(&value.x, "xy");
+}
+
+std::string UnityText(const glm::vec3& value)
+{
+    return FieldsText(&value.x, "xyz");
+}
+
+std::string UnityText(const glm::vec4& value)
+{
+    return FieldsText(&value.x, "xyzw");
+}
+
+} // namespace limn::detail

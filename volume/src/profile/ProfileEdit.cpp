@@ -1,0 +1,357 @@
+#include <limn/volume/ProfileEdit.h>
+
+#include "yaml/Splice.h"
+
+#include <algorithm>
+#include <limn/shaderlab/WriteFile.h>
+#include <limn/volume/BoolParameter.h>
+#include <limn/volume/UnityAsset.h>
+#include <limn/volume/VolumeProfileLoader.h>
+#include <limn/volume/YamlMapReader.h>
+
+namespace limn
+{
+
+namespace
+{
+
+YamlNode ParseValue(const std::string& value, const std::string& file)
+{
+    // A colour is typed without the quotes that YAML needs, since a shell takes them away.
+    const bool isColor = !value.empty() && value.front() == '#';
+    return ParseYaml(isColor || value.empty() ? "'" + value + "'" : value, file).front();
+}
+
+/// The layers of the scene that a profile is made for are not known here; any name may be one.
+class AnyLayer final : public ProfileContext
+{
+public:
+    std::optional<int> FindLayer(std::string_view name) const override
+    {
+        return ProfileContext::FindLayer(name).value_or(31);
+    }
+};
+
+/// "object.size" as ["object", "size"].
+std::vector<std::string> SplitPath(const std::string& path)
+{
+    std::vector<std::string> names;
+    std::size_t begin = 0;
+    for (std::size_t dot = 0; dot != std::string::npos; begin = dot + 1)
+    {
+        dot = path.find('.', begin);
+        names.push_back(path.substr(begin, dot == std::string::npos ? dot : dot - begin));
+    }
+    return names;
+}
+
+VolumeParameter* FindNamed(std::span<VolumeParameter* const> parameters, const std::string& name)
+{
+    const auto found =
+        std::find_if(parameters.begin(), parameters.end(),
+                     [&name](const VolumeParameter* p)
+                     { return p->name() == name || PlainSpelling(p->name()) == name; });
+    return found == parameters.end() ? nullptr : *found;
+}
+
+/// The parameters along a path, from the component's own to the innermost; shorter than the path
+/// where a name is unknown.
+std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
+                                        const std::vector<std::string>& path)
+{
+    std::vector<VolumeParameter*> found;
+    std::span<VolumeParameter* const> known = component.parameters();
+    for (const std::string& name : path)
+    {
+        VolumeParameter* parameter = FindNamed(known, name);
+        if (!parameter)
+        {
+            break;
+        }
+        found.push_back(parameter);
+        known = std::as_const(*parameter).parameters();
+    }
+    return found;
+}
+
+/// The parameter of an edit, with its new value.
+class Wanted
+{
+public:
+    Wanted(const ScalarEdit& edit, const VolumeComponentRegistry& registry)
+        : m_Source(edit.component + "." + edit.parameter + "=" + edit.value)
+    {
+        AssetDiagnostics diagnostics(m_Source);
+        Find(edit, registry, diagnostics);
+        diagnostics.ThrowIfErrors();
+        subject = edit.component;
+        for (const std::string& name : path)
+        {
+            subject += "." + name;
+        }
+        parameter->ReadYaml(ParseValue(edit.value, m_Source), subject, diagnostics);
+        ThrowWithoutPlaces(diagnostics);
+    }
+
+    VolumeParameter* parameter = nullptr;
+    std::string subject;
+    std::vector<std::string>
+        path; ///< serialised names, of one parameter unless it is inside others
+
+private:
+    void Find(const ScalarEdit& edit, const VolumeComponentRegistry& registry,
+              AssetDiagnostics& diagnostics)
+    {
+        if (!registry.Find(edit.component))
+        {
+            diagnostics.Error({}, "unknown volume component " +
+                                      UnknownName(edit.component, registry.names()));
+            return;
+        }
+        m_Component = registry.Create(edit.component);
+        if (edit.parameter == "active")
+        {
+            parameter = &m_Active;
+            path = {"active"};
+            return;
+        }
+        const std::vector<std::string> wanted = SplitPath(edit.parameter);
+        const std::vector<VolumeParameter*> found = FindAlong(*m_Component, wanted);
+        for (VolumeParameter* known : found)
+        {
+            path.push_back(known->name());
+            parameter = known;
+        }
+        if (found.size() < wanted.size())
+        {
+            ReportUnknown(edit.component, wanted[found.size()], found, diagnostics);
+        }
+    }
+
+    void ReportUnknown(const std::string& component, const std::string& name,
+                       const std::vector<VolumeParameter*>& found,
+                       AssetDiagnostics& diagnostics) const
+    {
+        std::string owner = component;
+        std::vector<std::string> names;
+        std::span<VolumeParameter* const> parameters = m_Component->parameters();
+        for (const VolumeParameter* outer : found)
+        {
+            owner += "." + outer->name();
+            parameters = outer->parameters();
+        }
+        if (found.empty())
+        {
+            names.emplace_back("active");
+        }
+        for (const VolumeParameter* known : parameters)
+        {
+            names.push_back(PlainSpelling(known->name()));
+        }
+        diagnostics.Error({}, owner + ": unknown parameter " +
+                                  UnknownName(name, {names.begin(), names.end()}));
+    }
+
+    /// A place in a value typed on a command line says nothing.
+    static void ThrowWithoutPlaces(const AssetDiagnostics& diagnostics)
+    {
+        AssetDiagnostics without(diagnostics.file());
+        for (const Diagnostic& diagnostic : diagnostics.diagnostics())
+        {
+            without.Error({}, diagnostic.message);
+        }
+        without.ThrowIfErrors();
+    }
+
+    std::string m_Source;
+    std::unique_ptr<VolumeComponent> m_Component;
+    BoolParameter m_Active{nullptr, "active", true};
+};
+
+/// The component's map in either form; null if the file does not have it.
+const YamlNode* FindComponent(const std::vector<YamlNode>& documents, const UnityAsset* asset,
+                              const std::string& name)
+{
+    if (!asset)
+    {
+        return documents.front().Find(name);
+    }
+    const UnityObject* root = asset->FindWithField("components");
+    for (const YamlNode& reference :
+         root ? root->fields.Find("components")->items() : std::span<const YamlNode>())
+    {
+        const UnityObject* object = asset->Find(ReadFileID(reference).value_or(0));
+        if (object && object->name == name)
+        {
+            return &object->fields;
+        }
+    }
+    return nullptr;
+}
+
+/// What stands for one parameter in the map of a component or an object; null without it.
+const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isUnity)
+{
+    const YamlNode* value = map.Find(name);
+    value = value || isUnity ? value : map.Find(PlainSpelling(name));
+    // Unity puts the override state beside the value; within an object limn reads that as well.
+    const bool isWrapped = value && value->Find("m_OverrideState") && value->Find("m_Value");
+    return isWrapped ? value->Find("m_Value") : value;
+}
+
+/// The node that holds the parameter's value; an error if there is none.
+const YamlNode* FindValue(const YamlNode* component, bool isUnity, const ScalarEdit& edit,
+                          const Wanted& wanted, AssetDiagnostics& diagnostics)
+{
+    if (!component)
+    {
+        diagnostics.Error({}, wanted.subject + ": the file has no '" + edit.component +
+                                  "'; only values that are in the file can be set");
+        return nullptr;
+    }
+    const YamlNode* value = component;
+    SourceLocation place = component->location();
+    for (const std::string& name : wanted.path)
+    {
+        place = value->location();
+        value = FindEntry(*value, name, isUnity);
+        if (!value)
+        {
+            diagnostics.Error(place, wanted.subject +
+                                         ": the file does not set it; only values that are in "
+                                         "the file can be set, so add a line '" +
+                                         name + ": " + wanted.parameter->ValueText() + "' by hand");
+            return nullptr;
+        }
+    }
+    return value;
+}
+
+/// Throws unless the new text is a good profile that differs from the old one in what was replaced.
+void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
+                 const std::string& file, const YamlSplicer& splicer, const YamlNode& place,
+                 const std::string& subject, const VolumeComponentRegistry& registry)
+{
+    ParseVolumeProfile(text, file, registry, AnyLayer());
+    const std::vector<YamlNode> after = ParseYaml(text, file);
+    std::size_t count = after.size() == before.size() ? 0 : splicer.count() + 1;
+    for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
+    {
+        count += CountDifferences(before[i], after[i]);
+    }
+    if (count != splicer.count())
+    {
+        throw AssetError(file, place.location(),
+                         subject + ": other values repeat this one by an alias (*), and would "
+                                   "change as well; change it by hand");
+    }
+}
+
+std::string EditOne(const std::string& text, const std::string& file, const ScalarEdit& edit,
+                    const VolumeComponentRegistry& registry)
+{
+    const Wanted wanted(edit, registry);
+    const std::vector<YamlNode> documents = ParseYaml(text, file);
+    const bool isUnity = IsUnityAsset(documents);
+    const UnityAsset asset = isUnity ? ReadUnityAsset(documents, file) : UnityAsset{};
+    AssetDiagnostics diagnostics(file);
+    const YamlNode* component =
+        FindComponent(documents, isUnity ? &asset : nullptr, edit.component);
+    const YamlNode* value = FindValue(component, isUnity, edit, wanted, diagnostics);
+    diagnostics.ThrowIfErrors();
+
+    const std::string fresh =
+        isUnity ? wanted.parameter->UnityText() : wanted.parameter->ValueText();
+    YamlSplicer splicer(text, wanted.subject, diagnostics);
+    // A value that says the same in another way stays as it is written.
+    AssetDiagnostics ignored(file);
+    const auto old = registry.Create(edit.component);
+    const std::vector<VolumeParameter*> current = FindAlong(*old, wanted.path);
+    const bool isSame = !current.empty() &&
+                        current.back()->ReadYaml(*value, wanted.subject, ignored) &&
+                        current.back()->ValueText() == wanted.parameter->ValueText();
+    if (!isSame)
+    {
+        splicer.Replace(*value, ParseYaml(fresh, file).front(), fresh);
+    }
+    diagnostics.ThrowIfErrors();
+    std::string result = splicer.Result();
+    CheckResult(documents, result, file, splicer, *value, wanted.subject, registry);
+    return result;
+}
+
+} // namespace
+
+ScalarEdit ScalarEdit::Parse(std::string_view text)
+{
+    const std::size_t equals = text.find('=');
+    const std::size_t dot = text.substr(0, equals).find('.');
+    if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 ||
+        dot + 1 == equals)
+    {
+        throw AssetError(std::string(text), {},
+                         "Component.param=value is expected, ScreenSpaceOutline.m_OutlineWidth=4");
+    }
+    return {std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
+            std::string(text.substr(equals + 1))};
+}
+
+std::string EditVolumeProfile(std::string_view text, const std::string& file,
+                              std::span<const ScalarEdit> edits,
+                              const VolumeComponentRegistry& registry)
+{
+    std::string result(text);
+    std::vector<Diagnostic> problems;
+    for (const ScalarEdit& edit : edits)
+    {
+        try
+        {
+            result = EditOne(result, file, edit, registry);
+        }
+        catch (const AssetError& error)
+        {
+            for (const Diagnostic& diagnostic : error.diagnostics())
+            {
+                if (std::find(problems.begin(), problems.end(), diagnostic) == problems.end())
+                {
+                    problems.push_back(diagnostic);
+                }
+            }
+        }
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
+    return result;
+}
+
+void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
+                const VolumeComponentRegistry& registry)
+{
+    const std::string text = ReadYamlText(path);
+    const std::string edited = EditVolumeProfile(text, path.generic_string(), edits, registry);
+    if (edited != text)
+    {
+        ReplaceContent(path, text, edited);
+    }
+}
+
+void ReplaceContent(const std::filesystem::path& path, std::string_view expected,
+                    std::string_view content)
+{
+    std::error_code error;
+    const std::filesystem::path behind = std::filesystem::canonical(path, error);
+    WriteFile(error ? path : behind, content,
+              [&path, expected]
+              {
+                  if (ReadYamlText(path) != expected)
+                  {
+                      throw AssetError(path.generic_string(), {},
+                                       "was changed by another program meanwhile, and is left as "
+                                       "that wrote it; try again");
+                  }
+              });
+}
+
+} // namespace limn

@@ -1,0 +1,149 @@
+#include "profile/UnityVolumeProfile.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace limn
+{
+
+namespace
+{
+
+/// What every MonoBehaviour has; the rest of a component's fields are its parameters.
+constexpr std::array<std::string_view, 11> k_HeaderFields{
+    "m_ObjectHideFlags",
+    "m_CorrespondingSourceObject",
+    "m_PrefabInstance",
+    "m_PrefabAsset",
+    "m_GameObject",
+    "m_Enabled",
+    "m_EditorHideFlags",
+    "m_Script",
+    "m_Name",
+    "m_EditorClassIdentifier",
+    "active",
+};
+
+bool IsHeaderField(std::string_view name)
+{
+    return std::find(k_HeaderFields.begin(), k_HeaderFields.end(), name) != k_HeaderFields.end();
+}
+
+void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumeParameter& parameter,
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
+{
+    const YamlNode* state = entry.value.Find("m_OverrideState");
+    const YamlNode* value = entry.value.Find("m_Value");
+    if (!state || !value)
+    {
+        diagnostics.Error(entry.keyLocation, subject +
+                                                 ": m_OverrideState or m_Value is missing; Unity "
+                                                 "writes both for a parameter");
+        return;
+    }
+    const bool isOverridden =
+        ReadBool(*state, subject + ".m_OverrideState", diagnostics).value_or(false);
+    // Unity writes every parameter; what none overrides need not be loaded, nor be there.
+    const ProfileContext plain;
+    parameter.ReadYaml(*value, subject, diagnostics, isOverridden ? context : plain);
+    parameter.SetOverrideState(isOverridden);
+}
+
+void ReadComponent(const UnityObject& object, VolumeComponent& component,
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
+{
+    if (const YamlNode* active = object.fields.Find("active"))
+    {
+        component.active =
+            ReadBool(*active, object.name + ".active", diagnostics).value_or(component.active);
+    }
+    for (const YamlEntry& entry : object.fields.entries())
+    {
+        if (IsHeaderField(entry.key))
+        {
+            continue;
+        }
+        const std::string subject = object.name + "." + entry.key;
+        const std::span<VolumeParameter* const> parameters = component.parameters();
+        const auto parameter =
+            std::find_if(parameters.begin(), parameters.end(),
+                         [&entry](const VolumeParameter* p) { return p->name() == entry.key; });
+        if (parameter == parameters.end())
+        {
+            diagnostics.Note(entry.keyLocation, subject + ": left out, no such parameter is known");
+            continue;
+        }
+        ReadParameter(entry, subject, **parameter, diagnostics, context);
+    }
+}
+
+/// The objects that the list `components` refers to, in its order.
+std::vector<const UnityObject*> ReferredComponents(const UnityAsset& asset,
+                                                   const YamlNode& references,
+                                                   AssetDiagnostics& diagnostics)
+{
+    std::vector<const UnityObject*> components;
+    for (const YamlNode& reference : references.items())
+    {
+        const std::optional<std::int64_t> fileID = ReadFileID(reference);
+        if (!fileID)
+        {
+            diagnostics.Error(reference.location(),
+                              "components: found " + reference.Describe() +
+                                  "; a reference is expected, {fileID: 11400000}");
+        }
+        else if (const UnityObject* component = asset.Find(*fileID))
+        {
+            components.push_back(component);
+        }
+        else
+        {
+            // Unity drops these as well: 0 is left where a component's script was deleted.
+            diagnostics.Note(reference.location(), "components: left out, there is no object " +
+                                                       std::to_string(*fileID) + " in this file");
+        }
+    }
+    return components;
+}
+
+} // namespace
+
+std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
+                                                      const VolumeComponentRegistry& registry,
+                                                      AssetDiagnostics& diagnostics,
+                                                      const ProfileContext& context)
+{
+    auto profile = std::make_shared<VolumeProfile>();
+    const UnityObject* root = asset.FindWithField("components");
+    if (!root || !root->fields.Find("components")->isSequence())
+    {
+        diagnostics.Error({}, "no volume profile in this Unity asset; one is a MonoBehaviour with "
+                              "a list 'components'");
+        return profile;
+    }
+    profile->name = root->name;
+    std::set<std::string> seen;
+    for (const UnityObject* object :
+         ReferredComponents(asset, *root->fields.Find("components"), diagnostics))
+    {
+        if (!registry.Find(object->name))
+        {
+            diagnostics.Note(object->location,
+                             object->name + ": left out, no such volume component is known");
+        }
+        else if (!seen.insert(object->name).second)
+        {
+            diagnostics.Error(object->location,
+                              object->name + ": the profile has two components of this type");
+        }
+        else
+        {
+            VolumeComponent& component = profile->Add(registry.Create(object->name));
+            ReadComponent(*object, component, diagnostics, context);
+        }
+    }
+    return profile;
+}
+
+} // namespace limn

@@ -1,0 +1,98 @@
+#include <limn/volume/VolumeProfileLoader.h>
+
+#include "profile/UnityVolumeProfile.h"
+
+#include <limn/volume/UnityAsset.h>
+#include <limn/volume/YamlMapReader.h>
+
+namespace limn
+{
+
+namespace
+{
+
+void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
+                   AssetDiagnostics& diagnostics, const ProfileContext& context)
+{
+    YamlMapReader map(entry.value, entry.key, diagnostics, "parameter");
+    map.Read("active", component.active);
+    for (VolumeParameter* parameter : component.parameters())
+    {
+        if (const YamlNode* value = map.Find(parameter->name()))
+        {
+            parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics, context);
+            parameter->SetOverrideState(true);
+        }
+    }
+    map.Finish();
+}
+
+std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& documents,
+                                              const VolumeComponentRegistry& registry,
+                                              AssetDiagnostics& diagnostics,
+                                              const ProfileContext& context)
+{
+    auto profile = std::make_shared<VolumeProfile>();
+    const YamlNode& root = documents.front();
+    if (documents.size() > 1)
+    {
+        diagnostics.Error(documents[1].location(),
+                          "a second document; a profile is one, so take out the line '---'");
+    }
+    if (!root.isMap())
+    {
+        diagnostics.Error(root.location(), "found " + root.Describe() +
+                                               "; a profile begins with a component's name, "
+                                               "'ScreenSpaceOutline:'");
+    }
+    for (const YamlEntry& entry : root.entries())
+    {
+        if (!registry.Find(entry.key))
+        {
+            diagnostics.Error(entry.keyLocation, "unknown volume component " +
+                                                     UnknownName(entry.key, registry.names()));
+            continue;
+        }
+        VolumeComponent& component = profile->Add(registry.Create(entry.key));
+        ReadComponent(entry, component, diagnostics, context);
+    }
+    return profile;
+}
+
+VolumeProfileLoadResult ReadProfile(const std::vector<YamlNode>& documents, const std::string& file,
+                                    const VolumeComponentRegistry& registry,
+                                    const ProfileContext& context)
+{
+    AssetDiagnostics diagnostics(file);
+    std::shared_ptr<VolumeProfile> profile;
+    if (IsUnityAsset(documents))
+    {
+        profile =
+            ReadUnityVolumeProfile(ReadUnityAsset(documents, file), registry, diagnostics, context);
+    }
+    else
+    {
+        profile = ReadOwnProfile(documents, registry, diagnostics, context);
+        profile->name = std::filesystem::path(file).stem().stem().generic_string();
+    }
+    diagnostics.ThrowIfErrors();
+    return {std::move(profile), diagnostics.notes()};
+}
+
+} // namespace
+
+VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
+                                           const VolumeComponentRegistry& registry,
+                                           const ProfileContext& context)
+{
+    return ReadProfile(ParseYaml(text, file), file, registry, context);
+}
+
+VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
+                                          const VolumeComponentRegistry& registry,
+                                          const ProfileContext& context)
+{
+    return ReadProfile(LoadYamlFile(path), path.generic_string(), registry, context);
+}
+
+} // namespace limn

@@ -1,0 +1,94 @@
+#include "yaml/Text.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Bytes of the well-formed sequence at the front of `text`; 0 if there is none.
+std::size_t SequenceLength(std::string_view text)
+{
+    const auto byte = [text](std::size_t i)
+    {
+        return static_cast<unsigned char>(text[i]);
+    };
+    const unsigned lead = byte(0);
+    if (lead < 0x80)
+    {
+        return lead == 0 ? 0 : 1;
+    }
+    const std::size_t length = lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    if (length == 0 || lead > 0xF4 || length > text.size())
+    {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i)
+    {
+        if ((byte(i) & 0xC0u) != 0x80u)
+        {
+            return 0;
+        }
+    }
+    const unsigned second = byte(1);
+    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+    const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
+    return overlong || outside ? 0 : length;
+}
+
+} // namespace
+
+std::optional<std::size_t> FindNonText(std::string_view text)
+{
+    for (std::size_t at = 0; at < text.size();)
+    {
+        const std::size_t length = SequenceLength(text.substr(at));
+        if (length == 0)
+        {
+            return at;
+        }
+        at += length;
+    }
+    return std::nullopt;
+}
+
+SourceLocation LocationOf(std::string_view text, std::size_t offset)
+{
+    const std::string_view before = text.substr(0, offset);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
+    return {static_cast<int>(lines) + 1, static_cast<int>(offset - lineStart) + 1};
+}
+
+bool IsQuoteClosed(std::string_view text, std::size_t offset)
+{
+    text.remove_prefix(std::min(offset, text.size()));
+    while (!text.empty() && (text.front() == '&' || text.front() == '!'))
+    {
+        const std::size_t wordEnd = std::min(text.find_first_of(" \t\r\n"), text.size());
+        text.remove_prefix(wordEnd);
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    }
+    if (text.empty() || (text.front() != '"' && text.front() != '\''))
+    {
+        return true;
+    }
+    const char quote = text.front();
+    for (std::size_t i = 1; i < text.size(); ++i)
+    {
+        const bool isDoubled = quote == '\'' && text.substr(i, 2) == "''";
+        if (isDoubled || (quote == '"' && text[i] == '\\'))
+        {
+            ++i;
+        }
+        else if (text[i] == quote)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace limn
