@@ -1,4 +1,5 @@
 #include "golden/GoldenImage.h"
+#include "Paths.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,7 +41,7 @@ std::pair<Image, int> Diff(const Image& actual, const Image& golden)
 void ExpectGolden(const std::string& name, const Image& actual)
 {
     namespace fs = std::filesystem;
-    const fs::path path = fs::path(LIMN_SOURCE_DIR) / "tests/golden" / (name + ".png");
+    const fs::path path = fs::path(SourcePath("tests/golden")) / (name + ".png");
     if (std::getenv("LIMN_UPDATE_GOLDEN") != nullptr)
     {
         WritePng(path, actual);

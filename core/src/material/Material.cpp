@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <atomic>
+
+#include "scene/UniqueId.h"
 #include <limn/core/Material.h>
 #include <limn/core/RenderQueueRange.h>
 
@@ -8,12 +9,6 @@ namespace limn
 
 namespace
 {
-
-std::uint64_t NextId()
-{
-    static std::atomic<std::uint64_t> next{1};
-    return next++;
-}
 
 const ShaderProperty* FindProperty(const Shader& shader, const std::string& name)
 {
@@ -26,7 +21,7 @@ const ShaderProperty* FindProperty(const Shader& shader, const std::string& name
 } // namespace
 
 Material::Material(std::shared_ptr<const Shader> shader, std::string name)
-    : m_Id(NextId()), m_Name(std::move(name)), m_Shader(std::move(shader))
+    : m_Id(NextUniqueId()), m_Name(std::move(name)), m_Shader(std::move(shader))
 {
     if (!m_Shader)
     {

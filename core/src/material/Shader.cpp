@@ -1,8 +1,10 @@
+#include <limn/core/Shader.h>
+
+#include "scene/UniqueId.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <charconv>
-#include <limn/core/Shader.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -65,17 +67,11 @@ std::optional<int> ParseQueue(std::string_view text)
     return std::clamp(queue + std::clamp(number, -5000, 5000), 0, 5000);
 }
 
-std::uint64_t NextId()
-{
-    static std::atomic<std::uint64_t> next{1};
-    return next++;
-}
-
 } // namespace
 
 Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
                const ShaderDatabase* database)
-    : m_Id(NextId()),
+    : m_Id(NextUniqueId()),
       m_Document(std::move(document)),
       m_Compiler(std::move(compiler)),
       m_InitialKeywords(InitialKeywords(m_Document))

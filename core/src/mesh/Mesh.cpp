@@ -1,7 +1,8 @@
 #include <limn/core/Mesh.h>
 
+#include "scene/UniqueId.h"
+
 #include "mesh/MeshProblems.h"
-#include <atomic>
 #include <glm/common.hpp>
 #include <limn/shaderlab/Diagnostic.h>
 #include <utility>
@@ -11,12 +12,6 @@ namespace limn
 
 namespace
 {
-
-std::uint64_t NextMeshId()
-{
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
 
 Bounds BoundsOf(const std::vector<glm::vec3>& points)
 {
@@ -34,7 +29,7 @@ Bounds BoundsOf(const std::vector<glm::vec3>& points)
 } // namespace
 
 Mesh::Mesh(std::string name, MeshData data)
-    : m_Id(NextMeshId()), m_Name(std::move(name)), m_Data(std::move(data))
+    : m_Id(NextUniqueId()), m_Name(std::move(name)), m_Data(std::move(data))
 {
     const std::vector<std::string> problems = MeshProblems(m_Data);
     if (!problems.empty())

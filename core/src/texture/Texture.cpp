@@ -1,6 +1,7 @@
 #include <limn/core/Texture.h>
 
-#include <atomic>
+#include "scene/UniqueId.h"
+
 #include <limn/shaderlab/Diagnostic.h>
 #include <utility>
 
@@ -9,12 +10,6 @@ namespace limn
 
 namespace
 {
-
-std::uint64_t NextTextureId()
-{
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
 
 std::string FaceSizeText(const TextureShape& shape)
 {
@@ -56,7 +51,7 @@ const char* ToString(TextureDimension dimension)
 
 Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat format,
                  SamplerState sampler)
-    : m_Id(NextTextureId()),
+    : m_Id(NextUniqueId()),
       m_Name(std::move(name)),
       m_Shape(shape),
       m_Format(format),

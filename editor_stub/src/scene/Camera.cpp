@@ -1,3 +1,4 @@
+#include "scene/Limits.h"
 #include "scene/Loader.h"
 #include "scene/ReadEnum.h"
 
@@ -12,7 +13,6 @@ constexpr EnumEntry k_ClearFlags[] = {
 
 /// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
 constexpr ValueRange k_FieldOfView{0.01, 179.0};
-constexpr double k_MaxDistance = 1e9;
 
 void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {

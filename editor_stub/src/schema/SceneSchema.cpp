@@ -1,5 +1,6 @@
 #include "schema/SceneSchema.h"
 
+#include "scene/Limits.h"
 #include "schema/FeatureSchema.h"
 #include "schema/MaterialSchema.h"
 
@@ -10,8 +11,6 @@ namespace limn
 
 namespace
 {
-
-constexpr double k_MaxDistance = 1e9;
 
 /// A key whose value begins with it.
 Json Described(Json schema, const char* description)

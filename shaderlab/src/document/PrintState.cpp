@@ -35,35 +35,31 @@ std::string NameOf(std::span<const EnumName<T>> names, const StateValue<T>& valu
 }
 
 /// ZTest is off by the name of Unity's enum, which no other list has.
-std::string Text(const StateValue<CullMode>& value)
+std::string StateText(const StateValue<CullMode>& value)
 {
     return NameOf<CullMode>(k_CullModes, value);
 }
-std::string Text(const StateValue<CompareFunction>& value)
+std::string StateText(const StateValue<CompareFunction>& value)
 {
     return NameOf<CompareFunction>(k_DepthTests, value);
 }
-std::string Text(const StateValue<bool>& value)
+std::string StateText(const StateValue<bool>& value)
 {
     return NameOf<bool>(k_Bools, value);
 }
-std::string Text(const StateValue<BlendMode>& value)
+std::string StateText(const StateValue<BlendMode>& value)
 {
     return NameOf<BlendMode>(k_BlendModes, value);
 }
-std::string Text(const StateValue<BlendOp>& value)
+std::string StateText(const StateValue<BlendOp>& value)
 {
     return NameOf<BlendOp>(k_BlendOps, value);
 }
-std::string Text(const StateValue<StencilOp>& value)
+std::string StateText(const StateValue<StencilOp>& value)
 {
     return NameOf<StencilOp>(k_StencilOps, value);
 }
-std::string Text(const StateValue<float>& value)
-{
-    return value.property.empty() ? NumberToShaderLab(value.value) : "[" + value.property + "]";
-}
-std::string Text(const StateValue<int>& value)
+std::string StateText(const StateValue<int>& value)
 {
     return value.property.empty() ? std::to_string(value.value) : "[" + value.property + "]";
 }
@@ -87,7 +83,7 @@ void Add(Lines& lines, const char* command, const StateValue<T>& value, const St
 {
     if (value != base)
     {
-        lines.push_back(std::string(command) + " " + Text(value));
+        lines.push_back(std::string(command) + " " + StateText(value));
     }
 }
 
@@ -97,18 +93,18 @@ std::string BlendText(const PassBlendState& target)
     {
         return "Off";
     }
-    std::string text = Text(target.srcColor) + " " + Text(target.dstColor);
+    std::string text = StateText(target.srcColor) + " " + StateText(target.dstColor);
     if (target.srcAlpha != target.srcColor || target.dstAlpha != target.dstColor)
     {
-        text += ", " + Text(target.srcAlpha) + " " + Text(target.dstAlpha);
+        text += ", " + StateText(target.srcAlpha) + " " + StateText(target.dstAlpha);
     }
     return text;
 }
 
 std::string OperationText(const PassBlendState& target)
 {
-    const std::string color = Text(target.colorOp);
-    return target.alphaOp == target.colorOp ? color : color + ", " + Text(target.alphaOp);
+    const std::string color = StateText(target.colorOp);
+    return target.alphaOp == target.colorOp ? color : color + ", " + StateText(target.alphaOp);
 }
 
 std::string WriteMaskText(const PassBlendState& target)
@@ -210,6 +206,11 @@ void AddStencil(Lines& lines, const PassStencilState& stencil)
 
 } // namespace
 
+std::string StateText(const StateValue<float>& value)
+{
+    return value.property.empty() ? NumberToShaderLab(value.value) : "[" + value.property + "]";
+}
+
 std::string NumberToShaderLab(float number)
 {
     std::array<char, 128> buffer{};
@@ -227,7 +228,8 @@ std::vector<std::string> StateCommands(const RenderState& state, const RenderSta
     Add(lines, "ZWrite", state.zWrite, base.zWrite);
     if (state.offsetFactor != base.offsetFactor || state.offsetUnits != base.offsetUnits)
     {
-        lines.push_back("Offset " + Text(state.offsetFactor) + ", " + Text(state.offsetUnits));
+        lines.push_back("Offset " + StateText(state.offsetFactor) + ", " +
+                        StateText(state.offsetUnits));
     }
     Add(lines, "Conservative", state.conservative, base.conservative);
     AddBlend(lines, state, base);

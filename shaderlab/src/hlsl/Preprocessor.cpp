@@ -21,11 +21,6 @@ namespace limn
 namespace
 {
 
-bool StartsWith(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
-
 void Define(std::string& source, std::string_view name, std::string_view value = "1")
 {
     source.append("#define ").append(name).append(" ").append(value).append("\n");
@@ -71,7 +66,7 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
     {
         const std::string_view message = diagnostic.message;
         const std::size_t file = message.rfind(k_File);
-        if (!StartsWith(message, k_Start) || file == message.npos)
+        if (!message.starts_with(k_Start) || file == message.npos)
         {
             continue;
         }
@@ -92,7 +87,7 @@ bool AllowRedefinitions(std::vector<Diagnostic>& diagnostics)
     bool hasAny = false;
     for (Diagnostic& diagnostic : diagnostics)
     {
-        if (StartsWith(diagnostic.message, "'#define': Macro redefined;"))
+        if (diagnostic.message.starts_with("'#define': Macro redefined;"))
         {
             const std::size_t name = diagnostic.message.rfind(' ') + 1;
             diagnostic = {Severity::Warning, diagnostic.file, diagnostic.location,
@@ -117,7 +112,7 @@ void TakePragmas(std::string& text, std::vector<Diagnostic>& warnings)
             warnings.push_back(
                 {Severity::Warning, place.file, place.location, "'#warning': " + *message});
         }
-        if (StartsWith(trimmed, "#pragma") && trimmed.find("pack_matrix") == trimmed.npos)
+        if (trimmed.starts_with("#pragma") && trimmed.find("pack_matrix") == trimmed.npos)
         {
             text.replace(line, end - line, end - line, ' ');
         }

@@ -22,11 +22,6 @@ constexpr EnumName<int> k_CombineSources[] = {
 };
 constexpr std::size_t k_MaxNamed = 5; ///< commands that a note names
 
-std::string Text(const StateValue<float>& value)
-{
-    return value.property.empty() ? NumberToShaderLab(value.value) : "[" + value.property + "]";
-}
-
 } // namespace
 
 const Parser::CommandTable& Parser::LegacyBlockCommands(std::string_view command)
@@ -291,7 +286,7 @@ bool Parser::AppendNumber()
 {
     StateValue<float> value;
     const bool isGood = ParseFloat(m_Word, value);
-    m_Legacy += " " + Text(value);
+    m_Legacy += " " + StateText(value);
     return isGood;
 }
 
@@ -313,7 +308,7 @@ bool Parser::AppendColor()
         {
             return false;
         }
-        m_Legacy += separator + Text(value);
+        m_Legacy += separator + StateText(value);
         separator = ", ";
         if (!Accept(','))
         {

@@ -84,11 +84,6 @@ bool isAbsolute(std::string_view path)
     return hasDrive || path.substr(0, 1) == "/";
 }
 
-bool StartsWith(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
-
 } // namespace
 
 std::uint64_t HashContent(std::string_view text)
@@ -201,7 +196,7 @@ std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string
     {
         candidates.push_back(std::filesystem::path(includer).parent_path() / include);
     }
-    if (StartsWith(include, "Packages/"))
+    if (include.starts_with("Packages/"))
     {
         const std::size_t nameStart = std::string_view("Packages/").size();
         const std::size_t nameEnd = std::min(include.find('/', nameStart), include.size());

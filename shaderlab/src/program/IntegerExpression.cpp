@@ -16,24 +16,24 @@ struct BinaryOperator
     std::string_view text;
     int precedence;
 };
-constexpr std::array<BinaryOperator, 18> k_Operators = {{{"||", 1},
-                                                         {"&&", 2},
-                                                         {"|", 3},
-                                                         {"^", 4},
-                                                         {"&", 5},
-                                                         {"==", 6},
-                                                         {"!=", 6},
-                                                         {"<", 7},
-                                                         {">", 7},
-                                                         {"<=", 7},
-                                                         {">=", 7},
-                                                         {"<<", 8},
-                                                         {">>", 8},
-                                                         {"+", 9},
-                                                         {"-", 9},
-                                                         {"*", 10},
-                                                         {"/", 10},
-                                                         {"%", 10}}};
+constexpr std::array<BinaryOperator, 18> k_BinaryOperators = {{{"||", 1},
+                                                               {"&&", 2},
+                                                               {"|", 3},
+                                                               {"^", 4},
+                                                               {"&", 5},
+                                                               {"==", 6},
+                                                               {"!=", 6},
+                                                               {"<", 7},
+                                                               {">", 7},
+                                                               {"<=", 7},
+                                                               {">=", 7},
+                                                               {"<<", 8},
+                                                               {">>", 8},
+                                                               {"+", 9},
+                                                               {"-", 9},
+                                                               {"*", 10},
+                                                               {"/", 10},
+                                                               {"%", 10}}};
 
 /// Wraps around like the machine does: whatever a file holds has a value.
 std::int64_t Calculate(std::string_view operation, std::int64_t left, std::int64_t right)
@@ -104,7 +104,7 @@ private:
         for (;;)
         {
             const BinaryOperator* found = nullptr;
-            for (const BinaryOperator& candidate : k_Operators)
+            for (const BinaryOperator& candidate : k_BinaryOperators)
             {
                 found = candidate.text == Text() ? &candidate : found;
             }

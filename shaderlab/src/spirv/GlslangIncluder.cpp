@@ -10,26 +10,21 @@ namespace limn
 namespace
 {
 
-constexpr std::size_t k_MaximumDepth = 64;
+constexpr std::size_t k_MaximumIncludeDepth = 64;
 constexpr std::size_t k_MaximumCount = 10'000;
 constexpr std::size_t k_MaximumTotal = std::size_t{256} << 20;
-
-bool StartsWith(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
 
 /// What follows the name if the line is the directive `name`; blanks may stand around the `#`.
 std::optional<std::string_view> BehindDirective(std::string_view line, std::string_view name)
 {
     line = Trim(line);
-    if (!StartsWith(line, "#"))
+    if (!line.starts_with("#"))
     {
         return std::nullopt;
     }
     line = Trim(line.substr(1));
     const bool isName =
-        StartsWith(line, name) && (line.size() == name.size() || !isLetter(line[name.size()]));
+        line.starts_with(name) && (line.size() == name.size() || !isLetter(line[name.size()]));
     return isName ? std::optional(line.substr(name.size())) : std::nullopt;
 }
 
@@ -41,7 +36,7 @@ bool Continues(std::string_view line)
 std::string_view WithoutByteOrderMark(std::string_view text)
 {
     constexpr std::string_view k_ByteOrderMark = "\xEF\xBB\xBF";
-    while (StartsWith(text, k_ByteOrderMark))
+    while (text.starts_with(k_ByteOrderMark))
     {
         text.remove_prefix(k_ByteOrderMark.size());
     }
@@ -56,7 +51,7 @@ bool HasPragmaOnce(std::string_view text)
         const std::size_t start = text.rfind('\n', at);
         const std::string_view line = text.substr(start == text.npos ? 0 : start + 1);
         const auto pragma = BehindDirective(line.substr(0, line.find('\n')), "pragma");
-        if (pragma && StartsWith(Trim(*pragma), "once"))
+        if (pragma && Trim(*pragma).starts_with("once"))
         {
             return true;
         }
@@ -97,7 +92,7 @@ std::string TranslateLine(std::string_view line)
         // The pragmas are Unity's; matrix packing alone is the compiler's business. Real files
         // contain `#pragma x#define y`, a line break forgotten.
         const std::size_t glued = pragma->find('#');
-        const bool isPacking = StartsWith(Trim(*pragma), "pack_matrix");
+        const bool isPacking = Trim(*pragma).starts_with("pack_matrix");
         return isPacking               ? std::string(line)
                : glued != pragma->npos ? std::string(pragma->substr(glued))
                                        : "";
@@ -132,7 +127,7 @@ std::string TranslateDirectives(std::string_view text)
 std::optional<std::string> ReadWarningPragma(std::string_view line)
 {
     line = Trim(line);
-    if (!StartsWith(line, k_WarningPragma))
+    if (!line.starts_with(k_WarningPragma))
     {
         return std::nullopt;
     }
@@ -231,12 +226,12 @@ std::string GlslangIncluder::Circle() const
 
 std::string GlslangIncluder::ReasonToStop(std::size_t depth)
 {
-    if (depth > k_MaximumDepth)
+    if (depth > k_MaximumIncludeDepth)
     {
         m_HasStopped = true;
         const std::string circle = Circle();
         return circle.empty()
-                   ? "nested more than " + std::to_string(k_MaximumDepth) +
+                   ? "nested more than " + std::to_string(k_MaximumIncludeDepth) +
                          " files deep; include less"
                    : "a circle, " + circle + "; write '#pragma once' at the top of these files";
     }

@@ -191,9 +191,9 @@ public:
         if (const HlslStruct* type = m_Declarations.FindStruct(typeName))
         {
             // Structs may hold themselves, or so many that nobody waits for the end.
-            constexpr int k_MaximumDepth = 16;
+            constexpr int k_MaximumNesting = 16;
             constexpr std::size_t k_MaximumValues = 256;
-            if (m_Depth == k_MaximumDepth || values.size() > k_MaximumValues)
+            if (m_Depth == k_MaximumNesting || values.size() > k_MaximumValues)
             {
                 throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
                                           std::string(variable.type) +

@@ -4,9 +4,9 @@
 #include <limn/core/Image.h>
 #include <limn/shaderlab/Diagnostic.h>
 
+#include "FileSizeLimit.h"
 #include "TemporaryFolder.h"
 #include "ThrownMessage.h"
-#include "texture/FileSizeLimit.h"
 
 namespace limn
 {

@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "commands/CommandRun.h"
 
 #include <cstdlib>
@@ -232,8 +233,8 @@ TEST(Machine, WithoutAnyDriverEndsWith3AndSaysWhatToInstall)
 {
     const TemporaryFolder folder;
     folder.Write("s.scene.yaml", k_Camera);
-    const std::string prefix =
-        "env -u VK_ICD_FILENAMES VK_DRIVER_FILES=/nowhere/driver.json '" LIMN_EXECUTABLE "' ";
+    const std::string prefix = "env -u VK_ICD_FILENAMES VK_DRIVER_FILES=/nowhere/driver.json '" +
+                               test::LimnExecutable() + "' ";
     const std::string suffix =
         " > '" + (folder / "out").string() + "' 2> '" + (folder / "err").string() + "'";
     const int render =

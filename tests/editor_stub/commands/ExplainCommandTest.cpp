@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
@@ -138,8 +139,9 @@ TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
 
 TEST(ExplainSample, ShowsWhatHangsBelowTheObjectAskedFor)
 {
-    const CommandRun run = RunCommand(
-        {"explain", LIMN_SOURCE_DIR "/samples/furniture/furniture.scene.yaml", "--object", "Sofa"});
+    const CommandRun run =
+        RunCommand({"explain", test::SourcePath("samples/furniture/furniture.scene.yaml"),
+                    "--object", "Sofa"});
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out, HasSubstr("Screen Space Outline, petrol: drawn\n"));
     EXPECT_THAT(run.out, testing::Not(HasSubstr("Slab")));

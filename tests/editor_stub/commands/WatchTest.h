@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Paths.h"
 #include "commands/CommandRun.h"
 #include "vulkan/GpuTestDevice.h"
 
@@ -33,9 +34,10 @@ protected:
 
     void Start()
     {
-        const std::string command = "exec '" LIMN_EXECUTABLE "' watch '" + Path("s.scene.yaml") +
-                                    "' --cache-dir '" + Path("cache") + "' -o '" + Path("out.png") +
-                                    "' > '" + Path("out") + "' 2> '" + Path("err") + "'";
+        const std::string command = "exec '" + LimnExecutable() + "' watch '" +
+                                    Path("s.scene.yaml") + "' --cache-dir '" + Path("cache") +
+                                    "' -o '" + Path("out.png") + "' > '" + Path("out") + "' 2> '" +
+                                    Path("err") + "'";
         m_Child = fork();
         if (m_Child == 0)
         {

@@ -1,7 +1,7 @@
 #include "commands/CommandRun.h"
 #include "core/ThrownMessage.h"
 
-#include <CacheFolder.h>
+#include <console/CacheFolder.h>
 #include <gmock/gmock.h>
 #include <limn/shaderlab/Diagnostic.h>
 

@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "golden/GoldenImage.h"
 #include "vulkan/GpuTestDevice.h"
 
@@ -27,7 +28,7 @@ class Furniture
 {
 public:
     Furniture()
-        : asset(LoadScene(LIMN_SOURCE_DIR "/samples/furniture/furniture.scene.yaml", Assets()))
+        : asset(LoadScene(test::SourcePath("samples/furniture/furniture.scene.yaml"), Assets()))
     {
     }
 

@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "golden/GoldenImage.h"
 #include "vulkan/GpuTestDevice.h"
 
@@ -19,7 +20,7 @@ TEST_F(TranslucentSolidSampleGpu, LooksAsItDid)
 {
     AssetContext assets;
     SceneAsset asset = LoadScene(
-        LIMN_SOURCE_DIR "/samples/translucent_solid/translucent_solid.scene.yaml", assets);
+        test::SourcePath("samples/translucent_solid/translucent_solid.scene.yaml"), assets);
     UniversalRenderer renderer(assets.compiler());
     for (auto& feature : asset.renderer.features)
     {

@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "commands/CommandRun.h"
 
 #include <cstdlib>
@@ -29,8 +30,8 @@ protected:
     /// The files of one language, in the order they were written.
     std::vector<std::string> Emit(const Sample& sample, const std::string& language)
     {
-        const CommandRun run = RunCommand({"shader", std::string(LIMN_SOURCE_DIR "/") + sample.file,
-                                           "--emit", language, "-o", (folder / language).string()});
+        const CommandRun run = RunCommand({"shader", test::SourcePath(sample.file), "--emit",
+                                           language, "-o", (folder / language).string()});
         EXPECT_EQ(0, run.exitCode) << run.err;
         std::vector<std::string> files;
         std::istringstream lines(run.out);
@@ -90,7 +91,7 @@ std::string Renumbered(const std::string& text)
 /// Compares with a text of tests/editor_stub/data/emitted; LIMN_UPDATE_GOLDEN=1 writes it instead.
 void ExpectGolden(const std::string& text, const std::string& name)
 {
-    const std::string path = LIMN_SOURCE_DIR "/tests/editor_stub/data/emitted/" + name;
+    const std::string path = test::SourcePath("tests/editor_stub/data/emitted/" + name);
     if (std::getenv("LIMN_UPDATE_GOLDEN") != nullptr)
     {
         std::ofstream(path) << text;
@@ -140,9 +141,8 @@ TEST_F(ShaderEmit, OfAGeometryFunctionIsRefusedWhereTheLanguageHasNone)
           std::pair("hlsl", "SPIRV-Cross writes no geometry functions in HLSL")})
     {
         const std::string out = (folder / language).string();
-        const CommandRun run =
-            RunCommand({"shader", shader, std::string(LIMN_SOURCE_DIR "/") + sample.file, "--emit",
-                        language, "-o", out});
+        const CommandRun run = RunCommand(
+            {"shader", shader, test::SourcePath(sample.file), "--emit", language, "-o", out});
         EXPECT_EQ(1, run.exitCode);
         EXPECT_NE(run.err.find("a.shader:1:29: error: the pass cannot be written as " +
                                std::string(language) + ": " + reason),

@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "SceneFolder.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
@@ -9,7 +10,7 @@ namespace limn::test
 namespace
 {
 
-const std::string k_Project = LIMN_SOURCE_DIR "/tests/editor_stub/data/unity_project";
+const std::string k_Project = test::SourcePath("tests/editor_stub/data/unity_project");
 
 /// A renderer asset with one feature of these lines.
 std::string AssetWithFeature(const std::string& lines)

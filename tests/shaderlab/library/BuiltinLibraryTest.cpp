@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "library/BuiltinTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -19,8 +20,7 @@ constexpr const char* k_Entry = "float4 vert(float4 p : POSITION) : SV_Position 
 
 TEST(BuiltinLibrary, HasHeadersThatEachStandAlone)
 {
-    const std::filesystem::path folder =
-        std::filesystem::path(LIMN_SOURCE_DIR) / "shaderlab/library/CGIncludes";
+    const std::filesystem::path folder = test::SourcePath("shaderlab/library/CGIncludes");
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
     {

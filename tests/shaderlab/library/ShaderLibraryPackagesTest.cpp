@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
@@ -23,7 +24,7 @@ std::string Include(const std::string& path)
 /// Every file of the library below a folder, as it is included.
 std::vector<std::string> Headers(const std::string& folder)
 {
-    const std::filesystem::path root = std::string(LIMN_SOURCE_DIR) + "/shaderlab/library";
+    const std::filesystem::path root = test::SourcePath("shaderlab/library");
     std::vector<std::string> headers;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
     {

@@ -1,4 +1,5 @@
 #include "parser/CorpusFiles.h"
+#include "Paths.h"
 
 #include <algorithm>
 #include <fstream>
@@ -64,7 +65,7 @@ bool CorpusFile::hasErrors() const
 
 std::filesystem::path CorpusFolder()
 {
-    return std::filesystem::path(LIMN_SOURCE_DIR) / "tests" / "shaderlab" / "corpus";
+    return SourcePath("tests/shaderlab/corpus");
 }
 
 const std::vector<CorpusFile>& CorpusFiles()

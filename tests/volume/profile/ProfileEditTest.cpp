@@ -1,8 +1,9 @@
+#include "Paths.h"
 #include "Problems.h"
 #include "TestComponents.h"
 #include "parameters/AllParameters.h"
 
-#include <core/FileSizeLimit.h>
+#include "core/FileSizeLimit.h"
 #include <core/TemporaryFolder.h>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -113,7 +114,7 @@ TEST(EditVolumeProfile, ChangesWhetherAComponentIsActive)
 TEST(EditVolumeProfile, ChangesTheValueAndNotTheStateInAUnityAsset)
 {
     const std::string text =
-        ContentOf(LIMN_SOURCE_DIR "/tests/volume/data/SampleSceneProfile.asset");
+        ContentOf(test::SourcePath("tests/volume/data/SampleSceneProfile.asset"));
     EXPECT_EQ(With(text, "m_Value: 10", "m_Value: 4.5"),
               Edit(text, {k_Outline + "outlineWidth=4.5"}));
     EXPECT_EQ(With(text, "g: 0.49606514", "g: 0.25"),

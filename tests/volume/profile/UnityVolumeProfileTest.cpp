@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "Problems.h"
 #include "TestComponents.h"
 
@@ -45,7 +46,7 @@ protected:
 TEST_F(LoadUnityProfile, ReadsAnAssetAsUnitySavesIt)
 {
     const VolumeProfileLoadResult result = LoadVolumeProfile(
-        LIMN_SOURCE_DIR "/tests/volume/data/SampleSceneProfile.asset", m_Registry);
+        test::SourcePath("tests/volume/data/SampleSceneProfile.asset"), m_Registry);
     const auto* outline = result.profile->TryGet<ScreenSpaceOutline>();
     ASSERT_NE(outline, nullptr);
     EXPECT_EQ(result.profile->name, "SampleSceneProfile");

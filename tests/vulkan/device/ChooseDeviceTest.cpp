@@ -1,5 +1,5 @@
 #include "core/ThrownMessage.h"
-#include <DeviceSelection.h>
+#include <device/DeviceSelection.h>
 #include <limn/vulkan/VulkanError.h>
 
 namespace limn::test

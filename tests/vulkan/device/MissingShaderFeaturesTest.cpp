@@ -1,4 +1,4 @@
-#include <DeviceFeatures.h>
+#include <device/DeviceFeatures.h>
 #include <gmock/gmock.h>
 
 namespace limn::test

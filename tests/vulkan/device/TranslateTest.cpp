@@ -1,6 +1,6 @@
 #include "core/ThrownMessage.h"
-#include <PassTargets.h>
-#include <Translate.h>
+#include <device/Translate.h>
+#include <frame/PassTargets.h>
 
 namespace limn::test
 {

@@ -1,5 +1,5 @@
-#include <RangeAllocator.h>
 #include <gtest/gtest.h>
+#include <memory/RangeAllocator.h>
 #include <random>
 #include <vector>
 

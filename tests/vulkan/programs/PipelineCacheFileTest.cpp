@@ -1,5 +1,5 @@
-#include <PipelineCacheFile.h>
 #include <gtest/gtest.h>
+#include <programs/PipelineCacheFile.h>
 
 namespace limn::test
 {

@@ -1,5 +1,5 @@
 #include "core/ThrownMessage.h"
-#include <DynamicState.h>
+#include <frame/DynamicState.h>
 
 namespace limn::test
 {

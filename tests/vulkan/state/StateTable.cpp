@@ -1,8 +1,8 @@
 #include "state/StateTable.h"
 
-#include <DynamicState.h>
-#include <PipelineBuilder.h>
-#include <Translate.h>
+#include <device/Translate.h>
+#include <frame/DynamicState.h>
+#include <programs/PipelineBuilder.h>
 
 namespace limn::test
 {

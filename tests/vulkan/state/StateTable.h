@@ -2,9 +2,9 @@
 
 #include "core/scene/TestScene.h"
 
-#include <PassPool.h>
 #include <gtest/gtest.h>
 #include <map>
+#include <programs/PassPool.h>
 #include <string>
 #include <vector>
 

@@ -17,8 +17,8 @@ constexpr std::string_view k_ColorForms =
     "begins a comment)";
 
 /// "tint: found a sequence of 2; a colour is expected"
-bool Refuse(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
-            std::string_view expectation)
+bool RefuseShape(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                 std::string_view expectation)
 {
     std::string found = node.Describe();
     if (node.isSequence())
@@ -101,9 +101,9 @@ std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string
     }
     else
     {
-        Refuse(node, subject, diagnostics,
-               std::to_string(count) + " numbers are expected: [" +
-                   std::string("1, 2, 3, 4").substr(0, 3 * size - 2) + "]");
+        RefuseShape(node, subject, diagnostics,
+                    std::to_string(count) + " numbers are expected: [" +
+                        std::string("1, 2, 3, 4").substr(0, 3 * size - 2) + "]");
     }
     return isGood ? std::optional(glm::vec4(channels[0], channels[1], channels[2], channels[3]))
                   : std::nullopt;
@@ -125,8 +125,8 @@ std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
     }
     else
     {
-        isGood =
-            ReadHex(node.scalar(), channels) || Refuse(node, subject, diagnostics, k_ColorForms);
+        isGood = ReadHex(node.scalar(), channels) ||
+                 RefuseShape(node, subject, diagnostics, k_ColorForms);
     }
     return isGood ? std::optional(Color{channels[0], channels[1], channels[2], channels[3]})
                   : std::nullopt;

@@ -21,7 +21,7 @@ namespace
 {
 
 // Words that mean something before a type, so that another word follows.
-constexpr std::array<std::string_view, 7> k_Modifiers = {
+constexpr std::array<std::string_view, 7> k_StageModifiers = {
     "linear", "centroid", "point", "line", "triangle", "triangleadj", "lineadj"};
 
 // Types, and a word of GLSL, that name members and variables as well.
@@ -94,7 +94,7 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (word == "shared" || (Contains(k_Modifiers, word) && !isWord(index + 1)))
+        if (word == "shared" || (Contains(k_StageModifiers, word) && !isWord(index + 1)))
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }

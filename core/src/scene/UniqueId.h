@@ -1,0 +1,16 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace limn
+{
+
+/// A number that no other object of this process has or had; never 0. From any thread.
+inline std::uint64_t NextUniqueId()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+} // namespace limn

@@ -1,0 +1,16 @@
+#include "Paths.h"
+
+namespace limn::test
+{
+
+std::string SourcePath(std::string_view relative)
+{
+    return std::string(LIMN_SOURCE_DIR "/").append(relative);
+}
+
+std::string LimnExecutable()
+{
+    return LIMN_EXECUTABLE;
+}
+
+} // namespace limn::test
