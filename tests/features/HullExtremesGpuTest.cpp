@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace limn;
 using namespace limn::test;
@@ -13,7 +14,6 @@ namespace
 
 constexpr int k_Size = 96;
 constexpr float k_Width = 5.0f;
-constexpr double k_Pi = 3.141592653589793;
 
 /// A sphere three diameters before the camera, red with a green band, in whatever state.
 class ExtremeScene : public TranslucentScene
@@ -49,7 +49,10 @@ struct Areas
     int band = 0;
 
     /// The band's mean width in pixels, of a round body.
-    double Width() const { return std::sqrt((body + band) / k_Pi) - std::sqrt(body / k_Pi); }
+    double Width() const
+    {
+        return std::sqrt((body + band) / std::numbers::pi) - std::sqrt(body / std::numbers::pi);
+    }
 };
 
 /// What is drawn; fails the test if a value is no number.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 
 using namespace limn;
 using namespace limn::test;
@@ -11,7 +12,6 @@ using namespace limn::test;
 namespace
 {
 
-constexpr double k_Pi = 3.141592653589793;
 constexpr const char* k_Article = "Limn/TranslucentOutline";
 constexpr const char* k_Hull = "Limn/TranslucentOutlineHull";
 
@@ -59,7 +59,7 @@ public:
 /// The half height of the view one metre in front of the camera, or everywhere.
 double HalfHeight(const View& view)
 {
-    return std::tan(view.fieldOfView * k_Pi / 360.0);
+    return std::tan(view.fieldOfView * std::numbers::pi / 360.0);
 }
 
 /// The areas of body and band as the radii of discs, pixels.
@@ -93,7 +93,7 @@ Radii Measure(const EffectPicture& picture)
             band += IsBand(picture, x, y) ? 1 : 0;
         }
     }
-    return {std::sqrt(body / k_Pi), std::sqrt((body + band) / k_Pi)};
+    return {std::sqrt(body / std::numbers::pi), std::sqrt((body + band) / std::numbers::pi)};
 }
 
 /// A sphere in the middle, a quarter of the picture's shorter side in radius.
@@ -126,8 +126,8 @@ std::shared_ptr<const Mesh> FineSphere()
     {
         for (int segment = 0; segment <= k_Segments; ++segment)
         {
-            const double turn = k_Pi * ring / k_Rings;
-            const double around = 2.0 * k_Pi * (segment % k_Segments) / k_Segments;
+            const double turn = std::numbers::pi * ring / k_Rings;
+            const double around = 2.0 * std::numbers::pi * (segment % k_Segments) / k_Segments;
             const double across = ring % k_Rings == 0 ? 0.0 : std::sin(turn);
             data.normals.emplace_back(across * std::cos(around), across * std::sin(around),
                                       -std::cos(turn));
@@ -203,7 +203,7 @@ double ArticleBand(const View& view, const SphereView& sphere, double pixels)
     double farthest = 0.0;
     for (int i = 0; i <= 20000; ++i)
     {
-        const double turn = k_Pi * i / 20000.0; // from the point next to the camera
+        const double turn = std::numbers::pi * i / 20000.0; // from the point next to the camera
         const double depth = view.distance - sphere.radius * std::cos(turn);
         const double moved = pixels * metresPerPixel * depth;
         farthest = std::max(farthest, std::sin(turn) * (sphere.radius + moved) /
@@ -226,7 +226,7 @@ TEST_F(HullWidthGpu, OfTheArticlesFormulaIsTheAskedOneWhereTheSilhouetteIsNearTh
         const double measured = MeasureSphere(k_Article, view, k_Asked, &sphere).Band();
         const double expected = ArticleBand(view, sphere, k_Asked);
         PrintRow(view, k_Asked, expected, measured);
-        if (sphere.angle * 180.0 / k_Pi < 35.0)
+        if (sphere.angle * 180.0 / std::numbers::pi < 35.0)
         {
             EXPECT_NEAR(measured, k_Asked, 1.0);
         }

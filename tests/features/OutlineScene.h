@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/TestScene.h"
+
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -14,12 +16,6 @@ namespace limn::test
 
 inline constexpr int k_FurnitureLayer = 6;
 inline constexpr int k_SelectedLayer = 8; ///< rendering layer
-
-inline std::shared_ptr<ShaderCompiler> Compiler()
-{
-    static const auto compiler = std::make_shared<ShaderCompiler>();
-    return compiler;
-}
 
 inline std::shared_ptr<const Shader> OutlineShader()
 {

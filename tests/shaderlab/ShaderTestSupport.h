@@ -53,6 +53,12 @@ inline ShaderLabPass ParsePass(const std::string& commands)
     return document.subShaders.at(0).passes.at(0);
 }
 
+/// The program of a pass whose HLSLPROGRAM holds `hlsl`.
+inline PassProgram ProgramOf(const std::string& hlsl)
+{
+    return ParsePass("HLSLPROGRAM" + hlsl + "ENDHLSL").program.value();
+}
+
 /// A program of HLSL that starts on line 1 of "t.shader" and has the entry functions vert and frag.
 inline PassProgram Program(const std::string& hlsl,
                            ProgramLanguage language = ProgramLanguage::Hlsl)

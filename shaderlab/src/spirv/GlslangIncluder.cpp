@@ -35,10 +35,10 @@ bool Continues(std::string_view line)
 
 std::string_view WithoutByteOrderMark(std::string_view text)
 {
-    constexpr std::string_view k_ByteOrderMark = "\xEF\xBB\xBF";
-    while (text.starts_with(k_ByteOrderMark))
+    constexpr std::string_view k_Utf8Mark = "\xEF\xBB\xBF";
+    while (text.starts_with(k_Utf8Mark))
     {
-        text.remove_prefix(k_ByteOrderMark.size());
+        text.remove_prefix(k_Utf8Mark.size());
     }
     return text;
 }

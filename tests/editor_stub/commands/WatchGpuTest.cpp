@@ -10,7 +10,7 @@ namespace
 
 using testing::HasSubstr;
 
-constexpr const char* k_Scene =
+constexpr const char* k_WatchedScene =
     "size: [160, 90]\n"
     "renderingLayers: {8: Selected}\n"
     "camera: {position: [0, 0, -4], backgroundColor: \"#000000\"}\n"
@@ -36,7 +36,7 @@ protected:
     void SetUp() override
     {
         WatchTest::SetUp();
-        folder.Write("s.scene.yaml", k_Scene);
+        folder.Write("s.scene.yaml", k_WatchedScene);
         folder.Write("p.profile.yaml", Profile("#ff0000"));
     }
 
@@ -106,7 +106,7 @@ TEST_F(Watch, FollowsTheScene)
     Start();
     ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
     folder.Write("q.profile.yaml", Profile("#0000ff"));
-    std::string scene = k_Scene;
+    std::string scene = k_WatchedScene;
     scene.replace(scene.find("p.profile"), 1, "q");
     folder.Write("s.scene.yaml", scene);
     EXPECT_TRUE(WaitForOutline(2));

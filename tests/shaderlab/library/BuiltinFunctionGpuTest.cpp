@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <algorithm>
@@ -21,20 +22,7 @@ using glm::dvec4;
 
 using BuiltinFunctions = GpuTest;
 
-constexpr const char* k_UnityCg = "#include \"UnityCG.cginc\"\n";
-
-std::vector<float> Floats(const glm::mat4& matrix)
-{
-    std::vector<float> values;
-    for (int column = 0; column < 4; ++column)
-    {
-        for (int row = 0; row < 4; ++row)
-        {
-            values.push_back(matrix[column][row]);
-        }
-    }
-    return values;
-}
+constexpr const char* k_UnitStepsyCg = "#include \"UnityCG.cginc\"\n";
 
 /// f of each component.
 Values Each(const dvec4& v, const std::function<double(double)>& f)
@@ -42,16 +30,12 @@ Values Each(const dvec4& v, const std::function<double(double)>& f)
     return dvec3(f(v.x), f(v.y), f(v.z));
 }
 
-double SrgbToLinear(double x)
-{
-    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
-const std::vector<double> k_Unit = {0.0, 1e-6, 0.003, 0.04, 0.0405, 0.18, 0.5, 0.9, 0.999, 1.0};
+const std::vector<double> k_UnitSteps = {0.0,  1e-6, 0.003, 0.04,  0.0405,
+                                         0.18, 0.5,  0.9,   0.999, 1.0};
 
 TEST_F(BuiltinFunctions, ConvertColors)
 {
-    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    FunctionGrid grid(k_UnitStepsyCg, ProgramLanguage::Cg);
     const Tolerance power{3e-5, 1e-6};
     grid.Add(
         "GammaToLinearSpaceExact(a.x)", Combine({0.0, 0.01, 0.04, 0.0405, 0.5, 0.99}),
@@ -70,7 +54,7 @@ TEST_F(BuiltinFunctions, ConvertColors)
     // The approximations are what Unity draws with; how near the true curve they come is stated.
     const Tolerance approximate{0.0, 0.002};
     grid.Add(
-        "GammaToLinearSpace(a.xxx).y", Combine(k_Unit),
+        "GammaToLinearSpace(a.xxx).y", Combine(k_UnitSteps),
         [](auto& a, auto&, auto&) { return SrgbToLinear(a.x); }, approximate);
     grid.Add(
         "LinearToGammaSpace(a.xyz)", CombineVectors({{-1, 0, 0.01}, {0.2, 0.6, 1}, {4, 9, 50}}),
@@ -102,7 +86,7 @@ TEST_F(BuiltinFunctions, ConvertColors)
 
 TEST_F(BuiltinFunctions, KeepNumbersThatAreEncodedInEightBitChannels)
 {
-    FunctionGrid grid(std::string(k_UnityCg) +
+    FunctionGrid grid(std::string(k_UnitStepsyCg) +
                           "float4 Stored(float4 v) { return round(v * 255.0) / 255.0; }",
                       ProgramLanguage::Cg);
     const auto numbers = Combine({0.0, 1e-5, 0.1, 0.25, 1.0 / 3.0, 0.5, 0.7071, 0.9, 0.9999});
@@ -127,7 +111,7 @@ TEST_F(BuiltinFunctions, KeepNumbersThatAreEncodedInEightBitChannels)
 
 TEST_F(BuiltinFunctions, EncodeAndUnpackNormals)
 {
-    FunctionGrid grid(std::string(k_UnityCg) + R"(
+    FunctionGrid grid(std::string(k_UnitStepsyCg) + R"(
         float4 Again(float3 n, float d)
         {
             float depth;
@@ -178,7 +162,7 @@ TEST_F(BuiltinFunctions, TurnDepthIntoDistance)
 {
     const double n = 0.3;
     const double f = 1000.0;
-    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    FunctionGrid grid(k_UnitStepsyCg, ProgramLanguage::Cg);
     grid.SetGlobal("_ZBufferParams",
                    {static_cast<float>(f / n - 1), 1.0f, static_cast<float>(1 / n - 1 / f),
                     static_cast<float>(1 / f)});
@@ -196,7 +180,7 @@ TEST_F(BuiltinFunctions, TurnDepthIntoDistance)
 
 TEST_F(BuiltinFunctions, FadeIntoFogByDistance)
 {
-    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    FunctionGrid grid(k_UnitStepsyCg, ProgramLanguage::Cg);
     const double density = 0.05;
     const double start = 10.0;
     const double end = 80.0;
@@ -221,7 +205,7 @@ TEST_F(BuiltinFunctions, FadeIntoFogByDistance)
 
 TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
 {
-    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    FunctionGrid grid(k_UnitStepsyCg, ProgramLanguage::Cg);
     const glm::mat4 object(glm::vec4(0, 2, 0, 0), glm::vec4(-3, 0, 0, 0), glm::vec4(0, 0, 0.5f, 0),
                            glm::vec4(4, -5, 6, 1));
     const glm::mat4 view(glm::vec4(0, 0, -1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(1, 0, 0, 0),
@@ -295,7 +279,7 @@ TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
 
 TEST_F(BuiltinFunctions, LeaveTextureCoordinatesAsTheyAreByTheMatricesOfTextures)
 {
-    FunctionGrid grid(k_UnityCg, ProgramLanguage::Cg);
+    FunctionGrid grid(k_UnitStepsyCg, ProgramLanguage::Cg);
     grid.Add(
         "float4(MultiplyUV(UNITY_MATRIX_TEXTURE0, a.xy), MultiplyUV(UNITY_MATRIX_TEXTURE3, a.yx))",
         CombineVectors({{0.25, -3, 0}, {1, 0, 0}}),

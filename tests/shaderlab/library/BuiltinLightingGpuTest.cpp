@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <algorithm>
@@ -16,14 +17,12 @@ using glm::dvec4;
 
 using BuiltinLighting = GpuTest;
 
-constexpr double k_Pi = 3.14159265358979323846;
-
 constexpr const char* k_Includes = "#include \"UnityPBSLighting.cginc\"\n"
                                    "#include \"UnityUI.cginc\"\n"
                                    "#include \"AutoLight.cginc\"\n";
 
-const std::vector<double> k_Cosines = {0.0, 1e-4, 0.05, 0.3, 0.7071, 0.99, 1.0};
-const std::vector<double> k_Roughness = {0.002, 0.05, 0.25, 0.5, 1.0};
+const std::vector<double> k_LobeCosines = {0.0, 1e-4, 0.05, 0.3, 0.7071, 0.99, 1.0};
+const std::vector<double> k_LobeRoughness = {0.002, 0.05, 0.25, 0.5, 1.0};
 
 TEST_F(BuiltinLighting, AddsUpSphericalHarmonics)
 {
@@ -98,17 +97,17 @@ TEST_F(BuiltinLighting, FollowsTheMicrofacetFormulas)
         return f0 + (f90 - f0) * std::pow(1 - cosine, 5);
     };
     grid.Add(
-        "FresnelTerm(a.x, b.x).x", Combine({0.0, 0.04, 0.5, 1.0}, k_Cosines),
+        "FresnelTerm(a.x, b.x).x", Combine({0.0, 0.04, 0.5, 1.0}, k_LobeCosines),
         [=](auto& a, auto& b, auto&) { return schlick(a.x, 1, b.x); }, tolerance);
     grid.Add(
-        "FresnelLerp(a.x, b.x, c.x).y", Combine({0.04, 1.0}, {0.3, 1.0}, k_Cosines),
+        "FresnelLerp(a.x, b.x, c.x).y", Combine({0.04, 1.0}, {0.3, 1.0}, k_LobeCosines),
         [=](auto& a, auto& b, auto& c) { return schlick(a.x, b.x, c.x); }, tolerance);
     grid.Add(
-        "FresnelLerpFast(a.x, b.x, c.x).z", Combine({0.04, 1.0}, {0.3, 1.0}, k_Cosines),
+        "FresnelLerpFast(a.x, b.x, c.x).z", Combine({0.04, 1.0}, {0.3, 1.0}, k_LobeCosines),
         [](auto& a, auto& b, auto& c) { return a.x + (b.x - a.x) * std::pow(1 - c.x, 4); },
         tolerance);
     // Trowbridge-Reitz; the device subtracts near numbers at the top of narrow lobes.
-    grid.Add("GGXTerm(a.x, b.x)", Combine(k_Cosines, {0.05, 0.25, 0.5, 1.0}),
+    grid.Add("GGXTerm(a.x, b.x)", Combine(k_LobeCosines, {0.05, 0.25, 0.5, 1.0}),
              [](auto& a, auto& b, auto&)
              {
                  const double a2 = b.x * b.x;
@@ -117,7 +116,8 @@ TEST_F(BuiltinLighting, FollowsTheMicrofacetFormulas)
              },
              {1e-3, 1e-6});
     grid.Add(
-        "SmithJointGGXVisibilityTerm(a.x, b.x, c.x)", Combine(k_Cosines, k_Cosines, k_Roughness),
+        "SmithJointGGXVisibilityTerm(a.x, b.x, c.x)",
+        Combine(k_LobeCosines, k_LobeCosines, k_LobeRoughness),
         [](auto& a, auto& b, auto& c)
         {
             const double view = a.x * (b.x + c.x - b.x * c.x);
@@ -126,7 +126,8 @@ TEST_F(BuiltinLighting, FollowsTheMicrofacetFormulas)
         },
         tolerance);
     grid.Add(
-        "SmithBeckmannVisibilityTerm(a.x, b.x, c.x)", Combine(k_Cosines, k_Cosines, k_Roughness),
+        "SmithBeckmannVisibilityTerm(a.x, b.x, c.x)",
+        Combine(k_LobeCosines, k_LobeCosines, k_LobeRoughness),
         [](auto& a, auto& b, auto& c)
         {
             const double k = c.x * std::sqrt(2 / k_Pi);
@@ -134,7 +135,7 @@ TEST_F(BuiltinLighting, FollowsTheMicrofacetFormulas)
         },
         tolerance);
     grid.Add(
-        "DisneyDiffuse(a.x, b.x, c.x, 0.3)", Combine(k_Cosines, k_Cosines, k_Cosines),
+        "DisneyDiffuse(a.x, b.x, c.x, 0.3)", Combine(k_LobeCosines, k_LobeCosines, k_LobeCosines),
         [](auto& a, auto& b, auto& c)
         {
             const double f = 0.5 + 2 * c.x * c.x * 0.3 - 1;

@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <cmath>
@@ -20,20 +21,6 @@ namespace
 
 const std::vector<double> k_Unit = {0.0, 1e-4, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0};
 const std::vector<double> k_Signed = {-1e6, -2.5, -1.0, -0.3, 0.0, 0.3, 1.0, 2.5, 1e6};
-
-double Saturate(double x)
-{
-    return std::min(std::max(x, 0.0), 1.0);
-}
-
-double SrgbToLinear(double c)
-{
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-double LinearToSrgb(double c)
-{
-    return c <= 0.0031308 ? c * 12.92 : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-}
 
 template <typename Function>
 glm::dvec3 Each(const glm::dvec4& v, Function function)

@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <cmath>
@@ -19,11 +20,6 @@ namespace
 
 const std::vector<double> k_Cosines = {0.0, 0.01, 0.3, 0.7, 1.0};
 const std::vector<double> k_Roughness = {0.01, 0.2, 0.6, 1.0};
-
-double Saturate(double x)
-{
-    return std::min(std::max(x, 0.0), 1.0);
-}
 
 /// A surface as URP's Lit shader has it.
 struct Material
@@ -76,15 +72,15 @@ const glm::dvec3 k_Sun = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
 const glm::dvec3 k_SunColor(1.5, 1.25, 1.0);
 const glm::dvec3 k_Sky(0.125, 0.25, 0.5);
 
-std::vector<float> Floats(const glm::dvec3& v, float w)
+std::vector<float> Floats4(const glm::dvec3& v, float w)
 {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
 }
 
 void SetLights(FunctionGrid& grid)
 {
-    grid.SetGlobal("_MainLightPosition", Floats(k_Sun, 0.0f));
-    grid.SetGlobal("_MainLightColor", Floats(k_SunColor, 1.0f));
+    grid.SetGlobal("_MainLightPosition", Floats4(k_Sun, 0.0f));
+    grid.SetGlobal("_MainLightColor", Floats4(k_SunColor, 1.0f));
     grid.SetGlobal("unity_SHAr", {0, 0, 0, static_cast<float>(k_Sky.x)});
     grid.SetGlobal("unity_SHAg", {0, 0, 0, static_cast<float>(k_Sky.y)});
     grid.SetGlobal("unity_SHAb", {0, 0, 0, static_cast<float>(k_Sky.z)});
@@ -155,11 +151,11 @@ TEST_F(LightingLibrary, EvaluatesSphericalHarmonics)
     for (std::size_t i = 0; i < 3; ++i)
     {
         grid.SetGlobal(std::string("unity_SHA") + names[i],
-                       Floats(glm::dvec3(ar[i]), static_cast<float>(ar[i].w)));
+                       Floats4(glm::dvec3(ar[i]), static_cast<float>(ar[i].w)));
         grid.SetGlobal(std::string("unity_SHB") + names[i],
-                       Floats(glm::dvec3(br[i]), static_cast<float>(br[i].w)));
+                       Floats4(glm::dvec3(br[i]), static_cast<float>(br[i].w)));
     }
-    grid.SetGlobal("unity_SHC", Floats(c, 0.0f));
+    grid.SetGlobal("unity_SHC", Floats4(c, 0.0f));
     grid.Add("SampleSH(a.xyz)", CombineVectors(UnitVectors()),
              [=](auto& n, auto&, auto&)
              {

@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <algorithm>
@@ -31,11 +32,6 @@ void ExpectMix(const std::string& keyword, const std::string& addSubDiff, const 
     FunctionGrid grid("#define " + keyword + "\n" + k_Particles);
     grid.Add("MixParticleColor(a, b, " + addSubDiff + ")", Mixed(), oracle);
     grid.Run();
-}
-
-double Saturate(double x)
-{
-    return std::clamp(x, 0.0, 1.0);
 }
 
 /// _ZBufferParams of a camera from 0.5 to 50.

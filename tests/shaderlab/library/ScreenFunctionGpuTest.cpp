@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <algorithm>
@@ -104,15 +105,6 @@ std::vector<GridInput> Pixels(const std::vector<int>& columns)
     return inputs;
 }
 
-double SrgbToLinear(double c)
-{
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-double LinearToSrgb(double c)
-{
-    return c <= 0.0031308 ? c * 12.92 : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-}
-
 dvec3 Each(const dvec3& v, const std::function<double(double)>& f)
 {
     return {f(v.x), f(v.y), f(v.z)};
@@ -131,7 +123,7 @@ TexturePtr LutStrip()
                        });
 }
 
-const std::string k_PostProcessing =
+const std::string k_ColorGrading =
     "#include "
     "\"Packages/com.unity.render-pipelines.universal/Shaders/PostProcessing/Common.hlsl\"\n"
     "TEXTURE2D(_Lut); SAMPLER(sampler_Lut); TEXTURE2D(_UserLut); SAMPLER(sampler_UserLut);\n"
@@ -178,7 +170,7 @@ TEST_F(ScreenFunctions, FindNormalsOutOfDepth)
 
 TEST_F(ScreenFunctions, GradeColors)
 {
-    FunctionGrid grid(k_PostProcessing);
+    FunctionGrid grid(k_ColorGrading);
     grid.SetTexture("_Lut", LutStrip());
     grid.SetTexture("_UserLut",
                     MakeTexture(k_Lut * k_Lut, k_Lut,
@@ -218,7 +210,7 @@ TEST_F(ScreenFunctions, GradeColors)
 
 TEST_F(ScreenFunctions, GradeWithAStripOverLogarithms)
 {
-    FunctionGrid grid("#define _HDR_GRADING 1\n" + k_PostProcessing);
+    FunctionGrid grid("#define _HDR_GRADING 1\n" + k_ColorGrading);
     grid.SetTexture("_Lut", LutStrip());
     // Values that ARRI's LogC curve brings to thirds, less the exposure.
     std::vector<GridInput> inputs;
@@ -237,7 +229,7 @@ TEST_F(ScreenFunctions, GradeWithAStripOverLogarithms)
 
 TEST_F(ScreenFunctions, DarkenCornersAndAddNoise)
 {
-    FunctionGrid grid(k_PostProcessing);
+    FunctionGrid grid(k_ColorGrading);
     // Alpha is 0.25 everywhere: grain of -0.5.
     grid.SetTexture("_Noise",
                     MakeTexture(1, 1, [](int, int) { return glm::vec4(0, 0, 0, 0.25f); }));

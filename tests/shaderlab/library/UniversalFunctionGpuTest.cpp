@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ namespace
 
 #define LIMN_URP(name)                                                                             \
     "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/" name ".hlsl\"\n"
-
-std::vector<float> Floats(const glm::mat4& m)
-{
-    const float* first = glm::value_ptr(m);
-    return {first, first + 16};
-}
 
 /// An object that is moved, turned, stretched and mirrored, before a camera that looks along +z
 /// from z = -5; reversed depth from 0.5 to 100.

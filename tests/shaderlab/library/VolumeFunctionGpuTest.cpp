@@ -1,3 +1,4 @@
+#include "library/Formulas.h"
 #include "library/FunctionGrid.h"
 
 #include <cmath>
@@ -13,8 +14,6 @@ namespace
 
 constexpr const char* k_Volume =
     "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/VolumeRendering.hlsl\"\n";
-constexpr double k_Pi = 3.14159265358979323846;
-
 /// Of f from 0 to `end`, by Simpson's rule.
 double Integral(const std::function<double(double)>& f, double end)
 {

@@ -9,11 +9,6 @@ namespace
 
 using testing::ElementsAre;
 
-PassProgram ProgramOf(const std::string& hlsl)
-{
-    return test::ParsePass("HLSLPROGRAM" + hlsl + "ENDHLSL").program.value();
-}
-
 std::vector<std::string> ChunkTexts(const ShaderLabPass& pass)
 {
     std::vector<std::string> texts;
@@ -40,8 +35,8 @@ TEST(PassProgram, HoldsTheTextBetweenItsKeywords)
 
 TEST(PassProgram, DoesNotEndAtItsClosingKeywordInAComment)
 {
-    EXPECT_EQ(ProgramOf(" a // ENDHLSL\n b ").chunks.at(0).text, " a // ENDHLSL\n b ");
-    EXPECT_EQ(ProgramOf(" xENDHLSL ").chunks.at(0).text, " xENDHLSL ");
+    EXPECT_EQ(test::ProgramOf(" a // ENDHLSL\n b ").chunks.at(0).text, " a // ENDHLSL\n b ");
+    EXPECT_EQ(test::ProgramOf(" xENDHLSL ").chunks.at(0).text, " xENDHLSL ");
 }
 
 TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInTheFile)
@@ -71,15 +66,15 @@ TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInTheFile)
 
 TEST(PassProgram, TakesEntryPointsAndTargetFromPragmas)
 {
-    const PassProgram program = ProgramOf("\n  #pragma vertex Vert // v\n"
-                                          "#  pragma   fragment Frag extra\n"
-                                          "#pragma target 4.5 _A\n// #pragma vertex Other\n"
-                                          "/*\n#pragma fragment Other\n*/\n");
+    const PassProgram program = test::ProgramOf("\n  #pragma vertex Vert // v\n"
+                                                "#  pragma   fragment Frag extra\n"
+                                                "#pragma target 4.5 _A\n// #pragma vertex Other\n"
+                                                "/*\n#pragma fragment Other\n*/\n");
     EXPECT_EQ(program.vertex, (EntryPoint{"Vert", {2, 3}}));
     EXPECT_EQ(program.fragment, (EntryPoint{"Frag", {3, 1}}));
     EXPECT_EQ(program.target, 45);
-    EXPECT_EQ(ProgramOf("\n").target, 25);
-    EXPECT_EQ(ProgramOf("\n").vertex, EntryPoint{});
+    EXPECT_EQ(test::ProgramOf("\n").target, 25);
+    EXPECT_EQ(test::ProgramOf("\n").vertex, EntryPoint{});
 }
 
 TEST(PassProgram, LetsItsOwnPragmasWinOverThoseOfIncludeBlocks)
@@ -94,10 +89,10 @@ TEST(PassProgram, LetsItsOwnPragmasWinOverThoseOfIncludeBlocks)
 
 TEST(PassProgram, CollectsKeywordSets)
 {
-    const PassProgram program =
-        ProgramOf("\n#pragma multi_compile _ FOO BAR\n#pragma shader_feature_local_fragment _ON\n"
-                  "#pragma multi_compile_vertex __ \\\n  LONG\n#pragma shader_feature A B\n"
-                  "#pragma multi_compile_fog\n");
+    const PassProgram program = test::ProgramOf(
+        "\n#pragma multi_compile _ FOO BAR\n#pragma shader_feature_local_fragment _ON\n"
+        "#pragma multi_compile_vertex __ \\\n  LONG\n#pragma shader_feature A B\n"
+        "#pragma multi_compile_fog\n");
     ASSERT_EQ(program.keywordSets.size(), 5u);
     const KeywordSet& first = program.keywordSets[0];
     EXPECT_THAT(first.keywords, ElementsAre("", "FOO", "BAR"));
@@ -119,8 +114,8 @@ TEST(PassProgram, CollectsKeywordSets)
 
 TEST(PassProgram, KeepsOtherPragmasAsText)
 {
-    const PassProgram program = ProgramOf("\n#pragma instancing_options renderinglayer x\n"
-                                          "#pragma enable_cbuffer#define X 1\n");
+    const PassProgram program = test::ProgramOf("\n#pragma instancing_options renderinglayer x\n"
+                                                "#pragma enable_cbuffer#define X 1\n");
     ASSERT_EQ(program.pragmas.size(), 2u);
     EXPECT_EQ(program.pragmas[0],
               (ProgramPragma{{2, 1}, "instancing_options", "renderinglayer x"}));

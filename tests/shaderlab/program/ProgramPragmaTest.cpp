@@ -15,11 +15,6 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-PassProgram ProgramOf(const std::string& hlsl)
-{
-    return test::ParsePass("HLSLPROGRAM" + hlsl + "ENDHLSL").program.value();
-}
-
 std::vector<std::string> PragmaNames(const PassProgram& program)
 {
     std::vector<std::string> names;
@@ -32,13 +27,13 @@ std::vector<std::string> PragmaNames(const PassProgram& program)
 
 std::string Reason(const std::string& hlsl, std::vector<std::string> missing = {})
 {
-    const auto reason = ReasonNotSupported(ProgramOf(hlsl), missing);
+    const auto reason = ReasonNotSupported(test::ProgramOf(hlsl), missing);
     return reason ? ToString(*reason) : "";
 }
 
 TEST(ProgramPragma, CountsWhereTheProgramsOwnMacrosSaySo)
 {
-    const PassProgram program = ProgramOf(R"(
+    const PassProgram program = test::ProgramOf(R"(
 #define OWN 2
 #define EMPTY
 #if OWN >= 2 && defined(SHADER_API_DESKTOP) && !defined(SHADER_API_MOBILE)
@@ -84,13 +79,14 @@ TEST(ProgramPragma, ComesToAnEndOnMacrosThatNameEachOther)
     hlsl += "#define LOOP LOOP\n#if A0\n#pragma vertex a\n#endif\n#if LOOP\n#pragma fragment b\n"
             "#endif\n#if " +
             std::string(5000, '(') + "\n#endif\n";
-    EXPECT_EQ(ProgramOf(hlsl).fragment.name, "");
+    EXPECT_EQ(test::ProgramOf(hlsl).fragment.name, "");
 }
 
 TEST(ProgramPragma, ReadsPragmaAndDefinitionGluedTogether)
 {
-    const PassProgram program = ProgramOf("\n#pragma multi_compile_instancing#define GLUED 1\n"
-                                          "#if GLUED\n#pragma vertex v\n#endif\n");
+    const PassProgram program =
+        test::ProgramOf("\n#pragma multi_compile_instancing#define GLUED 1\n"
+                        "#if GLUED\n#pragma vertex v\n#endif\n");
     EXPECT_THAT(program.keywordSets.at(0).keywords, ElementsAre("", "INSTANCING_ON"));
     EXPECT_EQ(program.vertex.name, "v");
     const auto pass = test::CompileHlsl("#pragma multi_compile_instancing#define GLUED 1\n"
@@ -101,9 +97,9 @@ TEST(ProgramPragma, ReadsPragmaAndDefinitionGluedTogether)
 
 TEST(ProgramPragma, KnowsTheSuffixesOfKeywordDirectives)
 {
-    const PassProgram program =
-        ProgramOf("\n#pragma shader_feature_fragment_local _A\n#pragma multi_compile_hull _ B\n"
-                  "#pragma dynamic_branch_local C\n#pragma multi_compile_fgo\n");
+    const PassProgram program = test::ProgramOf(
+        "\n#pragma shader_feature_fragment_local _A\n#pragma multi_compile_hull _ B\n"
+        "#pragma dynamic_branch_local C\n#pragma multi_compile_fgo\n");
     ASSERT_EQ(program.keywordSets.size(), 3u);
     EXPECT_TRUE(program.keywordSets[0].isLocal);
     EXPECT_EQ(program.keywordSets[0].stages, ShaderStage::Fragment);
@@ -115,31 +111,31 @@ TEST(ProgramPragma, KnowsTheSuffixesOfKeywordDirectives)
 
 TEST(ProgramPragma, StandsForSeveralSetsInTheShortcutsOfTheBuiltInPipeline)
 {
-    const PassProgram program = ProgramOf("\n#pragma multi_compile_fwdadd_fullshadows\n");
+    const PassProgram program = test::ProgramOf("\n#pragma multi_compile_fwdadd_fullshadows\n");
     ASSERT_EQ(program.keywordSets.size(), 5u);
     EXPECT_THAT(program.keywordSets[0].keywords,
                 ElementsAre("POINT", "DIRECTIONAL", "SPOT", "POINT_COOKIE", "DIRECTIONAL_COOKIE"));
     EXPECT_THAT(program.keywordSets[2].keywords, ElementsAre("", "SHADOWS_SOFT"));
-    EXPECT_THAT(ProgramOf("\n#pragma multi_compile_fwdbase\n").keywordSets.at(0).keywords,
+    EXPECT_THAT(test::ProgramOf("\n#pragma multi_compile_fwdbase\n").keywordSets.at(0).keywords,
                 ElementsAre("DIRECTIONAL"));
 }
 
 TEST(ProgramPragma, RequiresTheFeaturesOfItsShaderModel)
 {
-    EXPECT_THAT(RequiredFeatures(ProgramOf("\n#pragma target 2.0\n")), IsEmpty());
-    EXPECT_THAT(RequiredFeatures(ProgramOf("\n")), ElementsAre("derivatives"));
+    EXPECT_THAT(RequiredFeatures(test::ProgramOf("\n#pragma target 2.0\n")), IsEmpty());
+    EXPECT_THAT(RequiredFeatures(test::ProgramOf("\n")), ElementsAre("derivatives"));
     EXPECT_THAT(
-        RequiredFeatures(ProgramOf("\n#pragma target 3.0\n#pragma require 2DArray MRT8\n")),
+        RequiredFeatures(test::ProgramOf("\n#pragma target 3.0\n#pragma require 2DArray MRT8\n")),
         ElementsAre("2darray", "derivatives", "fragcoord", "interpolators10", "mrt8", "samplelod"));
-    const auto model45 = RequiredFeatures(ProgramOf("\n#pragma target 4.5\n"));
+    const auto model45 = RequiredFeatures(test::ProgramOf("\n#pragma target 4.5\n"));
     EXPECT_THAT(model45, ElementsAre("2darray", "compute", "derivatives", "fragcoord", "instancing",
                                      "integers", "interpolators10", "interpolators15", "mrt4",
                                      "msaatex", "randomwrite", "samplelod"));
-    const auto model50 = RequiredFeatures(ProgramOf("\n#pragma target 5.0\n"));
+    const auto model50 = RequiredFeatures(test::ProgramOf("\n#pragma target 5.0\n"));
     EXPECT_THAT(model50, Contains("tessellation"));
     EXPECT_THAT(model50, Not(Contains("cubearray")));
-    EXPECT_THAT(RequiredFeatures(ProgramOf("\n#pragma geometry g\n")), Contains("geometry"));
-    EXPECT_THAT(RequiredFeatures(ProgramOf("\n#pragma require cubearray : _KEYWORD\n")),
+    EXPECT_THAT(RequiredFeatures(test::ProgramOf("\n#pragma geometry g\n")), Contains("geometry"));
+    EXPECT_THAT(RequiredFeatures(test::ProgramOf("\n#pragma require cubearray : _KEYWORD\n")),
                 ElementsAre("derivatives"));
 }
 
@@ -208,11 +204,11 @@ TEST(ProgramPragma, IsRefusedByTheCompilerAsUnsupported)
 
 TEST(ProgramPragma, IsQuestionedWhereNobodyKnowsIt)
 {
-    const PassProgram program =
-        ProgramOf("\n#pragma multi_compile_fgo\n#pragma fragmnet frag\n#pragma zzz\n"
-                  "#pragma target high\n#pragma require cubearay\n#pragma only_renderers vulcan\n"
-                  "#pragma prefer_hlslcc gles\n#pragma fragmentoption ARB_x\n"
-                  "#pragma editor_sync_compilation\n#pragma warning (disable : 3206)\n");
+    const PassProgram program = test::ProgramOf(
+        "\n#pragma multi_compile_fgo\n#pragma fragmnet frag\n#pragma zzz\n"
+        "#pragma target high\n#pragma require cubearay\n#pragma only_renderers vulcan\n"
+        "#pragma prefer_hlslcc gles\n#pragma fragmentoption ARB_x\n"
+        "#pragma editor_sync_compilation\n#pragma warning (disable : 3206)\n");
     EXPECT_THAT(
         test::Messages(CheckPragmas(program)),
         ElementsAre("2:1: warning: #pragma multi_compile_fgo: there is no such pragma; did you "
@@ -275,8 +271,9 @@ TEST(ProgramPragma, IsReadFromFilesIncludedWithPragmasAndFromNoOthers)
                                "#include_with_pragmas \"../a.hlsl\"\n");
     folder.Write("c.hlsl", "#pragma multi_compile C D\n#pragma vertex wrong\n"
                            "float4 frag() : SV_Target { return A; }\n");
-    PassProgram program = ProgramOf("\n#include_with_pragmas \"a.hlsl\"\n#include \"c.hlsl\"\n"
-                                    "#if 0\n#include_with_pragmas \"c.hlsl\"\n#endif\n");
+    PassProgram program =
+        test::ProgramOf("\n#include_with_pragmas \"a.hlsl\"\n#include \"c.hlsl\"\n"
+                        "#if 0\n#include_with_pragmas \"c.hlsl\"\n#endif\n");
     program.file = (folder.path() / "t.shader").string();
     EXPECT_EQ(program.vertex.name, "");
     ShaderCompiler compiler;

@@ -13,14 +13,14 @@ namespace
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-PassProgram ProgramOf(const std::string& pragmas)
+PassProgram ProgramWith(const std::string& pragmas)
 {
     return test::ParsePass("HLSLPROGRAM\n" + pragmas + "\nENDHLSL").program.value();
 }
 
 std::string CountOf(const std::string& pragmas)
 {
-    return CountVariants(ProgramOf(pragmas)).ToString();
+    return CountVariants(ProgramWith(pragmas)).ToString();
 }
 
 TEST(VariantCount, MultipliesTheSizesOfTheKeywordSets)
@@ -96,12 +96,13 @@ TEST(InitialKeywords, FollowFromTheDefaultsOfKeywordEnums)
 
 TEST(SelectVariant, TakesTheEnabledKeywordOfEachSetElseItsDefault)
 {
-    const PassProgram program = ProgramOf("#pragma multi_compile A B C\n#pragma shader_feature _D\n"
-                                          "#pragma multi_compile _ E F\n#pragma multi_compile _ E");
+    const PassProgram program =
+        ProgramWith("#pragma multi_compile A B C\n#pragma shader_feature _D\n"
+                    "#pragma multi_compile _ E F\n#pragma multi_compile _ E");
     EXPECT_THAT(SelectVariant(program, {}), ElementsAre("A"));
     const std::vector<std::string> enabled = {"C", "_D", "E", "UNKNOWN"};
     EXPECT_THAT(SelectVariant(program, enabled), ElementsAre("C", "E", "_D"));
-    EXPECT_THAT(SelectVariant(ProgramOf(""), enabled), IsEmpty());
+    EXPECT_THAT(SelectVariant(ProgramWith(""), enabled), IsEmpty());
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace limn
 namespace
 {
 
-enum class Mode
+enum class ExtremeMode
 {
     Off = -3,
     Soft = 0,
@@ -67,9 +67,9 @@ std::array<RenderingLayerMask, 3> Values(RenderingLayerMask)
 {
     return {RenderingLayerMask::Nothing(), RenderingLayerMask::Everything(), RenderingLayerMask(6)};
 }
-std::array<Mode, 3> Values(Mode)
+std::array<ExtremeMode, 3> Values(ExtremeMode)
 {
-    return {Mode::Off, Mode::Soft, Mode::Hard};
+    return {ExtremeMode::Off, ExtremeMode::Soft, ExtremeMode::Hard};
 }
 // Unity's form has no paths, hence guids.
 template <typename Asset>
@@ -101,12 +101,13 @@ template <typename Parameter>
 std::unique_ptr<Parameter> Make()
 {
     using T = typename Parameter::ValueType;
-    if constexpr (std::is_same_v<T, Mode>)
+    if constexpr (std::is_same_v<T, ExtremeMode>)
     {
         return std::make_unique<Parameter>(
-            nullptr, "p", Mode::Off,
-            std::initializer_list<EnumName<Mode>>{
-                {"Off", Mode::Off}, {"Soft", Mode::Soft}, {"Hard", Mode::Hard}});
+            nullptr, "p", ExtremeMode::Off,
+            std::initializer_list<EnumName<ExtremeMode>>{{"Off", ExtremeMode::Off},
+                                                         {"Soft", ExtremeMode::Soft},
+                                                         {"Hard", ExtremeMode::Hard}});
     }
     else if constexpr (std::is_constructible_v<Parameter, std::nullptr_t, const char*, T, float,
                                                float, ParameterInfo> &&
@@ -170,7 +171,7 @@ using Parameters = testing::Types<
     Vector2Parameter, NoInterpVector2Parameter, Vector3Parameter, NoInterpVector3Parameter,
     Vector4Parameter, NoInterpVector4Parameter, TextureParameter, NoInterpTextureParameter,
     Texture2DParameter, Texture3DParameter, RenderTextureParameter, NoInterpRenderTextureParameter,
-    CubemapParameter, NoInterpCubemapParameter, MaterialParameter, EnumParameter<Mode>,
+    CubemapParameter, NoInterpCubemapParameter, MaterialParameter, EnumParameter<ExtremeMode>,
     AnimationCurveParameter, TextureCurveParameter>;
 TYPED_TEST_SUITE(EveryParameter, Parameters);
 

@@ -146,7 +146,7 @@ TEST(ParameterYaml, HoldsFilesToTheLimits)
     EXPECT_EQ(range.value(), glm::vec2(20.0f, -20.0f));
 }
 
-enum class Mode
+enum class NamedMode
 {
     Off = 0,
     Soft = 4
@@ -154,20 +154,23 @@ enum class Mode
 
 TEST(ParameterYaml, ReadsAnEnumByNameAndNumber)
 {
-    EnumParameter<Mode> mode{
-        nullptr, "b", Mode::Off, {{"Off", Mode::Off}, {"Soft", Mode::Soft}}, {.tooltip = "How."}};
+    EnumParameter<NamedMode> mode{nullptr,
+                                  "b",
+                                  NamedMode::Off,
+                                  {{"Off", NamedMode::Off}, {"Soft", NamedMode::Soft}},
+                                  {.tooltip = "How."}};
     EXPECT_THAT(Read(mode, "Soft"), ElementsAre());
-    EXPECT_EQ(mode.value(), Mode::Soft);
+    EXPECT_EQ(mode.value(), NamedMode::Soft);
     EXPECT_EQ(mode.ValueText(), "Soft");
     EXPECT_EQ(mode.UnityText(), "4");
     EXPECT_THAT(mode.valueNames(), ElementsAre("Off", "Soft"));
     EXPECT_THAT(Read(mode, "0"), ElementsAre());
-    EXPECT_EQ(mode.value(), Mode::Off);
+    EXPECT_EQ(mode.value(), NamedMode::Off);
     EXPECT_THAT(Read(mode, "Hard"),
                 ElementsAre("1:6: A.b: found 'Hard'; expected is one of Off (0), Soft (4)"));
 }
 
-struct Inner : VolumeComponent
+struct Counted : VolumeComponent
 {
     FloatParameter size{this, "size", 1.0f};
     IntParameter count{this, "count", 2};
@@ -175,12 +178,12 @@ struct Inner : VolumeComponent
 
 struct Outer : VolumeComponent
 {
-    ObjectParameter<Inner> object{this, "object", std::make_unique<Inner>()};
+    ObjectParameter<Counted> object{this, "object", std::make_unique<Counted>()};
 };
 
 TEST(ObjectParameter, ReadsAndWritesTheParametersOfItsObject)
 {
-    ObjectParameter<Inner> object{nullptr, "b", nullptr};
+    ObjectParameter<Counted> object{nullptr, "b", nullptr};
     EXPECT_EQ(object.ValueText(), "{}");
     EXPECT_THAT(Read(object, "{size: 4}"), ElementsAre());
     EXPECT_EQ(object.value()->size.value(), 4.0f);
@@ -188,7 +191,7 @@ TEST(ObjectParameter, ReadsAndWritesTheParametersOfItsObject)
     const std::string unity = "{size: {m_OverrideState: 1, m_Value: 4}, count: {m_OverrideState: "
                               "0, m_Value: 2}}";
     EXPECT_EQ(object.UnityText(), unity);
-    ObjectParameter<Inner> other{nullptr, "b", std::make_unique<Inner>()};
+    ObjectParameter<Counted> other{nullptr, "b", std::make_unique<Counted>()};
     EXPECT_THAT(Read(other, unity), ElementsAre());
     EXPECT_EQ(other.UnityText(), unity);
 }

@@ -10,7 +10,7 @@ namespace
 {
 
 template <typename Parameter, typename T>
-T Blend(const T& from, const T& to, float t)
+T InterpOf(const T& from, const T& to, float t)
 {
     Parameter result{nullptr, "result", from};
     result.Interp(from, to, t);
@@ -19,46 +19,46 @@ T Blend(const T& from, const T& to, float t)
 
 TEST(BoolParameter, SwitchesAsSoonAsTheFactorIsAboveZero)
 {
-    EXPECT_FALSE(Blend<BoolParameter>(false, true, -0.5f));
-    EXPECT_FALSE(Blend<BoolParameter>(false, true, 0.0f));
-    EXPECT_TRUE(Blend<BoolParameter>(false, true, 0.0001f));
-    EXPECT_TRUE(Blend<BoolParameter>(false, true, 1.0f));
-    EXPECT_FALSE(Blend<BoolParameter>(true, false, 0.25f));
+    EXPECT_FALSE(InterpOf<BoolParameter>(false, true, -0.5f));
+    EXPECT_FALSE(InterpOf<BoolParameter>(false, true, 0.0f));
+    EXPECT_TRUE(InterpOf<BoolParameter>(false, true, 0.0001f));
+    EXPECT_TRUE(InterpOf<BoolParameter>(false, true, 1.0f));
+    EXPECT_FALSE(InterpOf<BoolParameter>(true, false, 0.25f));
 }
 
 TEST(IntParameter, RoundsABlendTowardZero)
 {
-    EXPECT_EQ(Blend<IntParameter>(0, 10, 0.99f), 9);
-    EXPECT_EQ(Blend<IntParameter>(0, -10, 0.99f), -9);
-    EXPECT_EQ(Blend<IntParameter>(-5, 5, 0.25f), -2); // -2.5
-    EXPECT_EQ(Blend<IntParameter>(0, 10, 1.0f), 10);
-    EXPECT_EQ(Blend<IntParameter>(3, 10, 0.0f), 3);
-    EXPECT_EQ(Blend<IntParameter>(0, 10, 2.0f), 20);
+    EXPECT_EQ(InterpOf<IntParameter>(0, 10, 0.99f), 9);
+    EXPECT_EQ(InterpOf<IntParameter>(0, -10, 0.99f), -9);
+    EXPECT_EQ(InterpOf<IntParameter>(-5, 5, 0.25f), -2); // -2.5
+    EXPECT_EQ(InterpOf<IntParameter>(0, 10, 1.0f), 10);
+    EXPECT_EQ(InterpOf<IntParameter>(3, 10, 0.0f), 3);
+    EXPECT_EQ(InterpOf<IntParameter>(0, 10, 2.0f), 20);
 }
 
 TEST(IntParameter, StaysAtTheGreatestAndTheLeastNumberWhereABlendLeavesThem)
 {
-    EXPECT_EQ(Blend<IntParameter>(0, 2147483647, 4.0f), 2147483647);
-    EXPECT_EQ(Blend<IntParameter>(0, -2147483647 - 1, 4.0f), -2147483647 - 1);
-    EXPECT_EQ(Blend<IntParameter>(-2147483647 - 1, 2147483647, 0.5f), 0);
+    EXPECT_EQ(InterpOf<IntParameter>(0, 2147483647, 4.0f), 2147483647);
+    EXPECT_EQ(InterpOf<IntParameter>(0, -2147483647 - 1, 4.0f), -2147483647 - 1);
+    EXPECT_EQ(InterpOf<IntParameter>(-2147483647 - 1, 2147483647, 0.5f), 0);
 }
 
 TEST(FloatParameter, BlendsLinearlyAndBeyondTheEnds)
 {
-    EXPECT_EQ(Blend<FloatParameter>(2.0f, 10.0f, 0.0f), 2.0f);
-    EXPECT_EQ(Blend<FloatParameter>(2.0f, 10.0f, 0.25f), 4.0f);
-    EXPECT_EQ(Blend<FloatParameter>(2.0f, 10.0f, 1.0f), 10.0f);
-    EXPECT_EQ(Blend<FloatParameter>(2.0f, 10.0f, 1.5f), 14.0f);
-    EXPECT_EQ(Blend<FloatParameter>(2.0f, 10.0f, -0.5f), -2.0f);
+    EXPECT_EQ(InterpOf<FloatParameter>(2.0f, 10.0f, 0.0f), 2.0f);
+    EXPECT_EQ(InterpOf<FloatParameter>(2.0f, 10.0f, 0.25f), 4.0f);
+    EXPECT_EQ(InterpOf<FloatParameter>(2.0f, 10.0f, 1.0f), 10.0f);
+    EXPECT_EQ(InterpOf<FloatParameter>(2.0f, 10.0f, 1.5f), 14.0f);
+    EXPECT_EQ(InterpOf<FloatParameter>(2.0f, 10.0f, -0.5f), -2.0f);
 }
 
 TEST(ColorParameter, BlendsEveryChannelWithAlpha)
 {
     const Color from{0.0f, 1.0f, 0.5f, 1.0f};
     const Color to{1.0f, 0.0f, 4.5f, 0.0f};
-    EXPECT_EQ(Blend<ColorParameter>(from, to, 0.25f), (Color{0.25f, 0.75f, 1.5f, 0.75f}));
-    EXPECT_EQ(Blend<ColorParameter>(from, to, 0.0f), from);
-    EXPECT_EQ(Blend<ColorParameter>(from, to, 1.0f), to);
+    EXPECT_EQ(InterpOf<ColorParameter>(from, to, 0.25f), (Color{0.25f, 0.75f, 1.5f, 0.75f}));
+    EXPECT_EQ(InterpOf<ColorParameter>(from, to, 0.0f), from);
+    EXPECT_EQ(InterpOf<ColorParameter>(from, to, 1.0f), to);
 }
 
 TEST(ClampedFloatParameter, ClampsInSetValue)

@@ -39,7 +39,7 @@ struct RichRegistry : TestRegistry
     RichRegistry() { Register<Rich>("Rich"); }
 };
 
-const RichRegistry k_Registry;
+const RichRegistry k_RichRegistry;
 
 VolumeProfile Sample()
 {
@@ -66,7 +66,7 @@ std::vector<std::string> StateOf(const VolumeProfile& profile, bool onlyOverride
     for (const auto& component : profile.components())
     {
         const VolumeComponent& which = *component;
-        const std::string name = k_Registry.Find(typeid(which))->name;
+        const std::string name = k_RichRegistry.Find(typeid(which))->name;
         state.push_back(name + (component->active ? " on" : " off"));
         for (const VolumeParameter* p : std::as_const(*component).parameters())
         {
@@ -81,7 +81,7 @@ std::vector<std::string> StateOf(const VolumeProfile& profile, bool onlyOverride
 
 VolumeProfile ReadBack(const std::string& text)
 {
-    return std::move(*ParseVolumeProfile(text, "x.profile.yaml", k_Registry).profile);
+    return std::move(*ParseVolumeProfile(text, "x.profile.yaml", k_RichRegistry).profile);
 }
 
 TEST(WriteVolumeProfile, InLimnsFormHoldsTheOverridesAndNothingElse)
@@ -98,7 +98,7 @@ TEST(WriteVolumeProfile, InLimnsFormHoldsTheOverridesAndNothingElse)
               "TestVolume: {}\n"
               "Mixed:\n"
               "  active: false\n",
-              WriteVolumeProfile(profile, k_Registry, YamlForm::Limn));
+              WriteVolumeProfile(profile, k_RichRegistry, YamlForm::Limn));
 }
 
 TEST(WriteVolumeProfile, InUnitysFormHoldsEveryParameterWithItsState)
@@ -106,7 +106,7 @@ TEST(WriteVolumeProfile, InUnitysFormHoldsEveryParameterWithItsState)
     VolumeProfile profile;
     profile.name = "P";
     profile.Add<ScreenSpaceOutline>().m_Enable.Override(true);
-    const std::string text = WriteVolumeProfile(profile, k_Registry, YamlForm::Unity);
+    const std::string text = WriteVolumeProfile(profile, k_RichRegistry, YamlForm::Unity);
     EXPECT_THAT(text,
                 testing::StartsWith("%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &"));
     EXPECT_THAT(text, testing::HasSubstr("  m_Name: ScreenSpaceOutline\n"
@@ -127,9 +127,11 @@ TEST(WriteVolumeProfile, InUnitysFormHoldsEveryParameterWithItsState)
 TEST(WriteVolumeProfile, ReadsBackTheSameInBothForms)
 {
     const VolumeProfile sample = Sample();
-    const VolumeProfile limns = ReadBack(WriteVolumeProfile(sample, k_Registry, YamlForm::Limn));
+    const VolumeProfile limns =
+        ReadBack(WriteVolumeProfile(sample, k_RichRegistry, YamlForm::Limn));
     EXPECT_EQ(StateOf(sample, true), StateOf(limns, true));
-    const VolumeProfile unitys = ReadBack(WriteVolumeProfile(sample, k_Registry, YamlForm::Unity));
+    const VolumeProfile unitys =
+        ReadBack(WriteVolumeProfile(sample, k_RichRegistry, YamlForm::Unity));
     EXPECT_EQ(StateOf(sample, false), StateOf(unitys, false));
     EXPECT_EQ("Sample: \"one\"", unitys.name);
 }
@@ -138,8 +140,8 @@ TEST(WriteVolumeProfile, OfWhatWasReadGivesTheSameTextAgain)
 {
     for (const YamlForm form : {YamlForm::Limn, YamlForm::Unity})
     {
-        const std::string text = WriteVolumeProfile(Sample(), k_Registry, form);
-        EXPECT_EQ(text, WriteVolumeProfile(ReadBack(text), k_Registry, form));
+        const std::string text = WriteVolumeProfile(Sample(), k_RichRegistry, form);
+        EXPECT_EQ(text, WriteVolumeProfile(ReadBack(text), k_RichRegistry, form));
     }
 }
 
@@ -147,7 +149,7 @@ TEST(WriteVolumeProfile, OfAnEmptyProfileCanBeRead)
 {
     for (const YamlForm form : {YamlForm::Limn, YamlForm::Unity})
     {
-        const std::string text = WriteVolumeProfile(VolumeProfile(), k_Registry, form);
+        const std::string text = WriteVolumeProfile(VolumeProfile(), k_RichRegistry, form);
         EXPECT_EQ(0u, ReadBack(text).components().size()) << text;
     }
 }
@@ -156,7 +158,7 @@ TEST(WriteVolumeProfile, GivesAComponentTheSameFileIDWhateverElseIsThere)
 {
     const auto fileID = [](const VolumeProfile& profile)
     {
-        const std::string text = WriteVolumeProfile(profile, k_Registry, YamlForm::Unity);
+        const std::string text = WriteVolumeProfile(profile, k_RichRegistry, YamlForm::Unity);
         const UnityAsset asset = ReadUnityAsset(ParseYaml(text, "x.asset"), "x.asset");
         return asset.FindWithField("m_OutlineWidth")->fileID;
     };

@@ -14,9 +14,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// The value of `key: <text>`, and what a reader said about it.
-struct Reading
+struct ValueReading
 {
-    explicit Reading(const std::string& text)
+    explicit ValueReading(const std::string& text)
         : node(*ParseYaml("key: " + text + "\n", "x.yaml").front().Find("key"))
     {
     }
@@ -29,35 +29,35 @@ struct Reading
 
 std::vector<std::string> BoolProblems(const std::string& text)
 {
-    Reading reading(text);
+    ValueReading reading(text);
     EXPECT_EQ(ReadBool(reading.node, "a.b", reading.diagnostics), std::nullopt);
     return reading.problems();
 }
 
 std::vector<std::string> FloatProblems(const std::string& text, ValueRange range = {})
 {
-    Reading reading(text);
+    ValueReading reading(text);
     EXPECT_EQ(ReadFloat(reading.node, "a.b", reading.diagnostics, range), std::nullopt);
     return reading.problems();
 }
 
 std::vector<std::string> IntProblems(const std::string& text, ValueRange range = {})
 {
-    Reading reading(text);
+    ValueReading reading(text);
     EXPECT_EQ(ReadInt(reading.node, "a.b", reading.diagnostics, range), std::nullopt);
     return reading.problems();
 }
 
 std::vector<std::string> ColorProblems(const std::string& text)
 {
-    Reading reading(text);
+    ValueReading reading(text);
     EXPECT_EQ(ReadColor(reading.node, "a.b", reading.diagnostics), std::nullopt);
     return reading.problems();
 }
 
 std::vector<std::string> VectorProblems(const std::string& text)
 {
-    Reading reading(text);
+    ValueReading reading(text);
     EXPECT_EQ(ReadVector(reading.node, 3, "a.b", reading.diagnostics), std::nullopt);
     return reading.problems();
 }
@@ -67,7 +67,7 @@ TEST(ReadBool, TakesTrueFalseOneAndZero)
     for (const auto& [text, expected] :
          {std::pair("true", true), {"1", true}, {"false", false}, {"0", false}})
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadBool(reading.node, "a.b", reading.diagnostics), expected) << text;
         EXPECT_THAT(reading.problems(), IsEmpty());
     }
@@ -99,7 +99,7 @@ TEST(ReadInt, TakesDecimalDigits)
     for (const auto& [text, expected] :
          {std::pair("4", 4), {"-2147483648", -2147483647 - 1}, {"+7", 7}, {"010", 10}})
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadInt(reading.node, "a.b", reading.diagnostics), expected) << text;
     }
 }
@@ -127,7 +127,7 @@ TEST(ReadFloat, TakesNumbersInEveryUsualNotation)
                                          {"5.", 5.0f},
                                          {"0.49606514", 0.49606514f}})
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadFloat(reading.node, "a.b", reading.diagnostics), expected) << text;
     }
 }
@@ -169,7 +169,7 @@ TEST(ReadFloat, AllowsTheLimitsThemselvesWhateverTheirPrecision)
     for (const ValueRange range :
          {ValueRange{0.1, 1.0}, ValueRange{static_cast<double>(0.1f), 1.0}, ValueRange{-1.0, 0.1}})
     {
-        Reading reading("0.1");
+        ValueReading reading("0.1");
         EXPECT_EQ(ReadFloat(reading.node, "a.b", reading.diagnostics, range), 0.1f);
     }
 }
@@ -179,10 +179,10 @@ TEST(ReadString, TakesAnyScalar)
     for (const auto& [text, expected] :
          {std::pair("plain text", "plain text"), {"'quoted'", "quoted"}, {"42", "42"}, {"''", ""}})
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadString(reading.node, "a.b", reading.diagnostics), expected);
     }
-    Reading nothing("");
+    ValueReading nothing("");
     EXPECT_EQ(ReadString(nothing.node, "a.b", nothing.diagnostics), std::nullopt);
     EXPECT_THAT(nothing.problems(), ElementsAre("1:1: a.b: found nothing; text is expected"));
 }
@@ -200,7 +200,7 @@ TEST(ReadColor, TakesEveryForm)
         {"\"#FF800000\"", {1.0f, 128.0f / 255.0f, 0.0f, 0.0f}}};
     for (const auto& [text, expected] : forms)
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadColor(reading.node, "a.b", reading.diagnostics), expected) << text;
         EXPECT_THAT(reading.problems(), IsEmpty()) << text;
     }
@@ -235,7 +235,7 @@ TEST(ReadVector, TakesASequenceOrAMap)
 {
     for (const char* text : {"[1, -2, 0.5]", "{x: 1, y: -2, z: 0.5}"})
     {
-        Reading reading(text);
+        ValueReading reading(text);
         EXPECT_EQ(ReadVector(reading.node, 3, "a.b", reading.diagnostics),
                   glm::vec4(1.0f, -2.0f, 0.5f, 0.0f));
     }
