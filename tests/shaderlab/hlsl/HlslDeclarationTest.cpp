@@ -11,11 +11,11 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string k_Vertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
+const std::string k_PlainVertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
 
 std::shared_ptr<const CompiledPass> CompileValid(const std::string& hlsl)
 {
-    auto pass = test::CompileHlsl(k_Vertex + hlsl);
+    auto pass = test::CompileHlsl(k_PlainVertex + hlsl);
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
     EXPECT_EQ(test::Messages(pass->diagnostics), std::vector<std::string>{});
     return pass;
@@ -62,7 +62,7 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
     const auto messages = [](const std::string& declarations)
     {
         return test::CompileMessages(
-            test::Program(k_Vertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
+            test::Program(k_PlainVertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
     };
     const std::string message = "error: '_A': redefinition; something else has this name already";
     EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
@@ -81,7 +81,7 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
 TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
 {
     EXPECT_THAT(test::CompileMessages(
-                    test::Program(k_Vertex + "struct S { float a; float Get() { return a; } };\n"
+                    test::Program(k_PlainVertex + "struct S { float a; float Get() { return a; } };\n"
                                              "S Make() { S s; s.a = 1; return s; }\n"
                                              "float4 frag() : SV_Target { return Make().Get(); }")),
                 ElementsAre("t.shader:4:43: error: 'Get': a method of what a function returns "
