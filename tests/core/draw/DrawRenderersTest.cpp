@@ -212,7 +212,8 @@ TEST_F(DrawRenderersCalls, CountEachObjectUnderTheFirstRuleThatLeavesItOut)
     {
         const auto& material = object->renderer->sharedMaterials[0];
         const bool isInLayer = object->layer < 16 || object->layer % 2 == 0; // 0x5555FFFF
-        const bool isInRenderingLayer = object->renderer->renderingLayerMask.value % 2 == 1;
+        const bool isInRenderingLayer =
+            object->renderer->renderingLayerMask.Intersects(RenderingLayerMask(1));
         const FilterVerdict verdict = material == transparent ? FilterVerdict::QueueOutOfRange
                                       : !isInLayer            ? FilterVerdict::LayerMaskMiss
                                       : !isInRenderingLayer ? FilterVerdict::RenderingLayerMaskMiss
