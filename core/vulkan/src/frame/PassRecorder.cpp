@@ -115,6 +115,7 @@ void PassRecorder::Run(const ClearCommand& clear)
 
 void PassRecorder::Run(const SetViewportCommand& viewport)
 {
+    RequireViewport(viewport.rect, m_Pass, m_Context.capabilities().limits);
     m_Scissor = ClipToPass(viewport.rect, m_Pass);
     const VkViewport area = ToVkViewport(viewport.rect);
     vkCmdSetViewport(m_Commands, 0, 1, &area);
