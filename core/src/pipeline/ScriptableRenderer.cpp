@@ -162,7 +162,7 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     std::exception_ptr failure;
     try
     {
-        for (; setUp < m_Queue.size();)
+        while (setUp < m_Queue.size())
         {
             m_Queue[setUp++]->OnCameraSetup(*cmd, renderingData);
         }
