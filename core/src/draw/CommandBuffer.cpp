@@ -1,3 +1,4 @@
+#include <limits>
 #include <limn/core/CommandBuffer.h>
 
 namespace limn
@@ -118,6 +119,14 @@ void CommandBuffer::SetViewport(const ViewportRect& rect)
     {
         throw ContractError("SetViewport: the size is " + std::to_string(rect.width) + "x" +
                             std::to_string(rect.height) + "; both must be greater than 0");
+    }
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    if (rect.x > k_Most - rect.width || rect.y > k_Most - rect.height)
+    {
+        throw ContractError("SetViewport: " + std::to_string(rect.width) + "x" +
+                            std::to_string(rect.height) + " at (" + std::to_string(rect.x) + ", " +
+                            std::to_string(rect.y) + ") ends beyond texel " +
+                            std::to_string(k_Most));
     }
     m_Commands.emplace_back(SetViewportCommand{rect});
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <limits>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ProfilingScope.h>
 
@@ -101,6 +102,23 @@ TEST_F(CommandBuffers, TakeADepthTextureOnItsOwnAsDepth)
     const auto& target = std::get<SetRenderTargetCommand>(m_Cmd.commands()[0]);
     EXPECT_TRUE(target.colors.empty());
     EXPECT_EQ(target.depth, m_Depth.rt());
+}
+
+TEST_F(CommandBuffers, RefuseAViewportThatEndsBeyondTheLargestInt)
+{
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    EXPECT_EQ(ErrorOf(
+                  [&] {
+                      m_Cmd.SetViewport({10, 0, k_Most, 4});
+                  }),
+              "SetViewport: 2147483647x4 at (10, 0) ends beyond texel 2147483647");
+    EXPECT_EQ(ErrorOf(
+                  [&] {
+                      m_Cmd.SetViewport({0, 1, 4, k_Most});
+                  }),
+              "SetViewport: 4x2147483647 at (0, 1) ends beyond texel 2147483647");
+    m_Cmd.SetViewport({-10, 0, k_Most, k_Most});
+    EXPECT_EQ(m_Cmd.commands().size(), 1u);
 }
 
 TEST_F(CommandBuffers, RefuseAViewportWithoutTexels)

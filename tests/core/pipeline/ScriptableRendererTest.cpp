@@ -183,6 +183,66 @@ TEST_F(ScriptableRendererOrder, CanRenderAgainAfterAPassHasThrown)
     EXPECT_THAT(ExecutedPasses(), ElementsAre("failing", "other"));
 }
 
+TEST_F(ScriptableRendererOrder, CleansUpEveryPassAfterOneHasThrown)
+{
+    FailingPass failing("failing", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    LoggingPass other("other", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&other, &failing});
+    m_Log.clear();
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }),
+              "the mask is missing");
+    EXPECT_THAT(m_Log,
+                ElementsAre("f.AddRenderPasses", "f.SetupRenderPasses", "other.OnCameraSetup",
+                            "failing.OnCameraSetup", "failing.Configure", "other.Configure",
+                            "failing.OnCameraCleanup", "other.OnCameraCleanup"));
+}
+
+/// A pass that fails while it is set up or cleaned up.
+class FailingSetupPass final : public LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override
+    {
+        LoggingPass::OnCameraSetup(cmd, renderingData);
+        if (failsInSetup)
+        {
+            throw std::runtime_error("no target");
+        }
+    }
+    void OnCameraCleanup(CommandBuffer& cmd) override
+    {
+        LoggingPass::OnCameraCleanup(cmd);
+        throw std::runtime_error("cannot let go");
+    }
+    bool failsInSetup = true;
+};
+
+TEST_F(ScriptableRendererOrder, CleansUpThePassesWhoseSetupWasCalledAfterOneHasThrownThere)
+{
+    LoggingPass first("first", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    FailingSetupPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass last("last", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&first, &failing, &last});
+    m_Log.clear();
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }), "no target")
+        << "what went wrong first is what is reported";
+    EXPECT_THAT(m_Log, ElementsAre("f.AddRenderPasses", "f.SetupRenderPasses",
+                                   "first.OnCameraSetup", "failing.OnCameraSetup",
+                                   "first.OnCameraCleanup", "failing.OnCameraCleanup"));
+}
+
+TEST_F(ScriptableRendererOrder, CleansUpThePassesBehindOneThatCannot)
+{
+    FailingSetupPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    failing.failsInSetup = false;
+    LoggingPass last("last", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&failing, &last});
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }),
+              "cannot let go");
+    EXPECT_EQ(m_Log.back(), "last.OnCameraCleanup");
+}
+
 TEST(RenderPassBlock, DividesTheFrameAt150And300And600)
 {
     const auto block = [](int event)

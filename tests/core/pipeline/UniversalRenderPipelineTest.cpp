@@ -4,6 +4,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <set>
 
 #include "ThrownMessage.h"
 #include "draw/DrawHarness.h"
@@ -310,6 +311,37 @@ TEST_F(Pipeline, ForgetsAFrameThatTheDeviceRefused)
         EXPECT_EQ(barrier.before, Undefined) << barrier.texture->name();
     }
     EXPECT_EQ(result.frame.passes[0].barriers.size(), 2u);
+}
+
+TEST_F(Pipeline, CountsOnNoContentsOfAnotherDevice)
+{
+    const RTHandle kept(test::Target("Kept"));
+    m_Request.alsoReadBack = {kept};
+    Render();
+    RecordingDevice other;
+    m_Pipeline.SetDevice(other);
+    Render();
+    EXPECT_EQ(m_Device.frames().size(), 1u);
+    ASSERT_EQ(other.frames().size(), 1u);
+    std::set<std::shared_ptr<const Texture>> seen;
+    const auto expectUnknown = [&](const std::vector<TextureBarrier>& barriers)
+    {
+        for (const TextureBarrier& barrier : barriers)
+        {
+            const bool isFirst = seen.insert(barrier.texture).second;
+            EXPECT_EQ(isFirst, barrier.before == Undefined) << barrier.texture->name();
+        }
+    };
+    for (const CompiledRenderPass& pass : other.frames()[0].passes)
+    {
+        expectUnknown(pass.barriers);
+        for (const auto& color : pass.colors)
+        {
+            EXPECT_NE(color.load, LoadOp::Load) << color.texture->name();
+        }
+    }
+    expectUnknown(other.frames()[0].finalBarriers);
+    EXPECT_TRUE(seen.contains(kept.rt()));
 }
 
 TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)

@@ -1,6 +1,7 @@
 #include "core/ThrownMessage.h"
 #include <device/Translate.h>
 #include <frame/PassTargets.h>
+#include <limits>
 
 namespace limn::test
 {
@@ -70,6 +71,15 @@ TEST(Translate, WaitsForEverythingBeforeUndefinedContents)
     EXPECT_EQ(VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, scope.stages);
 }
 
+TEST(Translate, WaitsInEveryStageThatMaySample)
+{
+    const VkPipelineStageFlags2 stages = ToUsageScope(TextureUsage::ShaderRead).stages;
+    // The first of the two stands for all stages before it, geometry where there is one.
+    EXPECT_EQ(VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
+                  VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+              stages);
+}
+
 TEST(Translate, PutsTheViewportsTopAtClipSpaceUp)
 {
     const VkViewport viewport = ToVkViewport({10, 20, 30, 40});
@@ -91,6 +101,20 @@ TEST(Translate, ClipsAViewportToThePass)
     EXPECT_EQ(40, rect.offset.y);
     EXPECT_EQ(20u, rect.extent.width);
     EXPECT_EQ(10u, rect.extent.height);
+}
+
+TEST(Translate, TakesAViewportThatEndsBeyondTheLargestInt)
+{
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    CompiledRenderPass pass;
+    pass.width = 100;
+    pass.height = 50;
+    const VkRect2D rect = ClipToPass({10, 20, k_Most, k_Most}, pass);
+    EXPECT_EQ(10, rect.offset.x);
+    EXPECT_EQ(20, rect.offset.y);
+    EXPECT_EQ(90u, rect.extent.width);
+    EXPECT_EQ(30u, rect.extent.height);
+    EXPECT_EQ(2147483648.0f, ToVkViewport({10, 20, k_Most, k_Most}).y); // the next float to the sum
 }
 
 } // namespace limn::test

@@ -47,7 +47,7 @@ public:
     void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
                            int stencil = 0);
     /// Until the next SetRenderTarget, which sets the whole target.
-    /// @throws ContractError if the size is not positive
+    /// @throws ContractError if the size is not positive, or the end fits no int
     void SetViewport(const ViewportRect& rect);
 
     /// @throws ContractError if mesh or material is null, or there is no such sub-mesh or pass

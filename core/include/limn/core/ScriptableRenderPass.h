@@ -31,7 +31,7 @@ public:
                            const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
-    /// Once a camera, after all passes have executed.
+    /// Once for each OnCameraSetup, after all passes have executed or one of them has thrown.
     virtual void OnCameraCleanup(CommandBuffer& cmd);
 
     ScriptableRenderPassInput input() const { return m_Input; }

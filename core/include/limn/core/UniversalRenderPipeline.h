@@ -32,15 +32,19 @@ struct RenderResult
 class UniversalRenderPipeline
 {
 public:
+    /// @param device  must outlive this, or SetDevice
+    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(&device) {}
+
+    /// Goes on with another device, as after the first was lost: what textures held is gone.
     /// @param device  must outlive this
-    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(device) {}
+    void SetDevice(GraphicsDevice& device);
 
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);
 
 private:
-    GraphicsDevice& m_Device;
+    GraphicsDevice* m_Device; ///< never null
     FrameCompiler m_FrameCompiler;
     RTHandle m_Output;
 };

@@ -28,7 +28,8 @@ FrameSlot::FrameSlot(const VulkanContext& context, MemoryAllocator& allocator)
 
 void FrameSlot::Begin(std::size_t passCount)
 {
-    Abandon();
+    m_TimedPasses.clear();
+    Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
     m_Upload.Reset();
     m_Descriptors.Reset();
     VkCommandBufferBeginInfo info{};
@@ -36,12 +37,6 @@ void FrameSlot::Begin(std::size_t passCount)
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     Check(vkBeginCommandBuffer(m_Commands, &info), "vkBeginCommandBuffer");
     ReserveQueries(passCount);
-}
-
-void FrameSlot::Abandon()
-{
-    Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
-    m_TimedPasses.clear();
 }
 
 void FrameSlot::Submit(SubmitQueue& queue)

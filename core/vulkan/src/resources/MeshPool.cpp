@@ -137,7 +137,7 @@ void MeshPool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
     m_Uploads.clear();
 }
 
-void MeshPool::Rollback(std::uint64_t number)
+void MeshPool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
     std::erase_if(m_Meshes, [&](const auto& entry) { return entry.second.createdBy == number; });

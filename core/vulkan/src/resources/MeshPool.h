@@ -44,7 +44,7 @@ public:
 
     PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
     void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);
-    void Rollback(std::uint64_t number);
+    void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
     std::size_t size() const { return m_Meshes.size(); }
     std::uint64_t uploadCount() const { return m_UploadCount; } ///< since construction
