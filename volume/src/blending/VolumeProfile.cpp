@@ -1,7 +1,7 @@
 #include <limn/volume/VolumeProfile.h>
 
 #include "blending/CloneComponent.h"
-#include "parameters/TypeName.h"
+#include <limn/core/TypeName.h>
 
 #include <algorithm>
 
