@@ -73,8 +73,8 @@ bool Compiles(const Material& material, int pass)
 class ScriptableRenderContext::Resolver
 {
 public:
-    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals)
-        : m_Frame(frame), m_Globals(globals)
+    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report)
+        : m_Frame(frame), m_Globals(globals), m_Resolver(report.notes)
     {
     }
 
@@ -176,7 +176,7 @@ private:
 };
 
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
-    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals))
+    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report))
 {
 }
 
@@ -280,7 +280,7 @@ FrameCommands ScriptableRenderContext::TakeCommands()
     m_Resolver = nullptr;
     FrameCommands result = std::move(m_Frame);
     m_Frame = {};
-    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals);
+    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report);
     return result;
 }
 

@@ -97,7 +97,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         }
         m_LightModes.emplace_back(pass.lightMode());
     }
-    m_Compiled.resize(m_SubShader.passes.size());
+    m_Initial = std::vector<Variant>(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
@@ -207,30 +207,32 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
 std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex) const
 {
     PassAt(passIndex);
-    const std::lock_guard lock(m_Mutex);
-    std::shared_ptr<const CompiledPass>& compiled = m_Compiled[static_cast<std::size_t>(passIndex)];
-    if (!compiled)
+    Variant& variant = m_Initial[static_cast<std::size_t>(passIndex)];
+    const std::lock_guard lock(variant.mutex);
+    if (!variant.compiled)
     {
-        compiled = CompileVariant(passIndex, keywords(passIndex));
+        variant.compiled = CompileVariant(passIndex, keywords(passIndex));
     }
-    return compiled;
+    return variant.compiled;
 }
 
 std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex,
                                                     std::span<const std::string> enabled) const
 {
-    std::vector<std::string> variant = keywords(passIndex, enabled);
-    if (variant == keywords(passIndex))
+    const std::vector<std::string> wanted = keywords(passIndex, enabled);
+    if (wanted == keywords(passIndex))
     {
         return Compile(passIndex);
     }
-    const std::lock_guard lock(m_Mutex);
-    std::shared_ptr<const CompiledPass>& compiled = m_Variants[{passIndex, variant}];
-    if (!compiled)
+    std::unique_lock mapLock(m_Mutex);
+    Variant& variant = m_Others[{passIndex, wanted}]; // stays where it is
+    mapLock.unlock();
+    const std::lock_guard lock(variant.mutex);
+    if (!variant.compiled)
     {
-        compiled = CompileVariant(passIndex, variant);
+        variant.compiled = CompileVariant(passIndex, wanted);
     }
-    return compiled;
+    return variant.compiled;
 }
 
 } // namespace limn

@@ -4,6 +4,7 @@
 #include <exception>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/core/TypeName.h>
 
 namespace limn
 {
@@ -85,6 +86,16 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     feature->Create();
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
+}
+
+void ScriptableRenderer::EnqueuePass(ScriptableRenderPass& pass)
+{
+    if (pass.profilingSampler.name() == k_UnnamedPass)
+    {
+        const std::string type = TypeName(typeid(pass));
+        pass.profilingSampler = ProfilingSampler(type.substr(type.rfind(':') + 1));
+    }
+    m_Queue.push_back(&pass);
 }
 
 const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <limn/core/CoreUtils.h>
@@ -128,6 +129,38 @@ TEST_F(CommandBuffers, RefuseAViewportWithoutTexels)
                       m_Cmd.SetViewport({0, 0, 0, 4});
                   }),
               "SetViewport: the size is 0x4; both must be greater than 0");
+}
+
+TEST_F(CommandBuffers, RefuseToClearToADepthOutsideTheRange)
+{
+    const std::string range = "; it must be from 0 (near) to 1 (far)";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, 1.5f); }),
+              "ClearRenderTarget: the depth is 1.500000" + range);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, -0.5f); }),
+              "ClearRenderTarget: the depth is -0.500000" + range);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, std::nanf("")); }),
+              "ClearRenderTarget: the depth is nan" + range);
+}
+
+TEST_F(CommandBuffers, RefuseToClearToAColorThatIsNotFinite)
+{
+    for (const float bad : {std::nanf(""), HUGE_VALF})
+    {
+        EXPECT_EQ(ErrorOf(
+                      [&] {
+                          m_Cmd.ClearRenderTarget(ClearFlag::Color, {0, 0, bad, 1});
+                      }),
+                  "ClearRenderTarget: the colour is not finite; NaN and infinity are no colours");
+    }
+}
+
+TEST_F(CommandBuffers, RefuseAMatrixThatIsNotFinite)
+{
+    const std::string message = "material 'Two': the matrix of the draw is not finite";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), glm::mat4(std::nanf("")), m_Material); }),
+              message);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawProcedural(glm::mat4(HUGE_VALF), m_Material, 0, 3); }),
+              message);
 }
 
 TEST_F(CommandBuffers, RefuseDrawsThatLackSomething)

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limits>
 #include <random>
 
 #include "ThrownMessage.h"
@@ -304,15 +303,6 @@ TEST(PerDrawData, TellsThatATinyTransformMirrors)
 {
     EXPECT_EQ(DataOf({-1e-20f, 1e-20f, 1e-20f}).worldTransformParams[3], -1.0f);
     EXPECT_EQ(DataOf({-1e12f, 1e12f, 1e12f}).worldTransformParams[3], -1.0f);
-}
-
-TEST(PerDrawData, DoesNotFailOnNumbersThatAreNone)
-{
-    const PerDrawData data = DataOf(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
-    for (const float value : data.worldToObject)
-    {
-        EXPECT_TRUE(std::isfinite(value));
-    }
 }
 
 } // namespace

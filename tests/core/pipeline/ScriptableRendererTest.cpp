@@ -100,6 +100,68 @@ TEST_F(ScriptableRendererOrder, RunsAFeaturesPassBeforeTheBuiltInOneOfTheSameEve
     EXPECT_THAT(ExecutedPasses(), ElementsAre("user", "opaque"));
 }
 
+/// Passes that were given no name.
+class GlowPass : public ScriptableRenderPass
+{
+public:
+    void Execute(ScriptableRenderContext&, RenderingData&) override {}
+};
+
+TEST_F(ScriptableRendererOrder, CallsAPassAfterItsClassUnlessItIsNamed)
+{
+    GlowPass unnamed;
+    GlowPass named;
+    named.profilingSampler = ProfilingSampler("Halo");
+    m_Harness.AddFeature("f", m_Log, {&unnamed, &named});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("GlowPass", "Halo"));
+}
+
+TEST_F(ScriptableRendererOrder, NamesAPassWithoutAName)
+{
+    GlowPass pass;
+    pass.ConfigureTarget(RTHandle());
+    m_Harness.AddFeature("f", m_Log, {&pass});
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
+              "pass 'GlowPass': ConfigureTarget was given empty handles; allocate them in "
+              "OnCameraSetup");
+}
+
+/// A feature that sets its pass up from outside, as Unity's do.
+class OutsideFeature final : public ScriptableRendererFeature
+{
+public:
+    GlowPass pass;
+    RTHandle target;
+
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& data) override
+    {
+        pass.ConfigureInput(ScriptableRenderPassInput::Depth);
+        pass.ResetTarget();
+        pass.ConfigureTarget(target);
+        pass.ConfigureClear(ClearFlag::Color, Color::red);
+        const DrawingSettings drawing = pass.CreateDrawingSettings(
+            ShaderTagId("UniversalForward"), data, SortingCriteria::CommonOpaque);
+        EXPECT_THAT(drawing.shaderTagIds, ElementsAre(ShaderTagId("UniversalForward")));
+        renderer.EnqueuePass(pass);
+    }
+};
+
+TEST_F(ScriptableRendererOrder, LetsAFeatureSetUpItsPassFromOutside)
+{
+    auto feature = std::make_unique<OutsideFeature>();
+    feature->target = RTHandle(test::Target("Mask"));
+    const auto target = feature->target.rt();
+    m_Harness.renderer.AddFeature(std::move(feature));
+    const CompiledFrame frame = m_Harness.Render();
+    ASSERT_EQ(frame.passes.size(), 1u);
+    ASSERT_EQ(frame.passes[0].colors.size(), 1u);
+    EXPECT_EQ(frame.passes[0].colors[0].texture, target);
+    EXPECT_EQ(frame.passes[0].colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(frame.passes[0].colors[0].clearColor, Color::red);
+}
+
 /// A pass that moves to another event when the camera is set up.
 class MovingPass final : public LoggingPass
 {

@@ -199,6 +199,22 @@ TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
     EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
 }
 
+TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
+{
+    m_Camera.orthographic = true;
+    m_Camera.nearClipPlane = 0.0f;
+    EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
+    m_Camera.nearClipPlane = -20.0f;
+    m_Camera.farClipPlane = 0.0f;
+    EXPECT_NO_THROW(Render());
+}
+
+TEST_F(Pipeline, RefusesACameraThatIsNowhere)
+{
+    m_Camera.transform.localPosition.x = std::nanf("");
+    EXPECT_THROW(Render(), ContractError);
+}
+
 TEST_F(Pipeline, RefusesARequestThatCannotBeRendered)
 {
     m_Request.width = 0;

@@ -117,4 +117,16 @@ TEST(Translate, TakesAViewportThatEndsBeyondTheLargestInt)
     EXPECT_EQ(2147483648.0f, ToVkViewport({10, 20, k_Most, k_Most}).y); // the next float to the sum
 }
 
+TEST(Translate, CountsTicksByTheirValidBits)
+{
+    EXPECT_EQ(5u, ElapsedTicks(10, 15, 64));
+    EXPECT_EQ(5u, ElapsedTicks(10, 15, 36));
+    // A counter of 36 bits that began again at 0 in between.
+    EXPECT_EQ(7u, ElapsedTicks((std::uint64_t{1} << 36) - 3, 4, 36));
+    // What stands above the valid bits means nothing.
+    EXPECT_EQ(5u, ElapsedTicks(0xABC000000000000A, 0x123000000000000F, 36));
+    EXPECT_EQ(1u, ElapsedTicks(~std::uint64_t{0}, 0, 64));
+    EXPECT_EQ(1u, ElapsedTicks(1, 0, 1));
+}
+
 } // namespace limn::test

@@ -31,7 +31,7 @@ public:
     /// Appends a pass to this camera's queue; the same pass twice runs twice. Passes run in the
     /// order of their events, equal events in the order of enqueueing, features' before built-in.
     /// @param pass  kept until the camera is done
-    void EnqueuePass(ScriptableRenderPass& pass) { m_Queue.push_back(&pass); }
+    void EnqueuePass(ScriptableRenderPass& pass);
 
     /// What the camera draws into. @throws ContractError outside rendering: as in Unity they exist
     /// from SetupRenderPasses and OnCameraSetup on, not in AddRenderPasses.

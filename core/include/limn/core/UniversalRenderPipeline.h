@@ -15,7 +15,7 @@ struct RenderRequest
     int width = 0;                            ///< pixels, > 0
     int height = 0;                           ///< pixels, > 0
     float time = 0.0f;                        ///< seconds, what _Time shows
-    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; may be null
+    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
 };
 

@@ -1,0 +1,20 @@
+#include <limn/core/TypeName.h>
+
+#include <cstdlib>
+#include <cxxabi.h>
+#include <memory>
+
+namespace limn
+{
+
+std::string TypeName(std::type_index type)
+{
+    int status = 0;
+    const std::unique_ptr<char, void (*)(void*)> demangled(
+        abi::__cxa_demangle(type.name(), nullptr, nullptr, &status), std::free);
+    std::string name = demangled ? demangled.get() : type.name();
+    constexpr std::string_view prefix = "limn::";
+    return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
+}
+
+} // namespace limn
