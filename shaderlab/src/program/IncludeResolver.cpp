@@ -112,6 +112,15 @@ std::uint64_t HashLibrary()
     return hash;
 }
 
+std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
+{
+    const std::string quoted = "\"" + std::string(name) + "\"";
+    return refusal.empty() ? "no such file " + quoted +
+                                 "; it was looked for beside this file, in the project, its "
+                                 "packages and the built-in ShaderLibrary"
+                           : quoted + " is " + std::string(refusal);
+}
+
 IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                  const std::string& shaderFile)
     : m_Options(options)

@@ -160,6 +160,64 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
                 HasSubstr("include.shader:18: error: #include: no such file \"nosuch.hlsl\""));
 }
 
+TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
+{
+    Write("a.shader", k_Good);
+    Write("dies.shader", k_Good);
+    Write("good.shader", k_Good);
+    std::string constant = k_Good;
+    constant.replace(constant.find("float4 _Tint;"), 13,
+                     "uniform const sampler2D _T; float4 _Tint;");
+    Write("object.shader",
+          constant.replace(constant.find("return _Tint"), 12, "return _Tint * tex2D(_T, 0)"));
+    const std::string path = (folder / "").string();
+    setenv("LIMN_TEST_ABORT", "dies.shader", 1);
+    const CommandRun text = RunCommand({"shader", path, "-j", "2"});
+    const CommandRun json = RunCommand({"shader", path, "-j", "2", "--json"});
+    unsetenv("LIMN_TEST_ABORT");
+    const std::string reason = "program: the HLSL compiler crashes on it: Aborted (signal 6)";
+    EXPECT_EQ(1, text.exitCode);
+    EXPECT_EQ("4 files: 4 parsed (100.0 %), 1 error; 3 of 4 passes compiled (75.0 %), 1 failed\n",
+              text.out);
+    EXPECT_THAT(text.err, HasSubstr("dies.shader:14:13: error: " + reason + "\n"));
+    EXPECT_EQ(1, json.exitCode);
+    const nlohmann::json files = nlohmann::json::parse(json.out)["files"];
+    ASSERT_EQ(4u, files.size());
+    for (const nlohmann::json& file : files)
+    {
+        const bool dies = file["file"].get<std::string>().ends_with("dies.shader");
+        const nlohmann::json& pass = file["subShaders"][0]["passes"][0];
+        EXPECT_EQ(dies ? "failed" : "compiled", pass["outcome"]) << file["file"];
+        EXPECT_EQ(dies ? reason : "", pass.value("reason", ""));
+    }
+}
+
+TEST_F(ShaderCommand, GivesAnErrorForTheReasonNotTheWarningsBeforeIt)
+{
+    std::string text = k_Good;
+    text.replace(text.find("return _Tint"), 12, "#warning first\nreturn _Tnt");
+    const CommandRun run = RunCommand({"shader", Write("good.shader", text), "--json"});
+    const nlohmann::json file = nlohmann::json::parse(run.out)["files"][0];
+    EXPECT_EQ("'_Tnt': unknown variable", file["subShaders"][0]["passes"][0]["reason"]);
+}
+
+TEST_F(ShaderCommand, RefusesAGrabPassByName)
+{
+    std::string text = k_Good;
+    text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
+    const std::string path = Write("good.shader", text);
+    const std::string reason =
+        "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what it copies";
+    const CommandRun run = RunCommand({"shader", path, "--json"});
+    EXPECT_EQ(0, run.exitCode);
+    const nlohmann::json passes =
+        nlohmann::json::parse(run.out)["files"][0]["subShaders"][0]["passes"];
+    EXPECT_EQ("refused", passes[0]["outcome"]);
+    EXPECT_EQ(reason, passes[0]["reason"]);
+    EXPECT_EQ("compiled", passes[1]["outcome"]);
+    EXPECT_THAT(run.err, HasSubstr("good.shader:6:9: note: " + reason + "\n"));
+}
+
 TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)
 {
     std::string text = k_Good;
