@@ -19,7 +19,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 6;
+constexpr int k_CompilerVersion = 7;
 
 std::string HashName(const std::string& text)
 {
