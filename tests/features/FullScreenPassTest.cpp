@@ -40,6 +40,26 @@ protected:
         return names;
     }
 
+    /// The names of the textures that the pass's only draw samples.
+    static std::vector<std::string> Sampled(const CompiledRenderPass& pass)
+    {
+        std::vector<std::string> names;
+        int draws = 0;
+        for (const PassCommand& command : pass.commands)
+        {
+            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            {
+                ++draws;
+                for (const TextureSlot& slot : draw->bindings->textures)
+                {
+                    names.push_back(slot.texture->name());
+                }
+            }
+        }
+        EXPECT_EQ(draws, 1);
+        return names;
+    }
+
     std::unique_ptr<FullScreenPassRendererFeature> feature =
         std::make_unique<FullScreenPassRendererFeature>();
     const std::shared_ptr<const Material> material = std::make_shared<Material>(
@@ -70,6 +90,8 @@ TEST_F(FullScreenPass, ReadsACopyOfThePictureAndDrawsIntoThePicture)
                                              "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_FALSE(result.frame.passes[2].depth);
     EXPECT_TRUE(result.report.notes.empty());
+    EXPECT_THAT(Sampled(result.frame.passes.at(1)), ElementsAre("_CameraColorAttachmentA"));
+    EXPECT_THAT(Sampled(result.frame.passes.at(2)), ElementsAre("_FullscreenPassColorCopy"));
 }
 
 TEST_F(FullScreenPass, LeavesTheCopyOutWhereNothingIsFetched)

@@ -12,8 +12,8 @@ using namespace limn::test;
 namespace
 {
 
-constexpr int k_Size = 96;
-constexpr float k_Width = 5.0f;
+constexpr int k_ExtremeSize = 96;
+constexpr float k_ExtremeWidth = 5.0f;
 
 /// A sphere three diameters before the camera, red with a green band, in whatever state.
 class ExtremeScene : public TranslucentScene
@@ -23,7 +23,7 @@ public:
     {
         outline->SetColor(ShaderPropertyId("_OutlineColor"), {0, 1, 0, 1});
         solid->SetColor(ShaderPropertyId("_Color"), {1, 0, 0, 1});
-        SetWidth(k_Width);
+        SetWidth(k_ExtremeWidth);
         camera.fieldOfView = 40.0f;
         static const auto mesh = WithOutlineNormals(*CreatePrimitive(PrimitiveType::Sphere));
         body = &AddBody(mesh, {0, 0, 3});
@@ -58,13 +58,13 @@ struct Areas
 /// What is drawn; fails the test if a value is no number.
 Areas DrawnAreas(TranslucentScene& scene)
 {
-    const EffectPicture picture = scene.Draw(k_Size, k_Size);
+    const EffectPicture picture = scene.Draw(k_ExtremeSize, k_ExtremeSize);
     EXPECT_TRUE(std::all_of(picture.color.values.begin(), picture.color.values.end(),
                             [](double value) { return std::isfinite(value); }));
     Areas areas;
-    for (int y = 0; y < k_Size; ++y)
+    for (int y = 0; y < k_ExtremeSize; ++y)
     {
-        for (int x = 0; x < k_Size; ++x)
+        for (int x = 0; x < k_ExtremeSize; ++x)
         {
             areas.body += picture.color.At(x, y, 0) > 0.5 ? 1 : 0;
             areas.band += picture.color.At(x, y, 1) > 0.5 ? 1 : 0;
@@ -90,11 +90,11 @@ TEST_P(HullExtremesGpu, KeepTheBandAtEveryScaleAndMirrored)
         SCOPED_TRACE(factor);
         ExtremeScene scene(GetParam());
         scene.Grow(factor);
-        EXPECT_NEAR(DrawnAreas(scene).Width(), k_Width, 0.5);
+        EXPECT_NEAR(DrawnAreas(scene).Width(), k_ExtremeWidth, 0.5);
     }
     ExtremeScene mirrored(GetParam());
     mirrored.body->transform.localScale = {-1, 1, 1};
-    EXPECT_NEAR(DrawnAreas(mirrored).Width(), k_Width, 0.5);
+    EXPECT_NEAR(DrawnAreas(mirrored).Width(), k_ExtremeWidth, 0.5);
 }
 
 TEST_P(HullExtremesGpu, OutlineAFlattenedBodyOnlyWhereTheHullIsHardened)
@@ -104,7 +104,7 @@ TEST_P(HullExtremesGpu, OutlineAFlattenedBodyOnlyWhereTheHullIsHardened)
     scene.body->transform.localScale = {1, 1, 0};
     const Areas areas = DrawnAreas(scene);
     EXPECT_GT(areas.body, 300);
-    EXPECT_NEAR(areas.Width(), IsHardened() ? k_Width : 0.0, 0.5);
+    EXPECT_NEAR(areas.Width(), IsHardened() ? k_ExtremeWidth : 0.0, 0.5);
 }
 
 TEST_P(HullExtremesGpu, DrawNoBandOfWidthZeroAndNothingElseOfAnEnormousOne)
@@ -118,14 +118,14 @@ TEST_P(HullExtremesGpu, DrawNoBandOfWidthZeroAndNothingElseOfAnEnormousOne)
     scene.SetWidth(1e4f);
     const Areas all = DrawnAreas(scene);
     EXPECT_EQ(all.body, none.body);
-    EXPECT_EQ(all.band, k_Size * k_Size - none.body);
+    EXPECT_EQ(all.band, k_ExtremeSize * k_ExtremeSize - none.body);
 }
 
 TEST_P(HullExtremesGpu, RefuseAWidthThatIsNoNumber)
 {
     ExtremeScene scene(GetParam());
     scene.SetWidth(std::numeric_limits<float>::quiet_NaN());
-    EXPECT_EQ(ThrownMessage<ContractError>([&] { scene.Draw(k_Size, k_Size); }),
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { scene.Draw(k_ExtremeSize, k_ExtremeSize); }),
               std::string("material '") + GetParam() +
                   "': property '_OutlineWidth' is not a number (NaN)");
 }
@@ -138,7 +138,7 @@ TEST_P(HullExtremesGpu, FillTheViewFromInsideTheBody)
     scene.body->transform.localPosition = {0.1f, 0.05f, 0.0f};
     const Areas areas = DrawnAreas(scene);
     EXPECT_EQ(areas.body, 0);
-    EXPECT_EQ(areas.band, k_Size * k_Size);
+    EXPECT_EQ(areas.band, k_ExtremeSize * k_ExtremeSize);
 }
 
 TEST_P(HullExtremesGpu, SurviveABodyThatReachesThroughTheNearPlane)
@@ -153,19 +153,19 @@ TEST_P(HullExtremesGpu, SurviveABodyThatReachesThroughTheNearPlane)
         scene.camera.fieldOfView = 100.0f;
         const Areas areas = DrawnAreas(scene);
         EXPECT_GT(areas.body + areas.band, 300);
-        EXPECT_LT(areas.body + areas.band, k_Size * k_Size * 3 / 4);
+        EXPECT_LT(areas.body + areas.band, k_ExtremeSize * k_ExtremeSize * 3 / 4);
     }
 }
 
 TEST_P(HullExtremesGpu, IgnoreTrianglesWithoutArea)
 {
     ExtremeScene scene(GetParam());
-    const EffectPicture before = scene.Draw(k_Size, k_Size);
+    const EffectPicture before = scene.Draw(k_ExtremeSize, k_ExtremeSize);
     MeshData data = CreatePrimitive(PrimitiveType::Sphere)->data();
     data.subMeshes.clear();
     data.triangles.insert(data.triangles.end(), {5, 5, 5, 40, 41, 41, 100, 100, 7});
     scene.body->renderer->mesh = WithOutlineNormals(Mesh("sphere", std::move(data)));
-    const EffectPicture after = scene.Draw(k_Size, k_Size);
+    const EffectPicture after = scene.Draw(k_ExtremeSize, k_ExtremeSize);
     EXPECT_EQ(before.color.values, after.color.values);
     EXPECT_EQ(before.stencil, after.stencil);
 }
@@ -178,7 +178,7 @@ TEST_F(HardenedHullGpu, GoesByTheNormalsOfAMeshWithoutTheSpareChannel)
 {
     ExtremeScene scene("Limn/TranslucentOutlineHull");
     scene.body->renderer->mesh = CreatePrimitive(PrimitiveType::Sphere);
-    EXPECT_NEAR(DrawnAreas(scene).Width(), k_Width, 0.5);
+    EXPECT_NEAR(DrawnAreas(scene).Width(), k_ExtremeWidth, 0.5);
 }
 
 TEST_F(HardenedHullGpu, OutlinesATwoSidedSheetThatFacesTheCamera)
@@ -199,7 +199,7 @@ TEST_F(HardenedHullGpu, OutlinesATwoSidedSheetThatFacesTheCamera)
     EXPECT_GT(side, 10.0);
     const double whole = std::sqrt(areas.body + areas.band);
     // From the middle the corners move by the width along the diagonals.
-    EXPECT_NEAR((whole - side) / 2, k_Width / std::sqrt(2.0), 0.7);
+    EXPECT_NEAR((whole - side) / 2, k_ExtremeWidth / std::sqrt(2.0), 0.7);
 }
 
 TEST_F(HardenedHullGpu, DrawsATranslucentBandOnceWhereItsLayersOverlap)
@@ -207,10 +207,10 @@ TEST_F(HardenedHullGpu, DrawsATranslucentBandOnceWhereItsLayersOverlap)
     ExtremeScene scene("Limn/TranslucentOutlineHull");
     scene.outline->SetColor(ShaderPropertyId("_OutlineColor"), {0, 1, 0, 0.5f});
     scene.AddBody(scene.body->renderer->mesh, {0.3f, 0, 3.5f});
-    const EffectPicture picture = scene.Draw(k_Size, k_Size);
-    for (int y = 0; y < k_Size; ++y)
+    const EffectPicture picture = scene.Draw(k_ExtremeSize, k_ExtremeSize);
+    for (int y = 0; y < k_ExtremeSize; ++y)
     {
-        for (int x = 0; x < k_Size; ++x)
+        for (int x = 0; x < k_ExtremeSize; ++x)
         {
             const double green = picture.color.At(x, y, 1);
             EXPECT_TRUE(green == 0.0 || green == 0.5) << x << ", " << y << ": " << green;

@@ -183,7 +183,7 @@ TEST_F(DrawRenderersCalls, DrawInTheOrderOfTheSorting)
     EXPECT_EQ(m_Frame.perDraw.at(1).objectToWorld[14], 1.0f);
 }
 
-TEST_F(DrawRenderersCalls, CountWhatJudgeSaysOfEachObject)
+TEST_F(DrawRenderersCalls, CountEachObjectUnderTheFirstRuleThatLeavesItOut)
 {
     const unsigned seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -205,14 +205,19 @@ TEST_F(DrawRenderersCalls, CountWhatJudgeSaysOfEachObject)
     }
     const FilteringSettings filtering(RenderQueueRange::opaque, LayerMask(0x5555FFFFu),
                                       RenderingLayerMask(1));
+    // The rules in Unity's order: queue, layer, rendering layer, pass.
     FilterCounts expected{};
     for (const auto& object : m_Scene.objects())
     {
-        const Material& material = *object->renderer->sharedMaterials[0];
-        const FilterVerdict verdict =
-            Judge({material.renderQueue(), object->layer, object->renderer->renderingLayerMask,
-                   material.shader().get()},
-                  filtering, m_Drawing);
+        const auto& material = object->renderer->sharedMaterials[0];
+        const bool isInLayer = object->layer < 16 || object->layer % 2 == 0; // 0x5555FFFF
+        const bool isInRenderingLayer =
+            object->renderer->renderingLayerMask.Intersects(RenderingLayerMask(1));
+        const FilterVerdict verdict = material == transparent ? FilterVerdict::QueueOutOfRange
+                                      : !isInLayer            ? FilterVerdict::LayerMaskMiss
+                                      : !isInRenderingLayer ? FilterVerdict::RenderingLayerMaskMiss
+                                      : material == unmatched ? FilterVerdict::NoMatchingPass
+                                                              : FilterVerdict::Drawn;
         ++expected[static_cast<std::size_t>(verdict)];
     }
     Draw(filtering);

@@ -105,6 +105,16 @@ TEST(OutlineNormals, OfANeedlesTipAreCutShortAtFour)
     ExpectNear(BakeOutlineNormals(Mesh("needle", Pyramid(0.01f)))[0], {0, 4, 0});
 }
 
+TEST(OutlineNormals, StandOnASliverAtItsSharpestCornerToo)
+{
+    // The angle at the origin is 1e-7, far below what would count as faces cancelling each other.
+    const Mesh sliver = MakeMesh({{0, 0, 0}, {1e4f, 1e-3f, 0}, {1e4f, 0, 0}}, {0, 1, 2});
+    for (const glm::vec3& normal : BakeOutlineNormals(sliver))
+    {
+        ExpectNear(normal, {0, 0, -1});
+    }
+}
+
 TEST(OutlineNormals, LeaveTrianglesWithoutAreaOut)
 {
     MeshData data = Pyramid(1.0f);

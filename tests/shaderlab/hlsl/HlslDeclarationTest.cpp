@@ -11,11 +11,11 @@ namespace
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string k_Vertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
+const std::string k_PlainVertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
 
-std::shared_ptr<const CompiledPass> CompileValid(const std::string& hlsl)
+std::shared_ptr<const CompiledPass> CompileDeclarations(const std::string& hlsl)
 {
-    auto pass = test::CompileHlsl(k_Vertex + hlsl);
+    auto pass = test::CompileHlsl(k_PlainVertex + hlsl);
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
     EXPECT_EQ(test::Messages(pass->diagnostics), std::vector<std::string>{});
     return pass;
@@ -25,7 +25,7 @@ std::shared_ptr<const CompiledPass> CompileValid(const std::string& hlsl)
 
 TEST(HlslDeclaration, MayBeRepeatedWhereItIsEqual)
 {
-    const auto pass = CompileValid(R"(
+    const auto pass = CompileDeclarations(R"(
         uniform float4 _Map_TexelSize;
         float4 _Map_TexelSize;
         Texture2D _Map; SamplerState sampler_Map;
@@ -49,7 +49,7 @@ TEST(HlslDeclaration, RepeatedInABufferStaysInTheBuffer)
          {"float4 _A;\ncbuffer UnityPerMaterial { float4 _B; float4 _A; };",
           "cbuffer UnityPerMaterial { float4 _B; float4 _A; };\nfloat4 _A;"})
     {
-        const auto pass = CompileValid(text + "\nfloat4 frag() : SV_Target { return _A + _B; }");
+        const auto pass = CompileDeclarations(text + "\nfloat4 frag() : SV_Target { return _A + _B; }");
         ASSERT_EQ(pass->layout.buffers.size(), 1U) << text;
         EXPECT_EQ(pass->layout.buffers[0].name, "UnityPerMaterial");
         EXPECT_EQ(pass->layout.buffers[0].members.at(1).name, "_A");
@@ -62,7 +62,7 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
     const auto messages = [](const std::string& declarations)
     {
         return test::CompileMessages(
-            test::Program(k_Vertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
+            test::Program(k_PlainVertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
     };
     const std::string message = "error: '_A': redefinition; something else has this name already";
     EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
@@ -81,19 +81,19 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
 TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
 {
     EXPECT_THAT(test::CompileMessages(
-                    test::Program(k_Vertex + "struct S { float a; float Get() { return a; } };\n"
+                    test::Program(k_PlainVertex + "struct S { float a; float Get() { return a; } };\n"
                                              "S Make() { S s; s.a = 1; return s; }\n"
                                              "float4 frag() : SV_Target { return Make().Get(); }")),
                 ElementsAre("t.shader:4:43: error: 'Get': a method of what a function returns "
                             "cannot be called; keep the result in a variable first"));
-    CompileValid("struct S { float a; float Get() { return a; } };\n"
+    CompileDeclarations("struct S { float a; float Get() { return a; } };\n"
                  "S Make() { S s; s.a = 1; return s; }\n"
                  "float4 frag() : SV_Target { S s = Make(); return s.Get(); }");
 }
 
 TEST(HlslDeclaration, OfATextureOrBufferMayStandInACbuffer)
 {
-    const auto pass = CompileValid(R"(
+    const auto pass = CompileDeclarations(R"(
         cbuffer UnityPerMaterial
         {
             float4 _A;

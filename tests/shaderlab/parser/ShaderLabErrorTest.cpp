@@ -243,6 +243,27 @@ TEST(ShaderLabError, ShowsAHundredErrorsAndTellsHowManyMoreThereAre)
     EXPECT_EQ(messages[100], " error: file: 150 more errors are not shown");
 }
 
+TEST(ShaderLabError, LimitsHowManyPropertiesAFileDeclares)
+{
+    constexpr std::size_t k_Most = std::size_t{1} << 20;
+    const std::string head = "Shader \"T\" { Properties {\n";
+    const std::string tail = "} SubShader { Pass { } } }";
+    std::string properties;
+    for (std::size_t i = 0; i < k_Most; ++i)
+    {
+        properties += "_P" + std::to_string(i) + "(\"\",Int)=0\n";
+    }
+    const ShaderLabParseResult result = ParseShaderLab(head + properties + tail, "t.shader");
+    ASSERT_TRUE(result.hasErrors());
+    EXPECT_THAT(ToString(result.diagnostics.back()),
+                testing::HasSubstr("file: it declares more than limn can hold (1048576 "));
+    EXPECT_LE(result.document.properties.size(), k_Most);
+
+    properties.resize(properties.size() / 2);
+    properties.resize(properties.rfind('\n') + 1);
+    EXPECT_FALSE(ParseShaderLab(head + properties + tail, "t.shader").hasErrors());
+}
+
 TEST(ShaderLabError, LimitsTheDepthOfCategories)
 {
     std::string text = "Shader \"T\" {\n";

@@ -45,6 +45,24 @@ std::string Disassembly(const std::string& hlsl)
 
 } // namespace
 
+TEST(GeometryStage, TakesPositionOfAnOutputForTheScreenPosition)
+{
+    const std::string text = Disassembly(R"(
+struct v2g { float4 pos : POSITION; };
+struct g2f { float4 pos : POSITION; float3 uv : TEXCOORD0; };
+v2g vert(float4 p : POSITION) { v2g o; o.pos = p; return o; }
+float4 frag(float3 uv : TEXCOORD0) : SV_Target { return float4(uv, 1); }
+[maxvertexcount(1)]
+void geom(point v2g input[1], inout PointStream<g2f> stream)
+{
+    g2f o;
+    o.pos = input[0].pos;
+    o.uv = 0;
+    stream.Append(o);
+})");
+    EXPECT_THAT(text, HasSubstr("BuiltIn Position"));
+}
+
 TEST(GeometryStage, CompilesBetweenTheTwoOthers)
 {
     const std::string text = Disassembly(k_Stages + R"(
