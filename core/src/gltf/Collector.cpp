@@ -61,10 +61,7 @@ void GltfCollector::CollectAll()
     // limn's x axis points the other way.
     glm::dmat4 toLeftHanded(1.0);
     toLeftHanded[0][0] = -1.0;
-    for (const int root : Roots())
-    {
-        CollectNode(root, toLeftHanded);
-    }
+    CollectNodes(toLeftHanded);
     for (std::size_t i = 0; m_Model.nodes.empty() && i < m_Model.meshes.size(); ++i)
     {
         CollectMesh(static_cast<int>(i), toLeftHanded);
@@ -79,44 +76,74 @@ std::vector<int> GltfCollector::Roots() const
         const auto scene = static_cast<std::size_t>(std::max(m_Model.defaultScene, 0));
         return m_Model.scenes[std::min(scene, m_Model.scenes.size() - 1)].nodes;
     }
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
+    std::vector<bool> isChild(m_Model.nodes.size(), false);
+    for (const tinygltf::Node& node : m_Model.nodes)
     {
-        const auto index = static_cast<int>(i);
-        const bool isChild =
-            std::any_of(m_Model.nodes.begin(), m_Model.nodes.end(),
-                        [index](const tinygltf::Node& node) {
-                            return std::find(node.children.begin(), node.children.end(), index) !=
-                                   node.children.end();
-                        });
-        if (!isChild)
+        for (const int child : node.children)
         {
-            roots.push_back(index);
+            if (child >= 0 && static_cast<std::size_t>(child) < isChild.size())
+            {
+                isChild[static_cast<std::size_t>(child)] = true;
+            }
+        }
+    }
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < isChild.size(); ++i)
+    {
+        if (!isChild[i])
+        {
+            roots.push_back(static_cast<int>(i));
         }
     }
     return roots;
 }
 
-void GltfCollector::CollectNode(int index, const glm::dmat4& parent)
+/// Each node before its children, in the file's order. Not by recursion: a file may be deeper than
+/// the stack.
+void GltfCollector::CollectNodes(const glm::dmat4& root)
+{
+    struct Waiting
+    {
+        int node;
+        glm::dmat4 parent;
+    };
+    std::vector<Waiting> waiting; // the next one last
+    const auto add = [&waiting](const std::vector<int>& nodes, const glm::dmat4& parent)
+    {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+        {
+            waiting.push_back({*node, parent});
+        }
+    };
+    add(Roots(), root);
+    while (!waiting.empty())
+    {
+        const Waiting next = waiting.back();
+        waiting.pop_back();
+        if (const tinygltf::Node* node = Enter(next.node))
+        {
+            const glm::dmat4 matrix = next.parent * LocalMatrix(*node);
+            if (node->mesh >= 0)
+            {
+                CollectMesh(node->mesh, matrix);
+            }
+            add(node->children, matrix);
+        }
+    }
+}
+
+/// Null, with a problem, for a node that is not there or was entered before.
+const tinygltf::Node* GltfCollector::Enter(int index)
 {
     const auto i = static_cast<std::size_t>(index);
     if (index < 0 || i >= m_Visited.size() || m_Visited[i])
     {
         m_Problems.push_back("node " + std::to_string(index) +
                              ": does not exist or has two parents; nodes form a tree");
-        return;
+        return nullptr;
     }
     m_Visited[i] = true;
-    const tinygltf::Node& node = m_Model.nodes[i];
-    const glm::dmat4 matrix = parent * LocalMatrix(node);
-    if (node.mesh >= 0)
-    {
-        CollectMesh(node.mesh, matrix);
-    }
-    for (const int child : node.children)
-    {
-        CollectNode(child, matrix);
-    }
+    return &m_Model.nodes[i];
 }
 
 void GltfCollector::CollectMesh(int index, const glm::dmat4& matrix)

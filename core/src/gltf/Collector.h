@@ -6,7 +6,8 @@
 namespace tinygltf
 {
 class Model;
-}
+class Node;
+} // namespace tinygltf
 
 namespace limn
 {
@@ -29,7 +30,8 @@ public:
 
 private:
     std::vector<int> Roots() const;
-    void CollectNode(int index, const glm::dmat4& parent);
+    void CollectNodes(const glm::dmat4& root);
+    const tinygltf::Node* Enter(int index);
     void CollectMesh(int index, const glm::dmat4& matrix);
 
     const tinygltf::Model& m_Model;

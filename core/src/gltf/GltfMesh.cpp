@@ -44,6 +44,70 @@ bool SkipImage(tinygltf::Image*, int, std::string*, std::string*, int, int, cons
     return true;
 }
 
+/// What the JSON parser and tinygltf go down by recursion. Real files have less than ten levels.
+constexpr int k_MaxLevels = 64;
+
+/// The first bracket that is nested too deep; `text.size()` if none is.
+std::size_t FindTooDeep(std::string_view text)
+{
+    int levels = 0;
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        const char c = text[i];
+        if (c == '"')
+        {
+            for (++i; i < text.size() && text[i] != '"'; ++i)
+            {
+                i += text[i] == '\\' ? 1 : 0;
+            }
+        }
+        if (c == ']' || c == '}')
+        {
+            levels = std::max(levels - 1, 0);
+        }
+        else if ((c == '[' || c == '{') && ++levels > k_MaxLevels)
+        {
+            return i;
+        }
+    }
+    return text.size();
+}
+
+/// The JSON of a file: all of it, or the first chunk of the binary container. What is wrong with
+/// the container is left for the parser to say.
+std::string_view JsonOf(std::string_view file, bool isBinary)
+{
+    constexpr std::size_t lengthAt = 12;
+    constexpr std::size_t headers = 20;
+    if (!isBinary || file.size() < headers)
+    {
+        return isBinary ? std::string_view() : file;
+    }
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        length |= std::size_t{static_cast<unsigned char>(file[lengthAt + i])} << (8 * i);
+    }
+    return file.substr(headers, length);
+}
+
+void CheckLevels(const std::filesystem::path& path, std::string_view file, bool isBinary)
+{
+    const std::string_view json = JsonOf(file, isBinary);
+    const std::size_t at = FindTooDeep(json);
+    if (at == json.size())
+    {
+        return;
+    }
+    const std::string_view before = json.substr(0, at);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const SourceLocation place{static_cast<int>(lines) + 1,
+                               static_cast<int>(at - (before.rfind('\n') + 1)) + 1};
+    throw AssetError(path.string(), isBinary ? SourceLocation{} : place,
+                     "lists and objects are nested more than " + std::to_string(k_MaxLevels) +
+                         " levels deep; glTF needs less than ten");
+}
+
 tinygltf::Model ParseFile(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = ReadFileBytes(path);
@@ -61,6 +125,7 @@ tinygltf::Model ParseFile(const std::filesystem::path& path)
     std::string error;
     std::string warning;
     const std::string folder = path.parent_path().string();
+    CheckLevels(path, std::string_view(text, bytes.size()), isBinary);
     const bool parsed =
         isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning,
                                                reinterpret_cast<const unsigned char*>(text), length,

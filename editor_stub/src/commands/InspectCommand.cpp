@@ -13,13 +13,13 @@ namespace limn
 namespace
 {
 
+std::string KindOfUnityAsset(const std::string& text, const std::string& file)
+{
+    return UnityAsset(text, file).FindWithField("m_RendererFeatures") ? "renderer" : "profile";
+}
+
 std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
 {
-    if (IsUnityAsset(documents))
-    {
-        const UnityAsset asset = ReadUnityAsset(documents, path.generic_string());
-        return asset.FindWithField("m_RendererFeatures") ? "renderer" : "profile";
-    }
     // Without a camera it is no scene; a wrong one should still be called a scene.
     const bool isScene = path.filename().string().ends_with(".scene.yaml") ||
                          documents.front().Find("camera") != nullptr;
@@ -45,8 +45,11 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
 InspectReport Inspect(const std::string& file, Console& console)
 {
     AssetContext assets;
-    const std::vector<YamlNode> documents = LoadYamlFile(file);
-    const std::string kind = KindOf(file, documents);
+    const std::string text = ReadYamlText(file);
+    const bool isUnity = IsUnityAsset(text);
+    const std::vector<YamlNode> documents =
+        isUnity ? std::vector<YamlNode>(1) : ParseYaml(text, file);
+    const std::string kind = isUnity ? KindOfUnityAsset(text, file) : KindOf(file, documents);
     InspectReport report;
     if (kind == "scene")
     {

@@ -207,15 +207,23 @@ void ReadFeatures(const UnityAsset& asset, const YamlNode& references, RendererA
 {
     for (const YamlNode& reference : references.items())
     {
-        const UnityObject* object = asset.Find(ReadFileID(reference).value_or(0));
-        if (object)
+        const UnityHeader* header = asset.FindHeader(ReadFileID(reference).value_or(0));
+        if (!header)
         {
-            ReadFeature(*object, renderer, loading);
+            // Unity leaves such a reference behind where a feature's script was deleted.
+            loading.diagnostics.Note(
+                reference.location(),
+                "m_RendererFeatures: left out, the feature is not in this file");
             continue;
         }
-        // Unity leaves such a reference behind where a feature's script was deleted.
-        loading.diagnostics.Note(reference.location(),
-                                 "m_RendererFeatures: left out, the feature is not in this file");
+        try
+        {
+            ReadFeature(asset.Read(*header), renderer, loading);
+        }
+        catch (const AssetError& error)
+        {
+            loading.diagnostics.Add(error);
+        }
     }
 }
 
@@ -237,7 +245,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
     assets.Reach(path);
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
-    const UnityObject* root = asset.FindWithField("m_RendererFeatures");
+    const std::optional<UnityObject> root = asset.FindWithField("m_RendererFeatures");
     if (!root)
     {
         throw AssetError(path.generic_string(), {},

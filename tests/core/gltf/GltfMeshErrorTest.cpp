@@ -96,6 +96,48 @@ TEST(GltfMeshError, SaysThatAFileHoldsNoTriangles)
     EXPECT_EQ(ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {})"))), expected);
 }
 
+/// `count` times `text`.
+std::string Repeated(const std::string& text, std::size_t count)
+{
+    std::string result;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        result += text;
+    }
+    return result;
+}
+
+TEST(GltfMeshError, RejectsWhatIsNestedDeeperThanAStackIs)
+{
+    const std::string rest = OnePrimitive(R"("attributes": {"POSITION": 0})");
+    for (const std::string open : {"[", R"({"a": )"})
+    {
+        const std::string close = open == "[" ? "]" : "}";
+        const std::string extras = ", \n  \"extras\": " + Repeated(open, 100'000) +
+                                   (open == "[" ? "" : "0") + Repeated(close, 100'000);
+        const std::size_t column =
+            13 + 63 * open.size(); // the file's own object is the first level
+        const std::string message = "error: lists and objects are nested more than 64 levels deep; "
+                                    "glTF needs less than ten";
+        EXPECT_EQ(ErrorOf(Triangle().Text(rest + extras)),
+                  "a.gltf:2:" + std::to_string(column) + ": " + message);
+        EXPECT_EQ(ErrorOf(Triangle().Binary(rest + extras)), "a.gltf: " + message);
+    }
+}
+
+TEST(GltfMeshError, DoesNotCountBracketsInTextOrInABinaryChunk)
+{
+    const std::string rest = OnePrimitive(R"("attributes": {"POSITION": 0})") +
+                             R"(, "extras": [")" + Repeated("[{\\\"", 1000) + R"("])";
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(LoadGltfMesh(folder.Write("a.gltf", Triangle().Text(rest)))->data().triangles.size(),
+              3u);
+    GltfFile brackets = Triangle();
+    brackets.AddIntegers<std::uint8_t>("SCALAR", std::vector<std::uint8_t>(1000, '['));
+    EXPECT_EQ(LoadGltfMesh(folder.Write("a.glb", brackets.Binary(rest)))->data().triangles.size(),
+              3u);
+}
+
 TEST(GltfMeshError, RejectsCompressionItCannotRead)
 {
     const std::string text = Triangle().Text(

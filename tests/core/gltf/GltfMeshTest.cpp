@@ -245,6 +245,26 @@ TEST(GltfMesh, ShowsTheRootNodesOfAFileWithoutScenes)
     EXPECT_EQ(Load(file.Text(meshes))->data().vertices.size(), 3u);
 }
 
+TEST(GltfMesh, GoesDownAChainOfNodesThatIsDeeperThanAStack)
+{
+    constexpr int count = 20'000;
+    GltfFile file;
+    file.AddFloats("VEC3", k_Triangle);
+    std::string nodes;
+    for (int i = 1; i < count; ++i)
+    {
+        nodes += R"({"translation": [0, 0.25, 0], "children": [)" + std::to_string(i) + "]}, ";
+    }
+    const std::string rest = R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], )"
+                             R"("nodes": [)" +
+                             nodes + R"({"mesh": 0}])";
+    for (const std::string scenes : {R"(, "scenes": [{"nodes": [0]}])", ""})
+    {
+        const auto mesh = Load(file.Text(rest + scenes));
+        EXPECT_EQ(mesh->data().vertices.front(), glm::vec3(-1.0f, 0.25f * (count - 1), 0.0f));
+    }
+}
+
 TEST(GltfMesh, FillsWhatOnePrimitiveLacks)
 {
     GltfFile file;

@@ -159,7 +159,7 @@ TEST(WriteVolumeProfile, GivesAComponentTheSameFileIDWhateverElseIsThere)
     const auto fileID = [](const VolumeProfile& profile)
     {
         const std::string text = WriteVolumeProfile(profile, k_RichRegistry, YamlForm::Unity);
-        const UnityAsset asset = ReadUnityAsset(ParseYaml(text, "x.asset"), "x.asset");
+        const UnityAsset asset(text, "x.asset");
         return asset.FindWithField("m_OutlineWidth")->fileID;
     };
     VolumeProfile alone;

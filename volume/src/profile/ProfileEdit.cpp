@@ -8,6 +8,7 @@
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <limn/volume/YamlMapReader.h>
+#include <optional>
 
 namespace limn
 {
@@ -168,25 +169,46 @@ private:
     BoolParameter m_Active{nullptr, "active", true};
 };
 
-/// The component's map in either form; null if the file does not have it.
-const YamlNode* FindComponent(const std::vector<YamlNode>& documents, const UnityAsset* asset,
-                              const std::string& name)
+/// A profile's file in either form.
+struct ProfileText
 {
-    if (!asset)
+    ProfileText(std::string_view text, const std::string& file)
     {
-        return documents.front().Find(name);
+        if (!IsUnityAsset(text))
+        {
+            documents = ParseYaml(text, file);
+            return;
+        }
+        asset.emplace(std::string(text), file);
+        for (const UnityHeader& header : asset->headers())
+        {
+            documents.push_back(asset->Read(header).fields);
+        }
     }
-    const UnityObject* root = asset->FindWithField("components");
+
+    std::optional<UnityAsset> asset; ///< only of Unity's form
+    std::vector<YamlNode> documents; ///< the fields of each object in Unity's form
+};
+
+/// The component's map; nothing if the file does not have it.
+std::optional<YamlNode> FindComponent(const ProfileText& profile, const std::string& name)
+{
+    if (!profile.asset)
+    {
+        const YamlNode* component = profile.documents.front().Find(name);
+        return component ? std::optional(*component) : std::nullopt;
+    }
+    const std::optional<UnityObject> root = profile.asset->FindWithField("components");
     for (const YamlNode& reference :
          root ? root->fields.Find("components")->items() : std::span<const YamlNode>())
     {
-        const UnityObject* object = asset->Find(ReadFileID(reference).value_or(0));
+        const auto object = profile.asset->Find(ReadFileID(reference).value_or(0));
         if (object && object->name == name)
         {
-            return &object->fields;
+            return object->fields;
         }
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 /// What stands for one parameter in the map of a component or an object; null without it.
@@ -200,8 +222,9 @@ const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isU
 }
 
 /// The node that holds the parameter's value; an error if there is none.
-const YamlNode* FindValue(const YamlNode* component, bool isUnity, const ScalarEdit& edit,
-                          const Wanted& wanted, AssetDiagnostics& diagnostics)
+const YamlNode* FindValue(const std::optional<YamlNode>& component, bool isUnity,
+                          const ScalarEdit& edit, const Wanted& wanted,
+                          AssetDiagnostics& diagnostics)
 {
     if (!component)
     {
@@ -209,7 +232,7 @@ const YamlNode* FindValue(const YamlNode* component, bool isUnity, const ScalarE
                                   "'; only values that are in the file can be set");
         return nullptr;
     }
-    const YamlNode* value = component;
+    const YamlNode* value = &*component;
     SourceLocation place = component->location();
     for (const std::string& name : wanted.path)
     {
@@ -233,7 +256,7 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
                  const std::string& subject, const VolumeComponentRegistry& registry)
 {
     ParseVolumeProfile(text, file, registry, AnyLayer());
-    const std::vector<YamlNode> after = ParseYaml(text, file);
+    const std::vector<YamlNode> after = ProfileText(text, file).documents;
     std::size_t count = after.size() == before.size() ? 0 : splicer.count() + 1;
     for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
     {
@@ -251,12 +274,10 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
                     const VolumeComponentRegistry& registry)
 {
     const Wanted wanted(edit, registry);
-    const std::vector<YamlNode> documents = ParseYaml(text, file);
-    const bool isUnity = IsUnityAsset(documents);
-    const UnityAsset asset = isUnity ? ReadUnityAsset(documents, file) : UnityAsset{};
+    const ProfileText profile(text, file);
+    const bool isUnity = profile.asset.has_value();
     AssetDiagnostics diagnostics(file);
-    const YamlNode* component =
-        FindComponent(documents, isUnity ? &asset : nullptr, edit.component);
+    const std::optional<YamlNode> component = FindComponent(profile, edit.component);
     const YamlNode* value = FindValue(component, isUnity, edit, wanted, diagnostics);
     diagnostics.ThrowIfErrors();
 
@@ -276,7 +297,7 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
     }
     diagnostics.ThrowIfErrors();
     std::string result = splicer.Result();
-    CheckResult(documents, result, file, splicer, *value, wanted.subject, registry);
+    CheckResult(profile.documents, result, file, splicer, *value, wanted.subject, registry);
     return result;
 }
 

@@ -79,11 +79,10 @@ void ReadComponent(const UnityObject& object, VolumeComponent& component,
 }
 
 /// The objects that the list `components` refers to, in its order.
-std::vector<const UnityObject*> ReferredComponents(const UnityAsset& asset,
-                                                   const YamlNode& references,
-                                                   AssetDiagnostics& diagnostics)
+std::vector<UnityObject> ReferredComponents(const UnityAsset& asset, const YamlNode& references,
+                                            AssetDiagnostics& diagnostics)
 {
-    std::vector<const UnityObject*> components;
+    std::vector<UnityObject> components;
     for (const YamlNode& reference : references.items())
     {
         const std::optional<std::int64_t> fileID = ReadFileID(reference);
@@ -93,9 +92,16 @@ std::vector<const UnityObject*> ReferredComponents(const UnityAsset& asset,
                               "components: found " + reference.Describe() +
                                   "; a reference is expected, {fileID: 11400000}");
         }
-        else if (const UnityObject* component = asset.Find(*fileID))
+        else if (const UnityHeader* header = asset.FindHeader(*fileID))
         {
-            components.push_back(component);
+            try
+            {
+                components.push_back(asset.Read(*header));
+            }
+            catch (const AssetError& error)
+            {
+                diagnostics.Add(error);
+            }
         }
         else
         {
@@ -115,7 +121,7 @@ std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
                                                       const ProfileContext& context)
 {
     auto profile = std::make_shared<VolumeProfile>();
-    const UnityObject* root = asset.FindWithField("components");
+    const std::optional<UnityObject> root = asset.FindWithField("components");
     if (!root || !root->fields.Find("components")->isSequence())
     {
         diagnostics.Error({}, "no volume profile in this Unity asset; one is a MonoBehaviour with "
@@ -124,23 +130,23 @@ std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
     }
     profile->name = root->name;
     std::set<std::string> seen;
-    for (const UnityObject* object :
+    for (const UnityObject& object :
          ReferredComponents(asset, *root->fields.Find("components"), diagnostics))
     {
-        if (!registry.Find(object->name))
+        if (!registry.Find(object.name))
         {
-            diagnostics.Note(object->location,
-                             object->name + ": left out, no such volume component is known");
+            diagnostics.Note(object.location,
+                             object.name + ": left out, no such volume component is known");
         }
-        else if (!seen.insert(object->name).second)
+        else if (!seen.insert(object.name).second)
         {
-            diagnostics.Error(object->location,
-                              object->name + ": the profile has two components of this type");
+            diagnostics.Error(object.location,
+                              object.name + ": the profile has two components of this type");
         }
         else
         {
-            VolumeComponent& component = profile->Add(registry.Create(object->name));
-            ReadComponent(*object, component, diagnostics, context);
+            VolumeComponent& component = profile->Add(registry.Create(object.name));
+            ReadComponent(object, component, diagnostics, context);
         }
     }
     return profile;

@@ -59,40 +59,33 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
     return profile;
 }
 
-VolumeProfileLoadResult ReadProfile(const std::vector<YamlNode>& documents, const std::string& file,
-                                    const VolumeComponentRegistry& registry,
-                                    const ProfileContext& context)
-{
-    AssetDiagnostics diagnostics(file);
-    std::shared_ptr<VolumeProfile> profile;
-    if (IsUnityAsset(documents))
-    {
-        profile =
-            ReadUnityVolumeProfile(ReadUnityAsset(documents, file), registry, diagnostics, context);
-    }
-    else
-    {
-        profile = ReadOwnProfile(documents, registry, diagnostics, context);
-        profile->name = std::filesystem::path(file).stem().stem().generic_string();
-    }
-    diagnostics.ThrowIfErrors();
-    return {std::move(profile), diagnostics.notes()};
-}
-
 } // namespace
 
 VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::string& file,
                                            const VolumeComponentRegistry& registry,
                                            const ProfileContext& context)
 {
-    return ReadProfile(ParseYaml(text, file), file, registry, context);
+    AssetDiagnostics diagnostics(file);
+    std::shared_ptr<VolumeProfile> profile;
+    if (IsUnityAsset(text))
+    {
+        const UnityAsset asset(std::string(text), file);
+        profile = ReadUnityVolumeProfile(asset, registry, diagnostics, context);
+    }
+    else
+    {
+        profile = ReadOwnProfile(ParseYaml(text, file), registry, diagnostics, context);
+        profile->name = std::filesystem::path(file).stem().stem().generic_string();
+    }
+    diagnostics.ThrowIfErrors();
+    return {std::move(profile), diagnostics.notes()};
 }
 
 VolumeProfileLoadResult LoadVolumeProfile(const std::filesystem::path& path,
                                           const VolumeComponentRegistry& registry,
                                           const ProfileContext& context)
 {
-    return ReadProfile(LoadYamlFile(path), path.generic_string(), registry, context);
+    return ParseVolumeProfile(ReadYamlText(path), path.generic_string(), registry, context);
 }
 
 } // namespace limn

@@ -16,6 +16,12 @@ void AssetDiagnostics::Note(SourceLocation location, std::string message)
     m_Diagnostics.push_back({Severity::Note, m_File, location, std::move(message)});
 }
 
+void AssetDiagnostics::Add(const AssetError& error)
+{
+    m_Diagnostics.insert(m_Diagnostics.end(), error.diagnostics().begin(),
+                         error.diagnostics().end());
+}
+
 void AssetDiagnostics::ThrowIfErrors() const
 {
     if (hasErrors())

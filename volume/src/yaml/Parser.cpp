@@ -17,10 +17,11 @@ namespace
 {
 
 /// yaml-cpp's words for a syntax error, put so that a person finds the spot.
-void ReportSyntaxError(const YAML::Exception& e, const YamlContent* innermost,
+void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
                        AssetDiagnostics& diagnostics)
 {
-    SourceLocation location = ToLocation(e.mark);
+    SourceLocation location = builder.ToLocation(e.mark);
+    const YamlContent* innermost = builder.innermost();
     std::string message = e.msg;
     if (e.msg == YAML::ErrorMsg::END_OF_MAP || e.msg == YAML::ErrorMsg::END_OF_SEQ)
     {
@@ -42,26 +43,26 @@ void ReportSyntaxError(const YAML::Exception& e, const YamlContent* innermost,
     diagnostics.Error(location, "not valid YAML: " + message);
 }
 
-void CheckIsText(std::string_view text, const std::string& file)
+void CheckIsText(std::string_view text, const std::string& file, int firstLine)
 {
     const std::optional<std::size_t> offset = FindNonText(text);
     if (offset && text[*offset] == '\0')
     {
-        throw AssetError(file, LocationOf(text, *offset),
+        throw AssetError(file, LocationOf(text, *offset, firstLine),
                          "a NUL byte: this is a binary file or UTF-16; UTF-8 text is expected");
     }
     if (offset)
     {
-        throw AssetError(file, LocationOf(text, *offset),
+        throw AssetError(file, LocationOf(text, *offset, firstLine),
                          "the bytes here are not UTF-8; save the file as UTF-8 text");
     }
 }
 
-void CheckFlow(std::string_view text, const std::string& file, std::size_t maxBytes)
+void CheckFlow(std::string_view text, const std::string& file, std::size_t maxBytes, int firstLine)
 {
     if (const std::optional<std::size_t> offset = FindLongFlow(text, maxBytes))
     {
-        throw AssetError(file, LocationOf(text, *offset),
+        throw AssetError(file, LocationOf(text, *offset, firstLine),
                          "the list or map in brackets here is longer than " +
                              std::to_string(maxBytes) +
                              " bytes; put its items on lines of their own, behind '- '");
@@ -71,17 +72,17 @@ void CheckFlow(std::string_view text, const std::string& file, std::size_t maxBy
 } // namespace
 
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
-                                const YamlLimits& limits)
+                                const YamlLimits& limits, int firstLine)
 {
-    CheckIsText(text, file);
+    CheckIsText(text, file, firstLine);
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
     {
         text.remove_prefix(byteOrderMark.size());
     }
-    CheckFlow(text, file, limits.flowBytes);
+    CheckFlow(text, file, limits.flowBytes, firstLine);
     AssetDiagnostics diagnostics(file);
-    YamlTreeBuilder builder(text, limits, diagnostics);
+    YamlTreeBuilder builder(text, limits, diagnostics, firstLine);
     try
     {
         std::istringstream stream{std::string(text)};
@@ -97,7 +98,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
     }
     catch (const YAML::Exception& e)
     {
-        ReportSyntaxError(e, builder.innermost(), diagnostics);
+        ReportSyntaxError(e, builder, diagnostics);
     }
     diagnostics.ThrowIfErrors();
     const bool isEmpty = std::all_of(builder.documents.begin(), builder.documents.end(),

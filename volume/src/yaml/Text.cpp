@@ -54,12 +54,12 @@ std::optional<std::size_t> FindNonText(std::string_view text)
     return std::nullopt;
 }
 
-SourceLocation LocationOf(std::string_view text, std::size_t offset)
+SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLine)
 {
     const std::string_view before = text.substr(0, offset);
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
-    return {static_cast<int>(lines) + 1, static_cast<int>(offset - lineStart) + 1};
+    return {static_cast<int>(lines) + firstLine, static_cast<int>(offset - lineStart) + 1};
 }
 
 bool IsQuoteClosed(std::string_view text, std::size_t offset)

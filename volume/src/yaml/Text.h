@@ -11,8 +11,8 @@ namespace limn
 /// The offset of the first byte that does not belong to well-formed UTF-8 text, NUL included.
 std::optional<std::size_t> FindNonText(std::string_view text);
 
-/// The place of a byte, lines ended by \n.
-SourceLocation LocationOf(std::string_view text, std::size_t offset);
+/// The place of a byte, lines ended by \n and counted from `firstLine`.
+SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLine = 1);
 
 /// Whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends in this
 /// text; true for what is not in quotes.

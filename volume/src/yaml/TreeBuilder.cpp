@@ -8,11 +8,6 @@
 namespace limn
 {
 
-SourceLocation ToLocation(const YAML::Mark& mark)
-{
-    return {mark.line + 1, mark.column + 1};
-}
-
 void YamlTreeBuilder::CheckEnd()
 {
     if (m_LastQuoted && !IsQuoteClosed(m_Text, static_cast<std::size_t>(m_LastQuoted->pos)))

@@ -13,8 +13,6 @@
 namespace limn
 {
 
-SourceLocation ToLocation(const YAML::Mark& mark);
-
 /// Ends the reading of a file whose last error says why.
 struct StopReading
 {
@@ -25,9 +23,15 @@ struct StopReading
 class YamlTreeBuilder final : public YAML::EventHandler
 {
 public:
-    YamlTreeBuilder(std::string_view text, const YamlLimits& limits, AssetDiagnostics& diagnostics)
-        : m_Text(text), m_Limits(limits), m_Diagnostics(diagnostics)
+    YamlTreeBuilder(std::string_view text, const YamlLimits& limits, AssetDiagnostics& diagnostics,
+                    int firstLine)
+        : m_Text(text), m_Limits(limits), m_Diagnostics(diagnostics), m_FirstLine(firstLine)
     {
+    }
+
+    SourceLocation ToLocation(const YAML::Mark& mark) const
+    {
+        return {mark.line + m_FirstLine, mark.column + 1};
     }
 
     std::vector<YamlNode> documents;
@@ -96,6 +100,7 @@ private:
     std::string_view m_Text;
     YamlLimits m_Limits;
     AssetDiagnostics& m_Diagnostics;
+    int m_FirstLine;
     std::vector<OpenNode> m_Open;
     std::unordered_map<YAML::anchor_t, BuiltNode> m_Anchors; ///< finished ones of this document
     std::string m_AnchorName;                                ///< of the node that comes next

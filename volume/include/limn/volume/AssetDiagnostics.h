@@ -17,6 +17,7 @@ public:
 
     void Error(SourceLocation location, std::string message);
     void Note(SourceLocation location, std::string message);
+    void Add(const AssetError& error); ///< all that it says
 
     /// @throws AssetError with every error, ordered by place, if there is one
     void ThrowIfErrors() const;

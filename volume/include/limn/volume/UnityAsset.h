@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limn/volume/YamlNode.h>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,40 +11,73 @@
 namespace limn
 {
 
-/// One object of a Unity text asset: what stands behind a line `--- !u!114 &11400000`.
+/// The line `--- !u!114 &11400000` that an object of a Unity text asset begins with.
+struct UnityHeader
+{
+    std::int64_t fileID = 0;
+    int classID = 0;         ///< 1 GameObject, 4 Transform, 114 MonoBehaviour
+    bool isStripped = false; ///< stands for an object of a prefab, and says little more than which
+    int line = 0;            ///< of the file, from 1
+    std::size_t bodyBegin = 0; ///< offset of what is below the header
+    std::size_t bodyEnd = 0;
+};
+
+/// One object of a Unity text asset.
 struct UnityObject
 {
     std::int64_t fileID = 0;
-    int classID = 0;      ///< 114 is a MonoBehaviour
+    int classID = 0;
     std::string typeName; ///< "MonoBehaviour", "TagManager"
     std::string name;     ///< m_Name; "" without one
     SourceLocation location;
     YamlNode fields; ///< a Map
-
-    bool isMonoBehaviour() const { return classID == 114; }
 };
 
-/// A Unity asset saved as text ("Force Text"), for example a VolumeProfile or a
-/// UniversalRendererData. Unity: the serialised form of 2022.3 and later.
-struct UnityAsset
+/// A Unity asset saved as text ("Force Text"): a VolumeProfile, a UniversalRendererData, a scene, a
+/// prefab. It is made from the headers alone, since a scene may have ten thousands of objects; an
+/// object's body is read when it is asked for. Unity: the serialised form of 2022.3 and later.
+class UnityAsset
 {
-    std::string file;
-    std::vector<UnityObject> objects; ///< in the order of the file
+public:
+    /// @param file  what errors call it
+    /// @throws AssetError with every document that does not begin as a Unity object does, and every
+    ///     fileID that is there twice
+    UnityAsset(std::string text, std::string file);
+
+    const std::string& file() const { return m_File; }
+
+    /// In the order of the file.
+    std::span<const UnityHeader> headers() const { return m_Headers; }
 
     /// Null if no object has that id.
-    const UnityObject* Find(std::int64_t fileID) const;
+    const UnityHeader* FindHeader(std::int64_t fileID) const;
 
-    /// The first MonoBehaviour that has a field of that name, "m_RendererFeatures"; null if none.
-    const UnityObject* FindWithField(std::string_view field) const;
+    /// Parses the object's body, anew at each call.
+    /// @param header  one of headers()
+    /// @throws AssetError as ParseYaml does, and for a body that is not one map under one name
+    UnityObject Read(const UnityHeader& header) const;
+
+    /// Read of FindHeader; nothing if no object has that id.
+    std::optional<UnityObject> Find(std::int64_t fileID) const;
+
+    /// The first MonoBehaviour that has a field of that name, "m_RendererFeatures"; nothing if none
+    /// has. Only bodies in which that name stands are parsed.
+    /// @throws AssetError as Read does
+    std::optional<UnityObject> FindWithField(std::string_view field) const;
+
+private:
+    std::string_view BodyOf(const UnityHeader& header) const;
+
+    std::string m_Text;
+    std::string m_File;
+    std::vector<UnityHeader> m_Headers;
+    std::map<std::int64_t, std::size_t> m_ByFileID; ///< indices of m_Headers
 };
 
-/// Whether the documents are a Unity asset, by their `!u!` tags; the file's name plays no role.
-bool IsUnityAsset(std::span<const YamlNode> documents);
+/// Whether a text is a Unity asset, by a line that begins `--- !u!`; the file's name plays no role.
+bool IsUnityAsset(std::string_view text);
 
-/// @throws AssetError with every document that is no Unity object
-UnityAsset ReadUnityAsset(std::span<const YamlNode> documents, std::string file);
-
-/// @throws AssetError as LoadYamlFile and ReadUnityAsset do, and for a file that is no Unity asset
+/// @throws AssetError as ReadYamlText and UnityAsset do
 UnityAsset LoadUnityAsset(const std::filesystem::path& path);
 
 /// The id in `{fileID: 11400000}`; nothing if the node is not such a reference. 0 means "none". A

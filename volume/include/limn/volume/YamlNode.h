@@ -90,11 +90,12 @@ struct YamlLimits
 };
 
 /// The documents of a YAML text, one root each. `file` is what errors call it.
+/// @param firstLine  of the text in that file; every place is counted from it
 /// @throws AssetError for text that is not UTF-8 or holds NUL bytes, for a text without any value,
 ///     broken syntax, every duplicate key, keys that are not plain text, an alias inside its own
 ///     anchor, and beyond a limit
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
-                                const YamlLimits& limits = {});
+                                const YamlLimits& limits = {}, int firstLine = 1);
 
 /// The bytes of a YAML file.
 /// @throws AssetError for a missing or unreadable file and for one above 64 MiB
