@@ -93,16 +93,16 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     }
 }
 
-void SetTimeUniforms(CommandBuffer& cmd, float t)
+void SetTimeUniforms(CommandBuffer& cmd, double t)
 {
-    const auto sines = [&](float (*function)(float))
+    const auto sines = [t](double (*function)(double))
     {
         return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t));
     };
-    Vector(cmd, "_Time", {t / 20, t, t * 2, t * 3});
-    Vector(cmd, "_SinTime", sines([](float x) { return std::sin(x); }));
-    Vector(cmd, "_CosTime", sines([](float x) { return std::cos(x); }));
-    Vector(cmd, "_TimeParameters", {t, std::sin(t), std::cos(t), 0.0f});
+    Vector(cmd, "_Time", glm::vec4(t / 20, t, t * 2, t * 3));
+    Vector(cmd, "_SinTime", sines([](double x) { return std::sin(x); }));
+    Vector(cmd, "_CosTime", sines([](double x) { return std::cos(x); }));
+    Vector(cmd, "_TimeParameters", glm::vec4(t, std::sin(t), std::cos(t), 0.0));
     Vector(cmd, "unity_DeltaTime", {0.0f, 0.0f, 0.0f, 0.0f});
 }
 

@@ -10,8 +10,8 @@ namespace limn
 /// @source Unity: ScriptableRenderer.SetPerCameraShaderVariables (URP 14)
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
-/// _Time and its relatives. @param seconds  since the beginning
-void SetTimeUniforms(CommandBuffer& cmd, float seconds);
+/// _Time and its relatives, rounded to float last. @param seconds  since the beginning
+void SetTimeUniforms(CommandBuffer& cmd, double seconds);
 
 /// The main light and the ambient colour, linear.
 void SetLightUniforms(CommandBuffer& cmd, const Scene& scene);

@@ -1,5 +1,6 @@
 #include "pipeline/CameraUniforms.h"
 
+#include <cmath>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -9,6 +10,7 @@ namespace
 {
 
 constexpr const char* k_OutputName = "limn_Output";
+constexpr double k_MaxTime = 1e38;
 
 void ExpectRenderable(const RenderRequest& request)
 {
@@ -20,6 +22,11 @@ void ExpectRenderable(const RenderRequest& request)
     {
         throw ContractError("RenderSingleCamera: the size is " + std::to_string(request.width) +
                             "x" + std::to_string(request.height) + "; both must be greater than 0");
+    }
+    if (!(std::abs(request.time) <= k_MaxTime))
+    {
+        throw ContractError("RenderSingleCamera: the time is " + std::to_string(request.time) +
+                            " s; shaders get three times that as a float, so at most 1e38");
     }
     for (std::size_t i = 0; i < request.alsoReadBack.size(); ++i)
     {

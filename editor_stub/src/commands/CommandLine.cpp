@@ -47,13 +47,20 @@ std::string CheckPackage(const std::string& text)
                         "com.unity.render-pipelines.core=DIR";
 }
 
+/// Shaders get up to three times the time as a float.
+constexpr double k_MaxTime = 1e38;
+
 std::string CheckTime(const std::string& text)
 {
     double seconds = 0.0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, seconds);
-    const bool isGood = error == std::errc{} && rest == end && std::isfinite(seconds);
-    return isGood ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
+    const bool isNumber = error == std::errc{} && rest == end && !std::isnan(seconds);
+    if (isNumber && std::abs(seconds) > k_MaxTime)
+    {
+        return "'" + text + "' is too large for a shader's float; at most 1e38 s are expected";
+    }
+    return isNumber ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
 }
 
 std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)

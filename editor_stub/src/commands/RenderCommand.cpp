@@ -14,7 +14,7 @@ namespace limn
 namespace
 {
 
-constexpr float k_SecondsPerFrame = 1.0f / 60.0f;
+constexpr double k_FramesPerSecond = 60.0;
 
 /// Hands everything on and measures how long starting frames and waiting for them takes.
 class MeasuredDevice final : public GraphicsDevice
@@ -48,8 +48,7 @@ Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice
     UniversalRenderPipeline pipeline(measured);
     for (int frame = 0; frame < options.frames; ++frame)
     {
-        const float time =
-            static_cast<float>(options.time) + static_cast<float>(frame) * k_SecondsPerFrame;
+        const double time = options.time + frame / k_FramesPerSecond;
         measurements.lastFrame =
             measurements.timeline.Measure("frame", [&] { return view.Render(pipeline, time); });
     }

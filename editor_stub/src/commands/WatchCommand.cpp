@@ -1,6 +1,7 @@
 #include "commands/WatchCommand.h"
 
 #include "console/StopSignals.h"
+#include "view/ChangeBatch.h"
 #include "view/Redrawer.h"
 
 #include <limn/editor_stub/RunLimn.h>
@@ -12,27 +13,24 @@ namespace limn
 namespace
 {
 
-/// A save can be several events; it is over when there was none for so long.
-constexpr int k_QuietMilliseconds = 30;
-
-/// Waits until a file changed and its folder is quiet again.
+/// Waits until a file changed and it is time to draw.
 /// @return the changes; nothing once a stop signal came
 std::set<std::filesystem::path> WaitForChanges(FileWatcher& watcher, const StopSignals& signals)
 {
-    std::set<std::filesystem::path> changes = watcher.TakeChanges();
+    ChangeBatch batch;
     for (;;)
     {
+        batch.Add(watcher.TakeChanges(), ChangeBatch::Clock::now());
+        const auto remaining = batch.Remaining(ChangeBatch::Clock::now());
         pollfd waits[] = {{signals.descriptor(), POLLIN, 0}, {watcher.descriptor(), POLLIN, 0}};
-        const int ready = poll(waits, 2, changes.empty() ? -1 : k_QuietMilliseconds);
+        poll(waits, 2, remaining ? static_cast<int>(remaining->count()) : -1);
         if (waits[0].revents != 0)
         {
             return {};
         }
-        const std::set<std::filesystem::path> more = watcher.TakeChanges();
-        changes.insert(more.begin(), more.end());
-        if (!changes.empty() && (ready == 0 || more.empty()))
+        if (remaining && remaining->count() == 0)
         {
-            return changes;
+            return batch.Take();
         }
     }
 }

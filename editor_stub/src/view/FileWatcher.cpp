@@ -1,5 +1,6 @@
 #include "view/FileWatcher.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -17,7 +18,9 @@ namespace
 {
 
 // Not IN_MODIFY: between the truncation and the last byte a file is of no use to anybody.
-constexpr std::uint32_t k_Events = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
+// IN_CREATE is for folders and links, which are whole at once.
+constexpr std::uint32_t k_Events =
+    IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE;
 
 /// The kernel stamps files with a clock that moves in steps.
 constexpr auto k_ClockStep = std::chrono::milliseconds(10);
@@ -55,17 +58,12 @@ FileWatcher::~FileWatcher()
 void FileWatcher::Watch(const std::set<std::filesystem::path>& files,
                         std::chrono::system_clock::time_point readSince)
 {
+    const Paths before = m_Known;
+    m_Known.insert(files.begin(), files.end());
+    Arm();
     for (const std::filesystem::path& file : files)
     {
-        std::error_code failure;
-        const std::filesystem::path own = std::filesystem::absolute(file).lexically_normal();
-        WatchPlace(own, file);
-        const std::filesystem::path target = std::filesystem::weakly_canonical(file, failure);
-        if (!failure && target != own)
-        {
-            WatchPlace(target, file);
-        }
-        const auto changed = m_Known.insert(file).second ? ChangeTime(file) : std::nullopt;
+        const auto changed = before.count(file) == 0 ? ChangeTime(file) : std::nullopt;
         if (changed && *changed >= readSince - k_ClockStep)
         {
             m_Missed.insert(file);
@@ -73,26 +71,58 @@ void FileWatcher::Watch(const std::set<std::filesystem::path>& files,
     }
 }
 
-void FileWatcher::WatchPlace(const std::filesystem::path& place, const std::filesystem::path& file)
+/// Finds out anew where the files are and watches the folders on the way there.
+void FileWatcher::Arm()
 {
-    m_Files[place].insert(file);
-    const std::filesystem::path folder = place.parent_path();
-    // Asking again for a folder gives the watch it has, or a new one if it was made anew.
-    const int watch = inotify_add_watch(m_Descriptor, folder.c_str(), k_Events | IN_ONLYDIR);
-    if (watch >= 0)
+    m_Places.clear();
+    m_Folders.clear();
+    for (const std::filesystem::path& file : m_Known)
     {
-        m_Folders[watch] = folder;
+        std::error_code failure;
+        const std::filesystem::path own = std::filesystem::absolute(file).lexically_normal();
+        const std::filesystem::path target = std::filesystem::weakly_canonical(file, failure);
+        for (const std::filesystem::path& place : {own, failure ? own : target})
+        {
+            m_Places[place].insert(file);
+            for (auto folder = place.parent_path(); m_Folders.insert(folder).second;)
+            {
+                folder = folder.parent_path();
+            }
+        }
     }
-    else if (errno == ENOSPC || errno == ENOMEM)
+    ArmFolders(m_Folders);
+}
+
+/// From the outermost in, so that a folder that comes meanwhile is either found or told of.
+void FileWatcher::ArmFolders(const Paths& folders)
+{
+    const std::map<int, Paths> before = std::exchange(m_Watches, {});
+    for (const std::filesystem::path& folder : folders)
     {
-        throw std::system_error(errno, std::generic_category(),
-                                folder.string() + " cannot be watched");
+        // Asking again for a folder gives the watch it has, or a new one if it was made anew.
+        const int watch = inotify_add_watch(m_Descriptor, folder.c_str(), k_Events | IN_ONLYDIR);
+        if (watch >= 0)
+        {
+            m_Watches[watch].insert(folder);
+        }
+        else if (errno == ENOSPC || errno == ENOMEM)
+        {
+            throw std::system_error(errno, std::generic_category(),
+                                    folder.string() + " cannot be watched");
+        }
+    }
+    for (const auto& [watch, unused] : before)
+    {
+        if (m_Watches.count(watch) == 0)
+        {
+            inotify_rm_watch(m_Descriptor, watch); // fails if its folder is gone, and it with it
+        }
     }
 }
 
 std::set<std::filesystem::path> FileWatcher::TakeChanges()
 {
-    std::set<std::filesystem::path> changed = std::exchange(m_Missed, {});
+    Paths changed = std::exchange(m_Missed, {});
     alignas(inotify_event) std::array<char, 16384> buffer;
     for (ssize_t size = 0; (size = read(m_Descriptor, buffer.data(), buffer.size())) > 0;)
     {
@@ -102,19 +132,53 @@ std::set<std::filesystem::path> FileWatcher::TakeChanges()
             std::memcpy(&event, buffer.data() + at, sizeof(event));
             const char* name = event.len > 0 ? buffer.data() + at + sizeof(event) : "";
             at += sizeof(event) + event.len;
-            const bool isAnything = (event.mask & IN_Q_OVERFLOW) != 0;
-            const auto folder = m_Folders.find(event.wd);
-            for (const auto& [place, files] : m_Files)
-            {
-                const bool isIt = folder != m_Folders.end() && place == folder->second / name;
-                if (isAnything || isIt)
-                {
-                    changed.insert(files.begin(), files.end());
-                }
-            }
+            TakeEvent(event.mask, event.wd, name, changed);
         }
     }
     return changed;
+}
+
+void FileWatcher::TakeEvent(std::uint32_t mask, int watch, const char* name, Paths& changed)
+{
+    if ((mask & IN_Q_OVERFLOW) != 0)
+    {
+        changed = m_Known;
+        Arm();
+        return;
+    }
+    const auto found = m_Watches.find(watch);
+    // A copy, since the change of a folder arms anew.
+    for (const std::filesystem::path& folder : found == m_Watches.end() ? Paths() : found->second)
+    {
+        const std::filesystem::path path = folder / name;
+        std::error_code ignored;
+        const bool isWhole = (mask & IN_CREATE) == 0 || std::filesystem::is_symlink(path, ignored);
+        const auto place = m_Places.find(path);
+        if (place != m_Places.end() && isWhole)
+        {
+            changed.insert(place->second.begin(), place->second.end());
+        }
+        if (m_Folders.count(path) > 0)
+        {
+            const bool isGone = (mask & (IN_MOVED_FROM | IN_DELETE)) != 0;
+            TakeFolderChange(path, isGone, changed);
+        }
+    }
+}
+
+/// What was below a folder is gone with it; what is there now may be another.
+void FileWatcher::TakeFolderChange(const std::filesystem::path& folder, bool isGone, Paths& changed)
+{
+    for (const auto& [place, files] : m_Places)
+    {
+        const auto end = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+        std::error_code ignored;
+        if (end.first == folder.end() && (isGone || std::filesystem::exists(place, ignored)))
+        {
+            changed.insert(files.begin(), files.end());
+        }
+    }
+    Arm();
 }
 
 } // namespace limn

@@ -10,7 +10,9 @@ namespace limn
 
 /// Tells which of some files were written, replaced or removed. It watches their folders, so that a
 /// file that an editor saves under another name and then renames is seen, and one that is not there
-/// yet. A file that is being written counts when it is closed. Linux: inotify.
+/// yet; and the folders above those, so that a folder that another takes the place of is seen, as a
+/// checkout or an unpacked archive leaves it. A file that is being written counts when it is
+/// closed. Linux: inotify.
 class FileWatcher
 {
 public:
@@ -20,7 +22,7 @@ public:
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;
 
-    /// Adds files; those already watched stay. A file whose folder is not there is left out.
+    /// Adds files; those already watched stay. Neither a file nor its folder has to be there yet.
     /// @param readSince  when the caller began to read them: a file that is new here and changed
     ///                   since then counts as changed
     /// @throws std::system_error if the system cannot watch that many folders
@@ -36,14 +38,20 @@ public:
 private:
     static constexpr auto k_NotReadYet = std::chrono::system_clock::time_point::max();
 
-    void WatchPlace(const std::filesystem::path& place, const std::filesystem::path& file);
+    using Paths = std::set<std::filesystem::path>;
+
+    void Arm();
+    void ArmFolders(const Paths& folders);
+    void TakeEvent(std::uint32_t mask, int watch, const char* name, Paths& changed);
+    void TakeFolderChange(const std::filesystem::path& folder, bool isGone, Paths& changed);
 
     int m_Descriptor;
-    std::set<std::filesystem::path> m_Known;        ///< as given to Watch
-    std::map<int, std::filesystem::path> m_Folders; ///< by watch descriptor
+    Paths m_Known;                  ///< as given to Watch
+    Paths m_Folders;                ///< of the places and all above
+    std::map<int, Paths> m_Watches; ///< what each watch descriptor is known as
     /// The names each file is known under: its own and, for a link, that of what it points to.
-    std::map<std::filesystem::path, std::set<std::filesystem::path>> m_Files;
-    std::set<std::filesystem::path> m_Missed; ///< changed before they were watched
+    std::map<std::filesystem::path, Paths> m_Places;
+    Paths m_Missed; ///< changed before they were watched
 };
 
 } // namespace limn

@@ -93,7 +93,7 @@ void Redrawer::LoadScene()
 
 void Redrawer::Draw(Clock::time_point start)
 {
-    const RenderResult result = m_View->Render(m_Pipeline, static_cast<float>(m_Options.time));
+    const RenderResult result = m_View->Render(m_Pipeline, m_Options.time);
     Image image = m_Device.ReadBack(*result.output.rt());
     MakeOpaque(image);
     PrintNew(result.report);

@@ -84,9 +84,9 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
     }
 }
 
-RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, float time)
+RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time)
 {
-    TurnObjects(m_Asset.turns, static_cast<double>(time));
+    TurnObjects(m_Asset.turns, time);
     const Camera& camera = m_Asset.camera;
     m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
                      camera.volumeLayerMask);

@@ -32,7 +32,7 @@ public:
 
     /// Blends the volumes as they are now and draws.
     /// @param time  seconds, what _Time shows and where turning objects are
-    RenderResult Render(UniversalRenderPipeline& pipeline, float time);
+    RenderResult Render(UniversalRenderPipeline& pipeline, double time);
 
 private:
     SceneAsset m_Asset;

@@ -216,7 +216,7 @@ TEST_F(Pipeline, RefusesARequestThatCannotBeRendered)
 
 /// The floats of a global that the scene's shader reads as `_Value`'s neighbour.
 std::vector<float> GlobalOf(UniversalRenderPipeline& pipeline, UniversalRenderer& renderer,
-                            const Camera& camera, const std::string& name, float time = 0.0f)
+                            const Camera& camera, const std::string& name, double time = 0.0)
 {
     Scene scene;
     const auto material =
@@ -253,13 +253,36 @@ TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
     m_Camera.transform.localPosition = {1, 2, 3};
     const auto global = [&](const char* name)
     {
-        return GlobalOf(m_Pipeline, m_Renderer, m_Camera, name, 2.0f);
+        return GlobalOf(m_Pipeline, m_Renderer, m_Camera, name, 2.0);
     };
     EXPECT_THAT(global("_WorldSpaceCameraPos"), ElementsAre(1, 2, 3, 0));
     EXPECT_THAT(global("_ScreenParams"), ElementsAre(64, 32, 1.015625f, 1.03125f));
     EXPECT_THAT(global("_ProjectionParams"), ElementsAre(1, 0.3f, 1000, 0.001f));
     EXPECT_THAT(global("_Time"), ElementsAre(0.1f, 2, 4, 6));
     EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
+}
+
+TEST_F(Pipeline, KeepsTheTimeInDoubleUntilAShaderGetsIt)
+{
+    const double t = 1e7 + 0.3; // as a float 1e7
+    const auto sines = GlobalOf(m_Pipeline, m_Renderer, m_Camera, "_SinTime", t);
+    const auto parameters = GlobalOf(m_Pipeline, m_Renderer, m_Camera, "_TimeParameters", t);
+    EXPECT_NEAR(sines[0], std::sin(t / 8), 1e-6);
+    EXPECT_NEAR(sines[3], std::sin(t), 1e-6);
+    EXPECT_NEAR(parameters[1], std::sin(t), 1e-6);
+    EXPECT_NEAR(parameters[2], std::cos(t), 1e-6);
+}
+
+TEST_F(Pipeline, RefusesATimeThatIsNoFloatInAShader)
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double time : {1.1e38, -1e39, infinity, std::nan("")})
+    {
+        m_Request.time = time;
+        EXPECT_THROW(Render(), ContractError) << time;
+    }
+    m_Request.time = -1e38;
+    EXPECT_NO_THROW(Render());
 }
 
 TEST_F(Pipeline, TellsShadersOfBothPipelinesTheColorOfTheMainLight)

@@ -229,6 +229,19 @@ TEST_F(Render, SeveralFramesGiveThePictureOfTheLast)
         << "nothing in the scene moves";
 }
 
+// 1e7 s are a whole number of turns; the next float is 1 s away.
+TEST_F(Render, AnObjectTurnsAsSmoothlyAfterMonthsAsAtFirst)
+{
+    folder.Write("s.scene.yaml", "size: [64, 48]\n"
+                                 "camera: {position: [0, 0, -4], backgroundColor: \"#000000\"}\n"
+                                 "objects: [{name: a, mesh: cube, turn: [0, 90, 0]}]\n");
+    ASSERT_EQ(0, Draw({"--time", "0"}, "begin.png").exitCode);
+    ASSERT_EQ(0, Draw({"--time", "0", "--frames", "16"}, "first.png").exitCode);
+    ASSERT_EQ(0, Draw({"--time", "1e7", "--frames", "16"}, "later.png").exitCode);
+    EXPECT_FALSE(ReadPng(folder / "begin.png") == ReadPng(folder / "first.png"));
+    EXPECT_EQ(ReadPng(folder / "first.png"), ReadPng(folder / "later.png"));
+}
+
 TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
 {
     const int before = folder.fileCount();

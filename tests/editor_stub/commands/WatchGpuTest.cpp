@@ -1,5 +1,6 @@
 #include "commands/WatchTest.h"
 
+#include <atomic>
 #include <gmock/gmock.h>
 
 namespace limn::test
@@ -112,6 +113,41 @@ TEST_F(Watch, FollowsTheScene)
     EXPECT_TRUE(WaitForOutline(2));
     folder.Write("q.profile.yaml", Profile("#00ff00"));
     EXPECT_TRUE(WaitForOutline(1)) << "a profile that the scene did not reach at first";
+}
+
+TEST_F(Watch, DrawsWhileAProfileIsSavedWithoutAPause)
+{
+    Start();
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    std::atomic<bool> isOver = false;
+    std::thread slider(
+        [&]
+        {
+            while (!isOver)
+            {
+                std::filesystem::rename(folder.Write("p.tmp", Profile("#00ff00")),
+                                        folder / "p.profile.yaml");
+                std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            }
+        });
+    EXPECT_TRUE(WaitForOutline(1));
+    isOver = true;
+    slider.join();
+}
+
+TEST_F(Watch, GoesOnWhenItsFolderIsReplacedByAnother)
+{
+    const TemporaryFolder other;
+    Start();
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    const std::filesystem::path here = folder / "s.scene.yaml";
+    std::filesystem::rename(here.parent_path(), other / "old");
+    std::filesystem::create_directory(here.parent_path());
+    folder.Write("s.scene.yaml", k_WatchScene);
+    folder.Write("p.profile.yaml", Profile("#00ff00"));
+    EXPECT_TRUE(WaitForOutline(1)) << ReadText(other / "old/err");
+    folder.Write("p.profile.yaml", Profile("#0000ff"));
+    EXPECT_TRUE(WaitForOutline(2)) << ReadText(other / "old/err");
 }
 
 TEST_F(Watch, EndsWith0OnSigintAndSigterm)

@@ -10,11 +10,11 @@ namespace limn
 /// What to render once.
 struct RenderRequest
 {
-    const Scene* scene = nullptr;             ///< never null
-    const Camera* camera = nullptr;           ///< never null
-    int width = 0;                            ///< pixels, > 0
-    int height = 0;                           ///< pixels, > 0
-    float time = 0.0f;                        ///< seconds, what _Time shows
+    const Scene* scene = nullptr;   ///< never null
+    const Camera* camera = nullptr; ///< never null
+    int width = 0;                  ///< pixels, > 0
+    int height = 0;                 ///< pixels, > 0
+    double time = 0.0; ///< seconds, what _Time shows; at most 1e38, since _Time.w is 3 times that
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; may be null
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
 };

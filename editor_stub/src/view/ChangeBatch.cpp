@@ -1,0 +1,55 @@
+#include "view/ChangeBatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The events of one save are closer together.
+constexpr auto k_Quiet = std::chrono::milliseconds(5);
+
+/// Two frames of a screen: longer, and a dragged slider no longer feels as if it moved the picture.
+constexpr auto k_Longest = std::chrono::milliseconds(30);
+
+bool IsThere(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored);
+}
+
+} // namespace
+
+void ChangeBatch::Add(const std::set<std::filesystem::path>& files, Clock::time_point now)
+{
+    if (files.empty())
+    {
+        return;
+    }
+    m_First = m_Files.empty() ? now : m_First;
+    m_Last = now;
+    m_Files.insert(files.begin(), files.end());
+}
+
+std::optional<std::chrono::milliseconds> ChangeBatch::Remaining(Clock::time_point now) const
+{
+    if (m_Files.empty())
+    {
+        return std::nullopt;
+    }
+    const bool areAllThere = std::all_of(m_Files.begin(), m_Files.end(), IsThere);
+    const auto latest = m_First + k_Longest;
+    const auto end = areAllThere ? std::min(m_Last + k_Quiet, latest) : latest;
+    return std::max(std::chrono::ceil<std::chrono::milliseconds>(end - now),
+                    std::chrono::milliseconds(0));
+}
+
+std::set<std::filesystem::path> ChangeBatch::Take()
+{
+    return std::exchange(m_Files, {});
+}
+
+} // namespace limn
