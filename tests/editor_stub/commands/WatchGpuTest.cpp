@@ -143,7 +143,7 @@ TEST_F(Watch, GoesOnWhenItsFolderIsReplacedByAnother)
     const std::filesystem::path here = folder / "s.scene.yaml";
     std::filesystem::rename(here.parent_path(), other / "old");
     std::filesystem::create_directory(here.parent_path());
-    folder.Write("s.scene.yaml", k_WatchScene);
+    folder.Write("s.scene.yaml", k_WatchedScene);
     folder.Write("p.profile.yaml", Profile("#00ff00"));
     EXPECT_TRUE(WaitForOutline(1)) << ReadText(other / "old/err");
     folder.Write("p.profile.yaml", Profile("#0000ff"));
