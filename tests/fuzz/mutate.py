@@ -220,6 +220,7 @@ KINDS = {
     "profile asset": (6, PROFILE, [["inspect"], ["set", *SET], ["inspect", "unity.scene.yaml"]],
                       ["tests/volume/data/SampleSceneProfile.asset"]),
     "Unity scene": (3, "u.unity", [["inspect"], ["set", *SET]], []),
+    "drawn scene": (1, "s.scene.yaml", [["render", "s.scene.yaml", "-o", "out.png", "--no-cache"]], []),
     "meta": (3, "Assets/_Project/ScreenSpaceOutline/Shaders/ScreenSpaceOutline.shader.meta",
              [["inspect", RENDERER]], []),
 }
@@ -358,7 +359,7 @@ def transforms(count):
                                 f"  m_LocalPosition: {{x: {i}, y: 0, z: -0}}\n" for i in range(count))
 
 
-PLACE = r":\d+:\d+: error: "
+PLACE = r":\d+(:\d+)?: error: "
 NO_PLACE = r": error: "
 TOO_DEEP = "error: lists and objects are nested more than 64 levels deep"
 NO_OBJECT = "this document is no Unity object"
@@ -385,7 +386,7 @@ HOSTILE = [
     ("a word that is not 'stripped'", "u.unity", lambda: UNITY_FILE.replace("stripped", "striped"),
      ["inspect", "u.unity"], 1, ":8:1: error: " + NO_OBJECT),
     ("two objects with one id", "u.unity", lambda: UNITY_FILE.replace("&100", "&7"), ["inspect", "u.unity"], 1,
-     ":16:1: error: duplicate fileID 7"),
+     ":17:1: error: duplicate fileID 7"),
     ("a broken body that is asked for", "u.unity", lambda: UNITY_FILE.replace("active: 1", "active: ["),
      ["inspect", "u.unity"], 1, PLACE),
     ("a broken body that nobody asks for", "u.unity", lambda: UNITY_FILE.replace("300}", "["),
@@ -429,7 +430,17 @@ def snapshot(folder):
             if path.is_file() and "home" not in path.relative_to(folder).parts}
 
 
-def classify(code, out, err, before, after, changed_is_fine):
+def is_whole(command, code, before, after):
+    """Whether the files are as before but for what the command was to write, if it says that it did."""
+    done = code == 0
+    wanted = {path for path in after if "-o" in command and path.name == "out.png"}
+    may_change = done and command[0] == "set"
+    return (after.keys() - before.keys() == (wanted if done else set()) and before.keys() <= after.keys() and
+            all(after[path].endswith(b"IEND\xaeB`\x82") for path in wanted) and
+            (may_change or all(after[path] == content for path, content in before.items())))
+
+
+def classify(command, code, out, err, before, after):
     text = err.decode("utf-8", "replace")
     if code is None:
         return "hang"
@@ -441,8 +452,10 @@ def classify(code, out, err, before, after, changed_is_fine):
         return "raw exception"
     if "bug in limn" in text:
         return "bug in limn"
-    if after != before and not (changed_is_fine and code == 0 and after.keys() == before.keys()):
+    if not is_whole(command, code, before, after):
         return "partial output"
+    if code == 3 and "device" in text:
+        return "no device"
     if code not in (0, 1):
         return "wrong exit code"
     if CONTROL.search(err) or "\ufffd" in text:
@@ -472,7 +485,7 @@ def run_case(options, number):
         (folder / file).write_bytes(data)
         before = snapshot(folder)
         code, out, err = execute(options, command, folder)
-        outcome = classify(code, out, err, before, snapshot(folder), command[0] == "set")
+        outcome = classify(command, code, out, err, before, snapshot(folder))
         if expected:
             said = (out + err).decode("utf-8", "replace")
             is_bad = outcome in FAILURES and not (outcome == "wrong exit code" and code == expected[0])
