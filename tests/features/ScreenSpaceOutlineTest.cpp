@@ -139,13 +139,25 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
                             "ScreenSpaceOutline.m_Enable, which is false by default"));
 }
 
-TEST(ScreenSpaceOutlineRenderFeature, SaysThatThereIsNoVolumeStack)
+TEST(ScreenSpaceOutlineRenderFeature, TakesNoVolumeStackForOneWithoutVolumes)
 {
     Rendered r;
     AddOutline(r.renderer);
     EXPECT_THAT(r.Render(nullptr).report.notes,
-                ElementsAre("Screen Space Outline: not drawn, the camera has no volume stack with "
-                            "ScreenSpaceOutline"));
+                ElementsAre("Screen Space Outline: not drawn, no volume at the camera sets "
+                            "ScreenSpaceOutline.m_Enable, which is false by default"));
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, SaysThatItsComponentWasNotRegistered)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    const VolumeComponentRegistry registry;
+    const VolumeStack stack = VolumeManager(registry).CreateStack();
+    EXPECT_THAT(
+        r.Render(&stack).report.notes,
+        ElementsAre("Screen Space Outline: not drawn, ScreenSpaceOutline was not registered "
+                    "when the camera's volume stack was made"));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatItIsInactive)

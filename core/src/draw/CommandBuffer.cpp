@@ -1,4 +1,7 @@
+#include <limits>
 #include <limn/core/CommandBuffer.h>
+
+#include "material/RequireFinite.h"
 
 namespace limn
 {
@@ -47,7 +50,8 @@ void ExpectDepth(const RTHandle& target)
     }
 }
 
-void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass)
+void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
+                    const glm::mat4& matrix)
 {
     if (!material)
     {
@@ -59,6 +63,11 @@ void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderP
                             material->shader()->name() + "' has no pass " +
                             std::to_string(shaderPass) + "; it has " +
                             std::to_string(material->passCount()));
+    }
+    if (!isFinite(matrix))
+    {
+        throw ContractError("material '" + material->name() +
+                            "': the matrix of the draw is not finite");
     }
 }
 
@@ -109,6 +118,16 @@ void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHa
 
 void CommandBuffer::ClearRenderTarget(ClearFlag flags, const Color& color, float depth, int stencil)
 {
+    if (!(depth >= 0.0f && depth <= 1.0f))
+    {
+        throw ContractError("ClearRenderTarget: the depth is " + std::to_string(depth) +
+                            "; it must be from 0 (near) to 1 (far)");
+    }
+    if (!isFinite(color))
+    {
+        throw ContractError("ClearRenderTarget: the colour is not finite; NaN and infinity are no "
+                            "colours");
+    }
     m_Commands.emplace_back(ClearCommand{flags, color, depth, stencil});
 }
 
@@ -119,6 +138,14 @@ void CommandBuffer::SetViewport(const ViewportRect& rect)
         throw ContractError("SetViewport: the size is " + std::to_string(rect.width) + "x" +
                             std::to_string(rect.height) + "; both must be greater than 0");
     }
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    if (rect.x > k_Most - rect.width || rect.y > k_Most - rect.height)
+    {
+        throw ContractError("SetViewport: " + std::to_string(rect.width) + "x" +
+                            std::to_string(rect.height) + " at (" + std::to_string(rect.x) + ", " +
+                            std::to_string(rect.y) + ") ends beyond texel " +
+                            std::to_string(k_Most));
+    }
     m_Commands.emplace_back(SetViewportCommand{rect});
 }
 
@@ -126,7 +153,7 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
                              std::shared_ptr<const Material> material, int subMesh, int shaderPass,
                              const MaterialPropertyBlock& properties)
 {
-    ExpectDrawable(material, shaderPass);
+    ExpectDrawable(material, shaderPass, matrix);
     if (!mesh)
     {
         throw ContractError("DrawMesh needs a mesh, but it is null");
@@ -145,7 +172,7 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
                                    std::shared_ptr<const Material> material, int shaderPass,
                                    int vertexCount, const MaterialPropertyBlock& properties)
 {
-    ExpectDrawable(material, shaderPass);
+    ExpectDrawable(material, shaderPass, matrix);
     if (vertexCount < 0)
     {
         throw ContractError("DrawProcedural: the vertex count " + std::to_string(vertexCount) +
@@ -167,6 +194,7 @@ void CommandBuffer::EndSample()
 
 void CommandBuffer::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
 {
+    RequireFinite(value, id, "global ");
     m_Commands.emplace_back(SetGlobalCommand{id, std::move(value)});
 }
 

@@ -3,24 +3,14 @@
 #include "material/UniformWriter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
 
 namespace
 {
-
-constexpr std::uint32_t k_UniformAlignment = 256; // the most any device asks for
-
-std::string Lower(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
 
 std::string Subject(ShaderPropertyId id, const PropertySources& sources)
 {
@@ -44,48 +34,11 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
     return *texture;
 }
 
-/// The default that a Properties entry names, or gray.
-std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
-                                         const PropertySources& sources)
-{
-    for (const ShaderProperty& property : sources.material->shader()->document().properties)
-    {
-        if (property.name == id.name())
-        {
-            return DefaultTexture(property.defaultTexture, dimension);
-        }
-    }
-    return DefaultTexture("gray", dimension);
-}
-
-/// What is bound to a texture of a shader.
-std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
-                                         const PropertySources& sources)
-{
-    if (binding.multisampled)
-    {
-        throw ContractError(Subject(id, sources) + " is a texture of several samples a texel in "
-                                                   "the shader; those cannot be bound yet");
-    }
-    std::shared_ptr<const Texture> texture = FindTexture(id, sources);
-    if (!texture)
-    {
-        return DefaultOf(id, binding.dimension, sources);
-    }
-    if (texture->dimension() != binding.dimension)
-    {
-        throw ContractError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
-                            " texture in the shader but is set to the " +
-                            ToString(texture->dimension()) + " texture '" + texture->name() + "'");
-    }
-    return texture;
-}
-
 /// A sampler whose name says what it does ("sampler_LinearClamp", "my_point_repeat_sampler"), or
 /// the sampler of the texture that it is named after ("sampler_MainTex" → _MainTex).
 SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
 {
-    const std::string lower = Lower(binding.name);
+    const std::string lower = ToLower(binding.name);
     const auto has = [&](std::string_view word)
     {
         return lower.find(word) != std::string::npos;
@@ -113,24 +66,6 @@ SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sou
     }
     state.comparison = binding.comparison;
     return state;
-}
-
-std::vector<TextureSlot> TextureSlots(const PropertyLayout& layout,
-                                      const std::vector<ShaderPropertyId>& ids,
-                                      const PropertySources& sources)
-{
-    std::vector<TextureSlot> slots;
-    for (std::size_t i = 0; i < layout.textures.size(); ++i)
-    {
-        const TextureBinding& binding = layout.textures[i];
-        TextureSlot slot{binding.binding, TextureOf(ids[i], binding, sources), std::nullopt};
-        if (binding.combinedSampler)
-        {
-            slot.sampler = slot.texture->sampler();
-        }
-        slots.push_back(std::move(slot));
-    }
-    return slots;
 }
 
 /// Meshes are made of triangles, and so are procedural draws.
@@ -202,7 +137,7 @@ const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const Com
 
 std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
                                                         const PropertySources& sources,
-                                                        std::vector<std::byte>& uniformData) const
+                                                        std::vector<std::byte>& uniformData)
 {
     const PropertyLayout& layout = ids.pass->layout;
     RequireTriangles(layout, sources);
@@ -228,7 +163,7 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
         bindings->uniforms.push_back(
             {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
     }
-    bindings->textures = TextureSlots(layout, ids.textures, sources);
+    bindings->textures = TextureSlots(ids, sources);
     for (const SamplerBinding& sampler : layout.samplers)
     {
         bindings->samplers.push_back({sampler.binding, SamplerOf(sampler, sources)});
@@ -243,6 +178,71 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
         bindings->perDrawBinding = buffer.binding;
     }
     return bindings;
+}
+
+std::vector<TextureSlot> DrawResolver::TextureSlots(const PassIds& ids,
+                                                    const PropertySources& sources)
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    std::vector<TextureSlot> slots;
+    for (std::size_t i = 0; i < layout.textures.size(); ++i)
+    {
+        const TextureBinding& binding = layout.textures[i];
+        TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
+                         std::nullopt};
+        if (binding.combinedSampler)
+        {
+            slot.sampler = slot.texture->sampler();
+        }
+        slots.push_back(std::move(slot));
+    }
+    return slots;
+}
+
+/// What is bound to a texture of a shader.
+std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
+                                                       const TextureBinding& binding,
+                                                       const PropertySources& sources)
+{
+    if (binding.multisampled)
+    {
+        throw ContractError(Subject(id, sources) + " is a texture of several samples a texel in "
+                                                   "the shader; those cannot be bound yet");
+    }
+    std::shared_ptr<const Texture> texture = FindTexture(id, sources);
+    if (!texture)
+    {
+        return DefaultOf(id, binding.dimension, sources);
+    }
+    if (texture->dimension() != binding.dimension)
+    {
+        throw ContractError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
+                            " texture in the shader but is set to the " +
+                            ToString(texture->dimension()) + " texture '" + texture->name() + "'");
+    }
+    return texture;
+}
+
+/// The default that a Properties entry names, or gray and a note, once for each shader.
+std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
+                                                       TextureDimension dimension,
+                                                       const PropertySources& sources)
+{
+    const Shader& shader = *sources.material->shader();
+    for (const ShaderProperty& property : shader.document().properties)
+    {
+        if (property.name == id.name())
+        {
+            return DefaultTexture(property.defaultTexture, dimension);
+        }
+    }
+    if (m_Noted.insert({shader.id(), id}).second)
+    {
+        m_Notes.push_back("shader '" + shader.name() + "': texture '" + id.name() +
+                          "' is gray: it is no property of the shader, and neither material '" +
+                          sources.material->name() + "' nor anything global sets it");
+    }
+    return DefaultTexture("gray", dimension);
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Material.h>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 namespace limn
@@ -22,6 +23,9 @@ struct PropertySources
 class DrawResolver
 {
 public:
+    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value
+    explicit DrawResolver(std::vector<std::string>& notes) : m_Notes(notes) {}
+
     /// The bindings of a draw; equal ones of draws without a block of their own are shared.
     /// @param globalsVersion  changes whenever `sources.globals` does
     std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const CompiledPass>& pass,
@@ -39,7 +43,12 @@ private:
     };
     const PassIds& IdsOf(const std::shared_ptr<const CompiledPass>& pass);
     std::shared_ptr<const DrawBindings> Build(const PassIds& ids, const PropertySources& sources,
-                                              std::vector<std::byte>& uniformData) const;
+                                              std::vector<std::byte>& uniformData);
+    std::vector<TextureSlot> TextureSlots(const PassIds& ids, const PropertySources& sources);
+    std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
+                                             const PropertySources& sources);
+    std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
+                                             const PropertySources& sources);
 
     struct SharedKey
     {
@@ -51,6 +60,8 @@ private:
     };
     std::unordered_map<const CompiledPass*, PassIds> m_Ids;
     std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
+    std::vector<std::string>& m_Notes;
+    std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
 };
 
 } // namespace limn

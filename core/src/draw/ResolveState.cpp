@@ -35,26 +35,16 @@ public:
 
     bool Read(const StateValue<bool>& value, const char* command) const
     {
-        return value.property.empty() ? value.value : Finite(value.property, command) != 0.0;
+        return value.property.empty() ? value.value : Number(value.property, command) != 0.0;
     }
 
     float Read(const StateValue<float>& value, const char* command) const
     {
         return value.property.empty() ? value.value
-                                      : static_cast<float>(Finite(value.property, command));
+                                      : static_cast<float>(Number(value.property, command));
     }
 
 private:
-    double Finite(const std::string& property, const char* command) const
-    {
-        const double number = Number(property, command);
-        if (!std::isfinite(number))
-        {
-            Fail(property, command, "is " + Text(number) + "; it must be finite");
-        }
-        return number;
-    }
-
     double Number(const std::string& property, const char* command) const
     {
         const ShaderPropertyId id(property);

@@ -1,5 +1,6 @@
 #include "draw/DrawResolver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
@@ -44,16 +45,13 @@ PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask re
     return data;
 }
 
-bool FragmentReadsPerDraw(const CompiledPass& pass)
+/// Only a vertex function learns which instance it works on.
+bool ReadsPerDrawBehindVertices(const CompiledPass& pass)
 {
-    for (const StorageBufferBinding& buffer : pass.layout.storageBuffers)
-    {
-        if (buffer.stages & ShaderStage::Fragment)
-        {
-            return true;
-        }
-    }
-    return false;
+    const auto& buffers = pass.layout.storageBuffers;
+    return std::any_of(buffers.begin(), buffers.end(),
+                       [](const StorageBufferBinding& buffer)
+                       { return buffer.stages != ShaderStage::Vertex; });
 }
 
 bool Compiles(const Material& material, int pass)
@@ -75,8 +73,8 @@ bool Compiles(const Material& material, int pass)
 class ScriptableRenderContext::Resolver
 {
 public:
-    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals)
-        : m_Frame(frame), m_Globals(globals)
+    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report)
+        : m_Frame(frame), m_Globals(globals), m_Resolver(report.notes)
     {
     }
 
@@ -149,8 +147,8 @@ private:
         }
     }
 
-    /// Draws that differ in their transform only become instances of one. A fragment function that
-    /// reads per-draw data finds it by the first instance, so those stay apart.
+    /// Draws that differ in their transform only become instances of one. A geometry or fragment
+    /// function that reads per-draw data finds it by the first instance, so those stay apart.
     bool MergeIntoLast(const DrawCommand& draw)
     {
         auto* last =
@@ -158,7 +156,7 @@ private:
         if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
             last->subMesh != draw.subMesh || last->pass != draw.pass ||
             last->bindings != draw.bindings || last->state != draw.state ||
-            FragmentReadsPerDraw(*draw.pass))
+            ReadsPerDrawBehindVertices(*draw.pass))
         {
             return false;
         }
@@ -178,7 +176,7 @@ private:
 };
 
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
-    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals))
+    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report))
 {
 }
 
@@ -282,7 +280,7 @@ FrameCommands ScriptableRenderContext::TakeCommands()
     m_Resolver = nullptr;
     FrameCommands result = std::move(m_Frame);
     m_Frame = {};
-    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals);
+    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report);
     return result;
 }
 

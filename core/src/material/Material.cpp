@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "material/RequireFinite.h"
 #include "scene/UniqueId.h"
 #include <limn/core/Material.h>
 #include <limn/core/RenderQueueRange.h>
@@ -152,6 +153,10 @@ void Material::SetRenderQueue(int queue)
 
 void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
 {
+    if (!isFinite(value))
+    {
+        RequireFinite(value, id, "material '" + m_Name + "': ");
+    }
     m_Values.Set(id, std::move(value));
     ++m_Version;
 }

@@ -3,8 +3,8 @@
 #include "scene/UniqueId.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <limn/shaderlab/Case.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -14,16 +14,6 @@ namespace limn
 
 namespace
 {
-
-bool EqualIgnoringCase(std::string_view a, std::string_view b)
-{
-    const auto lower = [](char c)
-    {
-        return std::tolower(static_cast<unsigned char>(c));
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
-}
 
 /// "Transparent", "Geometry+1", "2450" as a queue number.
 std::optional<int> ParseQueue(std::string_view text)
@@ -43,7 +33,7 @@ std::optional<int> ParseQueue(std::string_view text)
         const std::string_view name = std::string_view(compact).substr(0, split);
         const auto it =
             std::find_if(std::begin(k_Names), std::end(k_Names),
-                         [&](const auto& n) { return EqualIgnoringCase(n.first, name); });
+                         [&](const auto& n) { return EqualsIgnoringCase(n.first, name); });
         if (it != std::end(k_Names))
         {
             queue = it->second;
@@ -107,7 +97,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         }
         m_LightModes.emplace_back(pass.lightMode());
     }
-    m_Compiled.resize(m_SubShader.passes.size());
+    m_Initial = std::vector<Variant>(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
@@ -115,6 +105,14 @@ std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
                                            const ShaderDatabase* database)
 {
     return std::make_shared<const Shader>(LoadShaderLab(path), std::move(compiler), database);
+}
+
+std::shared_ptr<const Shader> Shader::Find(std::string_view name, const ShaderDatabase& database,
+                                           std::shared_ptr<ShaderCompiler> compiler)
+{
+    const ShaderLabDocument* document = database.Find(name);
+    return document ? std::make_shared<const Shader>(*document, std::move(compiler), &database)
+                    : nullptr;
 }
 
 std::shared_ptr<const Shader> Shader::FromText(std::string_view text, std::string file,
@@ -137,9 +135,9 @@ int Shader::FindPassByLightMode(ShaderTagId lightMode) const
 int Shader::FindPassByName(std::string_view name) const
 {
     const std::vector<ShaderLabPass>& passes = m_SubShader.passes;
-    const auto it =
-        std::find_if(passes.begin(), passes.end(),
-                     [&](const ShaderLabPass& pass) { return EqualIgnoringCase(pass.name, name); });
+    const auto it = std::find_if(passes.begin(), passes.end(),
+                                 [&](const ShaderLabPass& pass)
+                                 { return EqualsIgnoringCase(pass.name, name); });
     return it == passes.end() ? -1 : static_cast<int>(it - passes.begin());
 }
 
@@ -209,30 +207,32 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
 std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex) const
 {
     PassAt(passIndex);
-    const std::lock_guard lock(m_Mutex);
-    std::shared_ptr<const CompiledPass>& compiled = m_Compiled[static_cast<std::size_t>(passIndex)];
-    if (!compiled)
+    Variant& variant = m_Initial[static_cast<std::size_t>(passIndex)];
+    const std::lock_guard lock(variant.mutex);
+    if (!variant.compiled)
     {
-        compiled = CompileVariant(passIndex, keywords(passIndex));
+        variant.compiled = CompileVariant(passIndex, keywords(passIndex));
     }
-    return compiled;
+    return variant.compiled;
 }
 
 std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex,
                                                     std::span<const std::string> enabled) const
 {
-    std::vector<std::string> variant = keywords(passIndex, enabled);
-    if (variant == keywords(passIndex))
+    const std::vector<std::string> wanted = keywords(passIndex, enabled);
+    if (wanted == keywords(passIndex))
     {
         return Compile(passIndex);
     }
-    const std::lock_guard lock(m_Mutex);
-    std::shared_ptr<const CompiledPass>& compiled = m_Variants[{passIndex, variant}];
-    if (!compiled)
+    std::unique_lock mapLock(m_Mutex);
+    Variant& variant = m_Others[{passIndex, wanted}]; // stays where it is
+    mapLock.unlock();
+    const std::lock_guard lock(variant.mutex);
+    if (!variant.compiled)
     {
-        compiled = CompileVariant(passIndex, variant);
+        variant.compiled = CompileVariant(passIndex, wanted);
     }
-    return compiled;
+    return variant.compiled;
 }
 
 } // namespace limn

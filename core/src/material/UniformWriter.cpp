@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/vector_relational.hpp>
+#include <limits>
 
 namespace limn
 {
@@ -14,6 +13,19 @@ namespace
 {
 
 using Bytes = std::span<std::byte>;
+
+/// The bits of the integer that HLSL's cast makes of a number: without its fraction, and the
+/// nearest that there is of one too large. To an unsigned one negative numbers are bits, as -1 for
+/// all.
+std::uint32_t Truncate(float number, UniformType type)
+{
+    constexpr double k_Least = std::numeric_limits<std::int32_t>::min();
+    constexpr double k_Most = std::numeric_limits<std::int32_t>::max();
+    constexpr double k_MostUnsigned = std::numeric_limits<std::uint32_t>::max();
+    const double most = type == UniformType::UInt ? k_MostUnsigned : k_Most;
+    const double kept = std::clamp(std::trunc(static_cast<double>(number)), k_Least, most);
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(kept));
+}
 
 void WriteComponents(const UniformMember& member, const float* values, int count, Bytes bytes)
 {
@@ -27,7 +39,7 @@ void WriteComponents(const UniformMember& member, const float* values, int count
         }
         else
         {
-            const auto number = static_cast<std::int32_t>(std::lround(values[i]));
+            const std::uint32_t number = Truncate(values[i], member.type);
             std::memcpy(target, &number, 4);
         }
     }
@@ -114,28 +126,6 @@ void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
     }
 }
 
-bool HasNan(const ShaderPropertyValue& value)
-{
-    if (const auto* number = std::get_if<float>(&value))
-    {
-        return std::isnan(*number);
-    }
-    const auto* vector = std::get_if<glm::vec4>(&value);
-    return vector != nullptr && glm::any(glm::isnan(*vector));
-}
-
-/// A shader makes nothing of NaN but more of it, without a word; limn's own values are not
-/// checked.
-void RefuseNan(const UniformMember& member, ShaderPropertyId id, const ShaderPropertyValue& value,
-               const PropertySources& sources)
-{
-    if (&value == sources.material->Find(id) && HasNan(value))
-    {
-        throw ContractError("material '" + sources.material->name() + "': property '" +
-                            member.name + "' is not a number (NaN)");
-    }
-}
-
 /// The texture behind `X` for a member called `X_TexelSize`, if there is one.
 const Texture* TextureBefore(std::string_view name, std::string_view suffix,
                              const PropertySources& sources)
@@ -158,7 +148,6 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     static constexpr std::string_view k_Decode = "_HDR";
     if (const ShaderPropertyValue* value = sources.Find(id))
     {
-        RefuseNan(member, id, *value, sources);
         WriteValue(member, *value, sources, bytes);
     }
     else if (member.name.ends_with(k_TexelSize))

@@ -26,10 +26,17 @@ glm::mat4 Inverse(const glm::mat4& matrix)
     return glm::mat4(glm::inverse(glm::dmat4(matrix)));
 }
 
+/// 0 for 0: an orthographic camera may have a plane there, and nothing that it draws asks how deep
+/// a perspective camera would see it.
+double Reciprocal(double x)
+{
+    return x == 0.0 ? 0.0 : 1.0 / x;
+}
+
 /// For Linear01Depth and LinearEyeDepth on a reversed-Z device (urp.md §5.4).
 glm::vec4 ZBufferParams(double n, double f)
 {
-    return glm::vec4(f / n - 1.0, 1.0, 1.0 / n - 1.0 / f, 1.0 / f);
+    return glm::vec4(f * Reciprocal(n) - 1.0, 1.0, Reciprocal(n) - Reciprocal(f), Reciprocal(f));
 }
 
 void SetMatrices(CommandBuffer& cmd, const CameraData& data)
@@ -72,7 +79,7 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     const auto h = static_cast<float>(data.cameraTargetDescriptor.height);
     SetMatrices(cmd, data);
     Vector(cmd, "_WorldSpaceCameraPos", glm::vec4(camera.transform.position(), 0.0f));
-    Vector(cmd, "_ProjectionParams", glm::vec4(1.0, n, f, 1.0 / f));
+    Vector(cmd, "_ProjectionParams", glm::vec4(1.0, n, f, Reciprocal(f)));
     Vector(cmd, "_ScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
     Vector(cmd, "_ScaledScreenParams", {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
     Vector(cmd, "_ScreenSize", {w, h, 1.0f / w, 1.0f / h});

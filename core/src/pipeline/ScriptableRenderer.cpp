@@ -1,8 +1,10 @@
 #include "pipeline/CameraUniforms.h"
 
 #include <algorithm>
+#include <exception>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/core/TypeName.h>
 
 namespace limn
 {
@@ -35,6 +37,26 @@ ClearFlag Only(ClearFlag flags, ClearFlag wanted)
     return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));
 }
 
+/// Lets each of the passes clean up, also behind one that cannot.
+/// @return what was thrown first
+std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,
+                           CommandBuffer& cmd) noexcept
+{
+    std::exception_ptr failure;
+    for (ScriptableRenderPass* pass : passes)
+    {
+        try
+        {
+            pass->OnCameraCleanup(cmd);
+        }
+        catch (...)
+        {
+            failure = failure ? failure : std::current_exception();
+        }
+    }
+    return failure;
+}
+
 /// A sentence for every filter since `first` that let nothing through, each sentence once. Asked
 /// for features' passes only: the renderer's own may well have nothing to do.
 void NoteEmptyDraws(RenderReport& report, std::size_t first)
@@ -64,6 +86,16 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     feature->Create();
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
+}
+
+void ScriptableRenderer::EnqueuePass(ScriptableRenderPass& pass)
+{
+    if (pass.profilingSampler.name() == k_UnnamedPass)
+    {
+        const std::string type = TypeName(typeid(pass));
+        pass.profilingSampler = ProfilingSampler(type.substr(type.rfind(':') + 1));
+    }
+    m_Queue.push_back(&pass);
 }
 
 const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const
@@ -137,28 +169,51 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
         }
     }
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    for (ScriptableRenderPass* pass : m_Queue)
+    std::size_t setUp = 0; // this many of the queue are to be cleaned up, whatever happens
+    std::exception_ptr failure;
+    try
     {
-        pass->OnCameraSetup(*cmd, renderingData);
+        while (setUp < m_Queue.size())
+        {
+            m_Queue[setUp++]->OnCameraSetup(*cmd, renderingData);
+        }
+        ExecutePasses(context, renderingData, featurePasses, *cmd);
     }
+    catch (...)
+    {
+        failure = std::current_exception();
+    }
+    const std::exception_ptr second = CleanUp(std::span(m_Queue).first(setUp), *cmd);
+    if (failure || second)
+    {
+        std::rethrow_exception(failure ? failure : second);
+    }
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
+                                       RenderingData& renderingData,
+                                       std::span<ScriptableRenderPass* const> featurePasses,
+                                       CommandBuffer& cmd)
+{
     std::stable_sort(m_Queue.begin(), m_Queue.end(),
                      [](const auto* a, const auto* b)
                      { return a->renderPassEvent < b->renderPassEvent; });
     for (ScriptableRenderPass* pass : m_Queue)
     {
-        pass->Configure(*cmd, renderingData.cameraData.cameraTargetDescriptor);
+        pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor);
     }
-    context.ExecuteCommandBuffer(*cmd);
-    cmd->Clear();
+    context.ExecuteCommandBuffer(cmd);
+    cmd.Clear();
 
     bool cameraIsSet = false;
     for (ScriptableRenderPass* pass : m_Queue)
     {
         if (!cameraIsSet && BlockOf(pass->renderPassEvent) != RenderPassBlock::BeforeRendering)
         {
-            SetCameraUniforms(*cmd, renderingData.cameraData);
-            context.ExecuteCommandBuffer(*cmd);
-            cmd->Clear();
+            SetCameraUniforms(cmd, renderingData.cameraData);
+            context.ExecuteCommandBuffer(cmd);
+            cmd.Clear();
             cameraIsSet = true;
         }
         const std::size_t drawsBefore = renderingData.report->draws.size();
@@ -168,11 +223,6 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
             NoteEmptyDraws(*renderingData.report, drawsBefore);
         }
     }
-    for (ScriptableRenderPass* pass : m_Queue)
-    {
-        pass->OnCameraCleanup(*cmd);
-    }
-    context.ExecuteCommandBuffer(*cmd);
 }
 
 void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,

@@ -73,6 +73,12 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
 
 } // namespace
 
+void UniversalRenderPipeline::SetDevice(GraphicsDevice& device)
+{
+    m_Device = &device;
+    m_FrameCompiler = {};
+}
+
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
@@ -98,7 +104,7 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     // What the frame does to textures counts only once the device has taken it.
     FrameCompiler afterwards = m_FrameCompiler;
     result.frame = afterwards.Compile(context.TakeCommands(), outputs);
-    m_Device.Execute(result.frame);
+    m_Device->Execute(result.frame);
     m_FrameCompiler = std::move(afterwards);
     return result;
 }

@@ -5,6 +5,32 @@
 namespace limn
 {
 
+namespace
+{
+
+/// Calls `visit` with each parent, nearest first.
+/// @throws ContractError if they form a circle
+template <typename Visit>
+void ForEachParent(const Transform& transform, Visit&& visit)
+{
+    // Floyd: who goes half as fast is met again in a circle only.
+    const Transform* slow = &transform;
+    bool isSecond = false;
+    for (const Transform* parent = transform.parent; parent != nullptr; parent = parent->parent)
+    {
+        if (parent == slow)
+        {
+            throw ContractError("transform: it is among its own parents, or they go round in a "
+                                "circle; a parent must lead to one without a parent");
+        }
+        visit(*parent);
+        slow = isSecond ? slow->parent : slow;
+        isSecond = !isSecond;
+    }
+}
+
+} // namespace
+
 glm::quat EulerToRotation(const glm::vec3& degrees)
 {
     const glm::vec3 r = glm::radians(degrees);
@@ -39,8 +65,10 @@ glm::mat4 Transform::localToParentMatrix() const
 
 glm::mat4 Transform::localToWorldMatrix() const
 {
-    return parent != nullptr ? parent->localToWorldMatrix() * localToParentMatrix()
-                             : localToParentMatrix();
+    glm::mat4 matrix = localToParentMatrix();
+    ForEachParent(*this,
+                  [&](const Transform& above) { matrix = above.localToParentMatrix() * matrix; });
+    return matrix;
 }
 
 glm::vec3 Transform::position() const
@@ -50,7 +78,9 @@ glm::vec3 Transform::position() const
 
 glm::quat Transform::rotation() const
 {
-    return parent != nullptr ? parent->rotation() * localRotation : localRotation;
+    glm::quat turned = localRotation;
+    ForEachParent(*this, [&](const Transform& above) { turned = above.localRotation * turned; });
+    return turned;
 }
 
 glm::vec3 Transform::forward() const

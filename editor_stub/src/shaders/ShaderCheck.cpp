@@ -173,6 +173,14 @@ private:
     {
         CheckedPass checked;
         checked.pass = &pass;
+        if (pass.kind == ShaderLabPassKind::GrabPass)
+        {
+            Refuse(checked,
+                   {Severity::Note, m_Check.document->file, pass.location,
+                    "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what "
+                    "it copies"},
+                   diagnostics);
+        }
         if (!pass.program)
         {
             return checked;
@@ -235,7 +243,12 @@ private:
                      std::vector<Diagnostic>& diagnostics)
     {
         checked.outcome = outcome;
-        checked.reason = error.diagnostics().front().message;
+        // The messages before it may be warnings.
+        const std::vector<Diagnostic>& all = error.diagnostics();
+        const auto first =
+            std::find_if(all.begin(), all.end(),
+                         [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        checked.reason = (first == all.end() ? all.front() : *first).message;
         Add(diagnostics, error.diagnostics());
     }
 

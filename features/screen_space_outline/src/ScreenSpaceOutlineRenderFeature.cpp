@@ -17,7 +17,7 @@ std::string WhyInactive(const ScreenSpaceOutline* volumeComponent)
 {
     if (volumeComponent == nullptr)
     {
-        return "the camera has no volume stack with ScreenSpaceOutline";
+        return "ScreenSpaceOutline was not registered when the camera's volume stack was made";
     }
     return volumeComponent->m_Enable.overrideState()
                ? "a volume sets ScreenSpaceOutline.m_Enable to false"
@@ -71,9 +71,7 @@ void ScreenSpaceOutlineRenderFeature::AddRenderPasses(ScriptableRenderer& render
                                                       RenderingData& renderingData)
 {
     const ScreenSpaceOutline* volumeComponent =
-        renderingData.volumeStack != nullptr
-            ? renderingData.volumeStack->GetComponent<ScreenSpaceOutline>()
-            : nullptr;
+        renderingData.volumeStack->GetComponent<ScreenSpaceOutline>();
     if (volumeComponent == nullptr || !volumeComponent->IsActive())
     {
         renderingData.report->notes.push_back(name + ": not drawn, " +

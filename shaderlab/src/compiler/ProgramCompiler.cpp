@@ -35,7 +35,24 @@ std::string_view StageName(ShaderStage stage)
                                             : "fragment";
 }
 
-void RequireEntryPoints(const PassProgram& program)
+/// Of the files that pragmas were to come from, those that are not there: they may hold whatever
+/// else seems to be missing.
+std::vector<Diagnostic> MissingPragmaFiles(const PassProgram& program, IncludeResolver& resolver)
+{
+    std::vector<Diagnostic> missing;
+    for (const ProgramPragma& pragma : program.pragmas)
+    {
+        if (pragma.name == "include_with_pragmas" && !resolver.Find(pragma.arguments, program.file))
+        {
+            missing.push_back({Severity::Error, program.file, pragma.location,
+                               "#include_with_pragmas: " +
+                                   ReasonNotIncluded(pragma.arguments, resolver.refusal())});
+        }
+    }
+    return missing;
+}
+
+void RequireEntryPoints(const PassProgram& program, IncludeResolver& resolver)
 {
     std::vector<Diagnostic> missing;
     for (const ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment})
@@ -48,10 +65,15 @@ void RequireEntryPoints(const PassProgram& program)
                  "program: '#pragma " + name + "' is missing; it names the " + name + " function"});
         }
     }
-    if (!missing.empty())
+    if (missing.empty())
     {
-        throw AssetError(std::move(missing));
+        return;
     }
+    if (auto files = MissingPragmaFiles(program, resolver); !files.empty())
+    {
+        throw MissingIncludeError(std::move(files));
+    }
+    throw AssetError(std::move(missing));
 }
 
 const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& source,
@@ -65,7 +87,16 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
     std::vector<std::string_view> known;
     for (const HlslFunction& function : source.declarations.functions)
     {
-        known.push_back(function.name);
+        if (function.name == entry.name)
+        {
+            const std::size_t offset = source.tokens[function.begin].Begin(source.text);
+            const HlslPlace place = PlaceOf(source.text, offset);
+            throw AssetError(program.file, entry.location,
+                             "#pragma " + std::string(StageName(stage)) + ": the function '" +
+                                 entry.name + "' is only declared, at " + place.file + ":" +
+                                 std::to_string(place.location.line) + "; write its body");
+        }
+        known.push_back(function.hasBody ? function.name : std::string_view());
     }
     const std::string_view nearest = NearestName(entry.name, known);
     throw AssetError(program.file, entry.location,
@@ -287,7 +318,7 @@ void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
                             IncludeResolver& resolver)
 {
-    RequireEntryPoints(program);
+    RequireEntryPoints(program, resolver);
     try
     {
         CompiledPass pass = Build(program, keywords, resolver);

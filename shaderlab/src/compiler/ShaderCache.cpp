@@ -139,6 +139,23 @@ std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::
 
 } // namespace
 
+std::string WritePass(const CompiledPass& pass, const std::vector<IncludeDependency>& dependencies)
+{
+    ByteWriter writer;
+    TransferDependencies(writer, dependencies);
+    TransferPass(writer, pass);
+    return writer.bytes();
+}
+
+CompiledPass ReadPass(std::string_view bytes, std::vector<IncludeDependency>& dependencies)
+{
+    ByteReader reader(bytes);
+    CompiledPass pass;
+    TransferDependencies(reader, dependencies);
+    TransferPass(reader, pass);
+    return pass;
+}
+
 std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
                                               std::vector<IncludeDependency>& dependencies) const
 {

@@ -3,6 +3,7 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "compiler/CompilerProcess.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
 #include "program/PragmaScanner.h"
@@ -19,7 +20,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 6;
+constexpr int k_CompilerVersion = 7;
 
 std::string HashName(const std::string& text)
 {
@@ -154,8 +155,10 @@ std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& w
     IncludeResolver resolver(m_State->options, program.file);
     try
     {
-        auto pass =
-            std::make_shared<const CompiledPass>(CompileProgram(program, keywords, resolver));
+        auto pass = std::make_shared<const CompiledPass>(
+            m_State->options.isIsolated
+                ? CompileInProcess(program, keywords, resolver, m_State->options.timeLimit)
+                : CompileProgram(program, keywords, resolver));
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
         m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,

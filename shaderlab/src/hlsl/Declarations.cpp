@@ -193,6 +193,10 @@ private:
             {
                 SkipBalanced("[", "]");
             }
+            if (SkipUnknownMacro())
+            {
+                continue;
+            }
             HlslVariable head = ReadHead();
             if (Text() == "(")
             {
@@ -335,8 +339,25 @@ private:
         }
     }
 
+    /// `UNKNOWN(…)` with or without a `;`.
+    bool SkipUnknownMacro()
+    {
+        if (!isWord() || Text(1) != "(")
+        {
+            return false;
+        }
+        m_Result.unknownMacros.push_back(m_Index++);
+        SkipBalanced("(", ")");
+        Accept(";");
+        return true;
+    }
+
     void ReadFunctionOrVariables(std::size_t begin, std::vector<std::string_view> attributes)
     {
+        if (SkipUnknownMacro())
+        {
+            return;
+        }
         HlslVariable head = ReadHead();
         if (Text() == "(" && !head.name.empty())
         {

@@ -63,6 +63,8 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
+    /// Tokens: each name before brackets where a declaration should be, which is a macro unknown.
+    std::vector<std::size_t> unknownMacros;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
     std::vector<std::string_view> methods; ///< names, of all structs

@@ -3,8 +3,10 @@
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "hlsl/Checks.h"
 #include "hlsl/Tokens.h"
 #include "hlsl/rewrites/Spelling.h"
+#include "program/DirectiveConditions.h"
 #include "program/DynamicKeywords.h"
 #include "spirv/GlslangIncluder.h"
 #include "spirv/GlslangLog.h"
@@ -30,6 +32,10 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
     std::string source;
+    for (const auto& [name, value] : k_PredefinedMacros)
+    {
+        Define(source, name, value);
+    }
     Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
                    : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
                                                     : "SHADER_STAGE_FRAGMENT");
@@ -71,13 +77,9 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
             continue;
         }
         const std::string_view reason = message.substr(k_Start.size(), file - k_Start.size());
-        const std::string name = "\"" + std::string(message.substr(file + k_File.size())) + "\"";
+        const std::string_view name = message.substr(file + k_File.size());
         diagnostic.message =
-            reason == k_Unsaid
-                ? "#include: no such file " + name +
-                      "; it was looked for beside this file, in the project, its packages and the "
-                      "built-in ShaderLibrary"
-                : "#include: " + name + " is " + std::string(reason);
+            "#include: " + ReasonNotIncluded(name, reason == k_Unsaid ? "" : reason);
     }
 }
 
@@ -174,6 +176,7 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     const bool isRedefined = AllowRedefinitions(diagnostics);
     Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
+    RequireShallow(result);
     const bool namesStages =
         includer.namesStages() ||
         std::any_of(program.chunks.begin(), program.chunks.end(),

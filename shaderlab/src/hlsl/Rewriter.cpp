@@ -61,7 +61,7 @@ public:
             for (std::size_t i = function->begin; i < function->end; ++i)
             {
                 const auto uniform = uniforms.find(m_Tokens[i].text);
-                if (uniform != uniforms.end() && isAssigned(i))
+                if (uniform != uniforms.end() && (isAssigned(i) || isOutArgument(i)))
                 {
                     m_Copied.insert(uniform->second);
                 }
@@ -281,6 +281,37 @@ private:
         const std::string_view mark = Text(next);
         return mark == "++" || mark == "--" ||
                std::find(k_Assignments.begin(), k_Assignments.end(), mark) != k_Assignments.end();
+    }
+
+    /// Whether it stands for a parameter that the function called writes to, by itself.
+    bool isOutArgument(std::size_t index) const
+    {
+        std::size_t position = 0;
+        std::size_t open = index;
+        if (Text(index - 1) != "(" && Text(index - 1) != ",")
+        {
+            return false;
+        }
+        for (int depth = 0; open > 0 && depth <= 0;)
+        {
+            const std::string_view text = Text(--open);
+            if (text == ";" || text == "{" || text == "}")
+            {
+                return false;
+            }
+            depth += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
+            position += text == "," && depth == 0 ? 1 : 0;
+        }
+        const auto functions = open > 0 ? m_ByName.find(Text(open - 1)) : m_ByName.end();
+        return functions != m_ByName.end() &&
+               std::any_of(functions->second.begin(), functions->second.end(),
+                           [&](const HlslFunction* function)
+                           {
+                               const auto& parameters = function->parameters;
+                               return position < parameters.size() &&
+                                      (parameters[position].Has("out") ||
+                                       parameters[position].Has("inout"));
+                           });
     }
 
     std::size_t BehindBracket(std::size_t index, std::string_view open,

@@ -7,9 +7,6 @@
 
 #include <algorithm>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 namespace limn
 {
 
@@ -86,12 +83,6 @@ bool isAbsolute(std::string_view path)
 
 } // namespace
 
-std::uint64_t HashContent(std::string_view text)
-{
-    const std::uint64_t hash = XXH3_64bits(text.data(), text.size());
-    return hash == 0 ? 1 : hash; // 0 stands for an absent file
-}
-
 std::uint64_t HashFile(const std::string& path)
 {
     const auto text = ReadTextFile(path);
@@ -110,6 +101,15 @@ std::uint64_t HashLibrary()
         return HashContent(all);
     }();
     return hash;
+}
+
+std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
+{
+    const std::string quoted = "\"" + std::string(name) + "\"";
+    return refusal.empty() ? "no such file " + quoted +
+                                 "; it was looked for beside this file, in the project, its "
+                                 "packages and the built-in ShaderLibrary"
+                           : quoted + " is " + std::string(refusal);
 }
 
 IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 
 #include <optional>
@@ -25,13 +26,14 @@ struct IncludeDependency
     bool operator==(const IncludeDependency&) const = default;
 };
 
-std::uint64_t HashContent(std::string_view text);
-
 /// Content hash of the file at `path` as it is now, 0 where there is none.
 std::uint64_t HashFile(const std::string& path);
 
 /// Content hash of the whole built-in ShaderLibrary.
 std::uint64_t HashLibrary();
+
+/// Why a file is not included, for a message: what refusal() says, or that there is no such file.
+std::string ReasonNotIncluded(std::string_view name, std::string_view refusal);
 
 /// Finds what #include names, the way Unity does: beside the including file, then from the project
 /// root and its packages, from the Unity project around the shader, and in the built-in library;
@@ -52,6 +54,12 @@ public:
     const std::string& refusal() const { return m_Refusal; }
 
     const std::vector<IncludeDependency>& dependencies() const { return m_Dependencies; }
+
+    /// Takes over what another resolver looked for, for the same shader.
+    void SetDependencies(std::vector<IncludeDependency> dependencies)
+    {
+        m_Dependencies = std::move(dependencies);
+    }
 
 private:
     std::vector<std::filesystem::path> Candidates(const std::string& include,

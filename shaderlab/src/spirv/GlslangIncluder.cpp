@@ -3,6 +3,7 @@
 #include "text/Text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limn
 {
@@ -100,6 +101,33 @@ std::string TranslateLine(std::string_view line)
     return std::string(line);
 }
 
+/// `1.#INF`, `1.#IND` and `1.#QNAN` are numbers of the C runtime that Unity's compilers read; here
+/// by their bits.
+std::string SpellNonFinite(std::string line)
+{
+    constexpr std::pair<std::string_view, std::string_view> k_Numbers[] = {
+        {".#INF", "asfloat(0x7F800000)"},
+        {".#IND", "asfloat(0x7FC00000)"},
+        {".#QNAN", "asfloat(0x7FC00000)"},
+        {".#SNAN", "asfloat(0x7F800001)"}};
+    for (const auto& [mark, bits] : k_Numbers)
+    {
+        for (std::size_t at = line.find(mark); at != line.npos; at = line.find(mark, at))
+        {
+            std::size_t first = at;
+            while (first > 0 && isDigit(line[first - 1]))
+            {
+                --first;
+            }
+            std::size_t end = at + mark.size();
+            end += end < line.size() && (ToLower(line[end]) == 'f' || ToLower(line[end]) == 'h');
+            line.replace(first, end - first, bits);
+            at = first + bits.size();
+        }
+    }
+    return line;
+}
+
 } // namespace
 
 std::string TranslateDirectives(std::string_view text)
@@ -114,7 +142,7 @@ std::string TranslateDirectives(std::string_view text)
         const std::string_view line = text.substr(0, size);
         const bool isDirective = line.find('#') != line.npos;
         const std::string translated = isDropped     ? ""
-                                       : isDirective ? TranslateLine(line)
+                                       : isDirective ? SpellNonFinite(TranslateLine(line))
                                                      : std::string(line);
         isDropped = translated.empty() && Continues(line);
         result.append(translated);

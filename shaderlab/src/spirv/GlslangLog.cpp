@@ -116,6 +116,10 @@ bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& 
 {
     const bool isAboutReturn =
         diagnostic.message.find("function does not return a value") != std::string::npos;
+    if (diagnostic.message.ends_with("': unknown variable"))
+    {
+        return false; // each name that is missing is a mistake of its own
+    }
     return std::any_of(earlier.begin(), earlier.end(),
                        [&](const Diagnostic& known)
                        {
@@ -142,6 +146,24 @@ std::optional<Place> ReadGivingUp(std::string_view log)
     return place;
 }
 
+/// Of the line behind "Recursion detected:", "    f(f1; calling g(f1;".
+std::string DescribeRecursion(std::string_view line)
+{
+    constexpr std::string_view k_Calling = " calling ";
+    const auto name = [](std::string_view text)
+    {
+        text = Trim(text);
+        Consume(text, "@");
+        return "'" + std::string(text.substr(0, text.find('('))) + "'";
+    };
+    const std::size_t calling = std::min(line.find(k_Calling), line.size());
+    const std::string first = name(line.substr(0, calling));
+    const std::string second = name(line.substr(std::min(calling + k_Calling.size(), line.size())));
+    return first + ": to the HLSL compiler it calls itself" +
+           (first == second || second == "''" ? "" : " by way of " + second) +
+           "; HLSL has no recursion";
+}
+
 } // namespace
 
 std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile)
@@ -164,6 +186,10 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
                               hasFile ? place->file : fallbackFile,
                               SourceLocation{place ? place->line : 0, 0},
                               CleanMessage(line.substr(place ? place->end : 0))};
+        if (diagnostic.message.ends_with("Recursion detected:"))
+        {
+            diagnostic.message = DescribeRecursion(log.substr(0, log.find('\n')));
+        }
         if (!isConsequence(diagnostic, diagnostics))
         {
             diagnostics.push_back(std::move(diagnostic));

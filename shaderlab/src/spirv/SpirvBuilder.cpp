@@ -1,5 +1,7 @@
 #include "spirv/SpirvBuilder.h"
 
+#include "hlsl/Declarations.h"
+#include "hlsl/Tokens.h"
 #include "hlsl/rewrites/Conversions.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
@@ -7,8 +9,16 @@
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
 
 namespace limn
 {
@@ -52,20 +62,131 @@ void Optimize(std::vector<std::uint32_t>& spirv, const std::string& file)
     spirv = std::move(optimized);
 }
 
+struct SpirvProblem
+{
+    std::string message;
+    std::size_t instruction = 0; ///< 1 = the first
+};
+
 /// glslang 12 takes some HLSL that it has no valid SPIR-V for; drivers may do anything with it.
-void RequireValid(const std::vector<std::uint32_t>& spirv, const std::string& file)
+///
+/// @param isOptimised  before that, textures may travel through variables and parameters
+std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv, bool isOptimised)
 {
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
-    std::string messages;
+    SpirvProblem problem;
     tools.SetMessageConsumer(
-        [&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
-        { messages.append(messages.empty() ? "" : "; ").append(message); });
-    if (!tools.Validate(spirv))
+        [&](spv_message_level_t, const char*, const spv_position_t& position, const char* message)
+        {
+            problem.message.append(problem.message.empty() ? "" : "; ").append(message);
+            problem.instruction = position.index;
+        });
+    spvtools::ValidatorOptions options;
+    options.SetBeforeHlslLegalization(!isOptimised);
+    if (tools.Validate(spirv.data(), spirv.size(), options))
     {
-        throw AssetError(file, {},
-                         "program: the HLSL compiler makes invalid SPIR-V of it: " +
-                             messages.substr(0, messages.find('\n')));
+        return std::nullopt;
     }
+    problem.message.resize(std::min(problem.message.find('\n'), problem.message.size()));
+    return problem;
+}
+
+/// Calls a function with each instruction's number, opcode and operands until it returns false.
+template <typename F>
+void ForEachInstruction(const std::vector<std::uint32_t>& spirv, F&& each)
+{
+    constexpr std::size_t k_Header = 5; // words
+    std::size_t number = 0;
+    for (std::size_t word = k_Header; word < spirv.size();)
+    {
+        const std::size_t size = std::clamp<std::size_t>(spirv[word] >> 16, 1, spirv.size() - word);
+        const auto operands = std::span(spirv).subspan(word + 1, size - 1);
+        if (!each(++number, spirv[word] & 0xffff, operands))
+        {
+            return;
+        }
+        word += size;
+    }
+}
+
+/// Where the HLSL of an instruction is, by the OpLine before it.
+HlslPlace PlaceOfInstruction(const std::vector<std::uint32_t>& spirv, std::size_t instruction)
+{
+    std::map<std::uint32_t, std::string> strings;
+    HlslPlace place;
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t number, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            if (operation == spv::OpString && operands.size() > 1)
+            {
+                const auto* text = reinterpret_cast<const char*>(&operands[1]);
+                strings[operands[0]] = std::string(text, strnlen(text, (operands.size() - 1) * 4));
+            }
+            else if (operation == spv::OpLine && operands.size() == 3)
+            {
+                place = {strings[operands[0]], {static_cast<int>(operands[1]), 0}};
+            }
+            return number < instruction;
+        });
+    return place;
+}
+
+/// SPIR-V has no matrices of integers, and glslang makes them all the same.
+bool hasIntegerMatrices(const std::vector<std::uint32_t>& spirv)
+{
+    std::set<std::uint32_t> floats; // types: scalars and vectors
+    bool found = false;
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            const bool isVector = operation == spv::OpTypeVector;
+            if (operation == spv::OpTypeFloat || (isVector && floats.count(operands[1]) > 0))
+            {
+                floats.insert(operands[0]);
+            }
+            found = found || (operation == spv::OpTypeMatrix && floats.count(operands[1]) == 0);
+            return !found && operation != spv::OpFunction;
+        });
+    return found;
+}
+
+std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStage stage,
+                                    bool withLines)
+{
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    options.generateDebugInfo = withLines;
+    std::vector<std::uint32_t> spirv;
+    glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
+    return spirv;
+}
+
+/// @param spirv  is optimised where that is how far it gets
+std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
+                                            const std::string& file)
+{
+    // What is wrong before may be gone after, and with it what the code was to do. Constant
+    // matrices of integers are fine once they are gone.
+    auto problem = hasIntegerMatrices(spirv) ? std::nullopt : FindProblem(spirv, false);
+    if (problem)
+    {
+        return problem;
+    }
+    Optimize(spirv, file);
+    return FindProblem(spirv, true);
+}
+
+[[noreturn]] void ThrowInvalid(const glslang::TProgram& program, ShaderStage stage,
+                               const std::string& file, const SpirvProblem& problem)
+{
+    std::vector<std::uint32_t> spirv = Generate(program, stage, true);
+    const auto placed = OptimizeChecked(spirv, file);
+    const HlslPlace place = placed ? PlaceOfInstruction(spirv, placed->instruction) : HlslPlace();
+    const bool hasPlace = !place.file.empty() && place.location.line > 0;
+    throw AssetError(hasPlace ? place.file : file, hasPlace ? place.location : SourceLocation(),
+                     "program: the HLSL compiler makes invalid SPIR-V of it: " + problem.message);
 }
 
 /// The functions that glslang has found no overload of.
@@ -82,6 +203,37 @@ std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
         }
     }
     return names;
+}
+
+/// Linking knows no places: a message that begins with a function's name gets the function's.
+[[noreturn]] void ThrowUnlinked(std::string_view log, const std::string& file,
+                                const std::string& hlsl)
+{
+    try
+    {
+        ThrowLog(log, file, "linking");
+    }
+    catch (const AssetError& error)
+    {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        const std::vector<HlslToken> tokens = TokenizeHlsl(hlsl);
+        const HlslDeclarations declarations = ReadDeclarations(tokens);
+        for (Diagnostic& diagnostic : diagnostics)
+        {
+            const std::string_view message = diagnostic.message;
+            const HlslFunction* function =
+                message.starts_with("'")
+                    ? declarations.FindDefinition(message.substr(1, message.find('\'', 1) - 1))
+                    : nullptr;
+            if (function && diagnostic.location.line == 0)
+            {
+                const HlslPlace place = PlaceOf(hlsl, tokens[function->begin].Begin(hlsl));
+                diagnostic.file = place.file;
+                diagnostic.location = place.location;
+            }
+        }
+        throw AssetError(std::move(diagnostics));
+    }
 }
 
 std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
@@ -109,14 +261,13 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
     program.addShader(&shader);
     if (!program.link(k_GlslangMessages) || !program.mapIO())
     {
-        ThrowLog(program.getInfoLog(), file, "linking");
+        ThrowUnlinked(program.getInfoLog(), file, hlsl);
     }
-    glslang::SpvOptions options;
-    options.disableOptimizer = true;
-    std::vector<std::uint32_t> spirv;
-    glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
-    Optimize(spirv, file);
-    RequireValid(spirv, file);
+    std::vector<std::uint32_t> spirv = Generate(program, stage, false);
+    if (const auto problem = OptimizeChecked(spirv, file))
+    {
+        ThrowInvalid(program, stage, file, *problem);
+    }
     return spirv;
 }
 

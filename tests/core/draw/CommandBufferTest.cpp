@@ -1,4 +1,6 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ProfilingScope.h>
 
@@ -103,6 +105,23 @@ TEST_F(CommandBuffers, TakeADepthTextureOnItsOwnAsDepth)
     EXPECT_EQ(target.depth, m_Depth.rt());
 }
 
+TEST_F(CommandBuffers, RefuseAViewportThatEndsBeyondTheLargestInt)
+{
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    EXPECT_EQ(ErrorOf(
+                  [&] {
+                      m_Cmd.SetViewport({10, 0, k_Most, 4});
+                  }),
+              "SetViewport: 2147483647x4 at (10, 0) ends beyond texel 2147483647");
+    EXPECT_EQ(ErrorOf(
+                  [&] {
+                      m_Cmd.SetViewport({0, 1, 4, k_Most});
+                  }),
+              "SetViewport: 4x2147483647 at (0, 1) ends beyond texel 2147483647");
+    m_Cmd.SetViewport({-10, 0, k_Most, k_Most});
+    EXPECT_EQ(m_Cmd.commands().size(), 1u);
+}
+
 TEST_F(CommandBuffers, RefuseAViewportWithoutTexels)
 {
     EXPECT_EQ(ErrorOf(
@@ -110,6 +129,38 @@ TEST_F(CommandBuffers, RefuseAViewportWithoutTexels)
                       m_Cmd.SetViewport({0, 0, 0, 4});
                   }),
               "SetViewport: the size is 0x4; both must be greater than 0");
+}
+
+TEST_F(CommandBuffers, RefuseToClearToADepthOutsideTheRange)
+{
+    const std::string range = "; it must be from 0 (near) to 1 (far)";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, 1.5f); }),
+              "ClearRenderTarget: the depth is 1.500000" + range);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, -0.5f); }),
+              "ClearRenderTarget: the depth is -0.500000" + range);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.ClearRenderTarget(ClearFlag::All, Color::red, std::nanf("")); }),
+              "ClearRenderTarget: the depth is nan" + range);
+}
+
+TEST_F(CommandBuffers, RefuseToClearToAColorThatIsNotFinite)
+{
+    for (const float bad : {std::nanf(""), HUGE_VALF})
+    {
+        EXPECT_EQ(ErrorOf(
+                      [&] {
+                          m_Cmd.ClearRenderTarget(ClearFlag::Color, {0, 0, bad, 1});
+                      }),
+                  "ClearRenderTarget: the colour is not finite; NaN and infinity are no colours");
+    }
+}
+
+TEST_F(CommandBuffers, RefuseAMatrixThatIsNotFinite)
+{
+    const std::string message = "material 'Two': the matrix of the draw is not finite";
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), glm::mat4(std::nanf("")), m_Material); }),
+              message);
+    EXPECT_EQ(ErrorOf([&] { m_Cmd.DrawProcedural(glm::mat4(HUGE_VALF), m_Material, 0, 3); }),
+              message);
 }
 
 TEST_F(CommandBuffers, RefuseDrawsThatLackSomething)

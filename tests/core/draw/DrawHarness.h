@@ -78,11 +78,12 @@ class OneDraw
 public:
     MaterialPropertyBlock block;
     CommandBuffer before; ///< executed first, for globals
+    RenderReport report;  ///< of the last Resolve
 
     /// Resolves; the results of earlier calls are gone.
     void Resolve(const std::shared_ptr<const Material>& material)
     {
-        RenderReport report;
+        report = {};
         ScriptableRenderContext context(report);
         context.ExecuteCommandBuffer(before);
         CommandBuffer cmd;

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limits>
 #include <random>
 
 #include "ThrownMessage.h"
@@ -100,6 +99,40 @@ TEST_F(DrawRenderersCalls, KeepMirroredObjectsApart)
     EXPECT_TRUE(draws[1].state.frontFaceFlipped);
     EXPECT_FALSE(draws[2].state.frontFaceFlipped);
     EXPECT_EQ(m_Frame.perDraw[1].worldTransformParams[3], -1.0f);
+}
+
+/// A material whose geometry function hands triangles on, moved by `offset`.
+std::shared_ptr<const Material> WithGeometry(const std::string& offset)
+{
+    return std::make_shared<Material>(test::ShaderOf(
+        "Shader \"Test/Geometry\" { SubShader { Pass {"
+        " Tags { \"LightMode\" = \"UniversalForward\" }\nHLSLPROGRAM\n"
+        "#pragma vertex Vert\n#pragma geometry Geom\n#pragma fragment Frag\n"
+        "StructuredBuffer<float4> limn_PerDraw;\n"
+        "struct Corner { float4 position : SV_POSITION; };\n"
+        "Corner Vert(float4 p : POSITION) { Corner c; c.position = p + limn_PerDraw[1]; return c; "
+        "}\n"
+        "[maxvertexcount(1)] void Geom(triangle Corner v[3], inout PointStream<Corner> stream)\n"
+        "{ Corner c; c.position = v[0].position + " +
+        offset +
+        "; stream.Append(c); }\n"
+        "float4 Frag() : SV_Target { return 1; }\nENDHLSL } } }"));
+}
+
+TEST_F(DrawRenderersCalls, KeepObjectsApartWhoseGeometryFunctionsReadPerDrawData)
+{
+    const auto reading = WithGeometry("limn_PerDraw[0]");
+    test::AddCube(m_Scene, "a", {0, 0, 0}, {reading});
+    test::AddCube(m_Scene, "b", {0, 0, 0}, {reading});
+    EXPECT_EQ(Draw().size(), 2u);
+}
+
+TEST_F(DrawRenderersCalls, MergeObjectsOfAGeometryFunctionThatReadsNoPerDrawData)
+{
+    const auto plain = WithGeometry("1");
+    test::AddCube(m_Scene, "a", {0, 0, 0}, {plain});
+    test::AddCube(m_Scene, "b", {0, 0, 0}, {plain});
+    EXPECT_EQ(Draw().size(), 1u);
 }
 
 TEST_F(DrawRenderersCalls, KeepObjectsApartWhoseFragmentsReadPerDrawData)
@@ -270,15 +303,6 @@ TEST(PerDrawData, TellsThatATinyTransformMirrors)
 {
     EXPECT_EQ(DataOf({-1e-20f, 1e-20f, 1e-20f}).worldTransformParams[3], -1.0f);
     EXPECT_EQ(DataOf({-1e12f, 1e12f, 1e12f}).worldTransformParams[3], -1.0f);
-}
-
-TEST(PerDrawData, DoesNotFailOnNumbersThatAreNone)
-{
-    const PerDrawData data = DataOf(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
-    for (const float value : data.worldToObject)
-    {
-        EXPECT_TRUE(std::isfinite(value));
-    }
 }
 
 } // namespace

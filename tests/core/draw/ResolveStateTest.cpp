@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "ThrownMessage.h"
 #include "scene/TestScene.h"
@@ -157,30 +156,11 @@ TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)
     }
 }
 
-TEST_F(ResolvedState, RefusesAnOffsetOrASwitchThatIsNotFinite)
-{
-    Make("Offset [_Factor], 0", "_Factor (\"\", Float) = 0");
-    m_Material->SetFloat(ShaderPropertyId("_Factor"), std::numeric_limits<float>::quiet_NaN());
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Offset [_Factor]: the property is "
-                       "nan; it must be finite");
-    m_Material->SetFloat(ShaderPropertyId("_Factor"), std::numeric_limits<float>::infinity());
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Offset [_Factor]: the property is "
-                       "inf; it must be finite");
-    Make("ZClip [_Clip]", "_Clip (\"\", Float) = 0");
-    m_Material->SetFloat(ShaderPropertyId("_Clip"), std::numeric_limits<float>::quiet_NaN());
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': ZClip [_Clip]: the property is "
-                       "nan; it must be finite");
-}
-
 TEST_F(ResolvedState, RefusesValuesThatAreNoNumber)
 {
     Make("Cull [_Cull]", "_Cull (\"\", Vector) = (1, 1, 1, 1)");
     EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Cull [_Cull]: the property is no "
                        "number");
-    Make("Cull [_Cull]", "_Cull (\"\", Float) = 1");
-    m_Material->SetFloat(ShaderPropertyId("_Cull"), std::numeric_limits<float>::quiet_NaN());
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Cull [_Cull]: the property is nan, "
-                       "which is outside 0...2");
 }
 
 } // namespace

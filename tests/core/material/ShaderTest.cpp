@@ -1,3 +1,5 @@
+#include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -172,6 +174,43 @@ TEST(Shader, LoadsFromAFile)
         folder.Write("mask.shader", "Shader \"Test/Mask\" { SubShader { Pass { } } }");
     EXPECT_EQ(Shader::Load(path, test::Compiler())->name(), "Test/Mask");
     EXPECT_THROW(Shader::Load(folder / "missing.shader", test::Compiler()), AssetError);
+}
+
+/// A program that takes the compiler a while.
+std::string LongProgram()
+{
+    std::string functions = "float F0(float x) { return x; }\n";
+    for (int i = 1; i <= 600; ++i)
+    {
+        const std::string before = "F" + std::to_string(i - 1) + "(x";
+        functions += "float F" + std::to_string(i) + "(float x) { return sin(" + before +
+                     " * 1.5)) + " + std::to_string(i) + "; }\n";
+    }
+    return test::Program(functions + "float _Value;", "F600(_Value)");
+}
+
+TEST(Shader, GivesOutOnePassWhileAnotherIsCompiled)
+{
+    const auto shader = Shader::FromText("Shader \"Test\" { SubShader { Pass { " + test::Program() +
+                                             " } Pass { " + LongProgram() + " } } }",
+                                         "test.shader", std::make_shared<ShaderCompiler>());
+    shader->Compile(0);
+    std::atomic<bool> isDone = false;
+    std::thread compiling(
+        [&]
+        {
+            shader->Compile(1);
+            isDone = true;
+        });
+    int given = 0; // how often the first pass could be had before the second was there
+    while (!isDone)
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        shader->Compile(0);
+        given += isDone ? 0 : 1;
+    }
+    compiling.join();
+    EXPECT_GE(given, 5);
 }
 
 } // namespace

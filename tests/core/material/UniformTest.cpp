@@ -152,7 +152,7 @@ TEST_F(Uniforms, HoldIntegersAsTheShaderDeclaresThem)
                    "int _Count; int _Value;", "_Count + _Value");
     m_Draw.Resolve(material);
     EXPECT_THAT(m_Draw.Ints("_Count", 1), ElementsAre(-7));
-    EXPECT_THAT(m_Draw.Ints("_Value", 1), ElementsAre(3));
+    EXPECT_THAT(m_Draw.Ints("_Value", 1), ElementsAre(2));
     const auto asFloat = MaterialOf("", "float _Count;", "_Count");
     asFloat->SetInt(_Count, -7);
     m_Draw.Resolve(asFloat);
@@ -223,14 +223,119 @@ TEST_F(Uniforms, RefuseAValueOfAnotherKind)
                                "shader declares a number or vector");
 }
 
-TEST_F(Uniforms, RefuseAMaterialsValueThatIsNoNumber)
+// HLSL's cast from float to int, in which Unity's older Int property ends: the fraction goes.
+TEST_F(Uniforms, CutTheFractionOffWhereTheShaderDeclaresAnInteger)
 {
-    constexpr float k_Nan = std::numeric_limits<float>::quiet_NaN();
-    const auto material = MaterialOf("", "float4 _Value;", "_Value");
-    material->SetFloat(_Value, k_Nan);
-    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
-    material->SetVector(_Value, {0.0f, 1.0f, 2.0f, k_Nan});
-    EXPECT_EQ(ErrorOf(material), "material 'Paint': property '_Value' is not a number (NaN)");
+    const auto material = MaterialOf("", "int4 _Value;", "_Value");
+    material->SetVector(_Value, {0.9f, -0.9f, 2.6f, -2.6f});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Ints("_Value", 4), ElementsAre(0, 0, 2, -2));
+}
+
+TEST_F(Uniforms, TakeTheNearestIntegerThereIsForOneTooLarge)
+{
+    const auto material = MaterialOf("", "int4 _Value;", "_Value");
+    material->SetVector(_Value, {1e20f, -1e20f, 2147483648.0f, 3e9f});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Ints("_Value", 4),
+                ElementsAre(2147483647, -2147483647 - 1, 2147483647, 2147483647));
+    const auto bits = MaterialOf("", "uint4 _Value;", "_Value");
+    bits->SetVector(_Value, {3e9f, 1e20f, -1.0f, 7.5f});
+    m_Draw.Resolve(bits);
+    EXPECT_THAT(m_Draw.Ints("_Value", 4),
+                ElementsAre(static_cast<std::int32_t>(3000000000u), -1, -1, 7));
+}
+
+TEST_F(Uniforms, HoldAGlobalColorAsItIs)
+{
+    m_Draw.before.SetGlobalColor(_Color, {1.0f, 0.5f, 0.25f, 0.75f});
+    m_Draw.Resolve(MaterialOf("", "float4 _Color;", "_Color"));
+    EXPECT_THAT(m_Draw.Floats("_Color", 4), ElementsAre(1.0f, 0.5f, 0.25f, 0.75f));
+}
+
+constexpr float k_Nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float k_Infinity = std::numeric_limits<float>::infinity();
+
+/// Sets a value of each kind that holds `bad` somewhere.
+/// @param set  called as set(value); each call must throw
+template <typename Set>
+void ExpectAllRefused(float bad, const std::string& message, Set&& set)
+{
+    glm::mat4 matrix(1.0f);
+    matrix[3][1] = bad;
+    const ShaderPropertyValue values[] = {bad, glm::vec4(0, 1, 2, bad), Color{bad, 0, 0, 1}, matrix,
+                                          std::vector<glm::vec4>{{0, 0, 0, 0}, {0, bad, 0, 0}}};
+    for (const ShaderPropertyValue& value : values)
+    {
+        EXPECT_EQ(test::ThrownMessage<ContractError>([&] { set(value); }), message)
+            << bad << ", kind " << value.index();
+    }
+}
+
+TEST(PropertyValues, OfAMaterialAreRefusedUnlessTheyAreFinite)
+{
+    Material material(test::ShaderWithModes({"A"}), "Paint");
+    const std::uint64_t version = material.version();
+    const auto set = [&](const ShaderPropertyValue& value)
+    {
+        if (const auto* number = std::get_if<float>(&value))
+        {
+            material.SetFloat(_Value, *number);
+        }
+        else if (const auto* color = std::get_if<Color>(&value))
+        {
+            material.SetColor(_Value, *color);
+        }
+        else if (const auto* matrix = std::get_if<glm::mat4>(&value))
+        {
+            material.SetMatrix(_Value, *matrix);
+        }
+        else
+        {
+            const auto* vector = std::get_if<glm::vec4>(&value);
+            material.SetVector(_Value, vector != nullptr ? *vector : glm::vec4(k_Nan));
+        }
+    };
+    for (const float bad : {k_Nan, k_Infinity, -k_Infinity})
+    {
+        ExpectAllRefused(bad,
+                         "material 'Paint': property '_Value' is not finite; NaN and infinity "
+                         "reach no shader",
+                         set);
+    }
+    EXPECT_THROW(material.SetTextureOffset(_Map, {0.0f, k_Nan}), ContractError);
+    EXPECT_EQ(material.Find(_Value), nullptr);
+    EXPECT_EQ(material.version(), version);
+}
+
+TEST(PropertyValues, OfABlockAreRefusedUnlessTheyAreFinite)
+{
+    MaterialPropertyBlock block;
+    for (const float bad : {k_Nan, k_Infinity, -k_Infinity})
+    {
+        ExpectAllRefused(bad, "property '_Value' is not finite; NaN and infinity reach no shader",
+                         [&](const ShaderPropertyValue& value) { block.Set(_Value, value); });
+    }
+    EXPECT_TRUE(block.isEmpty());
+}
+
+TEST(PropertyValues, ThatAreGlobalAreRefusedUnlessTheyAreFinite)
+{
+    CommandBuffer cmd;
+    const std::string message =
+        "global property '_Value' is not finite; NaN and infinity reach no shader";
+    for (const float bad : {k_Nan, k_Infinity, -k_Infinity})
+    {
+        const auto error = [&](auto&& set)
+        {
+            return test::ThrownMessage<ContractError>(set);
+        };
+        EXPECT_EQ(error([&] { cmd.SetGlobalFloat(_Value, bad); }), message);
+        EXPECT_EQ(error([&] { cmd.SetGlobalVector(_Value, glm::vec4(bad)); }), message);
+        EXPECT_EQ(error([&] { cmd.SetGlobalColor(_Value, {0, 0, 0, bad}); }), message);
+        EXPECT_EQ(error([&] { cmd.SetGlobalMatrix(_Value, glm::mat4(bad)); }), message);
+    }
+    EXPECT_TRUE(cmd.commands().empty());
 }
 
 TEST_F(Uniforms, BeginAtOffsetsThatAnyDeviceAccepts)

@@ -24,12 +24,6 @@ public:
         renderPassEvent = event;
     }
 
-    using ScriptableRenderPass::ConfigureClear;
-    using ScriptableRenderPass::ConfigureInput;
-    using ScriptableRenderPass::ConfigureTarget;
-    using ScriptableRenderPass::CreateDrawingSettings;
-    using ScriptableRenderPass::ResetTarget;
-
     void OnCameraSetup(CommandBuffer&, RenderingData&) override { Write("OnCameraSetup"); }
     void Configure(CommandBuffer&, const RenderTextureDescriptor&) override { Write("Configure"); }
     void Execute(ScriptableRenderContext&, RenderingData&) override { Write("Execute"); }

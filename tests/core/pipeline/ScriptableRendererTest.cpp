@@ -100,6 +100,68 @@ TEST_F(ScriptableRendererOrder, RunsAFeaturesPassBeforeTheBuiltInOneOfTheSameEve
     EXPECT_THAT(ExecutedPasses(), ElementsAre("user", "opaque"));
 }
 
+/// Passes that were given no name.
+class GlowPass : public ScriptableRenderPass
+{
+public:
+    void Execute(ScriptableRenderContext&, RenderingData&) override {}
+};
+
+TEST_F(ScriptableRendererOrder, CallsAPassAfterItsClassUnlessItIsNamed)
+{
+    GlowPass unnamed;
+    GlowPass named;
+    named.profilingSampler = ProfilingSampler("Halo");
+    m_Harness.AddFeature("f", m_Log, {&unnamed, &named});
+    m_Harness.Render();
+    EXPECT_THAT(ExecutedPasses(), ElementsAre("GlowPass", "Halo"));
+}
+
+TEST_F(ScriptableRendererOrder, NamesAPassWithoutAName)
+{
+    GlowPass pass;
+    pass.ConfigureTarget(RTHandle());
+    m_Harness.AddFeature("f", m_Log, {&pass});
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
+              "pass 'GlowPass': ConfigureTarget was given empty handles; allocate them in "
+              "OnCameraSetup");
+}
+
+/// A feature that sets its pass up from outside, as Unity's do.
+class OutsideFeature final : public ScriptableRendererFeature
+{
+public:
+    GlowPass pass;
+    RTHandle target;
+
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& data) override
+    {
+        pass.ConfigureInput(ScriptableRenderPassInput::Depth);
+        pass.ResetTarget();
+        pass.ConfigureTarget(target);
+        pass.ConfigureClear(ClearFlag::Color, Color::red);
+        const DrawingSettings drawing = pass.CreateDrawingSettings(
+            ShaderTagId("UniversalForward"), data, SortingCriteria::CommonOpaque);
+        EXPECT_THAT(drawing.shaderTagIds, ElementsAre(ShaderTagId("UniversalForward")));
+        renderer.EnqueuePass(pass);
+    }
+};
+
+TEST_F(ScriptableRendererOrder, LetsAFeatureSetUpItsPassFromOutside)
+{
+    auto feature = std::make_unique<OutsideFeature>();
+    feature->target = RTHandle(test::Target("Mask"));
+    const auto target = feature->target.rt();
+    m_Harness.renderer.AddFeature(std::move(feature));
+    const CompiledFrame frame = m_Harness.Render();
+    ASSERT_EQ(frame.passes.size(), 1u);
+    ASSERT_EQ(frame.passes[0].colors.size(), 1u);
+    EXPECT_EQ(frame.passes[0].colors[0].texture, target);
+    EXPECT_EQ(frame.passes[0].colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(frame.passes[0].colors[0].clearColor, Color::red);
+}
+
 /// A pass that moves to another event when the camera is set up.
 class MovingPass final : public LoggingPass
 {
@@ -181,6 +243,66 @@ TEST_F(ScriptableRendererOrder, CanRenderAgainAfterAPassHasThrown)
     failing.fails = false;
     m_Harness.Render();
     EXPECT_THAT(ExecutedPasses(), ElementsAre("failing", "other"));
+}
+
+TEST_F(ScriptableRendererOrder, CleansUpEveryPassAfterOneHasThrown)
+{
+    FailingPass failing("failing", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    LoggingPass other("other", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&other, &failing});
+    m_Log.clear();
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }),
+              "the mask is missing");
+    EXPECT_THAT(m_Log,
+                ElementsAre("f.AddRenderPasses", "f.SetupRenderPasses", "other.OnCameraSetup",
+                            "failing.OnCameraSetup", "failing.Configure", "other.Configure",
+                            "failing.OnCameraCleanup", "other.OnCameraCleanup"));
+}
+
+/// A pass that fails while it is set up or cleaned up.
+class FailingSetupPass final : public LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override
+    {
+        LoggingPass::OnCameraSetup(cmd, renderingData);
+        if (failsInSetup)
+        {
+            throw std::runtime_error("no target");
+        }
+    }
+    void OnCameraCleanup(CommandBuffer& cmd) override
+    {
+        LoggingPass::OnCameraCleanup(cmd);
+        throw std::runtime_error("cannot let go");
+    }
+    bool failsInSetup = true;
+};
+
+TEST_F(ScriptableRendererOrder, CleansUpThePassesWhoseSetupWasCalledAfterOneHasThrownThere)
+{
+    LoggingPass first("first", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    FailingSetupPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass last("last", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&first, &failing, &last});
+    m_Log.clear();
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }), "no target")
+        << "what went wrong first is what is reported";
+    EXPECT_THAT(m_Log, ElementsAre("f.AddRenderPasses", "f.SetupRenderPasses",
+                                   "first.OnCameraSetup", "failing.OnCameraSetup",
+                                   "first.OnCameraCleanup", "failing.OnCameraCleanup"));
+}
+
+TEST_F(ScriptableRendererOrder, CleansUpThePassesBehindOneThatCannot)
+{
+    FailingSetupPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    failing.failsInSetup = false;
+    LoggingPass last("last", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&failing, &last});
+    EXPECT_EQ(test::ThrownMessage<std::runtime_error>([&] { m_Harness.Render(); }),
+              "cannot let go");
+    EXPECT_EQ(m_Log.back(), "last.OnCameraCleanup");
 }
 
 TEST(RenderPassBlock, DividesTheFrameAt150And300And600)

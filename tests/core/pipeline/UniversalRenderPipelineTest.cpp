@@ -4,6 +4,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <set>
 
 #include "ThrownMessage.h"
 #include "draw/DrawHarness.h"
@@ -198,6 +199,22 @@ TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
     EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
 }
 
+TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
+{
+    m_Camera.orthographic = true;
+    m_Camera.nearClipPlane = 0.0f;
+    EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
+    m_Camera.nearClipPlane = -20.0f;
+    m_Camera.farClipPlane = 0.0f;
+    EXPECT_NO_THROW(Render());
+}
+
+TEST_F(Pipeline, RefusesACameraThatIsNowhere)
+{
+    m_Camera.transform.localPosition.x = std::nanf("");
+    EXPECT_THROW(Render(), ContractError);
+}
+
 TEST_F(Pipeline, RefusesARequestThatCannotBeRendered)
 {
     m_Request.width = 0;
@@ -333,6 +350,37 @@ TEST_F(Pipeline, ForgetsAFrameThatTheDeviceRefused)
         EXPECT_EQ(barrier.before, Undefined) << barrier.texture->name();
     }
     EXPECT_EQ(result.frame.passes[0].barriers.size(), 2u);
+}
+
+TEST_F(Pipeline, CountsOnNoContentsOfAnotherDevice)
+{
+    const RTHandle kept(test::Target("Kept"));
+    m_Request.alsoReadBack = {kept};
+    Render();
+    RecordingDevice other;
+    m_Pipeline.SetDevice(other);
+    Render();
+    EXPECT_EQ(m_Device.frames().size(), 1u);
+    ASSERT_EQ(other.frames().size(), 1u);
+    std::set<std::shared_ptr<const Texture>> seen;
+    const auto expectUnknown = [&](const std::vector<TextureBarrier>& barriers)
+    {
+        for (const TextureBarrier& barrier : barriers)
+        {
+            const bool isFirst = seen.insert(barrier.texture).second;
+            EXPECT_EQ(isFirst, barrier.before == Undefined) << barrier.texture->name();
+        }
+    };
+    for (const CompiledRenderPass& pass : other.frames()[0].passes)
+    {
+        expectUnknown(pass.barriers);
+        for (const auto& color : pass.colors)
+        {
+            EXPECT_NE(color.load, LoadOp::Load) << color.texture->name();
+        }
+    }
+    expectUnknown(other.frames()[0].finalBarriers);
+    EXPECT_TRUE(seen.contains(kept.rt()));
 }
 
 TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)

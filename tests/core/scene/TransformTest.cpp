@@ -3,6 +3,7 @@
 #include <limn/core/Transform.h>
 #include <limn/shaderlab/Diagnostic.h>
 #include <random>
+#include <vector>
 
 #include "ThrownMessage.h"
 
@@ -148,6 +149,45 @@ TEST(Transform, PointsForwardWhateverItsParentsScale)
     child.localRotation = EulerToRotation({0, 45, 0});
     const float h = std::sqrt(0.5f);
     ExpectNear(child.forward(), {h, 0, h});
+}
+
+/// What a transform says that has itself among its parents.
+std::string CircleError(const Transform& transform)
+{
+    const std::string message =
+        test::ThrownMessage<ContractError>([&] { transform.localToWorldMatrix(); });
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { transform.rotation(); }), message);
+    return message;
+}
+
+TEST(Transform, RefusesParentsThatGoRoundInACircle)
+{
+    const std::string expected = "transform: it is among its own parents, or they go round in a "
+                                 "circle; a parent must lead to one without a parent";
+    for (const std::size_t tail : {0u, 1u, 2u, 3u})
+    {
+        for (const std::size_t circle : {1u, 2u, 3u, 4u})
+        {
+            std::vector<Transform> chain(tail + circle);
+            for (std::size_t i = 0; i < chain.size(); ++i)
+            {
+                chain[i].parent = i + 1 < chain.size() ? &chain[i + 1] : &chain[tail];
+            }
+            EXPECT_EQ(CircleError(chain[0]), expected) << tail << " before a circle of " << circle;
+        }
+    }
+}
+
+TEST(Transform, HasAsManyParentsAsMemoryHolds)
+{
+    std::vector<Transform> chain(1000000);
+    for (std::size_t i = 0; i < chain.size(); ++i)
+    {
+        chain[i].localPosition.x = i % 2 == 0 ? 1.0f : 0.0f;
+        chain[i].parent = i > 0 ? &chain[i - 1] : nullptr;
+    }
+    ExpectNear(chain.back().position(), {500000, 0, 0});
+    ExpectNear(chain.back().forward(), k_Z);
 }
 
 } // namespace

@@ -48,6 +48,16 @@ TEST(RenderTexture, IsADepthTextureWhenTheOlderFormatIsDepth)
     EXPECT_EQ(RenderTexture("t", descriptor).graphicsFormat(), GraphicsFormat::D32_SFloat);
 }
 
+TEST(RenderTextureDescriptor, StaysAsItIsEncodedWhenItsColorFormatIsSet)
+{
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8G8B8A8_SRGB);
+    descriptor.SetColorFormat(RenderTextureFormat::ARGB32);
+    EXPECT_EQ(descriptor.graphicsFormat, GraphicsFormat::R8G8B8A8_SRGB);
+    descriptor.graphicsFormat = GraphicsFormat::R16G16B16A16_SFloat;
+    descriptor.SetColorFormat(RenderTextureFormat::ARGB32);
+    EXPECT_EQ(descriptor.graphicsFormat, GraphicsFormat::R8G8B8A8_UNorm);
+}
+
 TEST(RenderTexture, RejectsADefaultDescriptor)
 {
     EXPECT_EQ(ThrownMessage<ContractError>([] { RenderTexture("_Mask", {}); }),

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limn/core/BuiltinShaders.h>
@@ -9,6 +10,9 @@ namespace limn
 {
 namespace
 {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 const ShaderPropertyId _Map("_Map");
 
@@ -53,6 +57,37 @@ TEST_F(TextureBindings, DefaultToGrayWithoutAKnownName)
     EXPECT_EQ(DefaultFor("_Map (\"Map\", 2D) = \"\" {}"), "gray");
     EXPECT_EQ(DefaultFor("_Map (\"Map\", 2D) = \"mauve\" {}"), "gray");
     EXPECT_EQ(DefaultFor(""), "gray");
+}
+
+TEST_F(TextureBindings, SayThatNothingGivesTheTextureAValue)
+{
+    m_Draw.Resolve(Sampling(""));
+    EXPECT_THAT(m_Draw.report.notes,
+                ElementsAre("shader 'Test/Program': texture '_Map' is gray: it is no property of "
+                            "the shader, and neither material 'Paint' nor anything global sets "
+                            "it"));
+}
+
+TEST_F(TextureBindings, SayItOnceForAShader)
+{
+    RenderReport report;
+    ScriptableRenderContext context(report);
+    CommandBuffer cmd;
+    const auto material = Sampling("");
+    const auto other = std::make_shared<Material>(material->shader(), "Other");
+    cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3);
+    cmd.DrawProcedural(glm::mat4(1.0f), other, 0, 3);
+    context.ExecuteCommandBuffer(cmd);
+    EXPECT_EQ(report.notes.size(), 1u);
+}
+
+TEST_F(TextureBindings, SayNothingWhereAPropertyOrAGlobalGivesTheValue)
+{
+    m_Draw.Resolve(Sampling("_Map (\"Map\", 2D) = \"\" {}"));
+    EXPECT_THAT(m_Draw.report.notes, IsEmpty());
+    m_Draw.before.SetGlobalTexture(_Map, test::Target("global"));
+    m_Draw.Resolve(Sampling(""));
+    EXPECT_THAT(m_Draw.report.notes, IsEmpty());
 }
 
 TEST_F(TextureBindings, TakeTheBlocksTextureThenTheMaterialsThenTheGlobal)

@@ -55,6 +55,41 @@ protected:
 
 } // namespace
 
+TEST_F(ShaderCommand, PrintsFilesAsCanonicalText)
+{
+    const std::string loose =
+        Write("loose.shader", "Shader \"My/Loose\" { // as somebody wrote it\n"
+                              "SubShader { ZTEST always\n"
+                              "UsePass \"My/Good/ONLY\" } }");
+    const std::string canonical = "Shader \"My/Loose\"\n"
+                                  "{\n"
+                                  "    SubShader\n"
+                                  "    {\n"
+                                  "        UsePass \"My/Good/ONLY\"\n"
+                                  "    }\n"
+                                  "}\n";
+    const CommandRun run = RunCommand({"shader", "--print", loose});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(canonical, run.out);
+    EXPECT_EQ("", run.err);
+    // What is canonical stays as it is, and several files follow each other.
+    const std::string same = Write("same.shader", canonical);
+    EXPECT_EQ(canonical + canonical, RunCommand({"shader", "--print", same, same}).out);
+}
+
+TEST_F(ShaderCommand, PrintsWhatParsesBesideWhatDoesNot)
+{
+    Write("a_broken.shader", "Shader \"My/Broken\" { SubShader { Pass { Cull Sideways } } }");
+    Write("b_good.shader", k_Good);
+    Write("c_empty.shader", "");
+    const CommandRun run = RunCommand({"shader", "--print", (folder / "").string()});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("Sideways"));
+    EXPECT_THAT(run.err, HasSubstr("c_empty.shader"));
+    EXPECT_TRUE(run.out.starts_with("Shader \"My/Good\"\n{\n    Properties\n")) << run.out;
+    EXPECT_EQ(2, RunCommand({"shader", "--print", "--json", (folder / "").string()}).exitCode);
+}
+
 TEST_F(ShaderCommand, DescribesASingleFile)
 {
     const std::string path = Write("good.shader", k_Good);
@@ -158,6 +193,64 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
                                    "which limn does not stand in for\n"));
     EXPECT_THAT(run.err,
                 HasSubstr("include.shader:18: error: #include: no such file \"nosuch.hlsl\""));
+}
+
+TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
+{
+    Write("a.shader", k_Good);
+    Write("dies.shader", k_Good);
+    Write("good.shader", k_Good);
+    std::string constant = k_Good;
+    constant.replace(constant.find("float4 _Tint;"), 13,
+                     "uniform const sampler2D _T; float4 _Tint;");
+    Write("object.shader",
+          constant.replace(constant.find("return _Tint"), 12, "return _Tint * tex2D(_T, 0)"));
+    const std::string path = (folder / "").string();
+    setenv("LIMN_TEST_ABORT", "dies.shader", 1);
+    const CommandRun text = RunCommand({"shader", path, "-j", "2"});
+    const CommandRun json = RunCommand({"shader", path, "-j", "2", "--json"});
+    unsetenv("LIMN_TEST_ABORT");
+    const std::string reason = "program: the HLSL compiler crashes on it: Aborted (signal 6)";
+    EXPECT_EQ(1, text.exitCode);
+    EXPECT_EQ("4 files: 4 parsed (100.0 %), 1 error; 3 of 4 passes compiled (75.0 %), 1 failed\n",
+              text.out);
+    EXPECT_THAT(text.err, HasSubstr("dies.shader:14:13: error: " + reason + "\n"));
+    EXPECT_EQ(1, json.exitCode);
+    const nlohmann::json files = nlohmann::json::parse(json.out)["files"];
+    ASSERT_EQ(4u, files.size());
+    for (const nlohmann::json& file : files)
+    {
+        const bool dies = file["file"].get<std::string>().ends_with("dies.shader");
+        const nlohmann::json& pass = file["subShaders"][0]["passes"][0];
+        EXPECT_EQ(dies ? "failed" : "compiled", pass["outcome"]) << file["file"];
+        EXPECT_EQ(dies ? reason : "", pass.value("reason", ""));
+    }
+}
+
+TEST_F(ShaderCommand, GivesAnErrorForTheReasonNotTheWarningsBeforeIt)
+{
+    std::string text = k_Good;
+    text.replace(text.find("return _Tint"), 12, "#warning first\nreturn _Tnt");
+    const CommandRun run = RunCommand({"shader", Write("good.shader", text), "--json"});
+    const nlohmann::json file = nlohmann::json::parse(run.out)["files"][0];
+    EXPECT_EQ("'_Tnt': unknown variable", file["subShaders"][0]["passes"][0]["reason"]);
+}
+
+TEST_F(ShaderCommand, RefusesAGrabPassByName)
+{
+    std::string text = k_Good;
+    text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
+    const std::string path = Write("good.shader", text);
+    const std::string reason =
+        "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what it copies";
+    const CommandRun run = RunCommand({"shader", path, "--json"});
+    EXPECT_EQ(0, run.exitCode);
+    const nlohmann::json passes =
+        nlohmann::json::parse(run.out)["files"][0]["subShaders"][0]["passes"];
+    EXPECT_EQ("refused", passes[0]["outcome"]);
+    EXPECT_EQ(reason, passes[0]["reason"]);
+    EXPECT_EQ("compiled", passes[1]["outcome"]);
+    EXPECT_THAT(run.err, HasSubstr("good.shader:6:9: note: " + reason + "\n"));
 }
 
 TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)

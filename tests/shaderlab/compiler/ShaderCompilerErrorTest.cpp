@@ -195,8 +195,84 @@ TEST(ShaderCompilerError, RefusesWhatWouldBeInvalidSpirv)
                     "_Offset); }")),
         ElementsAre(testing::AllOf(
             testing::StartsWith(
-                "t.shader:1:1: error: program: the HLSL compiler makes invalid SPIR-V of it: "),
+                "t.shader:3: error: program: the HLSL compiler makes invalid SPIR-V of it: "),
             testing::HasSubstr("Offset"))));
+}
+
+TEST(ShaderCompilerError, NamesEachThingThatIsMissingOnALine)
+{
+    EXPECT_THAT(
+        CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                                "float4 frag() : SV_Target { return mul(_M, _V) + _N; }\n")),
+        ElementsAre("t.shader:2:40: error: '_M': unknown variable",
+                    "t.shader:2:44: error: '_V': unknown variable",
+                    "t.shader:2:50: error: '_N': unknown variable"));
+}
+
+TEST(ShaderCompilerError, NamesTheFunctionsOfARecursion)
+{
+    const std::string vert = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
+    EXPECT_THAT(CompileMessages(Program(vert + "float f(float x) { return f(x - 1); }\n"
+                                               "float4 frag() : SV_Target { return f(1); }")),
+                ElementsAre("t.shader:2:7: error: 'f': to the HLSL compiler it calls itself; HLSL "
+                            "has no recursion"));
+    EXPECT_THAT(CompileMessages(Program(vert + "float g(float x);\n"
+                                               "float f(float x) { return g(x - 1); }\n"
+                                               "float g(float x) { return f(x - 1); }\n"
+                                               "float4 frag() : SV_Target { return f(1); }")),
+                ElementsAre("t.shader:3:7: error: 'f': to the HLSL compiler it calls itself by way "
+                            "of 'g'; HLSL has no recursion"));
+}
+
+TEST(ShaderCompilerError, TellsWhereAnEntryFunctionIsOnlyDeclared)
+{
+    EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position;\n"
+                                        "float4 frag() : SV_Target { return 1; }")),
+                ElementsAre("t.shader:1:1: error: #pragma vertex: the function 'vert' is only "
+                            "declared, at t.shader:1; write its body"));
+}
+
+TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
+{
+    EXPECT_THAT(ShaderMessages("Shader \"T\" { SubShader { Pass {\n"
+                               "HLSLPROGRAM\n"
+                               "#include_with_pragmas \"entries.hlsl\"\n"
+                               "ENDHLSL } } }"),
+                ElementsAre("t.shader:3:1: error: #include_with_pragmas: no such file "
+                            "\"entries.hlsl\"; it was looked for beside this file, in the project, "
+                            "its packages and the built-in ShaderLibrary"));
+}
+
+TEST(ShaderCompilerError, IsReportedWhereTheNestingIsTooDeep)
+{
+    const std::string vert = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
+    const auto repeat = [](const std::string& text, int count)
+    {
+        std::string result;
+        for (int i = 0; i < count; ++i)
+        {
+            result += text;
+        }
+        return result;
+    };
+    const auto compile = [&](const std::string& code)
+    {
+        return CompileMessages(
+            Program(vert + "float4 frag() : SV_Target { float x = 1;\n" + code + "\nreturn x; }"));
+    };
+    const auto isTooDeep =
+        ElementsAre("t.shader:3: error: HLSL: this is nested more than 500 brackets or 2000 "
+                    "operators deep; take it apart");
+    EXPECT_THAT(compile("x = " + repeat("(", 20'000) + "1" + repeat(")", 20'000) + ";"), isTooDeep);
+    EXPECT_THAT(compile("x = x" + repeat(" + x", 20'000) + ";"), isTooDeep);
+    EXPECT_THAT(compile(repeat("if (x > 1) ", 20'000) + "x = 2;"), isTooDeep);
+    EXPECT_THAT(compile(repeat("if (x > 1) { ", 20'000) + repeat("}", 20'000)), isTooDeep);
+    EXPECT_THAT(compile("if (x > 1) x = 2;" + repeat(" else if (x > 1) x = 3;", 20'000)),
+                isTooDeep);
+    EXPECT_NO_THROW(test::CompileHlsl(
+        vert + "float4 frag() : SV_Target { float x = 1; x = " + repeat("(", 200) + "x" +
+        repeat(")", 200) + repeat("+ x", 1000) + ";\n" + repeat("x = x + 1 - x * 2;", 1000) +
+        " return x; }"));
 }
 
 TEST(ShaderCompilerError, PassesOnErrorDirectives)

@@ -115,6 +115,24 @@ TEST(HlslDeclaration, OfATextureOrBufferMayStandInACbuffer)
     EXPECT_EQ(pass->layout.samplers.at(0).name, "sampler_Map");
 }
 
+TEST(HlslDeclaration, ByAnUnknownMacroIsAnErrorAtItsLine)
+{
+    const std::string frag = "\nfloat4 frag() : SV_Target { return hash(1); }";
+    const std::string hash = "\nuint hash(uint x) { return x; }";
+    const auto message = [](const std::string& place, const std::string& name)
+    {
+        return "t.shader:" + place + ": error: '" + name +
+               "': unknown macro; a declaration is expected here, so define it or include the file "
+               "that does";
+    };
+    EXPECT_THAT(test::CompileMessages(
+                    test::Program(k_Vertex + hash + "\n UNKNOWN(_A);\nOTHER(_B, (1))" + frag)),
+                ElementsAre(message("4:2", "UNKNOWN"), message("5:1", "OTHER")));
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_Vertex + hash + "\ncbuffer C { float4 _A; PROP(float4, _B) };" + frag)),
+                ElementsAre(message("4:24", "PROP")));
+}
+
 TEST(HlslDeclaration, OfClipSpaceFunctionsNeedsNoIncludeInCg)
 {
     const auto pass = test::CompileHlsl(

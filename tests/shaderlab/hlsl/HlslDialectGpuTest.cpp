@@ -1,7 +1,11 @@
 #include "library/FunctionGrid.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <utility>
 #include <vulkan/GpuTestDevice.h>
 
 // Values of what limn spells anew for glslang, and of conversions that the language does by itself.
@@ -136,6 +140,8 @@ TEST_F(HlslDialectValues, NumbersFillArraysOfVectorsInOrder)
         static const float3 k_Three[2] = { 1, 2, 3, 4, (5 + 1), 7 };
         static const float2x2 k_Matrices[2] = { 1, 2, 3, 4, 5, 6, 7, 8, };
         static const float2 k_Grouped[2] = { { 1, 2 }, float2(3, 4) };
+        static const float2 k_Mixed[] = { 1, 2, float2(3, 4), -5, 6, { 7, 8 } };
+        static const float4 k_Parts[2] = { float3(1, 2, 3), 4, 5, float2(6, 7), 8 };
         float2 Local(int i) { const float2 k[3] = { 9, 8, 7, 6, 5, 4 }; return k[i]; })");
     const auto inputs = Combine({0.0, 1.0});
     grid.Add("k_Pairs[a.x + 1]", inputs,
@@ -148,6 +154,14 @@ TEST_F(HlslDialectValues, NumbersFillArraysOfVectorsInOrder)
              [](auto& a, auto&, auto&) { return a.x < 0.5 ? glm::dvec2(3, 4) : glm::dvec2(7, 8); });
     grid.Add("k_Grouped[a.x]", inputs,
              [](auto& a, auto&, auto&) { return a.x < 0.5 ? glm::dvec2(1, 2) : glm::dvec2(3, 4); });
+    grid.Add("k_Mixed[a.x * 2 + 1]", inputs,
+             [](auto& a, auto&, auto&) { return a.x < 0.5 ? glm::dvec2(3, 4) : glm::dvec2(7, 8); });
+    grid.Add("k_Mixed[a.x * 2]", inputs,
+             [](auto& a, auto&, auto&)
+             { return a.x < 0.5 ? glm::dvec2(1, 2) : glm::dvec2(-5, 6); });
+    grid.Add("k_Parts[a.x]", inputs,
+             [](auto& a, auto&, auto&)
+             { return a.x < 0.5 ? glm::dvec4(1, 2, 3, 4) : glm::dvec4(5, 6, 7, 8); });
     grid.Add("Local(a.x + 1)", inputs,
              [](auto& a, auto&, auto&) { return a.x < 0.5 ? glm::dvec2(7, 6) : glm::dvec2(5, 4); });
     grid.Run();
@@ -183,6 +197,156 @@ TEST_F(HlslDialectValues, RowMajorUniformsHoldWhatIsSet)
                  }
                  return result;
              });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, ScalarsFillMatrices)
+{
+    FunctionGrid grid(R"(
+        static const float3x3 k_Ones = (float3x3)1;
+        static const int3x3 k_Table = {1, 2, 3, 4, 5, 7, 8, 9, 10};
+        half3x3 Half(int n) { return (half3x3)n; })");
+    const std::pair<std::string, std::function<double(const glm::dvec4&)>> scalars[] = {
+        {"1",
+         [](auto&)
+         {
+             return 1.0;
+         }},
+        {"-2",
+         [](auto&)
+         {
+             return -2.0;
+         }},
+        {"3.5",
+         [](auto&)
+         {
+             return 3.5;
+         }},
+        {"0x10",
+         [](auto&)
+         {
+             return 16.0;
+         }},
+        {"7u",
+         [](auto&)
+         {
+             return 7.0;
+         }},
+        {"true",
+         [](auto&)
+         {
+             return 1.0;
+         }},
+        {"(int)a.x",
+         [](auto& a)
+         {
+             return std::trunc(a.x);
+         }},
+        {"-(int)a.x",
+         [](auto& a)
+         {
+             return -std::trunc(a.x);
+         }},
+        {"uint3(a.xyz)[1]",
+         [](auto& a)
+         {
+             return std::trunc(a.y);
+         }},
+        {"(a.x > 1)",
+         [](auto& a)
+         {
+             return a.x > 1 ? 1.0 : 0.0;
+         }},
+        {"a.x",
+         [](auto& a)
+         {
+             return a.x;
+         }},
+    };
+    const auto inputs = std::vector<GridInput>{{{5.75, 2.5, 0, 0}}, {{-0.5, 1, 0, 0}}};
+    for (const auto& [scalar, value] : scalars)
+    {
+        for (const std::string size :
+             {"2x2", "2x3", "2x4", "3x2", "3x3", "3x4", "4x2", "4x3", "4x4"})
+        {
+            const std::string matrix = "((float" + size + ")" + scalar + ")";
+            const std::string row = "[" + std::to_string(size[0] - '1') + "]";
+            const std::string column = "[" + std::to_string(size[2] - '1') + "]";
+            grid.Add("float4(" + matrix + "[0][0], " + matrix + "[0]" + column + ", " + matrix +
+                         row + "[0], " + matrix + row + column + ")",
+                     inputs,
+                     [value = value](auto& a, auto&, auto&) { return glm::dvec4(value(a)); });
+        }
+    }
+    for (const std::string type : {"int", "uint"})
+    {
+        grid.Add("float3(((" + type + "3x3)2.75)[1])", inputs,
+                 [](auto&, auto&, auto&) { return glm::dvec3(2); });
+    }
+    grid.Add("k_Table[1][2] / 2", inputs, [](auto&, auto&, auto&) { return 3; });
+    grid.Add("k_Ones[2]", inputs, [](auto&, auto&, auto&) { return glm::dvec3(1); });
+    grid.Add("Half(a.x * 4)[1]", inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec3(std::trunc(a.x * 4)); });
+    grid.Add("float4x4((int)a.x)[3]", inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec4(std::trunc(a.x)); });
+    grid.Add("mul((float3x3)(int)a.x, a.xyz)", inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec3(std::trunc(a.x) * (a.x + a.y + a.z)); });
+    grid.Add("((float2x2)a)[1]", k_Inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec2(a.z, a.w); });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, MatrixSwizzlesEvaluateTheirOperandOnce)
+{
+    FunctionGrid grid(R"(
+        static float s_Calls = 0;
+        float4x4 Next(float x) { s_Calls += 1; return (float4x4)(x + s_Calls); }
+        float3 Calls(float x) { s_Calls = 0; float2 v = Next(x)._m03_m13; return float3(v, s_Calls); }
+        float3x4 m(float4 a, float4 b, float4 c) { return float3x4(a, b, c); })");
+    grid.Add("Calls(a.x)", k_Inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec3(a.x + 1, a.x + 1, 1); });
+    grid.Add("m(a, b, c)._m03_m12_m20.zxyy", k_Inputs,
+             [](auto& a, auto& b, auto& c) { return glm::dvec4(c.x, a.w, b.z, b.z); });
+    grid.Add("(float3x3(a.xyz, b.xyz, c.xyz))._11_32", k_Inputs,
+             [](auto& a, auto&, auto& c) { return glm::dvec2(a.x, c.y); });
+    grid.Add("m(a, b, c)._m01_m02.y", k_Inputs, [](auto& a, auto&, auto&) { return a.z; });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, NumbersThatAreNotFiniteHaveTheirBits)
+{
+    FunctionGrid grid(R"(
+        #define FAR 1.#INF
+        static const float k_Far = FAR;
+        float Nearest(float a, float b) { float d = 1.#INF; d = min(d, a); return min(d, b); }
+        float High(float x) { return asuint(x) >> 16; })");
+    const auto constant = [](double value)
+    {
+        return [value](auto&, auto&, auto&)
+        {
+            return value;
+        };
+    };
+    grid.Add("Nearest(a.x, b.x)", k_Inputs,
+             [](auto& a, auto& b, auto&) { return std::min(a.x, b.x); });
+    grid.Add("a.x < k_Far && -FAR < a.x", k_Inputs, constant(1));
+    grid.Add("High(abs(a.x) * 1.#INF)", k_Inputs, constant(0x7F80));
+    grid.Add("High(-1.#INFf)", k_Inputs, constant(0xFF80));
+    grid.Add("High(1.#QNAN)", k_Inputs, constant(0x7FC0));
+    grid.Add("High(-1.#IND)", k_Inputs, constant(0xFFC0));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, FunctionsWriteToCopiesOfUniforms)
+{
+    FunctionGrid grid(R"(
+        float4 _Tint; float _Steps[2];
+        void Double(float by, inout float4 color) { color *= by; }
+        void Set(out float x) { x = 5; }
+        float4 Both() { Double(2, _Tint); Set(_Steps[1]); return _Tint * _Steps[1]; })");
+    grid.SetGlobal("_Tint", {1, 2, 3, 4});
+    grid.Add("Both()", Combine({0.0}),
+             [](auto&, auto&, auto&) { return glm::dvec4(10, 20, 30, 40); });
     grid.Run();
 }
 

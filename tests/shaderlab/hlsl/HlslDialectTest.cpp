@@ -359,6 +359,38 @@ TEST(HlslDialect, LeavesLoopVariablesAloneThatAreDeclaredAgain)
         })");
 }
 
+TEST(HlslDialect, EndsTwoTemplateArgumentsAtOnce)
+{
+    const auto pass = CompileFragment(R"(
+        Texture2D<vector<float, 4>> _T; SamplerState sampler_T;
+        StructuredBuffer<matrix<float,4,4>> _B;
+        float4 frag(v2f i) : SV_Target
+        {
+            int shifted = 8 >> 1;
+            return mul(_B[shifted>>1], _T.Sample(sampler_T, i.uv));
+        })");
+    EXPECT_EQ(pass->layout.textures.at(0).name, "_T");
+    EXPECT_EQ(pass->layout.storageBuffers.at(0).stride, 64u);
+}
+
+TEST(HlslDialect, TakesConstantObjects)
+{
+    const auto pass = CompileFragment(R"(
+        uniform const sampler2D _T; const uniform samplerCUBE _C;
+        const Texture2D<float4> _U; const SamplerState sampler_U;
+        const StructuredBuffer<float4> _B;
+        float4 Read(const sampler2D t, const in float2 uv) { return tex2D(t, uv); }
+        float4 frag(v2f i) : SV_Target
+        {
+            const float scale = 2;
+            return Read(_T, i.uv) + _U.Sample(sampler_U, i.uv) * scale + _B[0]
+                + texCUBE(_C, i.uv.xyx);
+        })");
+    EXPECT_EQ(pass->layout.textures.size(), 3u);
+    EXPECT_EQ(pass->layout.samplers.size(), 1u);
+    EXPECT_EQ(pass->layout.storageBuffers.size(), 1u);
+}
+
 TEST(HlslDialect, RefusesTexturesOfOneDimension)
 {
     EXPECT_THAT(test::CompileMessages(test::Program(

@@ -1,6 +1,7 @@
 #include "blending/VolumeScene.h"
 
 #include <gtest/gtest.h>
+#include <limn/core/RenderingData.h>
 
 namespace limn
 {
@@ -109,6 +110,30 @@ TEST(VolumeProfile, FindsDerivedComponentsWhereAsked)
     EXPECT_EQ((std::vector<const TestVolume*>{&derived, &base}),
               profile.TryGetAllSubclassOf<TestVolume>());
     EXPECT_EQ(nullptr, profile.TryGetSubclassOf<test::Mixed>());
+}
+
+TEST(VolumeStack, OfDefaultsHasEveryComponentAsItIsMade)
+{
+    struct Unregistered : VolumeComponent
+    {
+        FloatParameter number{this, "number", 1.5f};
+    };
+    const auto* component = VolumeStack::Defaults().GetComponent<Unregistered>();
+    ASSERT_NE(component, nullptr);
+    EXPECT_EQ(component->number.value(), 1.5f);
+    EXPECT_FALSE(component->number.overrideState());
+    EXPECT_EQ(VolumeStack::Defaults().GetComponent<Unregistered>(), component);
+}
+
+TEST(VolumeStack, IsOneOfDefaultsWhereACameraWasGivenNone)
+{
+    RenderingData data;
+    EXPECT_EQ(&*data.volumeStack, &VolumeStack::Defaults());
+    EXPECT_EQ(data.volumeStack->GetComponent<TestVolume>()->param.value(),
+              TestVolume().param.value());
+    VolumeScene scene;
+    data.volumeStack = &scene.stack;
+    EXPECT_EQ(data.volumeStack->GetComponent<TestVolume>(), scene.stack.GetComponent<TestVolume>());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/ThrownMessage.h"
 #include <device/Translate.h>
 #include <frame/PassTargets.h>
+#include <limits>
 
 namespace limn::test
 {
@@ -70,6 +71,15 @@ TEST(Translate, WaitsForEverythingBeforeUndefinedContents)
     EXPECT_EQ(VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, scope.stages);
 }
 
+TEST(Translate, WaitsInEveryStageThatMaySample)
+{
+    const VkPipelineStageFlags2 stages = ToUsageScope(TextureUsage::ShaderRead).stages;
+    // The first of the two stands for all stages before it, geometry where there is one.
+    EXPECT_EQ(VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
+                  VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+              stages);
+}
+
 TEST(Translate, PutsTheViewportsTopAtClipSpaceUp)
 {
     const VkViewport viewport = ToVkViewport({10, 20, 30, 40});
@@ -91,6 +101,32 @@ TEST(Translate, ClipsAViewportToThePass)
     EXPECT_EQ(40, rect.offset.y);
     EXPECT_EQ(20u, rect.extent.width);
     EXPECT_EQ(10u, rect.extent.height);
+}
+
+TEST(Translate, TakesAViewportThatEndsBeyondTheLargestInt)
+{
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    CompiledRenderPass pass;
+    pass.width = 100;
+    pass.height = 50;
+    const VkRect2D rect = ClipToPass({10, 20, k_Most, k_Most}, pass);
+    EXPECT_EQ(10, rect.offset.x);
+    EXPECT_EQ(20, rect.offset.y);
+    EXPECT_EQ(90u, rect.extent.width);
+    EXPECT_EQ(30u, rect.extent.height);
+    EXPECT_EQ(2147483648.0f, ToVkViewport({10, 20, k_Most, k_Most}).y); // the next float to the sum
+}
+
+TEST(Translate, CountsTicksByTheirValidBits)
+{
+    EXPECT_EQ(5u, ElapsedTicks(10, 15, 64));
+    EXPECT_EQ(5u, ElapsedTicks(10, 15, 36));
+    // A counter of 36 bits that began again at 0 in between.
+    EXPECT_EQ(7u, ElapsedTicks((std::uint64_t{1} << 36) - 3, 4, 36));
+    // What stands above the valid bits means nothing.
+    EXPECT_EQ(5u, ElapsedTicks(0xABC000000000000A, 0x123000000000000F, 36));
+    EXPECT_EQ(1u, ElapsedTicks(~std::uint64_t{0}, 0, 64));
+    EXPECT_EQ(1u, ElapsedTicks(1, 0, 1));
 }
 
 } // namespace limn::test

@@ -1,6 +1,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 #include "core/ThrownMessage.h"
+#include <gmock/gmock.h>
 
 namespace limn::test
 {
@@ -154,6 +155,24 @@ TEST_F(FrameErrors, RefuseAnEmptyViewport)
     frame.passes[0].commands.emplace_back(SetViewportCommand{{0, 0, 0, 1}});
     EXPECT_EQ("pass 'test pass': the viewport has the size 0x1; it must be positive",
               ErrorOf(frame));
+}
+
+TEST_F(FrameErrors, RefuseAViewportThatTheDeviceDoesNotReach)
+{
+    const auto errorOf = [](const ViewportRect& rect)
+    {
+        const TargetPtr target = MakeTarget(1, 1);
+        CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+        frame.passes[0].commands.emplace_back(SetViewportCommand{rect});
+        return ErrorOf(frame);
+    };
+    constexpr int k_Far = 1 << 30;
+    EXPECT_THAT(errorOf({0, 0, k_Far, 1}),
+                testing::StartsWith("pass 'test pass': the viewport is 1073741824x1 at (0, 0); the "
+                                    "device draws at most "));
+    EXPECT_THAT(errorOf({0, 0, 1, k_Far}), testing::HasSubstr("is 1x1073741824 at (0, 0)"));
+    EXPECT_THAT(errorOf({-k_Far, 0, 1, 1}), testing::HasSubstr("is 1x1 at (-1073741824, 0)"));
+    EXPECT_THAT(errorOf({0, k_Far, 1, 1}), testing::HasSubstr("is 1x1 at (0, 1073741824)"));
 }
 
 TEST_F(FrameErrors, RefuseASubMeshThatIsNot)

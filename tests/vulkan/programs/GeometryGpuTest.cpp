@@ -1,5 +1,9 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include <glm/gtc/matrix_transform.hpp>
+#include <limn/core/FrameCompiler.h>
+#include <limn/core/Material.h>
+#include <limn/core/ScriptableRenderContext.h>
 
 namespace limn::test
 {
@@ -138,6 +142,93 @@ TEST_F(Geometry, FindsThePerDrawDataOfItsDraw)
     {
         EXPECT_EQ(TexelFloat(image, i, 0)[0], 2.0f + 0.5f * static_cast<float>(i)) << i;
     }
+}
+
+TEST_F(Geometry, MovesEachMeshOfACommandBufferByItsOwnMatrix)
+{
+    const auto material = std::make_shared<Material>(
+        Shader::FromText("Shader \"T\" { SubShader { Pass { ZTest Always Cull Off\nHLSLPROGRAM\n"
+                         "#pragma vertex V\n#pragma geometry G\n#pragma fragment F\n"
+                         "#include \"UnityCG.cginc\"\n"
+                         "struct v2f { float4 pos : SV_POSITION; };\n"
+                         "v2f V(float3 p : POSITION) { v2f o; o.pos = float4(p, 1); return o; }\n"
+                         "[maxvertexcount(3)]\n"
+                         "void G(triangle v2f v[3], inout TriangleStream<v2f> stream)\n"
+                         "{ for (int i = 0; i < 3; ++i) { v2f o;\n"
+                         "  o.pos = mul(unity_ObjectToWorld, v[i].pos); stream.Append(o); } }\n"
+                         "float4 F() : SV_Target { return 1; }\nENDHLSL } } }",
+                         "t.shader", std::make_shared<ShaderCompiler>()));
+    const TargetPtr target = MakeTarget(4, 1);
+    CommandBuffer cmd;
+    cmd.SetRenderTarget(RTHandle(target));
+    cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
+    // One quad, a texel wide, in each column but the third.
+    const MeshPtr quad = MakeQuad(-1, -1, -0.5f, 1);
+    for (const float x : {0.0f, 0.5f, 1.5f})
+    {
+        cmd.DrawMesh(quad, glm::translate(glm::mat4(1.0f), {x, 0, 0}), material);
+    }
+    RenderReport report;
+    ScriptableRenderContext context(report);
+    context.ExecuteCommandBuffer(cmd);
+    SharedDevice().Execute(FrameCompiler().Compile(context.TakeCommands(), std::array{target}));
+    const Image image = SharedDevice().ReadBack(*target);
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(Texel8(image, i, 0)[0], i == 2 ? 0 : 255) << "column " << i;
+    }
+}
+
+/// Covers the target in what the middle of `_MainTex` holds, sampled by the geometry function.
+DrawCommand SamplingDraw(const std::shared_ptr<const Texture>& texture)
+{
+    static const PassPtr pass = CompileGeometryPass(R"(
+        Texture2D _MainTex;
+        SamplerState sampler_MainTex;
+        struct v2f { float4 pos : SV_POSITION; float4 color : COLOR; };
+        v2f vert(float3 p : POSITION) { v2f o; o.pos = float4(p, 1); o.color = 0; return o; }
+        [maxvertexcount(3)]
+        void geom(triangle v2f v[3], inout TriangleStream<v2f> stream)
+        {
+            for (int i = 0; i < 3; ++i)
+            {
+                v2f o = v[i];
+                o.color = _MainTex.SampleLevel(sampler_MainTex, 0.5, 0);
+                stream.Append(o);
+            }
+        }
+        float4 frag(v2f i) : SV_Target { return i.color; })");
+    DrawBindings bindings;
+    bindings.textures = {{pass->layout.textures.at(0).binding, texture, std::nullopt}};
+    bindings.samplers = {{pass->layout.samplers.at(0).binding, {}}};
+    return MakeDraw(pass, MakeQuad(), PlainState(), bindings);
+}
+
+// That it waits for the texels is what synchronization validation checks.
+
+TEST_F(Geometry, SamplesATextureThatTheSameFrameUploads)
+{
+    const auto texture = std::make_shared<Texture2D>("grey", 1, 1, GraphicsFormat::R8_UNorm,
+                                                     std::vector<std::byte>(1, std::byte{51}));
+    const TargetPtr target = MakeTarget(1, 1);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    frame.passes[0].commands.emplace_back(SamplingDraw(texture));
+    SharedDevice().Execute(frame);
+    EXPECT_EQ((Rgba8{51, 0, 0, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+}
+
+TEST_F(Geometry, SamplesATextureThatTheSameFrameDraws)
+{
+    const TargetPtr source = MakeTarget(1, 1);
+    const TargetPtr target = MakeTarget(1, 1);
+    CompiledFrame frame =
+        FrameOf({ClearPass(source, {0, 0, 1, 1}), ClearPass(target), ClearPass(source)}, target);
+    frame.passes[1].barriers.push_back(
+        {source, TextureUsage::ColorAttachment, TextureUsage::ShaderRead});
+    frame.passes[1].commands.emplace_back(SamplingDraw(source));
+    frame.passes[2].barriers[0].before = TextureUsage::ShaderRead; // waits for the read in turn
+    SharedDevice().Execute(frame);
+    EXPECT_EQ((Rgba8{0, 0, 255, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
 }
 
 } // namespace limn::test

@@ -17,6 +17,13 @@ VolumeStack::VolumeStack(const VolumeComponentRegistry& registry,
               [](const Slot& a, const Slot& b) { return a.type < b.type; });
 }
 
+const VolumeStack& VolumeStack::Defaults()
+{
+    static const VolumeStack defaults(VolumeComponentRegistry(),
+                                      std::make_shared<const std::uint64_t>(0));
+    return defaults;
+}
+
 VolumeComponent* VolumeStack::Find(std::type_index type) const
 {
     const auto slot =

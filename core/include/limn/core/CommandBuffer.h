@@ -43,14 +43,17 @@ public:
     ///         wrong kind, or sizes or sample counts differ
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
+    /// @param color  linear
     /// @param depth  1 = far on every device
+    /// @throws ContractError if depth is outside 0...1 or the colour is not finite
     void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
                            int stencil = 0);
     /// Until the next SetRenderTarget, which sets the whole target.
-    /// @throws ContractError if the size is not positive
+    /// @throws ContractError if the size is not positive, or the end fits no int
     void SetViewport(const ViewportRect& rect);
 
-    /// @throws ContractError if mesh or material is null, or there is no such sub-mesh or pass
+    /// @throws ContractError if mesh or material is null, there is no such sub-mesh or pass, or the
+    ///         matrix is not finite
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
@@ -60,9 +63,13 @@ public:
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
 
+    // Setting a global throws ContractError naming it if the value is not finite.
     void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
+    void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
-    void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value); }
+    /// The same as SetGlobalVector, as in Unity: give it `linear()` of what a person picked. Only
+    /// colours of materials and property blocks are converted.
+    void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
     void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
     void SetGlobalTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
     {

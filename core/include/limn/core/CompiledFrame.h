@@ -11,7 +11,7 @@ enum class TextureUsage
     Undefined, ///< contents are worthless
     ColorAttachment,
     DepthStencilAttachment,
-    ShaderRead, ///< sampled in vertex or fragment stage
+    ShaderRead, ///< sampled, in whatever stage
     CopySource
 };
 

@@ -65,6 +65,12 @@ constexpr bool IsDepthFormat(GraphicsFormat format)
     return format == GraphicsFormat::D32_SFloat || format == GraphicsFormat::D32_SFloat_S8_UInt;
 }
 
+/// Unity: GraphicsFormatUtility.IsSRGBFormat.
+constexpr bool IsSRGBFormat(GraphicsFormat format)
+{
+    return format == GraphicsFormat::R8G8B8A8_SRGB;
+}
+
 /// Whether the format holds a stencil beside the depth.
 constexpr bool HasStencil(GraphicsFormat format)
 {

@@ -28,6 +28,7 @@ public:
     int passCount() const { return m_Shader->passCount(); }
     int FindPass(std::string_view passName) const { return m_Shader->FindPassByName(passName); }
 
+    // Setting a value throws ContractError naming material and property if it is not finite.
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }

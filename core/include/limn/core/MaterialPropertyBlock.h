@@ -31,7 +31,8 @@ public:
     {
         Set(id, std::move(v));
     }
-    void Set(ShaderPropertyId id, ShaderPropertyValue value) { m_Values[id] = std::move(value); }
+    /// @throws ContractError naming the property, if a number is not finite; so do all above
+    void Set(ShaderPropertyId id, ShaderPropertyValue value);
     /// Takes over all values of another block.
     void SetAll(const MaterialPropertyBlock& other)
     {

@@ -23,8 +23,13 @@ struct RenderTextureDescriptor
     {
     }
 
-    /// Unity: the property colorFormat.
-    void SetColorFormat(RenderTextureFormat format) { graphicsFormat = ToGraphicsFormat(format); }
+    /// Whether texels are sRGB-encoded. Unity: the property sRGB.
+    bool sRGB() const { return IsSRGBFormat(graphicsFormat); }
+    /// What is sRGB stays so, where the format can be. Unity: the property colorFormat.
+    void SetColorFormat(RenderTextureFormat format)
+    {
+        graphicsFormat = ToGraphicsFormat(format, sRGB());
+    }
 
     bool operator==(const RenderTextureDescriptor&) const = default;
 };

@@ -12,6 +12,29 @@ namespace limn
 class ScriptableRenderer;
 class VolumeStack;
 
+/// A blended stack, or one of defaults where none was given: never null, as in Unity. Stacks belong
+/// to the layer above, whose header whoever uses `->` includes; only there is this looked into.
+class VolumeStackPointer
+{
+public:
+    /// @param stack  must outlive this; null for the defaults
+    VolumeStackPointer(const VolumeStack* stack = nullptr) : m_Stack(stack) {}
+
+    template <typename Stack = VolumeStack>
+    const Stack& operator*() const
+    {
+        return m_Stack != nullptr ? *m_Stack : Stack::Defaults();
+    }
+    template <typename Stack = VolumeStack>
+    const Stack* operator->() const
+    {
+        return &operator*<Stack>();
+    }
+
+private:
+    const VolumeStack* m_Stack;
+};
+
 /// Unity: UnityEngine.Rendering.Universal.CameraData (URP 14).
 struct CameraData
 {
@@ -31,9 +54,9 @@ struct RenderingData
 {
     CameraData cameraData;
     CullingResults cullResults;
-    /// The blended volumes, where a feature reads its component; may be null. (Unity:
+    /// The blended volumes, where a feature reads its component. (Unity:
     /// VolumeManager.instance.stack; limn has no singletons.)
-    const VolumeStack* volumeStack = nullptr;
+    VolumeStackPointer volumeStack;
     /// Where to say why something is not drawn; never null during rendering.
     RenderReport* report = nullptr;
 };

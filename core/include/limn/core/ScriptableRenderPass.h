@@ -9,6 +9,9 @@
 namespace limn
 {
 
+/// The name of a pass that was given none and not yet enqueued; Unity's.
+inline constexpr std::string_view k_UnnamedPass = "Unnamed_ScriptableRenderPass";
+
 /// One step of a frame: derive, set renderPassEvent, record in Execute.
 /// Unity: UnityEngine.Rendering.Universal.ScriptableRenderPass (URP 14).
 class ScriptableRenderPass
@@ -21,8 +24,9 @@ public:
 
     RenderPassEvent renderPassEvent = RenderPassEvent::AfterRenderingOpaques;
 
-    /// What reports, captures and timings call the pass.
-    ProfilingSampler profilingSampler{"Unnamed_ScriptableRenderPass"};
+    /// What reports, captures, timings and errors call the pass: one that is not set becomes the
+    /// name of the class when the pass is enqueued.
+    ProfilingSampler profilingSampler{std::string(k_UnnamedPass)};
 
     /// Once a camera, before any pass executes, in the order of enqueueing: make textures here.
     virtual void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData);
@@ -31,7 +35,7 @@ public:
                            const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
-    /// Once a camera, after all passes have executed.
+    /// Once for each OnCameraSetup, after all passes have executed or one of them has thrown.
     virtual void OnCameraCleanup(CommandBuffer& cmd);
 
     ScriptableRenderPassInput input() const { return m_Input; }
@@ -41,7 +45,6 @@ public:
     ClearFlag clearFlag() const { return m_ClearFlag; }
     const Color& clearColor() const { return m_ClearColor; }
 
-protected:
     /// Draw into these instead of the camera's targets, until ResetTarget. Without `depth` there is
     /// none: the camera's is not used. A depth texture in place of the colour is the depth.
     void ConfigureTarget(const RTHandle& color, const RTHandle& depth = {});

@@ -31,7 +31,7 @@ public:
     /// Appends a pass to this camera's queue; the same pass twice runs twice. Passes run in the
     /// order of their events, equal events in the order of enqueueing, features' before built-in.
     /// @param pass  kept until the camera is done
-    void EnqueuePass(ScriptableRenderPass& pass) { m_Queue.push_back(&pass); }
+    void EnqueuePass(ScriptableRenderPass& pass);
 
     /// What the camera draws into. @throws ContractError outside rendering: as in Unity they exist
     /// from SetupRenderPasses and OnCameraSetup on, not in AddRenderPasses.
@@ -39,7 +39,7 @@ public:
     const RTHandle& cameraDepthTargetHandle() const;
 
     /// Steps 8 to 10 of a camera: features add passes, everything runs, the queue is empty again.
-    /// If something throws, the queue is empty as well.
+    /// If something throws, passes that were set up are cleaned up and the queue is empty as well.
     void RenderCamera(ScriptableRenderContext& context, RenderingData& renderingData);
 
 protected:
@@ -51,6 +51,8 @@ private:
     void AddRenderPasses(RenderingData& renderingData);
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData,
                  std::span<ScriptableRenderPass* const> featurePasses);
+    void ExecutePasses(ScriptableRenderContext& context, RenderingData& renderingData,
+                       std::span<ScriptableRenderPass* const> featurePasses, CommandBuffer& cmd);
     void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
                            RenderingData& renderingData);
     void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const Camera& camera);

@@ -32,6 +32,11 @@ public:
     static std::shared_ptr<const Shader> Load(const std::filesystem::path& path,
                                               std::shared_ptr<ShaderCompiler> compiler,
                                               const ShaderDatabase* database = nullptr);
+    /// The shader of this name, its passes compiled by `compiler`; null if the database has none.
+    /// Unity: Shader.Find, which looks in the whole project.
+    /// @throws AssetError as the constructor
+    static std::shared_ptr<const Shader> Find(std::string_view name, const ShaderDatabase& database,
+                                              std::shared_ptr<ShaderCompiler> compiler);
     /// @param file  what error messages call the text
     static std::shared_ptr<const Shader> FromText(std::string_view text, std::string file,
                                                   std::shared_ptr<ShaderCompiler> compiler);
@@ -76,7 +81,8 @@ public:
     }
 
     /// The pass ready to draw; compiled on the first call, any thread. Equal variants are one
-    /// object. Without `enabled`, by the initial keywords.
+    /// object; who asks for one that is being compiled waits for that one only. Without `enabled`,
+    /// by the initial keywords.
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
     std::shared_ptr<const CompiledPass> Compile(int passIndex) const;
@@ -84,6 +90,13 @@ public:
                                                 std::span<const std::string> enabled) const;
 
 private:
+    /// One variant of one pass.
+    struct Variant
+    {
+        std::mutex mutex; ///< held while it is compiled
+        std::shared_ptr<const CompiledPass> compiled;
+    };
+
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const CompiledPass>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
@@ -95,10 +108,9 @@ private:
     ShaderLabSubShader m_SubShader;
     std::vector<ShaderTagId> m_LightModes; ///< by pass
     int m_RenderQueue = 2000;
-    mutable std::mutex m_Mutex;
-    mutable std::vector<std::shared_ptr<const CompiledPass>> m_Compiled; ///< initial, by pass
-    mutable std::map<std::pair<int, std::vector<std::string>>, std::shared_ptr<const CompiledPass>>
-        m_Variants;
+    mutable std::vector<Variant> m_Initial; ///< by pass
+    mutable std::mutex m_Mutex;             ///< guards the map, not what is in it
+    mutable std::map<std::pair<int, std::vector<std::string>>, Variant> m_Others;
 };
 
 } // namespace limn

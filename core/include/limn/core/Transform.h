@@ -25,6 +25,7 @@ struct Transform
     const Transform* parent = nullptr; ///< must outlive this
 
     glm::mat4 localToParentMatrix() const;
+    // What is in world space throws ContractError if the parents form a circle.
     glm::mat4 localToWorldMatrix() const;
     glm::vec3 position() const; ///< world
     glm::quat rotation() const; ///< world; scales, the parents' too, do not matter

@@ -15,7 +15,7 @@ struct RenderRequest
     int width = 0;                  ///< pixels, > 0
     int height = 0;                 ///< pixels, > 0
     double time = 0.0; ///< seconds, what _Time shows; at most 1e38, since _Time.w is 3 times that
-    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; may be null
+    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
 };
 
@@ -32,15 +32,19 @@ struct RenderResult
 class UniversalRenderPipeline
 {
 public:
+    /// @param device  must outlive this, or SetDevice
+    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(&device) {}
+
+    /// Goes on with another device, as after the first was lost: what textures held is gone.
     /// @param device  must outlive this
-    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(device) {}
+    void SetDevice(GraphicsDevice& device);
 
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);
 
 private:
-    GraphicsDevice& m_Device;
+    GraphicsDevice* m_Device; ///< never null
     FrameCompiler m_FrameCompiler;
     RTHandle m_Output;
 };

@@ -88,13 +88,14 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
             FindSlot(bindings.uniforms, buffer.binding, "uniform data", buffer.name);
         const bool inside =
             slice.offset <= uploadedSize && slice.size <= uploadedSize - slice.offset;
-        if (slice.size < buffer.size || !inside || slice.offset % 256 != 0)
+        if (slice.size < buffer.size || !inside || slice.offset % k_UniformAlignment != 0)
         {
-            throw ContractError(
-                "the uniform data of '" + buffer.name + "' are " + std::to_string(slice.size) +
-                " bytes at " + std::to_string(slice.offset) + "; the shader reads " +
-                std::to_string(buffer.size) + ", at a multiple of 256, of the frame's " +
-                std::to_string(uploadedSize));
+            throw ContractError("the uniform data of '" + buffer.name + "' are " +
+                                std::to_string(slice.size) + " bytes at " +
+                                std::to_string(slice.offset) + "; the shader reads " +
+                                std::to_string(buffer.size) + ", at a multiple of " +
+                                std::to_string(k_UniformAlignment) + ", of the frame's " +
+                                std::to_string(uploadedSize));
         }
         writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                          {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
@@ -160,31 +161,52 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
                                    FrameSlot& slot, const CompiledFrame& frame)
-    : m_Context(context), m_Resources(resources), m_Slot(slot), m_Frame(frame)
+    : m_Context(context),
+      m_Resources(resources),
+      m_Slot(slot),
+      m_Frame(frame),
+      m_PieceElements(context.capabilities().limits.maxStorageBufferRange /
+                      std::uint32_t{sizeof(PerDrawData)})
 {
     if (!frame.uniformData.empty())
     {
         m_Uniforms = slot.upload().Upload(frame.uniformData);
     }
-    if (!frame.perDraw.empty())
+    for (std::span rest{frame.perDraw}; !rest.empty();)
     {
-        m_PerDraw = slot.upload().Upload(std::as_bytes(std::span{frame.perDraw}));
+        const auto piece = rest.first(std::min<std::size_t>(rest.size(), m_PieceElements));
+        const UploadedBytes bytes = slot.upload().Upload(std::as_bytes(piece));
+        m_PerDraw.push_back({bytes.buffer, bytes.offset, piece.size_bytes()});
+        rest = rest.subspan(piece.size());
     }
 }
 
-VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const PassObjects& pass)
+InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t skipped) const
 {
-    VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get()}];
+    const std::uint32_t element = draw.firstInstance + skipped;
+    const std::uint32_t left = draw.instanceCount - skipped;
+    if (draw.pass->layout.storageBuffers.empty())
+    {
+        return {0, element, left};
+    }
+    const std::uint32_t first = element % m_PieceElements;
+    return {element / m_PieceElements, first, std::min(left, m_PieceElements - first)};
+}
+
+VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const PassObjects& pass,
+                                      std::size_t piece)
+{
+    VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get(), piece}];
     if (set == VK_NULL_HANDLE)
     {
         set = Create(draw.pass->layout, draw.bindings ? *draw.bindings : k_NoBindings,
-                     pass.setLayout.get());
+                     pass.setLayout.get(), piece);
     }
     return set;
 }
 
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
-                                         VkDescriptorSetLayout setLayout)
+                                         VkDescriptorSetLayout setLayout, std::size_t piece)
 {
     const VkDescriptorSet set = m_Slot.descriptors().Allocate(setLayout);
     SetWriter writer{set, layout};
@@ -196,14 +218,7 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
         {
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
-        if (m_Frame.perDraw.empty())
-        {
-            throw ContractError("a draw reads '" + buffer.name +
-                                "' in a frame without per-draw data");
-        }
-        writer.AddBuffer(
-            buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-            {m_PerDraw.buffer, m_PerDraw.offset, m_Frame.perDraw.size() * sizeof(PerDrawData)});
+        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, m_PerDraw.at(piece));
     }
     writer.Write(m_Context.device());
     return set;

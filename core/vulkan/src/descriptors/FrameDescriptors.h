@@ -6,7 +6,16 @@
 namespace limn::vulkan
 {
 
-/// The descriptor sets of one frame; draws of equal bindings and layout share one.
+/// Consecutive instances of a draw whose per-draw elements lie in one piece of the frame's.
+struct InstanceRun
+{
+    std::size_t piece = 0;
+    std::uint32_t first = 0; ///< its element's index in the piece
+    std::uint32_t count = 0;
+};
+
+/// The descriptor sets of one frame; draws of equal bindings and layout share one. Per-draw data
+/// beyond what the device binds at once are bound in pieces.
 class FrameDescriptors
 {
 public:
@@ -14,20 +23,27 @@ public:
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
                      const CompiledFrame& frame);
 
+    /// The longest run that begins with the draw's instance `skipped`, counted from 0. All
+    /// instances are one run where the shader reads no per-draw data.
+    InstanceRun RunFrom(const DrawCommand& draw, std::uint32_t skipped) const;
+
+    /// @param piece  of the per-draw data
     /// @throws ContractError naming what the shader reads and the draw does not bind
-    VkDescriptorSet Get(const DrawCommand& draw, const PassObjects& pass);
+    VkDescriptorSet Get(const DrawCommand& draw, const PassObjects& pass, std::size_t piece);
 
 private:
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
-                           VkDescriptorSetLayout setLayout);
+                           VkDescriptorSetLayout setLayout, std::size_t piece);
 
     const VulkanContext& m_Context;
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
     UploadedBytes m_Uniforms;
-    UploadedBytes m_PerDraw;
-    std::map<std::pair<const DrawBindings*, VkDescriptorSetLayout>, VkDescriptorSet> m_Sets;
+    std::uint32_t m_PieceElements;                 ///< of per-draw data, the last piece apart
+    std::vector<VkDescriptorBufferInfo> m_PerDraw; ///< the pieces
+    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, std::size_t>, VkDescriptorSet>
+        m_Sets;
 };
 
 } // namespace limn::vulkan

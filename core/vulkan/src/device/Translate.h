@@ -60,4 +60,13 @@ const char* ToString(TextureUsage usage);
 VkAttachmentLoadOp ToVkLoadOp(LoadOp op);
 VkAttachmentStoreOp ToVkStoreOp(StoreOp op);
 
+/// From one timestamp to a later one, of which only the low bits count: the counter starts again
+/// at 0 behind them, and the others may hold anything.
+/// @param validBits  1...64
+constexpr std::uint64_t ElapsedTicks(std::uint64_t begin, std::uint64_t end,
+                                     std::uint32_t validBits)
+{
+    return (end - begin) & (~std::uint64_t{0} >> (64U - validBits));
+}
+
 } // namespace limn::vulkan

@@ -98,7 +98,7 @@ void VulkanContext::ReadCapabilities()
     vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
-    m_Capabilities.timestamps = families[m_QueueFamily].timestampValidBits > 0;
+    m_Capabilities.timestampValidBits = families[m_QueueFamily].timestampValidBits;
     m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
 }
 

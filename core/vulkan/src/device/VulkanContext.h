@@ -16,7 +16,7 @@ struct DeviceCapabilities
     std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
     bool mirrorOnce = false;
     bool cubeArray = false;
-    bool timestamps = false;
+    std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
     std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures

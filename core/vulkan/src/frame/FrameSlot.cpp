@@ -1,6 +1,7 @@
 #include "frame/FrameSlot.h"
 
 #include "device/Check.h"
+#include "device/Translate.h"
 #include <algorithm>
 
 namespace limn::vulkan
@@ -28,7 +29,8 @@ FrameSlot::FrameSlot(const VulkanContext& context, MemoryAllocator& allocator)
 
 void FrameSlot::Begin(std::size_t passCount)
 {
-    Abandon();
+    m_TimedPasses.clear();
+    Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
     m_Upload.Reset();
     m_Descriptors.Reset();
     VkCommandBufferBeginInfo info{};
@@ -36,12 +38,6 @@ void FrameSlot::Begin(std::size_t passCount)
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     Check(vkBeginCommandBuffer(m_Commands, &info), "vkBeginCommandBuffer");
     ReserveQueries(passCount);
-}
-
-void FrameSlot::Abandon()
-{
-    Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
-    m_TimedPasses.clear();
 }
 
 void FrameSlot::Submit(SubmitQueue& queue)
@@ -54,7 +50,7 @@ void FrameSlot::Submit(SubmitQueue& queue)
 
 void FrameSlot::ReserveQueries(std::size_t passCount)
 {
-    if (!m_Context.capabilities().timestamps || passCount == 0)
+    if (m_Context.capabilities().timestampValidBits == 0 || passCount == 0)
     {
         return; // nothing can be, or nothing is to be measured
     }
@@ -75,7 +71,7 @@ void FrameSlot::ReserveQueries(std::size_t passCount)
 
 void FrameSlot::BeginTiming(const std::string& name)
 {
-    if (m_Context.capabilities().timestamps)
+    if (m_Context.capabilities().timestampValidBits > 0)
     {
         const auto query = static_cast<std::uint32_t>(2 * m_TimedPasses.size());
         m_TimedPasses.push_back(name);
@@ -86,7 +82,7 @@ void FrameSlot::BeginTiming(const std::string& name)
 
 void FrameSlot::EndTiming()
 {
-    if (m_Context.capabilities().timestamps)
+    if (m_Context.capabilities().timestampValidBits > 0)
     {
         const auto query = static_cast<std::uint32_t>(2 * m_TimedPasses.size() - 1);
         vkCmdWriteTimestamp2(m_Commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
@@ -109,7 +105,8 @@ std::vector<PassTiming> FrameSlot::ReadTimings() const
           "vkGetQueryPoolResults");
     for (std::size_t i = 0; i < m_TimedPasses.size(); ++i)
     {
-        const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
+        const auto elapsed = static_cast<double>(ElapsedTicks(
+            ticks[2 * i], ticks[2 * i + 1], m_Context.capabilities().timestampValidBits));
         timings.push_back(
             {m_TimedPasses[i], elapsed * m_Context.capabilities().nanosecondsPerTick * 1e-6});
     }

@@ -20,8 +20,8 @@ public:
 
     /// Starts recording. @pre the slot's last submission is finished
     void Begin(std::size_t passCount);
-    /// Drops what was recorded.
-    void Abandon();
+    /// What was recorded will not be submitted; Begin() drops it.
+    void Abandon() noexcept { m_TimedPasses.clear(); }
     /// Ends recording and submits.
     void Submit(SubmitQueue& queue);
 

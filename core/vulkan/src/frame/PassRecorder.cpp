@@ -115,6 +115,7 @@ void PassRecorder::Run(const ClearCommand& clear)
 
 void PassRecorder::Run(const SetViewportCommand& viewport)
 {
+    RequireViewport(viewport.rect, m_Pass, m_Context.capabilities().limits);
     m_Scissor = ClipToPass(viewport.rect, m_Pass);
     const VkViewport area = ToVkViewport(viewport.rect);
     vkCmdSetViewport(m_Commands, 0, 1, &area);
@@ -128,16 +129,27 @@ void PassRecorder::Run(const DrawCommand& draw)
     BindState(draw, objects);
     const PooledMesh* mesh = draw.mesh ? &m_Resources.meshes.Use(draw.mesh, m_Number) : nullptr;
     BindVertices(objects, mesh);
-    if (mesh == nullptr)
+    const SubMesh indices = mesh == nullptr ? SubMesh{} : IndicesOf(draw);
+    if (mesh != nullptr)
     {
-        vkCmdDraw(m_Commands, draw.vertexCount, draw.instanceCount, 0, draw.firstInstance);
-        return;
+        vkCmdBindIndexBuffer(m_Commands, mesh->buffer.handle.get(), mesh->indexOffset,
+                             VK_INDEX_TYPE_UINT32);
     }
-    const SubMesh run = IndicesOf(draw);
-    vkCmdBindIndexBuffer(m_Commands, mesh->buffer.handle.get(), mesh->indexOffset,
-                         VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(m_Commands, run.indexCount, draw.instanceCount, run.indexStart, 0,
-                     draw.firstInstance);
+    for (std::uint32_t done = 0; done < draw.instanceCount;)
+    {
+        const InstanceRun run = m_Descriptors.RunFrom(draw, done);
+        BindInstances(draw, objects, run);
+        if (mesh == nullptr)
+        {
+            vkCmdDraw(m_Commands, draw.vertexCount, run.count, 0, run.first);
+        }
+        else
+        {
+            vkCmdDrawIndexed(m_Commands, indices.indexCount, run.count, indices.indexStart, 0,
+                             run.first);
+        }
+        done += run.count;
+    }
 }
 
 void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
@@ -156,10 +168,15 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
         m_BoundState = draw.state;
         m_BoundOutputs = outputs;
     }
+}
+
+void PassRecorder::BindInstances(const DrawCommand& draw, const PassObjects& objects,
+                                 const InstanceRun& run)
+{
     const VkPipelineLayout layout = objects.layout.get();
     if (HasBindings(draw.pass->layout))
     {
-        const VkDescriptorSet set = m_Descriptors.Get(draw, objects);
+        const VkDescriptorSet set = m_Descriptors.Get(draw, objects, run.piece);
         if (set != m_BoundSet)
         {
             vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set,
@@ -167,8 +184,7 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
             m_BoundSet = set;
         }
     }
-    vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(draw.firstInstance),
-                       &draw.firstInstance);
+    vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(run.first), &run.first);
 }
 
 void PassRecorder::BindVertices(const PassObjects& objects, const PooledMesh* mesh)
@@ -183,10 +199,10 @@ void PassRecorder::BindVertices(const PassObjects& objects, const PooledMesh* me
     std::vector<VkDeviceSize> strides(fetches.size(), 0);
     for (std::size_t i = 0; i < fetches.size(); ++i)
     {
-        const auto attribute = static_cast<std::size_t>(fetches[i].attribute);
-        const bool carried = mesh != nullptr && fetches[i].attribute != VertexAttribute::None &&
+        const std::size_t attribute = fetches[i].attribute;
+        const bool carried = mesh != nullptr && attribute < k_VertexAttributeCount &&
                              mesh->arrays[attribute].stride != 0;
-        offsets[i] = MeshPool::ConstantOffset(fetches[i].attribute);
+        offsets[i] = MeshPool::ConstantOffset(attribute);
         if (carried)
         {
             buffers[i] = mesh->buffer.handle.get();

@@ -23,6 +23,7 @@ private:
     void Run(const BeginSampleCommand& sample);
     void Run(const EndSampleCommand& sample);
     void BindState(const DrawCommand& draw, PassObjects& objects);
+    void BindInstances(const DrawCommand& draw, const PassObjects& objects, const InstanceRun& run);
     void BindVertices(const PassObjects& objects, const PooledMesh* mesh);
     void BeginLabel(const std::string& name);
     void EndLabel();

@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include <algorithm>
+#include <utility>
 
 namespace limn::vulkan
 {
@@ -12,6 +13,17 @@ namespace
 std::string SizeText(int width, int height)
 {
     return std::to_string(width) + "x" + std::to_string(height);
+}
+
+/// The texel behind the last; may fit no int.
+std::int64_t Right(const ViewportRect& rect)
+{
+    return std::int64_t{rect.x} + rect.width;
+}
+
+std::int64_t Bottom(const ViewportRect& rect)
+{
+    return std::int64_t{rect.y} + rect.height;
 }
 
 /// Checks the texture as a target and returns its sample count.
@@ -151,17 +163,42 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
     vkCmdBeginRendering(commands, &info);
 }
 
-VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
+void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
+                     const VkPhysicalDeviceLimits& limits)
 {
+    const std::string subject = "pass '" + pass.name + "': the viewport ";
     if (rect.width <= 0 || rect.height <= 0)
     {
-        throw ContractError("pass '" + pass.name + "': the viewport has the size " +
-                            SizeText(rect.width, rect.height) + "; it must be positive");
+        throw ContractError(subject + "has the size " + SizeText(rect.width, rect.height) +
+                            "; it must be positive");
     }
-    const int left = std::clamp(rect.x, 0, pass.width);
-    const int top = std::clamp(rect.y, 0, pass.height);
-    const int right = std::clamp(rect.x + rect.width, left, pass.width);
-    const int bottom = std::clamp(rect.y + rect.height, top, pass.height);
+    const auto& most = limits.maxViewportDimensions;
+    const auto [first, last] = limits.viewportBoundsRange;
+    const bool fits = std::cmp_less_equal(rect.width, most[0]) &&
+                      std::cmp_less_equal(rect.height, most[1]) &&
+                      static_cast<float>(std::min(rect.x, rect.y)) >= first &&
+                      static_cast<float>(std::max(Right(rect), Bottom(rect))) <= last;
+    if (!fits)
+    {
+        throw ContractError(subject + "is " + SizeText(rect.width, rect.height) + " at (" +
+                            std::to_string(rect.x) + ", " + std::to_string(rect.y) +
+                            "); the device draws at most " + std::to_string(most[0]) + "x" +
+                            std::to_string(most[1]) + " between " +
+                            std::to_string(static_cast<std::int64_t>(first)) + " and " +
+                            std::to_string(static_cast<std::int64_t>(last)));
+    }
+}
+
+VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
+{
+    const auto clip = [](std::int64_t value, int least, int most)
+    {
+        return static_cast<int>(std::clamp<std::int64_t>(value, least, most));
+    };
+    const int left = clip(rect.x, 0, pass.width);
+    const int top = clip(rect.y, 0, pass.height);
+    const int right = clip(Right(rect), left, pass.width);
+    const int bottom = clip(Bottom(rect), top, pass.height);
     return {{left, top},
             {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
 }
@@ -169,7 +206,7 @@ VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
 VkViewport ToVkViewport(const ViewportRect& rect)
 {
     return {static_cast<float>(rect.x),
-            static_cast<float>(rect.y + rect.height),
+            static_cast<float>(Bottom(rect)),
             static_cast<float>(rect.width),
             -static_cast<float>(rect.height),
             0.0f,

@@ -15,8 +15,11 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
                           ImagePool& images);
 
+/// @throws ContractError if the rectangle is empty or more than the device draws into
+void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
+                     const VkPhysicalDeviceLimits& limits);
+
 /// The part of the pass's area that `rect` covers.
-/// @throws ContractError if the rectangle is empty
 VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
 
 /// Clip y = +1 is the rectangle's first row, clip z = depth.

@@ -22,8 +22,18 @@ SubmitQueue::SubmitQueue(const VulkanContext& context) : m_Context(context)
 
 SubmitQueue::~SubmitQueue()
 {
-    // A lost device is idle too; there is nobody left to tell.
-    static_cast<void>(vkDeviceWaitIdle(m_Context.device()));
+    WaitIdle();
+}
+
+void SubmitQueue::WaitIdle() const noexcept
+{
+    // A lost device is idle too. Want of memory is no answer to somebody who frees things next.
+    constexpr int k_Attempts = 8;
+    VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
+    for (int i = 0; i < k_Attempts && result < 0 && result != VK_ERROR_DEVICE_LOST; ++i)
+    {
+        result = vkDeviceWaitIdle(m_Context.device());
+    }
 }
 
 std::uint64_t SubmitQueue::finishedNumber() const

@@ -22,6 +22,7 @@ public:
 
     void Submit(VkCommandBuffer commands);
     void Wait(std::uint64_t number) const;
+    void WaitIdle() const noexcept; ///< until nothing is in use any more
 
 private:
     const VulkanContext& m_Context;

@@ -55,9 +55,10 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     }
     catch (...)
     {
-        slot.Abandon();
+        // None of it may throw: what went wrong first is what is reported.
         resources.images.Rollback(number);
         resources.meshes.Rollback(number);
+        slot.Abandon();
         throw;
     }
 }

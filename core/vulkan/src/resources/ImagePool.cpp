@@ -214,7 +214,7 @@ void ImagePool::Commit()
     }
 }
 
-void ImagePool::Rollback(std::uint64_t number)
+void ImagePool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
     std::erase_if(m_Images, [&](const auto& entry) { return entry.second.createdBy == number; });

@@ -61,9 +61,9 @@ public:
     /// Records the copies of all queued texels. @param commands  outside of a render pass
     void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);
 
-    void Commit();                       ///< what was recorded is submitted
-    void Rollback(std::uint64_t number); ///< it never will be
-    void Sweep(std::uint64_t finished);  ///< frees what nobody owns or uses
+    void Commit();                                ///< what was recorded is submitted
+    void Rollback(std::uint64_t number) noexcept; ///< it never will be
+    void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
 
     std::size_t size() const { return m_Images.size(); }
 

@@ -65,7 +65,15 @@ Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, Submit
     slot.Begin(0);
     RecordCopy(slot.commands(), image, result, aspect, buffer.handle.get());
     slot.Submit(queue);
-    queue.Wait(slot.number());
+    try
+    {
+        queue.Wait(slot.number());
+    }
+    catch (...)
+    {
+        queue.WaitIdle(); // the copy may still be at it
+        throw;
+    }
     const std::byte* texels = buffer.memory.mapped();
     result.texels.assign(texels, texels + size);
     return result;

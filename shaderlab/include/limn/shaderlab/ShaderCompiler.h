@@ -3,6 +3,7 @@
 #include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -34,6 +35,10 @@ struct ShaderCompilerOptions
     /// Bytes that the entries of the cache folder may take; those not used for longest are removed
     /// when there are more. 0 = no limit.
     std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
+    /// Compile each pass in a child process: a crash of the HLSL compiler is an error of the pass.
+    bool isIsolated = false;
+    /// What an isolated compilation may take.
+    std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
 };
 
 /// Turns the HLSL of a pass into SPIR-V and its layout. All members may be called from several

@@ -3,7 +3,9 @@
 #include "hlsl/Editor.h"
 #include "text/Text.h"
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limn
@@ -15,12 +17,12 @@ namespace
 /// 12 of "float3x4", 2 of "int2", 0 of what is no vector or matrix.
 std::size_t Components(std::string_view type)
 {
-    constexpr std::string_view k_Scalars[] = {"float", "int", "uint", "bool", "double"};
+    constexpr std::string_view k_ComponentTypes[] = {"float", "int", "uint", "bool", "double"};
     const auto isSize = [](char c)
     {
         return c >= '1' && c <= '4';
     };
-    for (const std::string_view scalar : k_Scalars)
+    for (const std::string_view scalar : k_ComponentTypes)
     {
         const std::string_view rest =
             type.substr(0, scalar.size()) == scalar ? type.substr(scalar.size()) : "";
@@ -56,41 +58,86 @@ bool hasArrayInitializers(std::string_view text)
     return false;
 }
 
-/// The first tokens of what stands between the commas of `{ … }`, and the `}`. Empty where a list,
-/// a call or a name is among it: then its author has grouped it.
-std::vector<std::size_t> Numbers(const HlslEditor& code, std::size_t open)
+/// What stands between two commas of `{ … }`.
+struct Item
 {
-    const std::size_t close = code.AfterBracket(open) - 1;
-    std::vector<std::size_t> starts;
-    for (std::size_t i = open + 1; i < close; ++i)
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::size_t components = 0; ///< 0 = not to be told without types
+};
+
+/// A number is one component, a list in brackets a whole element.
+std::size_t ComponentsOf(const HlslEditor& code, const Item& item, std::size_t element)
+{
+    const auto isWhole = [&](std::size_t open)
+    {
+        return code.Step(open) > 0 && code.AfterBracket(open) == item.last + 1;
+    };
+    if (code.Text(item.first) == "{" && isWhole(item.first))
+    {
+        return element;
+    }
+    if (code.isWord(item.first) && isWhole(item.first + 1))
+    {
+        return Components(code.Text(item.first));
+    }
+    for (std::size_t i = item.first; i <= item.last; ++i)
     {
         if (code.isWord(i) || code.Text(i) == "{")
         {
-            return {};
-        }
-        if (code.Text(i - 1) == "," || i == open + 1)
-        {
-            starts.push_back(i);
+            return 0;
         }
     }
-    starts.push_back(close);
-    return starts;
+    return 1;
 }
 
+std::vector<Item> Items(const HlslEditor& code, std::size_t open, std::size_t element)
+{
+    const std::size_t close = code.AfterBracket(open) - 1;
+    std::vector<Item> items;
+    for (std::size_t i = open + 1; i < close;)
+    {
+        const std::size_t comma = std::min(code.FindOutside(i, ","), close);
+        Item item{i, std::max(comma, i + 1) - 1, 0};
+        item.components = ComponentsOf(code, item, element);
+        items.push_back(item);
+        i = comma + 1;
+    }
+    return items;
+}
+
+/// Puts constructors around the runs of items that make up an element together; where there are
+/// none, or the items do not tell, all stays.
 void Group(HlslEditor& code, std::string_view type, std::size_t components, std::size_t open,
            std::string_view dimension)
 {
-    const std::vector<std::size_t> starts = Numbers(code, open);
-    const std::size_t count = starts.empty() ? 0 : starts.size() - 1;
-    if (count == 0 || count % components != 0 || dimension == std::to_string(count))
+    const std::vector<Item> items = Items(code, open, components);
+    std::vector<std::pair<std::size_t, std::size_t>> groups; // first and last token
+    std::size_t sum = 0;
+    for (const Item& item : items)
+    {
+        if (sum == 0)
+        {
+            groups.emplace_back(item.first, item.last);
+        }
+        groups.back().second = item.last;
+        if (item.components == 0 || sum + item.components > components)
+        {
+            return;
+        }
+        sum = (sum + item.components) % components;
+        if (item.components == components)
+        {
+            groups.pop_back();
+        }
+    }
+    if (sum != 0 || dimension == std::to_string(items.size()))
     {
         return;
     }
-    for (std::size_t i = 0; i < count; i += components)
+    for (const auto& [first, last] : groups)
     {
-        const std::size_t next = starts[i + components];
-        const std::size_t last = code.Text(next - 1) == "," ? next - 2 : next - 1;
-        code.Spelling(starts[i]).insert(0, std::string(type) + "(");
+        code.Spelling(first).insert(0, std::string(type) + "(");
         code.Spelling(last) += ")";
     }
 }

@@ -3,6 +3,7 @@
 #include "hlsl/Editor.h"
 #include "hlsl/rewrites/Initializers.h"
 #include "hlsl/rewrites/Loops.h"
+#include "hlsl/rewrites/Matrices.h"
 #include "hlsl/rewrites/OldForms.h"
 #include "hlsl/rewrites/Structs.h"
 #include "hlsl/rewrites/UniformParameters.h"
@@ -28,46 +29,20 @@ constexpr std::array<std::string_view, 7> k_StageModifiers = {
 constexpr std::array<std::string_view, 6> k_TypeNames = {"sampler", "texture", "matrix",
                                                          "vector",  "string",  "layout"};
 
+constexpr std::array<std::string_view, 4> k_ObjectModifiers = {"static", "uniform", "extern", "in"};
+
+constexpr std::array<std::string_view, 18> k_Objects = {
+    "sampler",          "sampler2D",        "sampler3D",
+    "samplerCUBE",      "SamplerState",     "SamplerComparisonState",
+    "Texture1D",        "Texture2D",        "Texture3D",
+    "TextureCube",      "Texture1DArray",   "Texture2DArray",
+    "TextureCubeArray", "Texture2DMS",      "Texture2DMSArray",
+    "Buffer",           "StructuredBuffer", "ByteAddressBuffer"};
+
 template <std::size_t N>
 bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
 {
     return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// "_m03_m13" is {"_m03", "_m13"}, "_11" is {"_11"}; empty for everything else.
-std::vector<std::string_view> MatrixElements(std::string_view word)
-{
-    const std::size_t size = word.substr(0, 2) == "_m" ? 4 : 3;
-    std::vector<std::string_view> elements;
-    for (; !word.empty(); word.remove_prefix(size))
-    {
-        const bool isElement = word.size() >= size && word[0] == '_' && isDigit(word[size - 1]) &&
-                               isDigit(word[size - 2]) && (size == 3 || word[1] == 'm');
-        if (!isElement)
-        {
-            return {};
-        }
-        elements.push_back(word.substr(0, size));
-    }
-    return elements;
-}
-
-/// The elements that "xzz" takes of a vector; none where it takes what is not there.
-std::vector<std::string_view> Swizzle(const std::vector<std::string_view>& elements,
-                                      std::string_view letters)
-{
-    std::vector<std::string_view> result;
-    for (const char letter : letters)
-    {
-        const std::size_t xyzw = std::string_view("xyzw").find(letter);
-        const std::size_t index = std::min(xyzw, std::string_view("rgba").find(letter));
-        if (index >= elements.size())
-        {
-            return {};
-        }
-        result.push_back(elements[index]);
-    }
-    return result;
 }
 
 class Speller
@@ -117,9 +92,13 @@ private:
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
-        else if (word[0] == '_' && index > 1 && Text(index - 1) == ".")
+        else if (word == "const" && isObject(index + 1))
         {
-            SpellMatrixSwizzle(index);
+            m_Code.Spelling(index).clear(); // it says nothing; glslang crashes on it
+        }
+        else if ((word == "vector" || word == "matrix") && Text(index + 1) == "<")
+        {
+            SplitTemplateEnd(index + 2);
         }
     }
 
@@ -143,6 +122,30 @@ private:
                (next == ";" || next == "," || next == ")" || next == "{");
     }
 
+    /// Whether a texture, sampler or buffer is declared here, modifiers first.
+    bool isObject(std::size_t index) const
+    {
+        while (Contains(k_ObjectModifiers, Text(index)))
+        {
+            ++index;
+        }
+        return Contains(k_Objects, Text(index)) && (isWord(index + 1) || Text(index + 1) == "<");
+    }
+
+    /// `Texture2D<vector<float, 4>>`: here `>>` is no shift.
+    void SplitTemplateEnd(std::size_t index)
+    {
+        while (isWord(index) || Text(index) == "," ||
+               (!Text(index).empty() && isDigit(Text(index)[0])))
+        {
+            ++index;
+        }
+        if (Text(index) == ">>")
+        {
+            m_Code.Spelling(index) = "> >";
+        }
+    }
+
     /// Whether a method of a texture takes it: `_Tex.Sample(name, …)`.
     bool isSampledBy(std::string_view name) const
     {
@@ -156,86 +159,6 @@ private:
             }
         }
         return false;
-    }
-
-    /// `M._m03_m13.yx` becomes `float2(M._m13, M._m03)`: what glslang 12 makes of the swizzle
-    /// itself is not valid, but for the left side of `=`.
-    void SpellMatrixSwizzle(std::size_t index)
-    {
-        std::vector<std::string_view> elements = MatrixElements(Text(index));
-        const std::string_view next = Text(index + 1);
-        const bool isAssigned = next.size() < 3 && next != "==" && !next.empty() &&
-                                next.back() == '=' && next != "!=" && next != "<=" && next != ">=";
-        if (elements.size() < 2 || isAssigned)
-        {
-            return;
-        }
-        std::size_t last = index;
-        if (Text(index + 1) == ".")
-        {
-            elements = Swizzle(elements, Text(index + 2));
-            last = index + 2;
-        }
-        const std::size_t first = FirstOfOperand(index - 2);
-        std::string operand;
-        for (std::size_t i = first; i < index - 1; ++i)
-        {
-            operand += m_Code.Spelling(i);
-        }
-        std::string text;
-        for (const std::string_view element : elements)
-        {
-            text += (text.empty() ? "" : ", ") + operand + "." + std::string(element);
-        }
-        if (elements.empty())
-        {
-            return;
-        }
-        m_Code.Erase(first, last + 1);
-        // The preprocessor leaves no blank between `return` and a bracket.
-        m_Code.Spelling(first) = " ";
-        m_Code.Spelling(first) +=
-            elements.size() == 1 ? text
-                                 : "float" + std::to_string(elements.size()) + "(" + text + ")";
-    }
-
-    /// Where the operand of `.` begins that ends at a token: `a.b[i]`, `f(x)`, `(x)`.
-    std::size_t FirstOfOperand(std::size_t index) const
-    {
-        for (;;)
-        {
-            if (Text(index) == "]")
-            {
-                index = MatchingOpen(index);
-                index -= index > 0 ? 1 : 0;
-                continue;
-            }
-            if (Text(index) == ")")
-            {
-                index = MatchingOpen(index);
-                const bool isCall = index > 0 && isWord(index - 1) && Text(index - 1) != "return";
-                index -= isCall ? 1 : 0;
-            }
-            if (index < 2 || Text(index - 1) != ".")
-            {
-                return index;
-            }
-            index -= 2;
-        }
-    }
-
-    std::size_t MatchingOpen(std::size_t index) const
-    {
-        int depth = 0;
-        for (;; --index)
-        {
-            depth += Text(index) == ")" || Text(index) == "]" ? 1 : 0;
-            depth -= Text(index) == "(" || Text(index) == "[" ? 1 : 0;
-            if (depth <= 0 || index == 0)
-            {
-                return index;
-            }
-        }
     }
 
     HlslEditor m_Code;
@@ -252,6 +175,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
     text = TakeUniformParameters(
         std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});
     text = HoistLoopVariables(std::move(text));
+    text = SpellMatrices(std::move(text));
     return Speller(text).Spell();
 }
 

@@ -17,11 +17,21 @@ public:
     VolumeStack(VolumeStack&&) = default;
     VolumeStack& operator=(VolumeStack&&) = default;
 
+    /// The stack of a camera that nobody blended volumes for: every type of component with the
+    /// values of its constructor, registered or not. (Unity: VolumeManager.instance.stack before
+    /// the first camera.)
+    static const VolumeStack& Defaults();
+
     /// The blended component, with its defaults where no volume set anything; null only if the type
     /// was not registered when the stack was created. Lives as long as the stack.
     template <std::derived_from<VolumeComponent> T>
     const T* GetComponent() const
     {
+        if (this == &Defaults())
+        {
+            static const T defaults;
+            return &defaults;
+        }
         return static_cast<const T*>(Find(typeid(T)));
     }
 

@@ -56,7 +56,8 @@ public:
     /// @throws ContractError if the frame contradicts itself (a texture is not in the use that a
     ///         barrier or a pass says, a draw lacks what its shader reads); nothing of it is then
     ///         drawn
-    /// @throws VulkanError   if the driver fails
+    /// @throws VulkanError   if the driver fails; nothing of the frame is then drawn, and the next
+    ///         one may be tried, unless the device is lost (see UniversalRenderPipeline::SetDevice)
     void Execute(const CompiledFrame& frame) override;
 
     /// Depth comes back as D32_SFloat, 1 = near; colour with several samples a texel as their

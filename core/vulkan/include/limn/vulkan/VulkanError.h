@@ -19,6 +19,8 @@ public:
 
     const std::string& call() const { return m_Call; }     ///< e.g. "vkCreateImage"
     const std::string& result() const { return m_Result; } ///< e.g. "VK_ERROR_DEVICE_LOST"
+    /// Then every call of that device fails: only another device helps.
+    bool isDeviceLost() const { return m_Result == "VK_ERROR_DEVICE_LOST"; }
     const std::string& object() const { return m_Object; } ///< name of what was worked on, or ""
 
 private:

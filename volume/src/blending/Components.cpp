@@ -1,4 +1,4 @@
-#include "blending/CloneComponent.h"
+#include "blending/Components.h"
 
 namespace limn
 {

@@ -1,4 +1,4 @@
-#include "parameters/TypeName.h"
+#include <limn/core/TypeName.h>
 
 #include <cstdlib>
 #include <cxxabi.h>

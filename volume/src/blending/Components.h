@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/TypeName.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn

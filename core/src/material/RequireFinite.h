@@ -1,0 +1,18 @@
+#pragma once
+
+#include <limn/core/MaterialPropertyBlock.h>
+#include <string_view>
+
+namespace limn
+{
+
+/// Whether all numbers of the value are finite; textures have none.
+bool isFinite(const ShaderPropertyValue& value);
+
+/// Where values enter: a shader makes nothing of NaN and infinity but more of them, without a word.
+/// @param owner  what the message begins with: "material 'Paint': "
+/// @throws ContractError if a number of the value is not finite
+void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id,
+                   std::string_view owner = {});
+
+} // namespace limn

@@ -1,0 +1,365 @@
+#include "hlsl/rewrites/Matrices.h"
+
+#include "hlsl/Editor.h"
+#include "text/Text.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::array<std::string_view, 4> k_ScalarTypes = {"float", "int", "uint", "bool"};
+
+/// `int3x4`; no rows where a word is no such type.
+struct MatrixType
+{
+    std::string_view scalar;
+    int rows = 0;
+    int columns = 0;
+
+    std::string Name() const
+    {
+        return std::string(scalar) + std::to_string(rows) + "x" + std::to_string(columns);
+    }
+};
+
+MatrixType ReadMatrixType(std::string_view word)
+{
+    const auto isSize = [](char c)
+    {
+        return c >= '2' && c <= '4';
+    };
+    word = word == "matrix" ? "float4x4" : word;
+    for (const std::string_view scalar : {"float", "int", "uint"})
+    {
+        const std::string_view size = word.starts_with(scalar) ? word.substr(scalar.size()) : "";
+        if (size.size() == 3 && isSize(size[0]) && size[1] == 'x' && isSize(size[2]))
+        {
+            return {scalar, size[0] - '0', size[2] - '0'};
+        }
+    }
+    return {};
+}
+
+/// Calls a function for each float matrix of at least this size.
+template <typename F>
+void ForEachMatrix(int rows, int columns, F&& each)
+{
+    for (int row = rows; row <= 4; ++row)
+    {
+        for (int column = columns; column <= 4; ++column)
+        {
+            each(MatrixType{"float", row, column}.Name());
+        }
+    }
+}
+
+/// One overload for each type that the language casts to the matrix.
+std::string WriteCast(const MatrixType& type, const std::string& function)
+{
+    const std::string name = type.Name();
+    std::string elements;
+    for (int i = 0; i < type.rows * type.columns; ++i)
+    {
+        elements.append(i > 0 ? ", " : "").append(type.scalar).append("(v)");
+    }
+    std::string text;
+    const auto add = [&](std::string_view parameter, const std::string& value)
+    {
+        text.append(name).append(" ").append(function).append("(").append(parameter);
+        text.append(" v) { return ").append(value).append("; } ");
+    };
+    for (const std::string_view scalar : k_ScalarTypes)
+    {
+        add(scalar, name + "(" + elements + ")");
+    }
+    if (type.rows * type.columns == 4)
+    {
+        add("float4", name + "(v.x, v.y, v.z, v.w)");
+    }
+    ForEachMatrix(type.rows, type.columns,
+                  [&](const std::string& larger) { add(larger, "(" + name + ")v"); });
+    return text;
+}
+
+/// The functions of both kinds come before the first token.
+std::string Assemble(HlslEditor& code, const std::string& functions)
+{
+    if (code.size() > 0)
+    {
+        code.Spelling(0).insert(0, functions);
+    }
+    return code.Assemble();
+}
+
+class CastSpeller
+{
+public:
+    explicit CastSpeller(const std::string& text) : m_Code(text) {}
+
+    std::string Spell()
+    {
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
+        {
+            const MatrixType type = m_Code.isWord(i) ? ReadMatrixType(Text(i)) : MatrixType();
+            if (type.rows > 0 && isCast(i))
+            {
+                m_Code.Erase(i - 1, i + 2);
+                m_Code.Spelling(i - 1) = " " + Function(type) + "(";
+                m_Code.Spelling(EndOfOperand(i + 2) - 1) += ")";
+            }
+            else if (type.rows > 0 && isConstructorOfOne(i))
+            {
+                m_Code.Spelling(i) = Function(type);
+            }
+        }
+        return Assemble(m_Code, m_Functions);
+    }
+
+private:
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    std::string Function(const MatrixType& type)
+    {
+        const std::string function = "limn_" + type.Name();
+        if (m_Known.insert(function).second)
+        {
+            m_Functions += WriteCast(type, function);
+        }
+        return function;
+    }
+
+    static bool isSign(std::string_view text)
+    {
+        return text == "+" || text == "-" || text == "!" || text == "~";
+    }
+
+    /// Whether a value can begin at the token, signs aside.
+    bool isValue(std::size_t index) const
+    {
+        const std::string_view text = Text(index);
+        return m_Code.isWord(index) || text == "(" || (!text.empty() && isDigit(text[0])) ||
+               (text.size() > 1 && text[0] == '.');
+    }
+    bool isOperand(std::size_t index) const { return isValue(index) || isSign(Text(index)); }
+
+    /// `(type)value` around the type, not the parameters of `float3 f(float3x3);`.
+    bool isCast(std::size_t index) const
+    {
+        const bool isInBrackets = index > 0 && Text(index - 1) == "(" && Text(index + 1) == ")";
+        const bool isCall = index > 1 && m_Code.isWord(index - 2) && Text(index - 2) != "return";
+        // A variable may be called matrix, and stand in brackets before a sign.
+        const bool isVariable = Text(index) == "matrix" && isSign(Text(index + 2));
+        return isInBrackets && !isCall && !isVariable && isOperand(index + 2);
+    }
+
+    /// `type(value)`: with several values it is a constructor as glslang knows it.
+    bool isConstructorOfOne(std::size_t index) const
+    {
+        return Text(index + 1) == "(" && Text(index + 2) != ")" &&
+               Text(m_Code.FindOutside(index + 2, ",")) == ")";
+    }
+
+    /// The token behind the value that a cast before it takes: signs, further casts, a name, number
+    /// or brackets, and what is called, indexed or picked of it.
+    std::size_t EndOfOperand(std::size_t index) const
+    {
+        const auto isFurtherCast = [&]
+        {
+            return Text(index) == "(" && m_Code.isWord(index + 1) && Text(index + 2) == ")" &&
+                   isValue(index + 3);
+        };
+        while (isSign(Text(index)) || isFurtherCast())
+        {
+            index += isSign(Text(index)) ? 1 : 3;
+        }
+        index = Text(index) == "(" ? m_Code.AfterBracket(index) : index + 1;
+        while (Text(index) == "." || Text(index) == "[" || Text(index) == "(")
+        {
+            index = Text(index) == "." ? index + 2 : m_Code.AfterBracket(index);
+        }
+        return std::min(index, m_Code.size());
+    }
+
+    HlslEditor m_Code;
+    std::set<std::string> m_Known;
+    std::string m_Functions;
+};
+
+/// "_m03_m13" is {"_m03", "_m13"}, "_11" is {"_11"}; empty for everything else.
+std::vector<std::string_view> MatrixElements(std::string_view word)
+{
+    const std::size_t size = word.substr(0, 2) == "_m" ? 4 : 3;
+    std::vector<std::string_view> elements;
+    for (; !word.empty(); word.remove_prefix(size))
+    {
+        const bool isElement = word.size() >= size && word[0] == '_' && isDigit(word[size - 1]) &&
+                               isDigit(word[size - 2]) && (size == 3 || word[1] == 'm');
+        if (!isElement)
+        {
+            return {};
+        }
+        elements.push_back(word.substr(0, size));
+    }
+    return elements;
+}
+
+/// The elements that "xzz" takes of a vector; none where it takes what is not there.
+std::vector<std::string_view> PickElements(const std::vector<std::string_view>& elements,
+                                           std::string_view letters)
+{
+    std::vector<std::string_view> result;
+    for (const char letter : letters)
+    {
+        const std::size_t xyzw = std::string_view("xyzw").find(letter);
+        const std::size_t index = std::min(xyzw, std::string_view("rgba").find(letter));
+        if (index >= elements.size())
+        {
+            return {};
+        }
+        result.push_back(elements[index]);
+    }
+    return result;
+}
+
+/// One overload for each matrix that has the elements.
+std::string WriteSwizzle(const std::vector<std::string_view>& elements, const std::string& function)
+{
+    int rows = 2;
+    int columns = 2;
+    std::string values;
+    for (const std::string_view element : elements)
+    {
+        const int first = element[1] == 'm' ? 0 : 1;
+        rows = std::max(rows, element[element.size() - 2] - '0' + 1 - first);
+        columns = std::max(columns, element[element.size() - 1] - '0' + 1 - first);
+        values.append(values.empty() ? "v." : ", v.").append(element);
+    }
+    const std::string type =
+        elements.size() > 1 ? "float" + std::to_string(elements.size()) : "float";
+    std::string text;
+    ForEachMatrix(rows, columns,
+                  [&](const std::string& matrix)
+                  {
+                      text += type + " " + function + "(" + matrix + " v) { return " + type + "(" +
+                              values + "); } ";
+                  });
+    return text;
+}
+
+class SwizzleSpeller
+{
+public:
+    explicit SwizzleSpeller(const std::string& text) : m_Code(text) {}
+
+    std::string Spell()
+    {
+        for (std::size_t i = 2; i < m_Code.size(); ++i)
+        {
+            if (Text(i)[0] == '_' && Text(i - 1) == ".")
+            {
+                SpellSwizzle(i);
+            }
+        }
+        return Assemble(m_Code, m_Functions);
+    }
+
+private:
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    /// `M._m03_m13.yx` becomes `limn_m13_m03(M)`, but for the left side of `=`.
+    void SpellSwizzle(std::size_t index)
+    {
+        std::vector<std::string_view> elements = MatrixElements(Text(index));
+        const std::string_view next = Text(index + 1);
+        const bool isAssigned = next.size() < 3 && next != "==" && !next.empty() &&
+                                next.back() == '=' && next != "!=" && next != "<=" && next != ">=";
+        if (elements.size() < 2 || isAssigned)
+        {
+            return;
+        }
+        std::size_t last = index;
+        if (next == ".")
+        {
+            elements = PickElements(elements, Text(index + 2));
+            last = index + 2;
+        }
+        if (elements.empty())
+        {
+            return;
+        }
+        std::string function = "limn";
+        for (const std::string_view element : elements)
+        {
+            function += element;
+        }
+        if (m_Known.insert(function).second)
+        {
+            m_Functions += WriteSwizzle(elements, function);
+        }
+        m_Code.Erase(index - 1, last + 1);
+        m_Code.Spelling(last) = ")";
+        // The preprocessor leaves no blank between `return` and a bracket.
+        m_Code.Spelling(FirstOfOperand(index - 2)).insert(0, " " + function + "(");
+    }
+
+    /// Where the operand of `.` begins that ends at a token: `a.b[i]`, `f(x)`, `(x)`.
+    std::size_t FirstOfOperand(std::size_t index) const
+    {
+        for (;;)
+        {
+            if (Text(index) == "]")
+            {
+                index = MatchingOpen(index);
+                index -= index > 0 ? 1 : 0;
+                continue;
+            }
+            if (Text(index) == ")")
+            {
+                index = MatchingOpen(index);
+                const bool isCall =
+                    index > 0 && m_Code.isWord(index - 1) && Text(index - 1) != "return";
+                index -= isCall ? 1 : 0;
+            }
+            if (index < 2 || Text(index - 1) != ".")
+            {
+                return index;
+            }
+            index -= 2;
+        }
+    }
+
+    std::size_t MatchingOpen(std::size_t index) const
+    {
+        int depth = 0;
+        for (;; --index)
+        {
+            depth -= m_Code.Step(index);
+            if (depth <= 0 || index == 0)
+            {
+                return index;
+            }
+        }
+    }
+
+    HlslEditor m_Code;
+    std::set<std::string> m_Known;
+    std::string m_Functions;
+};
+
+} // namespace
+
+std::string SpellMatrices(std::string text)
+{
+    text = CastSpeller(text).Spell();
+    return SwizzleSpeller(text).Spell();
+}
+
+} // namespace limn

@@ -1,0 +1,113 @@
+#include "ShaderTestSupport.h"
+
+#include <limn/shaderlab/MissingIncludeError.h>
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <future>
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+const std::string k_IsolatedVertex =
+    "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
+
+ShaderCompilerOptions IsolatedOptions(std::chrono::milliseconds limit = 30s)
+{
+    ShaderCompilerOptions options;
+    options.isIsolated = true;
+    options.timeLimit = limit;
+    return options;
+}
+
+std::vector<std::string> IsolatedMessages(const PassProgram& program,
+                                          std::chrono::milliseconds limit = 30s)
+{
+    ShaderCompiler compiler(IsolatedOptions(limit));
+    try
+    {
+        compiler.Compile(program);
+    }
+    catch (const AssetError& error)
+    {
+        return test::Messages(error.diagnostics());
+    }
+    return {};
+}
+
+} // namespace
+
+TEST(CompilerProcess, GivesWhatThisProcessGives)
+{
+    test::TemporaryFolder folder;
+    folder.Write("color.hlsl", "float4 _Color;");
+    PassProgram program =
+        test::Program(k_IsolatedVertex +
+                      "#include \"color.hlsl\"\n#warning look\n"
+                      "Texture2D _T; SamplerState sampler_T;\n"
+                      "float4 frag() : SV_Target { return _Color * _T.Sample(sampler_T, 0); }");
+    program.file = (folder.path() / "t.shader").string();
+    ShaderCompiler here;
+    ShaderCompiler isolated(IsolatedOptions());
+    EXPECT_EQ(*here.Compile(program), *isolated.Compile(program));
+    EXPECT_EQ(here.includeFiles(), isolated.includeFiles());
+    EXPECT_FALSE(isolated.includeFiles().empty());
+}
+
+TEST(CompilerProcess, PassesOnWhatIsWrongWithTheProgram)
+{
+    ShaderCompiler compiler(IsolatedOptions());
+    EXPECT_THAT(IsolatedMessages(
+                    test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return _A; }")),
+                ElementsAre("2:36: error: '_A': unknown variable"));
+    EXPECT_THROW(compiler.Compile(test::Program("#include \"no.hlsl\"\n")), MissingIncludeError);
+    EXPECT_THROW(compiler.Compile(test::Program(
+                     k_IsolatedVertex + "RWTexture2D<float4> _T;\n"
+                                        "float4 frag() : SV_Target { return _T[uint2(0, 0)]; }")),
+                 UnsupportedProgramError);
+}
+
+TEST(CompilerProcess, MayDieWhileOthersGoOn)
+{
+    setenv("LIMN_TEST_ABORT", "dies.shader", 1);
+    PassProgram dies = test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }");
+    const PassProgram lives = dies;
+    dies.file = "dies.shader";
+    ShaderCompiler compiler(IsolatedOptions());
+    const auto live = [&]
+    {
+        return compiler.Compile(lives);
+    };
+    std::vector<std::future<std::shared_ptr<const CompiledPass>>> others;
+    for (int i = 0; i < 4; ++i)
+    {
+        others.push_back(std::async(std::launch::async, live));
+        EXPECT_THAT(IsolatedMessages(dies),
+                    ElementsAre("1:1: error: program: the HLSL compiler crashes on it: Aborted "
+                                "(signal 6)"));
+    }
+    for (auto& other : others)
+    {
+        EXPECT_FALSE(other.get()->fragmentSpirv.empty());
+    }
+    unsetenv("LIMN_TEST_ABORT");
+}
+
+TEST(CompilerProcess, EndsWhenItsTimeIsOver)
+{
+    EXPECT_THAT(
+        IsolatedMessages(
+            test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }"), 1ms),
+        ElementsAre("1:1: error: program: compiling it takes longer than 1 ms; make it "
+                    "smaller"));
+}
+
+} // namespace limn
