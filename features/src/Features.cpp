@@ -4,7 +4,6 @@
 #include <limn/features/RenderObjects.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
-#include <limn/shaderlab/EmbeddedFile.h>
 
 namespace limn
 {
@@ -33,20 +32,6 @@ constexpr FeatureType k_Features[] = {
     {"ScreenSpaceOutlineRenderFeature", &Make<ScreenSpaceOutlineRenderFeature>},
     {"RenderObjects", &Make<RenderObjects>},
     {"FullScreenPassRendererFeature", &Make<FullScreenPassRendererFeature>},
-};
-
-struct FeatureShader
-{
-    std::string_view name;
-    std::string_view folder;
-    std::string_view stem;
-};
-
-constexpr FeatureShader k_Shaders[] = {
-    {"Hidden/ScreenSpaceOutline", "screen_space_outline", "ScreenSpaceOutline"},
-    {"Limn/TranslucentOutline", "translucent_outline", "TranslucentOutline"},
-    {"Limn/TranslucentOutlineHull", "translucent_outline", "TranslucentOutlineHull"},
-    {"Limn/TranslucentSolid", "translucent_outline", "TranslucentSolid"},
 };
 
 } // namespace
@@ -78,44 +63,15 @@ std::vector<std::string_view> FeatureTypeNames()
     return names;
 }
 
-std::shared_ptr<const Shader> FindShippedShader(std::string_view name,
-                                                const std::shared_ptr<ShaderCompiler>& compiler)
+const ShaderDatabase& ShippedShaders()
 {
-    for (const FeatureShader& shader : k_Shaders)
+    static const ShaderDatabase shaders = []
     {
-        const std::string path =
-            std::string(shader.folder) + "/" + std::string(shader.stem) + ".shader";
-        for (const EmbeddedFile& file : embedded::FeatureShaders())
-        {
-            if (shader.name == name && file.path == path)
-            {
-                return Shader::FromText(file.text, std::string(shader.stem) + ".shader", compiler);
-            }
-        }
-    }
-    return FindBuiltinShader(name, compiler);
-}
-
-std::vector<std::string_view> ShippedShaderNames()
-{
-    std::vector<std::string_view> names = BuiltinShaderNames();
-    for (const FeatureShader& shader : k_Shaders)
-    {
-        names.push_back(shader.name);
-    }
-    return names;
-}
-
-std::string_view ShippedShaderOfFile(std::string_view stem)
-{
-    for (const FeatureShader& shader : k_Shaders)
-    {
-        if (shader.stem == stem)
-        {
-            return shader.name;
-        }
-    }
-    return {};
+        ShaderDatabase database = BuiltinShaders();
+        database.Add(embedded::FeatureShaders());
+        return database;
+    }();
+    return shaders;
 }
 
 } // namespace limn

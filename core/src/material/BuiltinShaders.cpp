@@ -2,7 +2,6 @@
 #include <array>
 #include <cctype>
 #include <limn/core/BuiltinShaders.h>
-#include <limn/shaderlab/EmbeddedFile.h>
 
 namespace limn
 {
@@ -14,18 +13,6 @@ std::span<const EmbeddedFile> BuiltinShaders();
 
 namespace
 {
-
-struct BuiltinShader
-{
-    std::string_view name;
-    std::string_view file;
-};
-
-constexpr BuiltinShader k_Shaders[] = {
-    {"Universal Render Pipeline/Lit", "Lit.shader"},
-    {"Universal Render Pipeline/Unlit", "Unlit.shader"},
-    {"Hidden/Universal/CoreBlit", "CoreBlit.shader"},
-};
 
 struct SolidColor
 {
@@ -81,30 +68,15 @@ std::vector<std::shared_ptr<const Texture>> SolidTextures()
 
 } // namespace
 
-std::shared_ptr<const Shader> FindBuiltinShader(std::string_view name,
-                                                const std::shared_ptr<ShaderCompiler>& compiler)
+const ShaderDatabase& BuiltinShaders()
 {
-    for (const BuiltinShader& shader : k_Shaders)
+    static const ShaderDatabase shaders = []
     {
-        for (const EmbeddedFile& file : embedded::BuiltinShaders())
-        {
-            if (shader.name == name && shader.file == file.path)
-            {
-                return Shader::FromText(file.text, std::string(file.path), compiler);
-            }
-        }
-    }
-    return nullptr;
-}
-
-std::vector<std::string_view> BuiltinShaderNames()
-{
-    std::vector<std::string_view> names;
-    for (const BuiltinShader& shader : k_Shaders)
-    {
-        names.push_back(shader.name);
-    }
-    return names;
+        ShaderDatabase database;
+        database.Add(embedded::BuiltinShaders());
+        return database;
+    }();
+    return shaders;
 }
 
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDimension dimension)

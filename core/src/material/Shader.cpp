@@ -117,6 +117,14 @@ std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
     return std::make_shared<const Shader>(LoadShaderLab(path), std::move(compiler), database);
 }
 
+std::shared_ptr<const Shader> Shader::Find(std::string_view name, const ShaderDatabase& database,
+                                           std::shared_ptr<ShaderCompiler> compiler)
+{
+    const ShaderLabDocument* document = database.Find(name);
+    return document ? std::make_shared<const Shader>(*document, std::move(compiler), &database)
+                    : nullptr;
+}
+
 std::shared_ptr<const Shader> Shader::FromText(std::string_view text, std::string file,
                                                std::shared_ptr<ShaderCompiler> compiler)
 {

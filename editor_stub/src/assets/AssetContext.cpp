@@ -89,7 +89,7 @@ std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::pa
 const ShaderDatabase& AssetContext::DatabaseAround(const std::filesystem::path& shaderFile)
 {
     const std::filesystem::path folder = FolderOfShaders(shaderFile);
-    return Cached(m_Databases, folder, [&] { return FindShaders({folder}, m_Compiler); });
+    return Cached(m_Databases, folder, [&] { return FindShaders({folder}); });
 }
 
 std::shared_ptr<const Shader> AssetContext::ReadShader(const std::filesystem::path& path)

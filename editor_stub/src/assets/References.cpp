@@ -39,7 +39,7 @@ std::shared_ptr<const Shader> References::ReadShader(const YamlNode& node,
     if (name && !shader)
     {
         m_Diagnostics.Error(node.location(), subject + ": unknown shader " +
-                                                 UnknownName(*name, ShippedShaderNames()) +
+                                                 UnknownName(*name, ShippedShaders().names()) +
                                                  "; a file's path ends in '.shader'");
     }
     return shader;

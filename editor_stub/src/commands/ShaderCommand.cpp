@@ -127,7 +127,7 @@ private:
     /// Read when it is needed first: that takes its time in a large project.
     const ShaderDatabase& Shaders()
     {
-        std::call_once(m_ShadersOnce, [this] { m_Shaders = FindShaders(m_Folders, m_Compiler); });
+        std::call_once(m_ShadersOnce, [this] { m_Shaders = FindShaders(m_Folders); });
         return m_Shaders;
     }
 

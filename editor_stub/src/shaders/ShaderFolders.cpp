@@ -20,19 +20,14 @@ std::filesystem::path FolderOfShaders(const std::filesystem::path& shaderFile)
     return folder.empty() ? "." : folder;
 }
 
-ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders,
-                           const std::shared_ptr<ShaderCompiler>& compiler)
+ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders)
 {
     ShaderDatabase database;
     for (const std::filesystem::path& folder : folders)
     {
         database.AddFolder(folder);
     }
-    for (const std::string_view name : ShippedShaderNames())
-    {
-        const std::shared_ptr<const Shader> shader = FindShippedShader(name, compiler);
-        database.Add({shader, &shader->document()});
-    }
+    database.Add(ShippedShaders());
     return database;
 }
 

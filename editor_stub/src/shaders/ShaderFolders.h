@@ -1,9 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderDatabase.h>
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +14,7 @@ std::filesystem::path FolderOfShaders(const std::filesystem::path& shaderFile);
 
 /// The shaders below the folders, in their order, and those that come with limn.
 /// @throws AssetError if a folder cannot be searched
-ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders,
-                           const std::shared_ptr<ShaderCompiler>& compiler);
+ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders);
 
 /// Whether Unity or one of its packages has a shader of this name, by the folder in the name: what
 /// no project needs to hold.

@@ -87,19 +87,20 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
             return nullptr;
         }
     }
-    const std::string_view shipped = path ? ShippedShaderOfFile(path->stem().string()) : "";
+    const ShaderLabDocument* shipped =
+        path ? ShippedShaders().FindFile(path->filename().string()) : nullptr;
     const std::string missing =
         path ? path->filename().string() + " is not in the project"
              : "no .meta file of the project has the shader's guid '" + guid + "'";
-    if (shipped.empty())
+    if (!shipped)
     {
         loading.diagnostics.Note(node.location(), subject + ": left out, " + missing);
         return nullptr;
     }
     loading.diagnostics.Note(node.location(), subject + ": " + missing + ", so " +
-                                                  std::string(shipped) +
+                                                  shipped->name +
                                                   " that comes with limn is used");
-    return loading.assets.FindShader(shipped);
+    return loading.assets.FindShader(shipped->name);
 }
 
 /// The map that holds a feature's settings: where authors put them all, a member of its own.

@@ -31,23 +31,56 @@ void ShaderDatabase::Add(std::shared_ptr<const ShaderLabDocument> document)
     m_Documents.emplace(document->name, document);
 }
 
+void ShaderDatabase::Add(const ShaderDatabase& other)
+{
+    m_Documents.insert(other.m_Documents.begin(), other.m_Documents.end());
+}
+
+void ShaderDatabase::Add(std::span<const EmbeddedFile> files)
+{
+    for (const EmbeddedFile& file : files)
+    {
+        const std::filesystem::path path(file.path);
+        ShaderLabParseResult result = ParseShaderLab(file.text, path.filename().string());
+        if (result.hasErrors())
+        {
+            throw AssetError(std::move(result.diagnostics));
+        }
+        Add(std::make_shared<const ShaderLabDocument>(std::move(result.document)));
+    }
+}
+
 const ShaderLabDocument* ShaderDatabase::Find(std::string_view name) const
 {
     const auto found = m_Documents.find(name);
     return found == m_Documents.end() ? nullptr : found->second.get();
 }
 
-std::string ShaderDatabase::UnknownShader(std::string_view name) const
+const ShaderLabDocument* ShaderDatabase::FindFile(std::string_view filename) const
+{
+    const auto found =
+        std::find_if(m_Documents.begin(), m_Documents.end(),
+                     [filename](const auto& entry)
+                     { return std::filesystem::path(entry.second->file).filename() == filename; });
+    return found == m_Documents.end() ? nullptr : found->second.get();
+}
+
+std::vector<std::string_view> ShaderDatabase::names() const
 {
     std::vector<std::string_view> names;
-    for (const auto& [known, document] : m_Documents)
+    for (const auto& [name, document] : m_Documents)
     {
-        names.push_back(known);
+        names.push_back(name);
     }
-    const std::string_view nearest = NearestName(name, names);
+    return names;
+}
+
+std::string ShaderDatabase::UnknownShader(std::string_view name) const
+{
+    const std::string_view nearest = NearestName(name, names());
     return "'" + std::string(name) + "'; " +
            (nearest.empty() ? "no shader of a name like it is among the " +
-                                  std::to_string(names.size()) + " known ones"
+                                  std::to_string(size()) + " known ones"
                             : "did you mean '" + std::string(nearest) + "'?");
 }
 

@@ -4,16 +4,20 @@
 #include <limn/core/Texture.h>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 namespace limn
 {
 
 /// limn's own shaders: "Universal Render Pipeline/Lit", "Universal Render Pipeline/Unlit",
-/// "Hidden/Universal/CoreBlit". Null for any other name.
-std::shared_ptr<const Shader> FindBuiltinShader(std::string_view name,
-                                                const std::shared_ptr<ShaderCompiler>& compiler);
-std::vector<std::string_view> BuiltinShaderNames();
+/// "Hidden/Universal/CoreBlit".
+const ShaderDatabase& BuiltinShaders();
+
+/// One of BuiltinShaders(); null for any other name.
+inline std::shared_ptr<const Shader>
+FindBuiltinShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    return Shader::Find(name, BuiltinShaders(), compiler);
+}
 
 /// A texture of one texel, or one a slice or face, of a ShaderLab default name ("white", "black",
 /// "gray", "bump" or "normal", "red", "green", "blue", "clear"; any case); gray for any other. An

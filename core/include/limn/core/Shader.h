@@ -32,6 +32,11 @@ public:
     static std::shared_ptr<const Shader> Load(const std::filesystem::path& path,
                                               std::shared_ptr<ShaderCompiler> compiler,
                                               const ShaderDatabase* database = nullptr);
+    /// The shader of this name, its passes compiled by `compiler`; null if the database has none.
+    /// Unity: Shader.Find, which looks in the whole project.
+    /// @throws AssetError as the constructor
+    static std::shared_ptr<const Shader> Find(std::string_view name, const ShaderDatabase& database,
+                                              std::shared_ptr<ShaderCompiler> compiler);
     /// @param file  what error messages call the text
     static std::shared_ptr<const Shader> FromText(std::string_view text, std::string file,
                                                   std::shared_ptr<ShaderCompiler> compiler);

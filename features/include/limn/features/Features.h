@@ -18,12 +18,14 @@ void RegisterVolumeComponents(VolumeComponentRegistry& registry);
 std::unique_ptr<ScriptableRendererFeature> CreateFeature(std::string_view typeName);
 std::vector<std::string_view> FeatureTypeNames();
 
-/// A shader that comes with limn, of core's or of a feature's; null for any other name.
-std::shared_ptr<const Shader> FindShippedShader(std::string_view name,
-                                                const std::shared_ptr<ShaderCompiler>& compiler);
-std::vector<std::string_view> ShippedShaderNames();
+/// Every shader that comes with limn, of core's and of the features'.
+const ShaderDatabase& ShippedShaders();
 
-/// The name of the feature shader whose file is called "<stem>.shader"; "" if there is none.
-std::string_view ShippedShaderOfFile(std::string_view stem);
+/// One of ShippedShaders(); null for any other name.
+inline std::shared_ptr<const Shader>
+FindShippedShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    return Shader::Find(name, ShippedShaders(), compiler);
+}
 
 } // namespace limn
