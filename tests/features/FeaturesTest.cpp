@@ -1,25 +1,24 @@
 #include <gtest/gtest.h>
+#include <limn/core/BuiltinShaders.h>
 #include <limn/features/Features.h>
+#include <limn/features/RenderObjects.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 
 namespace limn::test
 {
 
-TEST(Features, EveryListedTypeCanBeMade)
+TEST(Features, OfEveryFolderAreRegistered)
 {
-    ASSERT_FALSE(FeatureTypeNames().empty());
-    for (const std::string_view name : FeatureTypeNames())
-    {
-        EXPECT_NE(nullptr, CreateFeature(name)) << name;
-    }
-    const auto feature = CreateFeature("ScreenSpaceOutlineRenderFeature");
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFeatures(features, components);
+    EXPECT_EQ((std::vector<std::string_view>{"FullScreenPassRendererFeature", "RenderObjects",
+                                             "ScreenSpaceOutlineRenderFeature"}),
+              features.names());
+    const auto feature = features.Create("ScreenSpaceOutlineRenderFeature");
     EXPECT_NE(nullptr, dynamic_cast<ScreenSpaceOutlineRenderFeature*>(feature.get()));
-}
-
-TEST(Features, AnUnknownTypeGivesNull)
-{
-    EXPECT_EQ(nullptr, CreateFeature("screenspaceoutlinerenderfeature"));
+    EXPECT_NE(features.Create("RenderObjects"), features.Create("RenderObjects"));
 }
 
 TEST(Features, VolumeComponentsAreKnownByTheirTypesName)
@@ -33,20 +32,41 @@ TEST(Features, VolumeComponentsAreKnownByTheirTypesName)
 TEST(Features, EveryShippedShaderIsFoundByItsName)
 {
     const auto compiler = std::make_shared<ShaderCompiler>();
-    ASSERT_EQ(7u, ShippedShaderNames().size());
-    for (const std::string_view name : ShippedShaderNames())
+    EXPECT_EQ((std::vector<std::string_view>{
+                  "Hidden/ScreenSpaceOutline", "Hidden/Universal/CoreBlit",
+                  "Limn/TranslucentOutline", "Limn/TranslucentOutlineHull", "Limn/TranslucentSolid",
+                  "Universal Render Pipeline/Lit", "Universal Render Pipeline/Unlit"}),
+              ShippedShaders().names());
+    for (const std::string_view name : ShippedShaders().names())
     {
-        const auto shader = FindShippedShader(name, compiler);
-        ASSERT_NE(nullptr, shader) << name;
-        EXPECT_EQ(name, shader->name());
+        EXPECT_EQ(name, FindShippedShader(name, compiler)->name());
     }
     EXPECT_EQ(nullptr, FindShippedShader("Nope", compiler));
 }
 
-TEST(Features, AShaderIsFoundByItsFilesStem)
+TEST(Features, ShippedShadersAreReadOnce)
 {
-    EXPECT_EQ("Hidden/ScreenSpaceOutline", ShippedShaderOfFile("ScreenSpaceOutline"));
-    EXPECT_EQ("", ShippedShaderOfFile("Nope"));
+    const ShaderLabDocument* document = ShippedShaders().Find("Universal Render Pipeline/Lit");
+    EXPECT_EQ(document, ShippedShaders().Find("Universal Render Pipeline/Lit"));
+    EXPECT_EQ(document, BuiltinShaders().Find("Universal Render Pipeline/Lit"));
+}
+
+TEST(FeatureRegistry, GivesNullForAnUnknownName)
+{
+    FeatureRegistry features;
+    features.Register<RenderObjects>("RenderObjects");
+    EXPECT_EQ(nullptr, features.Create("renderobjects"));
+    EXPECT_EQ(nullptr, features.Create(""));
+}
+
+TEST(FeatureRegistry, RefusesAnEmptyNameAndOneThatIsTaken)
+{
+    FeatureRegistry features;
+    features.Register<RenderObjects>("Objects");
+    EXPECT_THROW(features.Register<RenderObjects>(""), ContractError);
+    EXPECT_THROW(features.Register<ScreenSpaceOutlineRenderFeature>("Objects"), ContractError);
+    features.Register<RenderObjects>("MoreObjects"); // one type, two names
+    EXPECT_EQ((std::vector<std::string_view>{"Objects", "MoreObjects"}), features.names());
 }
 
 } // namespace limn::test

@@ -71,7 +71,7 @@ std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 AssetContext::AssetContext(ShaderCompilerOptions options)
     : m_Compiler(std::make_shared<ShaderCompiler>(std::move(options)))
 {
-    RegisterVolumeComponents(m_VolumeComponents);
+    RegisterFeatures(m_Features, m_VolumeComponents);
 }
 
 std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)

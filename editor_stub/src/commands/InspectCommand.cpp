@@ -38,7 +38,7 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
                                   volume.weight, volume.blendDistance, profile.name,
                                   InspectProfile(profile, assets.volumeComponents())});
     }
-    report.features = InspectFeatures(asset.renderer, asset.layers, asset.renderingLayers);
+    report.features = InspectFeatures(asset.renderer, assets.features(), asset.layers, asset.renderingLayers);
     return report;
 }
 
@@ -56,7 +56,7 @@ InspectReport Inspect(const std::string& file, Console& console)
     {
         const UnityRendererDataLoadResult result = LoadUnityRendererData(file, assets);
         console.Print(result.notes);
-        report.features = InspectFeatures(result.renderer, {}, {});
+        report.features = InspectFeatures(result.renderer, assets.features(), {}, {});
     }
     else
     {

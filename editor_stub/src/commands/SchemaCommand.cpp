@@ -15,17 +15,18 @@ namespace
 
 Json SchemaOf(const std::string& kind)
 {
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFeatures(features, components);
     if (kind == "scene")
     {
-        return SceneSchema();
+        return SceneSchema(features);
     }
     if (kind == "material")
     {
         return MaterialFileSchema();
     }
-    VolumeComponentRegistry registry;
-    RegisterVolumeComponents(registry);
-    return ProfileSchema(registry);
+    return ProfileSchema(components);
 }
 
 } // namespace

@@ -192,7 +192,9 @@ std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
     return groups;
 }
 
-std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer, const LayerNames& layers,
+std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,
+                                            const FeatureRegistry& registry,
+                                            const LayerNames& layers,
                                             const LayerNames& renderingLayers)
 {
     std::vector<InspectedGroup> groups;
@@ -201,7 +203,7 @@ std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer, const
         ScriptableRendererFeature& feature = *renderer.features[i];
         const std::string& type = renderer.featureTypes[i];
         groups.push_back({type, feature.name, feature.isActive(),
-                          CollectSettings(feature, type, layers, renderingLayers)});
+                          CollectSettings(feature, *registry.Create(type), layers, renderingLayers)});
     }
     return groups;
 }

@@ -39,7 +39,9 @@ struct InspectReport
 
 std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
                                            const VolumeComponentRegistry& registry);
-std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer, const LayerNames& layers,
+std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,
+                                            const FeatureRegistry& registry,
+                                            const LayerNames& layers,
                                             const LayerNames& renderingLayers);
 
 std::string ToText(const InspectReport& report); ///< lines for people

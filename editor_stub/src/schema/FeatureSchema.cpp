@@ -1,7 +1,6 @@
 #include "schema/FeatureSchema.h"
 
 #include <limn/core/Material.h>
-#include <limn/features/Features.h>
 
 namespace limn
 {
@@ -127,18 +126,18 @@ private:
 
 } // namespace
 
-Json FeatureSchema()
+Json FeatureSchema(const FeatureRegistry& features)
 {
     Json types = Json::array();
     Json schema{{"type", "object"}, {"required", {"type"}}};
-    for (const std::string_view type : FeatureTypeNames())
+    for (const std::string_view type : features.names())
     {
         const std::string name(type);
         types.push_back(name);
         Json map = MapSchema(
             {{"type", {{"const", name}}}, {"name", TextSchema()}, {"active", BoolSchema()}});
         SchemaInspector inspector(map);
-        CreateFeature(type)->Describe(inspector);
+        features.Create(type)->Describe(inspector);
         Json isThisType{{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}};
         schema["allOf"].push_back({{"if", std::move(isThisType)}, {"then", std::move(map)}});
     }

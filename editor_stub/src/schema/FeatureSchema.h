@@ -2,10 +2,12 @@
 
 #include "schema/ValueSchema.h"
 
+#include <limn/features/FeatureRegistry.h>
+
 namespace limn
 {
 
-/// One item of a scene's `renderer.features`: any feature that comes with limn, by its `type`.
-Json FeatureSchema();
+/// One item of a scene's `renderer.features`: any registered feature, by its `type`.
+Json FeatureSchema(const FeatureRegistry& features);
 
 } // namespace limn

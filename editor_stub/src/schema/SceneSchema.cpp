@@ -175,10 +175,10 @@ Json SizeSchema()
 
 } // namespace
 
-Json SceneSchema()
+Json SceneSchema(const FeatureRegistry& features)
 {
     Json renderer =
-        MapSchema({{"rendererData", TextSchema()}, {"features", ListSchema(FeatureSchema())}});
+        MapSchema({{"rendererData", TextSchema()}, {"features", ListSchema(FeatureSchema(features))}});
     renderer["not"] = {{"required", {"rendererData", "features"}}};
     Json schema = MapSchema({
         {"size", SizeSchema()},

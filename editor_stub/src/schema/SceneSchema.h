@@ -2,10 +2,12 @@
 
 #include "schema/ValueSchema.h"
 
+#include <limn/features/FeatureRegistry.h>
+
 namespace limn
 {
 
 /// What a scene file may hold: its keys, and every feature's settings.
-Json SceneSchema();
+Json SceneSchema(const FeatureRegistry& features);
 
 } // namespace limn

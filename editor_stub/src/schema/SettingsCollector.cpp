@@ -1,7 +1,6 @@
 #include "schema/SettingsCollector.h"
 
 #include <limn/core/Material.h>
-#include <limn/features/Features.h>
 
 namespace limn
 {
@@ -157,13 +156,14 @@ private:
 } // namespace
 
 std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
-                                            const std::string& type, const LayerNames& layers,
+                                            ScriptableRendererFeature& defaultFeature,
+                                            const LayerNames& layers,
                                             const LayerNames& renderingLayers)
 {
     SettingsCollector collector(layers, renderingLayers);
     feature.Describe(collector);
     SettingsCollector defaults(layers, renderingLayers);
-    CreateFeature(type)->Describe(defaults);
+    defaultFeature.Describe(defaults);
     for (std::size_t i = 0; i < collector.values.size(); ++i)
     {
         InspectedValue& value = collector.values[i];

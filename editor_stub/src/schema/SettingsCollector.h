@@ -24,9 +24,10 @@ struct InspectedValue
     std::string tooltip;
 };
 
-/// A feature's settings in its order.
+/// A feature's settings in its order, beside those of one of its type as the constructor leaves it.
 std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
-                                            const std::string& type, const LayerNames& layers,
+                                            ScriptableRendererFeature& defaultFeature,
+                                            const LayerNames& layers,
                                             const LayerNames& renderingLayers);
 
 } // namespace limn

@@ -182,7 +182,7 @@ std::string FeatureType(const UnityObject& object, Loading& loading)
 void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)
 {
     const std::string type = FeatureType(object, loading);
-    std::unique_ptr<ScriptableRendererFeature> feature = CreateFeature(type);
+    std::unique_ptr<ScriptableRendererFeature> feature = loading.assets.features().Create(type);
     if (!feature)
     {
         if (!type.empty())

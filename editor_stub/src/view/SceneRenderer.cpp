@@ -2,7 +2,6 @@
 #include "scene/Loader.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
-#include <limn/features/Features.h>
 
 namespace limn
 {
@@ -35,12 +34,13 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
     {
         return;
     }
-    std::unique_ptr<ScriptableRendererFeature> feature = CreateFeature(type);
+    const FeatureRegistry& features = loader.references.assets().features();
+    std::unique_ptr<ScriptableRendererFeature> feature = features.Create(type);
     if (!feature)
     {
         diagnostics.Error(map.Find("type")->location(), map.SubjectOf("type") +
                                                             ": unknown feature " +
-                                                            UnknownName(type, FeatureTypeNames()));
+                                                            UnknownName(type, features.names()));
         return;
     }
     feature->name = type;

@@ -185,17 +185,17 @@ TEST(SceneErrors, NameWhatAFeatureCannotBe)
     SceneFolder folder;
     EXPECT_EQ(
         (Lines{"4:15: renderer.features[0].type: unknown feature 'Outline' (known: "
-               "ScreenSpaceOutlineRenderFeature, RenderObjects, FullScreenPassRendererFeature)",
+               "FullScreenPassRendererFeature, RenderObjects, ScreenSpaceOutlineRenderFeature)",
                "6:28: renderer.features[1].m_RenderQueueRange: 7 is none of All 0, Opaque 1, "
                "Transparent 2",
                "7:27: renderer.features[1].m_RenderPassEvent: '+x' is no distance from "
                "AfterRendering; a whole number is expected, AfterRendering+1",
                "8:36: renderer.features[1].m_ScreenSpaceOutlineShader: unknown shader "
                "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? "
-               "(known: Universal Render Pipeline/Lit, Universal Render Pipeline/Unlit, "
-               "Hidden/Universal/CoreBlit, Hidden/ScreenSpaceOutline, "
-               "Limn/TranslucentOutline, Limn/TranslucentOutlineHull, "
-               "Limn/TranslucentSolid); a file's path ends in '.shader'"}),
+               "(known: Hidden/ScreenSpaceOutline, Hidden/Universal/CoreBlit, "
+               "Limn/TranslucentOutline, Limn/TranslucentOutlineHull, Limn/TranslucentSolid, "
+               "Universal Render Pipeline/Lit, Universal Render Pipeline/Unlit); a file's path "
+               "ends in '.shader'"}),
         folder.ProblemsOf("camera: {}\n"
                           "renderer:\n"
                           "  features:\n"

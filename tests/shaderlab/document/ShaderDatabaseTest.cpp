@@ -83,6 +83,31 @@ TEST(ShaderDatabase, FindsByTheExactNameOnly)
     }
 }
 
+TEST(ShaderDatabase, NamesWhatIsCompiledInAsTheFilesThemselvesDo)
+{
+    const std::string toon = ShaderText("My/Toon"), water = ShaderText("Water");
+    const EmbeddedFile files[] = {{"surfaces/T.shader", toon}, {"W.shader", water}};
+    ShaderDatabase database;
+    database.Add(files);
+    EXPECT_EQ(database.names(), (std::vector<std::string_view>{"My/Toon", "Water"}));
+    EXPECT_EQ(database.Find("My/Toon")->file, "T.shader");
+    EXPECT_EQ(database.FindFile("T.shader"), database.Find("My/Toon"));
+    EXPECT_EQ(database.FindFile("Toon.shader"), nullptr);
+    const EmbeddedFile broken[] = {{"B.shader", "Shader {"}};
+    EXPECT_THROW(database.Add(broken), AssetError);
+}
+
+TEST(ShaderDatabase, KeepsItsOwnShaderWhereAnotherDatabaseHasTheName)
+{
+    ShaderDatabase own, other;
+    own.Add(Document("Toon", "own.shader"));
+    other.Add(Document("Toon", "other.shader"));
+    other.Add(Document("Water", "w.shader"));
+    own.Add(other);
+    EXPECT_EQ(own.Find("Toon")->file, "own.shader");
+    EXPECT_EQ(own.Find("Water"), other.Find("Water"));
+}
+
 TEST(ShaderDatabase, SuggestsTheNearestNameWhereOneIsNear)
 {
     ShaderDatabase database;

@@ -7,6 +7,7 @@
 #include <limn/core/Shader.h>
 #include <limn/core/Texture.h>
 #include <limn/editor_stub/LayerNames.h>
+#include <limn/features/FeatureRegistry.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <map>
@@ -64,6 +65,9 @@ public:
     void Forget(const std::filesystem::path& path);
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
+    /// All features that come with limn, to which a program adds its own before it loads scenes.
+    FeatureRegistry& features() { return m_Features; }
+    const FeatureRegistry& features() const { return m_Features; }
     /// All volume components that come with limn, to which a program adds its own before it loads
     /// profiles.
     VolumeComponentRegistry& volumeComponents() { return m_VolumeComponents; }
@@ -82,6 +86,7 @@ private:
     Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
 
     std::shared_ptr<ShaderCompiler> m_Compiler;
+    FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;
     std::map<std::string, std::shared_ptr<const Shader>, std::less<>> m_ShippedShaders;
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;

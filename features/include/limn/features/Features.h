@@ -1,22 +1,19 @@
 #pragma once
 
-#include <limn/core/ScriptableRendererFeature.h>
 #include <limn/core/Shader.h>
+#include <limn/features/FeatureRegistry.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 namespace limn
 {
 
-/// Registers the volume components of every feature that comes with limn.
-void RegisterVolumeComponents(VolumeComponentRegistry& registry);
+/// Registers every feature that comes with limn, and their volume components.
+void RegisterFeatures(FeatureRegistry& features, VolumeComponentRegistry& components);
 
-/// A new feature by its type's name, "ScreenSpaceOutlineRenderFeature", with default settings and
-/// before Create; null for an unknown name.
-std::unique_ptr<ScriptableRendererFeature> CreateFeature(std::string_view typeName);
-std::vector<std::string_view> FeatureTypeNames();
+/// Registers the volume components only.
+void RegisterVolumeComponents(VolumeComponentRegistry& registry);
 
 /// Every shader that comes with limn, of core's and of the features'.
 const ShaderDatabase& ShippedShaders();

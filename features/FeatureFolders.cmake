@@ -1,0 +1,41 @@
+# limn_feature_folders(ROOT FUNCTION)
+# What lies in the folders below ROOT, one a feature, found again whenever one is added:
+#   feature_folders  those with C++, which have include/, src/ and src/Register.cpp
+#   feature_sources  their sources, and a generated one that defines limn::FUNCTION(FeatureRegistry&,
+#                    VolumeComponentRegistry&), which calls limn::<folder>::Register of each
+#   feature_shaders  the .shader files of all folders, relative to ROOT
+function(limn_feature_folders root function)
+    file(GLOB sources CONFIGURE_DEPENDS ${root}/*/src/*.cpp)
+    file(GLOB shaders CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*/*.shader)
+    set(names ${sources})
+    list(TRANSFORM names REPLACE "^.*/([^/]+)/src/[^/]+$" "\\1")
+    list(REMOVE_DUPLICATES names)
+    set(declarations "")
+    set(calls "")
+    set(folders "")
+    foreach(name ${names})
+        if(NOT EXISTS ${root}/${name}/src/Register.cpp)
+            message(FATAL_ERROR "${root}/${name}/src: no Register.cpp; it defines\n"
+                "void limn::${name}::Register(FeatureRegistry&, VolumeComponentRegistry&)")
+        endif()
+        list(APPEND folders ${root}/${name})
+        string(APPEND declarations
+            "namespace ${name}\n{\nvoid Register(FeatureRegistry&, VolumeComponentRegistry&);\n}\n")
+        string(APPEND calls "    ${name}::Register(features, components);\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${function}.cpp @ONLY CONTENT [[
+namespace limn
+{
+class FeatureRegistry;
+class VolumeComponentRegistry;
+@declarations@
+void @function@(FeatureRegistry& features, VolumeComponentRegistry& components);
+void @function@(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+@calls@}
+} // namespace limn
+]])
+    set(feature_folders ${folders} PARENT_SCOPE)
+    set(feature_sources ${sources} ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp PARENT_SCOPE)
+    set(feature_shaders ${shaders} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <limn/core/ScriptableRendererFeature.h>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// The renderer features that files can name. Unity finds them by reflection; here a program
+/// registers them once, before it loads scenes.
+class FeatureRegistry
+{
+public:
+    FeatureRegistry() = default;
+    FeatureRegistry(const FeatureRegistry&) = delete;
+    FeatureRegistry& operator=(const FeatureRegistry&) = delete;
+
+    /// @param name  as files call it: "ScreenSpaceOutlineRenderFeature"
+    /// @throws ContractError if the name is empty or registered already
+    template <std::derived_from<ScriptableRendererFeature> T>
+    void Register(std::string_view name)
+    {
+        Add({std::string(name), [] { return std::make_unique<T>(); }});
+    }
+
+    /// A new feature with default settings, before its Create; null for a name that is not
+    /// registered.
+    std::unique_ptr<ScriptableRendererFeature> Create(std::string_view name) const;
+
+    /// In the order of registration.
+    std::vector<std::string_view> names() const;
+
+private:
+    struct Entry
+    {
+        std::string name;
+        std::function<std::unique_ptr<ScriptableRendererFeature>()> create;
+    };
+
+    void Add(Entry entry);
+
+    std::vector<std::unique_ptr<const Entry>> m_Entries; ///< their names stay where they are
+};
+
+} // namespace limn

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Glow.h>
+#include <limn/shaderlab/ShaderDatabase.h>
+#include <limn/volume/VolumeComponentRegistry.h>
+
+namespace limn
+{
+
+void RegisterFoldersOfTest(FeatureRegistry& features, VolumeComponentRegistry& components);
+
+namespace embedded
+{
+std::span<const EmbeddedFile> ShadersOfTest();
+}
+
+namespace test
+{
+
+TEST(FeatureFolders, RegisterWhatTheyHoldWithoutAnEditElsewhere)
+{
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFoldersOfTest(features, components);
+    EXPECT_EQ((std::vector<std::string_view>{"GlowFeature"}), features.names());
+    EXPECT_NE(nullptr, dynamic_cast<GlowFeature*>(features.Create("GlowFeature").get()));
+    EXPECT_NE(nullptr, dynamic_cast<Glow*>(components.Create("Glow").get()));
+}
+
+TEST(FeatureFolders, BringTheirShadersUnderTheNamesInTheFiles)
+{
+    ShaderDatabase shaders;
+    shaders.Add(embedded::ShadersOfTest());
+    EXPECT_EQ((std::vector<std::string_view>{"Test/Glow", "Test/Plain"}), shaders.names());
+}
+
+} // namespace test
+
+} // namespace limn

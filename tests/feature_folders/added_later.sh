@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# A folder that is added after the project was configured is found by the next build; one whose
+# sources nobody registers is refused. Usage: added_later.sh SOURCE_OF_LIMN
+set -euo pipefail
+limn=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp -r "$limn/features" "$folder"
+cat >"$folder/CMakeLists.txt" <<EOF
+cmake_minimum_required(VERSION 3.24)
+project(added_later LANGUAGES NONE)
+include(features/FeatureFolders.cmake)
+limn_feature_folders(\${CMAKE_CURRENT_SOURCE_DIR}/features RegisterFeatures)
+file(WRITE \${CMAKE_CURRENT_BINARY_DIR}/found.txt "\${feature_folders} \${feature_sources} \${feature_shaders}")
+EOF
+cmake -S "$folder" -B "$folder/build" -G Ninja >/dev/null
+grep -q "render_objects::Register(features, components);" "$folder/build/RegisterFeatures.cpp"
+! grep -q glow "$folder/build/RegisterFeatures.cpp" "$folder/build/found.txt"
+
+cp -r "$limn/tests/feature_folders/glow" "$folder/features"
+cmake --build "$folder/build" >/dev/null
+grep -q "    glow::Register(features, components);" "$folder/build/RegisterFeatures.cpp"
+for found in "features/glow " features/glow/src/Register.cpp glow/AnyFileName.shader; do
+    grep -q "$found" "$folder/build/found.txt" || grep -q "${found% };" "$folder/build/found.txt"
+done
+
+rm "$folder/features/glow/src/Register.cpp"
+touch "$folder/features/glow/src/Glow.cpp"
+if cmake --build "$folder/build" >"$folder/log" 2>&1; then
+    echo "a folder without src/Register.cpp was accepted" >&2
+    exit 1
+fi
+grep -q "features/glow/src: no Register.cpp" "$folder/log"

@@ -1,0 +1,1 @@
+Shader "Test/Glow" { SubShader { Pass { Name "Glow" } } }

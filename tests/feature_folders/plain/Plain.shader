@@ -1,0 +1,1 @@
+Shader "Test/Plain" { SubShader { Pass { Name "Plain" } } }
