@@ -1,12 +1,30 @@
 #!/usr/bin/env bash
-# Installs the build tree into an empty folder, then configures, builds and runs a project that finds
-# it there. Usage: run.sh BUILD_TREE SOURCE_OF_THE_PROJECT CXX_COMPILER
+# Installs a build tree into an empty folder, then configures, builds and runs a project that finds
+# it there. Usage: run.sh BUILD_TREE SOURCE_OF_THE_PROJECT CXX_COMPILER static|shared
+# (which libraries are to be in the build tree)
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cmake --install "$1" --prefix "$folder/prefix" >/dev/null
+cmake --install "$1" --prefix "$folder/first" >/dev/null
+mv "$folder/first" "$folder/prefix" # what is installed can be moved
+
+extension=a
+needless=()
+if [ "$4" = shared ]; then
+    extension=so
+    # Who uses shared libraries needs nothing of what they are made of.
+    for package in glslang SPIRV-Tools SPIRV-Tools-opt spirv_cross_core yaml-cpp TinyGLTF PNG Vulkan CLI11; do
+        needless+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
+    done
+fi
+for library in shaderlab core volume features vulkan editor_stub; do
+    compgen -G "$folder/prefix/lib*/liblimn_$library.$extension" >/dev/null ||
+        compgen -G "$folder/prefix/lib*/*/liblimn_$library.$extension" >/dev/null ||
+        { echo "liblimn_$library.$extension was not installed" >&2; exit 1; }
+done
+
 cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
-    -DCMAKE_CXX_COMPILER="$3" >/dev/null
+    -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" >/dev/null
 cmake --build "$folder/build" >/dev/null
 "$folder/build/consumer"
 "$folder/prefix/bin/limn" --version

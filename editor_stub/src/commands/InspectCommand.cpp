@@ -38,7 +38,8 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
                                   volume.weight, volume.blendDistance, profile.name,
                                   InspectProfile(profile, assets.volumeComponents())});
     }
-    report.features = InspectFeatures(asset.renderer, assets.features(), asset.layers, asset.renderingLayers);
+    report.features =
+        InspectFeatures(asset.renderer, assets.features(), asset.layers, asset.renderingLayers);
     return report;
 }
 

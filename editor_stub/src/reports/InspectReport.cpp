@@ -202,8 +202,9 @@ std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,
     {
         ScriptableRendererFeature& feature = *renderer.features[i];
         const std::string& type = renderer.featureTypes[i];
-        groups.push_back({type, feature.name, feature.isActive(),
-                          CollectSettings(feature, *registry.Create(type), layers, renderingLayers)});
+        groups.push_back(
+            {type, feature.name, feature.isActive(),
+             CollectSettings(feature, *registry.Create(type), layers, renderingLayers)});
     }
     return groups;
 }

@@ -79,8 +79,8 @@ std::string ShaderDatabase::UnknownShader(std::string_view name) const
 {
     const std::string_view nearest = NearestName(name, names());
     return "'" + std::string(name) + "'; " +
-           (nearest.empty() ? "no shader of a name like it is among the " +
-                                  std::to_string(size()) + " known ones"
+           (nearest.empty() ? "no shader of a name like it is among the " + std::to_string(size()) +
+                                  " known ones"
                             : "did you mean '" + std::string(nearest) + "'?");
 }
 

@@ -63,8 +63,8 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
     ASSERT_EQ(0, run.exitCode) << run.err;
     const auto schema = nlohmann::json::parse(run.out);
     const auto& feature = schema["properties"]["renderer"]["properties"]["features"]["items"];
-    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", feature["properties"]["type"]["enum"][0]);
-    const auto& settings = feature["allOf"][0]["then"]["properties"];
+    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", feature["properties"]["type"]["enum"][2]);
+    const auto& settings = feature["allOf"][2]["then"]["properties"];
     EXPECT_TRUE(settings.contains("m_LayerMask"));
     EXPECT_TRUE(settings.contains("layerMask"));
     EXPECT_EQ("Basic Settings: When in the frame the outline is drawn",

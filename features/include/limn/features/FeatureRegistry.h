@@ -25,7 +25,10 @@ public:
     template <std::derived_from<ScriptableRendererFeature> T>
     void Register(std::string_view name)
     {
-        Add({std::string(name), [] { return std::make_unique<T>(); }});
+        Add({std::string(name), []
+             {
+                 return std::make_unique<T>();
+             }});
     }
 
     /// A new feature with default settings, before its Create; null for a name that is not
