@@ -1,4 +1,5 @@
 #include <limn/core/ScriptableRenderPass.h>
+#include <limn/core/ScriptableRendererFeature.h>
 
 namespace limn
 {
@@ -54,5 +55,9 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(ShaderTagId tag,
 {
     return CreateDrawingSettings(std::span(&tag, 1), renderingData, sortingCriteria);
 }
+
+void ScriptableRendererFeature::SetupRenderPasses(ScriptableRenderer&, const RenderingData&) {}
+
+void ScriptableRendererFeature::Describe(Inspector&) {}
 
 } // namespace limn

@@ -35,118 +35,89 @@ void SettingsReader::EndGroup()
     m_Group.reset();
 }
 
-void SettingsReader::Header(std::string_view) {}
-
-void SettingsReader::Field(std::string_view name, bool& value, std::string_view)
+void SettingsReader::Field(const FieldInfo& field, FieldValue value)
 {
-    Find(name);
-    Map().Read(name, value);
-}
-
-void SettingsReader::Field(std::string_view name, int& value, FieldRange range, std::string_view)
-{
-    Find(name);
-    Map().Read(name, value, {range.minimum, range.maximum});
-}
-
-void SettingsReader::Field(std::string_view name, float& value, FieldRange range, std::string_view)
-{
-    Find(name);
-    Map().Read(name, value, {range.minimum, range.maximum});
-}
-
-void SettingsReader::Field(std::string_view name, Color& value, std::string_view)
-{
-    Find(name);
-    Map().Read(name, value);
-}
-
-void SettingsReader::Field(std::string_view name, LayerMask& value, std::string_view)
-{
-    if (const YamlNode* node = Find(name))
+    if (const YamlNode* node = Find(field.name))
     {
-        const auto bits =
-            ReadLayerBits(*node, Map().SubjectOf(name), {m_Context.layers, "layer"}, m_Diagnostics);
-        value = LayerMask(bits.value_or(value.bits));
+        std::visit([&](auto target) { Read(field, *node, target); }, value);
     }
 }
 
-void SettingsReader::Field(std::string_view name, RenderPassEvent& value, std::string_view)
+template <typename T>
+void SettingsReader::Read(const FieldInfo& field, const YamlNode&, T* value)
 {
-    if (const YamlNode* node = Find(name))
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, float>)
     {
-        value = ReadRenderPassEvent(*node, Map().SubjectOf(name), m_Diagnostics).value_or(value);
+        Map().Read(field.name, *value, field.range.value_or(ValueRange()));
+    }
+    else
+    {
+        Map().Read(field.name, *value);
     }
 }
 
-void SettingsReader::Field(std::string_view name, std::shared_ptr<const Shader>& value,
-                           std::string_view)
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, LayerMask* value)
 {
-    if (const YamlNode* node = Find(name))
+    const auto bits = ReadLayerBits(node, Map().SubjectOf(field.name), {m_Context.layers, "layer"},
+                                    m_Diagnostics);
+    *value = LayerMask(bits.value_or(value->bits));
+}
+
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, RenderPassEvent* value)
+{
+    *value = ReadRenderPassEvent(node, Map().SubjectOf(field.name), m_Diagnostics).value_or(*value);
+}
+
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
+                          std::shared_ptr<const Shader>* value)
+{
+    *value = m_Context.readShader(node, Map().SubjectOf(field.name));
+}
+
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
+                          std::shared_ptr<const Material>* value)
+{
+    *value = m_Context.readMaterial(node, Map().SubjectOf(field.name));
+}
+
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
+                          std::vector<std::string>* value)
+{
+    const std::string subject = Map().SubjectOf(field.name);
+    if (!node.isSequence() && !node.isNull())
     {
-        value = m_Context.readShader(*node, Map().SubjectOf(name));
-    }
-}
-
-void SettingsReader::Field(std::string_view name, std::shared_ptr<const Material>& value,
-                           std::string_view)
-{
-    if (const YamlNode* node = Find(name))
-    {
-        value = m_Context.readMaterial(*node, Map().SubjectOf(name));
-    }
-}
-
-void SettingsReader::Field(std::string_view name, glm::vec4& value, std::string_view)
-{
-    Find(name);
-    Map().Read(name, value);
-}
-
-void SettingsReader::Field(std::string_view name, std::string& value, std::string_view)
-{
-    Find(name);
-    Map().Read(name, value);
-}
-
-void SettingsReader::Field(std::string_view name, std::vector<std::string>& value, std::string_view)
-{
-    const YamlNode* node = Find(name);
-    if (node == nullptr)
-    {
+        m_Diagnostics.Error(node.location(),
+                            subject + ": found " + node.Describe() + "; a list is expected");
         return;
     }
-    const std::string subject = Map().SubjectOf(name);
-    if (!node->isSequence() && !node->isNull())
+    value->clear();
+    for (const YamlNode& item : node.items())
     {
-        m_Diagnostics.Error(node->location(),
-                            subject + ": found " + node->Describe() + "; a list is expected");
-        return;
-    }
-    value.clear();
-    for (const YamlNode& item : node->items())
-    {
-        value.push_back(ReadString(item, subject, m_Diagnostics).value_or(""));
+        value->push_back(ReadString(item, subject, m_Diagnostics).value_or(""));
     }
 }
 
-void SettingsReader::RenderingLayerIndex(std::string_view name, int& value, std::string_view)
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, EnumValue value)
 {
-    if (const YamlNode* node = Find(name))
-    {
-        value = ReadLayerIndex(*node, Map().SubjectOf(name),
-                               {m_Context.renderingLayers, "rendering layer"}, m_Diagnostics)
-                    .value_or(value);
-    }
+    value.value = ReadEnum(node, value.entries, Map().SubjectOf(field.name), m_Diagnostics)
+                      .value_or(value.value);
 }
 
-void SettingsReader::EnumField(std::string_view name, int& value,
-                               std::span<const EnumEntry> entries, std::string_view)
+void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, RenderingLayerValue value)
 {
-    if (const YamlNode* node = Find(name))
-    {
-        value = ReadEnum(*node, entries, m_Map.SubjectOf(name), m_Diagnostics).value_or(value);
-    }
+    value.value = ReadLayerIndex(node, Map().SubjectOf(field.name),
+                                 {m_Context.renderingLayers, "rendering layer"}, m_Diagnostics)
+                      .value_or(value.value);
+}
+
+void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
+                         const SettingsContext& context, AssetDiagnostics& diagnostics)
+{
+    bool active = feature.isActive();
+    map.Read("active", active);
+    feature.SetActive(active);
+    SettingsReader reader(map, context, diagnostics);
+    feature.Describe(reader);
 }
 
 } // namespace limn

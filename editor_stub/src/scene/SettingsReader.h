@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limn/core/Inspector.h>
+#include <limn/core/ScriptableRendererFeature.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -35,26 +36,7 @@ public:
     SettingsReader(YamlMapReader& map, const SettingsContext& context,
                    AssetDiagnostics& diagnostics);
 
-    void Header(std::string_view text) override;
-    void Field(std::string_view name, bool& value, std::string_view tooltip) override;
-    void Field(std::string_view name, int& value, FieldRange range,
-               std::string_view tooltip) override;
-    void Field(std::string_view name, float& value, FieldRange range,
-               std::string_view tooltip) override;
-    void Field(std::string_view name, Color& value, std::string_view tooltip) override;
-    void Field(std::string_view name, LayerMask& value, std::string_view tooltip) override;
-    void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) override;
-    void Field(std::string_view name, std::shared_ptr<const Shader>& value,
-               std::string_view tooltip) override;
-    void Field(std::string_view name, std::shared_ptr<const Material>& value,
-               std::string_view tooltip) override;
-    void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) override;
-    void Field(std::string_view name, std::string& value, std::string_view tooltip) override;
-    void Field(std::string_view name, std::vector<std::string>& value,
-               std::string_view tooltip) override;
-    void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip) override;
-    void EnumField(std::string_view name, int& value, std::span<const EnumEntry> entries,
-                   std::string_view tooltip) override;
+    void Field(const FieldInfo& field, FieldValue value) override;
     void BeginGroup(std::string_view name) override;
     void EndGroup() override;
 
@@ -64,6 +46,16 @@ public:
 private:
     const YamlNode* Find(std::string_view name);
 
+    template <typename T>
+    void Read(const FieldInfo& field, const YamlNode& node, T* value);
+    void Read(const FieldInfo& field, const YamlNode& node, LayerMask* value);
+    void Read(const FieldInfo& field, const YamlNode& node, RenderPassEvent* value);
+    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Shader>* value);
+    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Material>* value);
+    void Read(const FieldInfo& field, const YamlNode& node, std::vector<std::string>* value);
+    void Read(const FieldInfo& field, const YamlNode& node, EnumValue value);
+    void Read(const FieldInfo& field, const YamlNode& node, RenderingLayerValue value);
+
     YamlMapReader& Map() { return m_Group ? *m_Group : m_Map; }
 
     YamlMapReader& m_Map;
@@ -72,5 +64,10 @@ private:
     AssetDiagnostics& m_Diagnostics;
     std::vector<std::string> m_FieldNames;
 };
+
+/// Sets a feature's `active` and its settings to what a map of a file of limn's own says. The
+/// caller calls map.Finish().
+void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
+                         const SettingsContext& context, AssetDiagnostics& diagnostics);
 
 } // namespace limn

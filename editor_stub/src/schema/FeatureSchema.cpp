@@ -8,6 +8,74 @@ namespace limn
 namespace
 {
 
+Json NameOf(std::span<const EnumEntry> entries, int value)
+{
+    for (const EnumEntry& entry : entries)
+    {
+        if (entry.value == value)
+        {
+            return std::string(entry.name);
+        }
+    }
+    return value;
+}
+
+/// A schema, and the default that stands in it.
+struct SettingSchema
+{
+    Json schema;
+    Json defaultValue;
+};
+
+/// The schema of a setting, by its type.
+struct SchemaOfSetting
+{
+    ValueRange range;
+
+    SettingSchema operator()(const bool* value) const { return {BoolSchema(), *value}; }
+    SettingSchema operator()(const int* value) const { return {IntegerSchema(range), *value}; }
+    SettingSchema operator()(const float* value) const
+    {
+        return {NumberSchema(range), Json::parse(NumberText(static_cast<double>(*value)))};
+    }
+    SettingSchema operator()(const Color* value) const
+    {
+        return {ColorSchema(),
+                {{"r", value->r}, {"g", value->g}, {"b", value->b}, {"a", value->a}}};
+    }
+    SettingSchema operator()(const glm::vec4* value) const
+    {
+        return {VectorSchema(4), Json{value->x, value->y, value->z, value->w}};
+    }
+    SettingSchema operator()(const LayerMask* value) const
+    {
+        return {LayerMaskSchema(), value->bits};
+    }
+    SettingSchema operator()(const RenderPassEvent* value) const
+    {
+        return {RenderPassEventSchema(),
+                NameOf(RenderPassEventEntries(), static_cast<int>(*value))};
+    }
+    SettingSchema operator()(const std::string* value) const { return {TextSchema(), *value}; }
+    SettingSchema operator()(const std::vector<std::string>* value) const
+    {
+        return {{{"type", "array"}, {"items", TextSchema()}}, *value};
+    }
+    template <typename Asset>
+    SettingSchema operator()(const std::shared_ptr<const Asset>* value) const
+    {
+        return {TextSchema(), *value ? Json((*value)->name()) : Json()};
+    }
+    SettingSchema operator()(EnumValue value) const
+    {
+        return {EnumSchema(value.entries), NameOf(value.entries, value.value)};
+    }
+    SettingSchema operator()(RenderingLayerValue value) const
+    {
+        return {LayerIndexSchema(), value.value};
+    }
+};
+
 /// Makes a schema of the settings that a feature names; their values are the defaults.
 class SchemaInspector final : public Inspector
 {
@@ -15,58 +83,6 @@ public:
     explicit SchemaInspector(Json& map) : m_Map(&map), m_Root(map) {}
 
     void Header(std::string_view text) override { m_Header = text; }
-    void Field(std::string_view name, bool& value, std::string_view tooltip) override
-    {
-        Add(name, BoolSchema(), value, tooltip);
-    }
-    void Field(std::string_view name, int& value, FieldRange range,
-               std::string_view tooltip) override
-    {
-        Add(name, IntegerSchema({range.minimum, range.maximum}), value, tooltip);
-    }
-    void Field(std::string_view name, float& value, FieldRange range,
-               std::string_view tooltip) override
-    {
-        const std::string text = NumberText(static_cast<double>(value));
-        Add(name, NumberSchema({range.minimum, range.maximum}), Json::parse(text), tooltip);
-    }
-    void Field(std::string_view name, Color& value, std::string_view tooltip) override
-    {
-        Add(name, ColorSchema(), {{"r", value.r}, {"g", value.g}, {"b", value.b}, {"a", value.a}},
-            tooltip);
-    }
-    void Field(std::string_view name, LayerMask& value, std::string_view tooltip) override
-    {
-        Add(name, LayerMaskSchema(), value.bits, tooltip);
-    }
-    void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) override
-    {
-        Add(name, RenderPassEventSchema(),
-            NameOf(RenderPassEventEntries(), static_cast<int>(value)), tooltip);
-    }
-    void Field(std::string_view name, std::shared_ptr<const Shader>& value,
-               std::string_view tooltip) override
-    {
-        Add(name, TextSchema(), value ? Json(value->name()) : Json(), tooltip);
-    }
-    void Field(std::string_view name, std::shared_ptr<const Material>& value,
-               std::string_view tooltip) override
-    {
-        Add(name, TextSchema(), value ? Json(value->name()) : Json(), tooltip);
-    }
-    void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) override
-    {
-        Add(name, VectorSchema(4), {value.x, value.y, value.z, value.w}, tooltip);
-    }
-    void Field(std::string_view name, std::string& value, std::string_view tooltip) override
-    {
-        Add(name, TextSchema(), value, tooltip);
-    }
-    void Field(std::string_view name, std::vector<std::string>& value,
-               std::string_view tooltip) override
-    {
-        Add(name, {{"type", "array"}, {"items", TextSchema()}}, value, tooltip);
-    }
     void BeginGroup(std::string_view name) override
     {
         m_GroupName = name;
@@ -78,45 +94,20 @@ public:
         m_Map = &m_Root;
         AddProperty(m_Root, m_GroupName, m_GroupSchema);
     }
-    void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip) override
+    void Field(const FieldInfo& field, FieldValue value) override
     {
-        Add(name, LayerIndexSchema(), value, tooltip);
-    }
-    void EnumField(std::string_view name, int& value, std::span<const EnumEntry> entries,
-                   std::string_view tooltip) override
-    {
-        std::vector<std::string> names;
-        for (const EnumEntry& entry : entries)
+        auto [schema, defaultValue] =
+            std::visit(SchemaOfSetting{field.range.value_or(ValueRange())}, value);
+        if (!defaultValue.is_null())
         {
-            names.emplace_back(entry.name);
+            schema["default"] = defaultValue;
         }
-        Add(name, EnumSchema(names), NameOf(entries, value), tooltip);
+        const std::string header = m_Header.empty() ? "" : m_Header + ": ";
+        schema["description"] = header + std::string(field.tooltip);
+        AddProperty(*m_Map, field.name, schema);
     }
 
 private:
-    static Json NameOf(std::span<const EnumEntry> entries, int value)
-    {
-        for (const EnumEntry& entry : entries)
-        {
-            if (entry.value == value)
-            {
-                return std::string(entry.name);
-            }
-        }
-        return value;
-    }
-
-    void Add(std::string_view name, Json schema, const Json& value, std::string_view tooltip)
-    {
-        if (!value.is_null())
-        {
-            schema["default"] = value;
-        }
-        const std::string header = m_Header.empty() ? "" : m_Header + ": ";
-        schema["description"] = header + std::string(tooltip);
-        AddProperty(*m_Map, name, schema);
-    }
-
     Json* m_Map; ///< of the group, or the root
     Json& m_Root;
     Json m_GroupSchema;

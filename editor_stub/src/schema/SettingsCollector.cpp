@@ -46,109 +46,83 @@ std::string Text(RenderPassEvent event)
     return std::string(nearest->name) + (distance > 0 ? " + " + std::to_string(distance) : "");
 }
 
+/// A setting's value as text for people.
+struct ValueText
+{
+    const LayerNames& layers;
+    const LayerNames& renderingLayers;
+
+    std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
+    std::string operator()(const int* value) const { return std::to_string(*value); }
+    std::string operator()(const float* value) const { return NumberText(*value); }
+    std::string operator()(const std::string* value) const { return *value; }
+    std::string operator()(const Color* value) const
+    {
+        return "{r: " + NumberText(value->r) + ", g: " + NumberText(value->g) +
+               ", b: " + NumberText(value->b) + ", a: " + NumberText(value->a) + "}";
+    }
+    std::string operator()(const glm::vec4* value) const
+    {
+        return "{x: " + NumberText(value->x) + ", y: " + NumberText(value->y) +
+               ", z: " + NumberText(value->z) + ", w: " + NumberText(value->w) + "}";
+    }
+    std::string operator()(const LayerMask* value) const { return Text(*value, layers); }
+    std::string operator()(const RenderPassEvent* value) const { return Text(*value); }
+    std::string operator()(const std::vector<std::string>* value) const
+    {
+        std::string list;
+        for (const std::string& item : *value)
+        {
+            list += (list.empty() ? "" : ", ") + item;
+        }
+        return "[" + list + "]";
+    }
+    template <typename Asset>
+    std::string operator()(const std::shared_ptr<const Asset>* value) const
+    {
+        return *value ? (*value)->name() : "none";
+    }
+    std::string operator()(EnumValue value) const
+    {
+        std::string text = std::to_string(value.value);
+        for (const EnumEntry& entry : value.entries)
+        {
+            text = entry.value == value.value ? std::string(entry.name) : text;
+        }
+        return text;
+    }
+    std::string operator()(RenderingLayerValue value) const
+    {
+        const std::string& layer = renderingLayers.Name(value.value);
+        return layer.empty() ? std::to_string(value.value) : layer;
+    }
+};
+
 class SettingsCollector final : public Inspector
 {
 public:
     SettingsCollector(const LayerNames& layers, const LayerNames& renderingLayers)
-        : m_Layers(layers), m_RenderingLayers(renderingLayers)
+        : m_Text{layers, renderingLayers}
     {
     }
 
     void Header(std::string_view text) override { m_Header = text; }
-    void Field(std::string_view name, bool& value, std::string_view tooltip) override
-    {
-        Add(name, value ? "true" : "false", tooltip);
-    }
-    void Field(std::string_view name, int& value, FieldRange range,
-               std::string_view tooltip) override
-    {
-        Add(name, std::to_string(value), tooltip, ValueRange{range.minimum, range.maximum});
-    }
-    void Field(std::string_view name, float& value, FieldRange range,
-               std::string_view tooltip) override
-    {
-        Add(name, NumberText(value), tooltip, ValueRange{range.minimum, range.maximum});
-    }
-    void Field(std::string_view name, Color& value, std::string_view tooltip) override
-    {
-        Add(name,
-            "{r: " + NumberText(value.r) + ", g: " + NumberText(value.g) +
-                ", b: " + NumberText(value.b) + ", a: " + NumberText(value.a) + "}",
-            tooltip);
-    }
-    void Field(std::string_view name, LayerMask& value, std::string_view tooltip) override
-    {
-        Add(name, Text(value, m_Layers), tooltip);
-    }
-    void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) override
-    {
-        Add(name, Text(value), tooltip);
-    }
-    void Field(std::string_view name, std::shared_ptr<const Shader>& value,
-               std::string_view tooltip) override
-    {
-        Add(name, value ? value->name() : "none", tooltip);
-    }
-    void Field(std::string_view name, std::shared_ptr<const Material>& value,
-               std::string_view tooltip) override
-    {
-        Add(name, value ? value->name() : "none", tooltip);
-    }
-    void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) override
-    {
-        Add(name,
-            "{x: " + NumberText(value.x) + ", y: " + NumberText(value.y) +
-                ", z: " + NumberText(value.z) + ", w: " + NumberText(value.w) + "}",
-            tooltip);
-    }
-    void Field(std::string_view name, std::string& value, std::string_view tooltip) override
-    {
-        Add(name, value, tooltip);
-    }
-    void Field(std::string_view name, std::vector<std::string>& value,
-               std::string_view tooltip) override
-    {
-        std::string list;
-        for (const std::string& item : value)
-        {
-            list += (list.empty() ? "" : ", ") + item;
-        }
-        Add(name, "[" + list + "]", tooltip);
-    }
     void BeginGroup(std::string_view name) override { m_Group = std::string(name) + "."; }
     void EndGroup() override { m_Group.clear(); }
-    void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip) override
+    void Field(const FieldInfo& field, FieldValue value) override
     {
-        const std::string& layer = m_RenderingLayers.Name(value);
-        Add(name, layer.empty() ? std::to_string(value) : layer, tooltip);
-    }
-    void EnumField(std::string_view name, int& value, std::span<const EnumEntry> entries,
-                   std::string_view tooltip) override
-    {
-        std::string text = std::to_string(value);
-        for (const EnumEntry& entry : entries)
-        {
-            text = entry.value == value ? std::string(entry.name) : text;
-        }
-        Add(name, text, tooltip);
+        InspectedValue& result = values.emplace_back();
+        result.header = m_Header;
+        result.name = m_Group + std::string(field.name);
+        result.value = std::visit(m_Text, value);
+        result.range = field.range;
+        result.tooltip = field.tooltip;
     }
 
     std::vector<InspectedValue> values;
 
 private:
-    void Add(std::string_view name, std::string value, std::string_view tooltip,
-             std::optional<ValueRange> range = std::nullopt)
-    {
-        InspectedValue& result = values.emplace_back();
-        result.header = m_Header;
-        result.name = m_Group + std::string(name);
-        result.value = std::move(value);
-        result.range = range;
-        result.tooltip = tooltip;
-    }
-
-    const LayerNames& m_Layers;
-    const LayerNames& m_RenderingLayers;
+    ValueText m_Text;
     std::string m_Header;
     std::string m_Group; ///< with a dot, or empty
 };

@@ -129,6 +129,16 @@ Json EnumSchema(std::span<const std::string> names)
     return AnyOf({{{"enum", std::move(list)}}, {{"type", "integer"}}});
 }
 
+Json EnumSchema(std::span<const EnumEntry> entries)
+{
+    std::vector<std::string> names;
+    for (const EnumEntry& entry : entries)
+    {
+        names.emplace_back(entry.name);
+    }
+    return EnumSchema(names);
+}
+
 Json RenderPassEventSchema()
 {
     std::vector<std::string> names;

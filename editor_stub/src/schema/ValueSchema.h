@@ -26,6 +26,7 @@ Json LayerIndexSchema();
 /// A path, nothing, or Unity's {fileID, guid, type}.
 Json ReferenceSchema();
 Json EnumSchema(std::span<const std::string> names);
+Json EnumSchema(std::span<const EnumEntry> entries);
 Json RenderPassEventSchema();
 
 /// A map that has these keys and no others.

@@ -22,43 +22,29 @@ class ShaderFinder final : public Inspector
 public:
     explicit ShaderFinder(ShaderPasses& passes) : m_Passes(passes) {}
 
-    void Header(std::string_view) override {}
-    void Field(std::string_view, bool&, std::string_view) override {}
-    void Field(std::string_view, int&, FieldRange, std::string_view) override {}
-    void Field(std::string_view, float&, FieldRange, std::string_view) override {}
-    void Field(std::string_view, Color&, std::string_view) override {}
-    void Field(std::string_view, LayerMask&, std::string_view) override {}
-    void Field(std::string_view, RenderPassEvent&, std::string_view) override {}
-    void Field(std::string_view, std::shared_ptr<const Shader>& shader, std::string_view) override
+    void Field(const FieldInfo&, FieldValue value) override
+    {
+        if (const auto* shader = std::get_if<std::shared_ptr<const Shader>*>(&value))
+        {
+            Add(**shader);
+        }
+        if (const auto* material = std::get_if<std::shared_ptr<const Material>*>(&value))
+        {
+            Add(**material ? (**material)->shader() : nullptr);
+        }
+    }
+
+private:
+    void Add(const std::shared_ptr<const Shader>& shader)
     {
         for (int pass = 0; shader && pass < shader->passCount(); ++pass)
         {
             m_Passes[shader].insert(pass);
         }
     }
-    void Field(std::string_view, std::shared_ptr<const Material>& material,
-               std::string_view) override
-    {
-        for (int pass = 0; material && pass < material->passCount(); ++pass)
-        {
-            m_Passes[material->shader()].insert(pass);
-        }
-    }
-    void Field(std::string_view, glm::vec4&, std::string_view) override {}
-    void Field(std::string_view, std::string&, std::string_view) override {}
-    void Field(std::string_view, std::vector<std::string>&, std::string_view) override {}
-    void BeginGroup(std::string_view) override {}
-    void EndGroup() override {}
-    void RenderingLayerIndex(std::string_view, int&, std::string_view) override {}
-    void EnumField(std::string_view, int&, std::span<const EnumEntry>, std::string_view) override {}
 
-private:
     ShaderPasses& m_Passes;
 };
-
-/// The LightMode tags that UniversalRenderer draws objects with.
-const ShaderTagId k_DrawnTags[] = {ShaderTagId("SRPDefaultUnlit"), ShaderTagId("UniversalForward"),
-                                   ShaderTagId("UniversalForwardOnly")};
 
 void AddObjectShaders(const Scene& scene, ShaderPasses& passes)
 {
@@ -70,7 +56,7 @@ void AddObjectShaders(const Scene& scene, ShaderPasses& passes)
         }
         for (const auto& material : object->renderer->sharedMaterials)
         {
-            for (const ShaderTagId tag : k_DrawnTags)
+            for (const ShaderTagId tag : ForwardShaderTags())
             {
                 const int pass = material->shader()->FindPassByLightMode(tag);
                 if (pass >= 0)

@@ -1,6 +1,6 @@
 #include "assets/References.h"
-#include "scene/FeatureReader.h"
 #include "scene/ProfileContext.h"
+#include "scene/SettingsReader.h"
 
 #include <algorithm>
 #include <limits>

@@ -34,7 +34,7 @@ void FullScreenPassRendererFeature::Describe(Inspector& inspector)
     inspector.Field("requirements", requirements, k_Requirements,
                     "What else the shader reads of the camera");
     inspector.Field("passMaterial", passMaterial, "Drawn over the whole picture");
-    inspector.Field("passIndex", passIndex, FieldRange{0, 255},
+    inspector.Field("passIndex", passIndex, ValueRange{0, 255},
                     "Which pass of the material, counted from 0");
     inspector.Field("bindDepthStencilAttachment", bindDepthStencilAttachment,
                     "Whether the pass can test the camera's depth and stencil");

@@ -13,7 +13,7 @@ namespace
 
 constexpr EnumEntry k_RenderQueueTypes[] = {{"Opaque", 0}, {"Transparent", 1}};
 constexpr EnumEntry k_OverrideModes[] = {{"None", 0}, {"Material", 1}, {"Shader", 2}};
-constexpr FieldRange k_PassIndices{0, 255};
+constexpr ValueRange k_PassIndices{0, 255};
 
 void DescribeOverrides(RenderObjectsSettings& settings, Inspector& inspector)
 {

@@ -86,14 +86,18 @@ TEST(RenderObjectsInAScene, ReportsWhatIsWrongWithItsSettingsAllAtOnce)
             "'LayerMask'? (known: RenderQueueType, LayerMask, PassNames)",
             "6:26: renderer.features[0].overrideMaterial: unknown material 'nosuch' (known: flat)",
             "7:44: renderer.features[0].stencilSettings.stencilReference: 256 is outside [0, "
-            "255]"}),
+            "255]",
+            "8:38: renderer.features[0].stencilSettings.failOperation: unknown value 'Keeep'; did "
+            "you mean 'Keep'? (known: Keep, Zero, Replace, IncrementSaturate, "
+            "DecrementSaturate, Invert, IncrementWrap, DecrementWrap)"}),
         folder.ProblemsOf("camera: {}\n"
                           "materials: {flat: {}}\n"
                           "renderer: {features: [\n"
                           "  {type: RenderObjects,\n"
                           "     filterSettings: {LayerMaks: 1},\n"
                           "     overrideMaterial:   nosuch,\n"
-                          "     stencilSettings: {stencilReference:   256}}]}\n"));
+                          "     stencilSettings: {stencilReference:   256,\n"
+                          "                      failOperation: Keeep}}]}\n"));
 }
 
 TEST(RenderObjectsInAScene, ReportsAPassIndexThatTheMaterialDoesNotHave)

@@ -1,6 +1,6 @@
 #include <limn/volume/VolumeComponent.h>
 
-#include "parameters/TypeName.h"
+#include "blending/Components.h"
 
 #include <algorithm>
 #include <limn/volume/YamlMapReader.h>

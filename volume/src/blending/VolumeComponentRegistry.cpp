@@ -1,6 +1,6 @@
 #include <limn/volume/VolumeComponentRegistry.h>
 
-#include "parameters/TypeName.h"
+#include "blending/Components.h"
 
 #include <algorithm>
 

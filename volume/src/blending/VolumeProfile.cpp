@@ -1,9 +1,9 @@
 #include <limn/volume/VolumeProfile.h>
 
-#include "blending/CloneComponent.h"
-#include "parameters/TypeName.h"
+#include "blending/Components.h"
 
 #include <algorithm>
+#include <limn/volume/Volume.h>
 
 namespace limn
 {
@@ -57,6 +57,16 @@ void VolumeProfile::Remove(const std::type_info& type)
                                           return typeid(component) == type;
                                       }),
                        m_Components.end());
+}
+
+VolumeProfile& Volume::profile(const VolumeComponentRegistry& registry)
+{
+    if (!m_Profile)
+    {
+        m_Profile = std::make_shared<VolumeProfile>(sharedProfile ? sharedProfile->Clone(registry)
+                                                                  : VolumeProfile());
+    }
+    return *m_Profile;
 }
 
 } // namespace limn

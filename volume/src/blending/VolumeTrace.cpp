@@ -1,6 +1,6 @@
 #include <limn/volume/VolumeTrace.h>
 
-#include "blending/CloneComponent.h"
+#include "blending/Components.h"
 #include "blending/VolumeBlending.h"
 
 #include <algorithm>

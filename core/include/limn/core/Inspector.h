@@ -4,10 +4,13 @@
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/RenderPassEvent.h>
+#include <limn/core/ValueRange.h>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace limn
@@ -23,12 +26,32 @@ struct EnumEntry
     int value = 0;
 };
 
-/// The allowed numbers of a setting, both ends included.
-struct FieldRange
+/// What a person is told about a setting.
+struct FieldInfo
 {
-    double minimum = 0.0;
-    double maximum = 0.0;
+    std::string_view name;                          ///< the serialised one, Unity's ("m_LayerMask")
+    std::string_view tooltip;                       ///< one sentence for the user
+    std::optional<ValueRange> range = std::nullopt; ///< of an int or a float; none: any number
 };
+
+/// A setting of an enum type, as a number.
+struct EnumValue
+{
+    int& value;
+    std::span<const EnumEntry> entries;
+};
+
+/// The index 0...31 of a rendering layer; may be given by the layer's name.
+struct RenderingLayerValue
+{
+    int& value;
+};
+
+/// A setting, to be read or written where it is.
+using FieldValue =
+    std::variant<bool*, int*, float*, Color*, glm::vec4*, LayerMask*, RenderPassEvent*,
+                 std::string*, std::vector<std::string>*, std::shared_ptr<const Shader>*,
+                 std::shared_ptr<const Material>*, EnumValue, RenderingLayerValue>;
 
 /// What a feature's settings are told to, one by one, in the order a person should see them: a
 /// loader writes them, a printer reads them. The counterpart of Unity's [Header], [Range],
@@ -39,44 +62,40 @@ public:
     virtual ~Inspector() = default;
 
     /// A title over the fields that follow. Unity: [Header].
-    virtual void Header(std::string_view text) = 0;
+    virtual void Header(std::string_view) {}
 
-    /// @param name     the serialised name, Unity's ("m_LayerMask")
-    /// @param tooltip  one sentence for the user
-    virtual void Field(std::string_view name, bool& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, int& value, FieldRange range,
-                       std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, float& value, FieldRange range,
-                       std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, Color& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, LayerMask& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, RenderPassEvent& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, std::shared_ptr<const Shader>& value,
-                       std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, std::shared_ptr<const Material>& value,
-                       std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, glm::vec4& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, std::string& value, std::string_view tooltip) = 0;
-    virtual void Field(std::string_view name, std::vector<std::string>& value,
-                       std::string_view tooltip) = 0;
-    /// The index 0...31 of a rendering layer; may be given by the layer's name.
-    virtual void RenderingLayerIndex(std::string_view name, int& value,
-                                     std::string_view tooltip) = 0;
-    virtual void EnumField(std::string_view name, int& value, std::span<const EnumEntry> entries,
-                           std::string_view tooltip) = 0;
+    /// What every other Field comes down to.
+    virtual void Field(const FieldInfo& field, FieldValue value) = 0;
 
     /// Fields until EndGroup are members of one setting: `stencilSettings: {stencilReference: 1}`.
     /// Groups are not nested. Unity: a field whose type is a [Serializable] class.
-    virtual void BeginGroup(std::string_view name) = 0;
-    virtual void EndGroup() = 0;
+    virtual void BeginGroup(std::string_view) {}
+    virtual void EndGroup() {}
 
+    template <typename T>
+    void Field(std::string_view name, T& value, std::string_view tooltip)
+    {
+        Field({name, tooltip}, &value);
+    }
+    void Field(std::string_view name, int& value, ValueRange range, std::string_view tooltip)
+    {
+        Field({name, tooltip, range}, &value);
+    }
+    void Field(std::string_view name, float& value, ValueRange range, std::string_view tooltip)
+    {
+        Field({name, tooltip, range}, &value);
+    }
     template <typename Enum>
     void Field(std::string_view name, Enum& value, std::span<const EnumEntry> entries,
                std::string_view tooltip)
     {
         int number = static_cast<int>(value);
-        EnumField(name, number, entries, tooltip);
+        Field({name, tooltip}, EnumValue{number, entries});
         value = static_cast<Enum>(number);
+    }
+    void RenderingLayerIndex(std::string_view name, int& value, std::string_view tooltip)
+    {
+        Field({name, tooltip}, RenderingLayerValue{value});
     }
 };
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <glm/vec4.hpp>
-#include <limits>
 #include <limn/core/Color.h>
+#include <limn/core/ValueRange.h>
 #include <limn/volume/AssetDiagnostics.h>
 #include <limn/volume/YamlNode.h>
 #include <optional>
@@ -12,15 +12,6 @@
 
 namespace limn
 {
-
-/// The least and the greatest number allowed; both are allowed themselves.
-struct ValueRange
-{
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
-
-    bool operator==(const ValueRange&) const = default;
-};
 
 // Each reader gives the value, or nothing and one error at the node's place. `subject` names the
 // value in that error: "camera.fieldOfView".

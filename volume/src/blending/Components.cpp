@@ -1,4 +1,8 @@
-#include "blending/CloneComponent.h"
+#include "blending/Components.h"
+
+#include <cstdlib>
+#include <cxxabi.h>
+#include <memory>
 
 namespace limn
 {
@@ -21,6 +25,16 @@ void CopyParameters(const VolumeComponent& from, VolumeComponent& to)
         to.parameters()[i]->SetValue(*parameters[i]);
         to.parameters()[i]->SetOverrideState(parameters[i]->overrideState());
     }
+}
+
+std::string TypeName(std::type_index type)
+{
+    int status = 0;
+    const std::unique_ptr<char, void (*)(void*)> demangled(
+        abi::__cxa_demangle(type.name(), nullptr, nullptr, &status), std::free);
+    std::string name = demangled ? demangled.get() : type.name();
+    constexpr std::string_view prefix = "limn::";
+    return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
 }
 
 } // namespace limn

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <limits>
+
+namespace limn
+{
+
+/// The least and the greatest number allowed; both are allowed themselves.
+struct ValueRange
+{
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+
+    bool operator==(const ValueRange&) const = default;
+};
+
+} // namespace limn
