@@ -1,9 +1,12 @@
 #include "commands/CommandLine.h"
 
+#include "scene/Limits.h"
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <limn/volume/ProfileEdit.h>
+#include <limn/volume/YamlRead.h>
 #include <optional>
 
 namespace limn
@@ -23,7 +26,8 @@ std::optional<std::pair<int, int>> ParseSize(const std::string& text)
     {
         const char* end = parts[i].data() + parts[i].size();
         const auto [rest, error] = std::from_chars(parts[i].data(), end, numbers[i]);
-        if (error != std::errc{} || rest != end || numbers[i] < 1 || numbers[i] > 16384)
+        if (error != std::errc{} || rest != end || numbers[i] < k_PictureSizes.min ||
+            numbers[i] > k_PictureSizes.max)
         {
             return std::nullopt;
         }
@@ -34,7 +38,8 @@ std::optional<std::pair<int, int>> ParseSize(const std::string& text)
 std::string CheckSize(const std::string& text)
 {
     return ParseSize(text) ? std::string()
-                           : "'" + text + "' is no size; WxH is expected, 1...16384 each: 1280x720";
+                           : "'" + text + "' is no size; WxH is expected, 1..." +
+                                 NumberText(k_PictureSizes.max) + " each: 1280x720";
 }
 
 std::string CheckPackage(const std::string& text)
@@ -185,10 +190,14 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
                      ->check(CLI::IsMember({"spirv", "glsl", "glsles", "msl", "hlsl"}))
                      ->needs(folder);
     folder->needs(emit);
+    auto* print = verb->add_flag("--print", options.print,
+                                 "Print the files as canonical ShaderLab text; compile nothing")
+                      ->excludes(emit);
     verb->add_flag("--parse-only", options.parseOnly, "Do not compile the programs")
         ->excludes(emit);
     verb->add_flag("--variants", options.variants, "Count variants; compile nothing")
-        ->excludes(emit);
+        ->excludes(emit)
+        ->excludes(print);
     verb->add_option("--keywords", options.keywords, "On, instead of those of a new material")
         ->type_name("A,B")
         ->delimiter(',');
@@ -196,7 +205,8 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
         ->type_name("N")
         ->check(CLI::Range(1, 256));
     verb->add_flag("--json", options.json,
-                   "Print {files: [...], summary: {...}}: what was parsed, compiled, refused");
+                   "Print {files: [...], summary: {...}}: what was parsed, compiled, refused")
+        ->excludes(print);
     AddPackageOption(*verb, line);
     return verb;
 }

@@ -10,7 +10,9 @@
 #include <atomic>
 #include <future>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderDatabase.h>
+#include <limn/shaderlab/ShaderLabParser.h>
 #include <mutex>
 #include <thread>
 
@@ -180,10 +182,52 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
     return checks;
 }
 
+/// A file as canonical text; "", with what is wrong on the console, if it does not parse.
+std::string CanonicalText(const std::filesystem::path& file, Console& console)
+{
+    try
+    {
+        const ShaderLabParseResult result = LoadShaderLabWithDiagnostics(file);
+        console.PrintWithSource(result.diagnostics);
+        if (result.hasErrors())
+        {
+            return {};
+        }
+        std::string text = PrintShaderLab(result.document);
+        const ShaderLabParseResult again = ParseShaderLab(text, file.string());
+        if (again.hasErrors() || !SameContent(result.document, again.document))
+        {
+            throw ContractError(file.string() + ": its canonical text does not say the same");
+        }
+        return text;
+    }
+    catch (const AssetError& error)
+    {
+        console.PrintWithSource(error.diagnostics());
+        return {};
+    }
+}
+
+int PrintFiles(const ShaderOptions& options, Console& console)
+{
+    bool hasErrors = false;
+    for (const std::filesystem::path& file : FindFiles(options.paths))
+    {
+        const std::string text = CanonicalText(file, console);
+        hasErrors = hasErrors || text.empty();
+        console.out() << text;
+    }
+    return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
+}
+
 } // namespace
 
 int RunShader(const ShaderOptions& options, Console& console)
 {
+    if (options.print)
+    {
+        return PrintFiles(options, console);
+    }
     ParallelCheck running(FindFiles(options.paths), options);
     const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
     if (options.json)

@@ -19,6 +19,7 @@ struct ShaderOptions
     int jobs = 0;                      ///< threads; 0 = one a core
     bool parseOnly = false;
     bool variants = false; ///< count them, compile nothing
+    bool print = false;    ///< the files as canonical text, nothing else
     bool json = false;
     std::map<std::string, std::string> packages;
 };

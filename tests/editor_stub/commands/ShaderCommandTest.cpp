@@ -55,6 +55,41 @@ protected:
 
 } // namespace
 
+TEST_F(ShaderCommand, PrintsFilesAsCanonicalText)
+{
+    const std::string loose =
+        Write("loose.shader", "Shader \"My/Loose\" { // as somebody wrote it\n"
+                              "SubShader { ZTEST always\n"
+                              "UsePass \"My/Good/ONLY\" } }");
+    const std::string canonical = "Shader \"My/Loose\"\n"
+                                  "{\n"
+                                  "    SubShader\n"
+                                  "    {\n"
+                                  "        UsePass \"My/Good/ONLY\"\n"
+                                  "    }\n"
+                                  "}\n";
+    const CommandRun run = RunCommand({"shader", "--print", loose});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(canonical, run.out);
+    EXPECT_EQ("", run.err);
+    // What is canonical stays as it is, and several files follow each other.
+    const std::string same = Write("same.shader", canonical);
+    EXPECT_EQ(canonical + canonical, RunCommand({"shader", "--print", same, same}).out);
+}
+
+TEST_F(ShaderCommand, PrintsWhatParsesBesideWhatDoesNot)
+{
+    Write("a_broken.shader", "Shader \"My/Broken\" { SubShader { Pass { Cull Sideways } } }");
+    Write("b_good.shader", k_Good);
+    Write("c_empty.shader", "");
+    const CommandRun run = RunCommand({"shader", "--print", (folder / "").string()});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("Sideways"));
+    EXPECT_THAT(run.err, HasSubstr("c_empty.shader"));
+    EXPECT_TRUE(run.out.starts_with("Shader \"My/Good\"\n{\n    Properties\n")) << run.out;
+    EXPECT_EQ(2, RunCommand({"shader", "--print", "--json", (folder / "").string()}).exitCode);
+}
+
 TEST_F(ShaderCommand, DescribesASingleFile)
 {
     const std::string path = Write("good.shader", k_Good);
