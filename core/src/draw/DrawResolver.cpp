@@ -3,24 +3,14 @@
 #include "material/UniformWriter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
 
 namespace
 {
-
-constexpr std::uint32_t k_UniformAlignment = 256; // the most any device asks for
-
-std::string Lower(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
 
 std::string Subject(ShaderPropertyId id, const PropertySources& sources)
 {
@@ -85,7 +75,7 @@ std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBindi
 /// the sampler of the texture that it is named after ("sampler_MainTex" → _MainTex).
 SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
 {
-    const std::string lower = Lower(binding.name);
+    const std::string lower = ToLower(binding.name);
     const auto has = [&](std::string_view word)
     {
         return lower.find(word) != std::string::npos;

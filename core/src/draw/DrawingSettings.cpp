@@ -4,6 +4,14 @@
 namespace limn
 {
 
+const std::vector<ShaderTagId>& ForwardShaderTags()
+{
+    static const std::vector<ShaderTagId> tags{ShaderTagId("SRPDefaultUnlit"),
+                                               ShaderTagId("UniversalForward"),
+                                               ShaderTagId("UniversalForwardOnly")};
+    return tags;
+}
+
 void DrawingSettings::SetShaderPassName(int index, ShaderTagId tag)
 {
     if (index < 0 || index >= maxShaderPasses)

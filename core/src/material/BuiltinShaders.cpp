@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
@@ -82,9 +82,7 @@ const ShaderDatabase& BuiltinShaders()
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDimension dimension)
 {
     static const std::vector<std::shared_ptr<const Texture>> textures = SolidTextures();
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::string lower = ToLower(name);
     lower = lower == "normal" ? "bump" : lower;
     const auto isKnown = std::any_of(std::begin(k_SolidColors), std::end(k_SolidColors),
                                      [&](const SolidColor& color) { return color.name == lower; });

@@ -3,8 +3,8 @@
 #include "scene/UniqueId.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <limn/shaderlab/Case.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -14,16 +14,6 @@ namespace limn
 
 namespace
 {
-
-bool EqualIgnoringCase(std::string_view a, std::string_view b)
-{
-    const auto lower = [](char c)
-    {
-        return std::tolower(static_cast<unsigned char>(c));
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
-}
 
 /// "Transparent", "Geometry+1", "2450" as a queue number.
 std::optional<int> ParseQueue(std::string_view text)
@@ -43,7 +33,7 @@ std::optional<int> ParseQueue(std::string_view text)
         const std::string_view name = std::string_view(compact).substr(0, split);
         const auto it =
             std::find_if(std::begin(k_Names), std::end(k_Names),
-                         [&](const auto& n) { return EqualIgnoringCase(n.first, name); });
+                         [&](const auto& n) { return EqualsIgnoringCase(n.first, name); });
         if (it != std::end(k_Names))
         {
             queue = it->second;
@@ -145,9 +135,9 @@ int Shader::FindPassByLightMode(ShaderTagId lightMode) const
 int Shader::FindPassByName(std::string_view name) const
 {
     const std::vector<ShaderLabPass>& passes = m_SubShader.passes;
-    const auto it =
-        std::find_if(passes.begin(), passes.end(),
-                     [&](const ShaderLabPass& pass) { return EqualIgnoringCase(pass.name, name); });
+    const auto it = std::find_if(passes.begin(), passes.end(),
+                                 [&](const ShaderLabPass& pass)
+                                 { return EqualsIgnoringCase(pass.name, name); });
     return it == passes.end() ? -1 : static_cast<int>(it - passes.begin());
 }
 

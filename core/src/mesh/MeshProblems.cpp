@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/core/VertexAttribute.h>
 
 namespace limn
 {
@@ -9,34 +10,24 @@ namespace limn
 namespace
 {
 
-template <typename Vector>
-bool IsFinite(const Vector& vector)
+void CheckArray(std::vector<std::string>& problems, const VertexAttribute& attribute,
+                const MeshData& data)
 {
-    for (int i = 0; i < Vector::length(); ++i)
+    const std::string name(attribute.array);
+    const std::span<const float> values = attribute.values(data);
+    const std::size_t size = values.size() / attribute.components;
+    if (size != 0 && size != data.vertices.size())
     {
-        if (!std::isfinite(vector[i]))
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-template <typename Vector>
-void CheckArray(std::vector<std::string>& problems, const char* name,
-                const std::vector<Vector>& array, std::size_t vertexCount)
-{
-    if (!array.empty() && array.size() != vertexCount)
-    {
-        problems.push_back(std::string(name) + ": " + std::to_string(array.size()) +
-                           " elements for " + std::to_string(vertexCount) +
+        problems.push_back(name + ": " + std::to_string(size) + " elements for " +
+                           std::to_string(data.vertices.size()) +
                            " vertices; one a vertex or none is right");
     }
-    const auto bad = std::find_if_not(array.begin(), array.end(), IsFinite<Vector>);
-    if (bad != array.end())
+    const auto bad =
+        std::ranges::find_if_not(values, [](float value) { return std::isfinite(value); });
+    if (bad != values.end())
     {
-        problems.push_back(std::string(name) + "[" + std::to_string(bad - array.begin()) +
-                           "]: not a finite number");
+        const auto index = static_cast<std::size_t>(bad - values.begin()) / attribute.components;
+        problems.push_back(name + "[" + std::to_string(index) + "]: not a finite number");
     }
 }
 
@@ -89,17 +80,14 @@ void CheckSubMeshes(std::vector<std::string>& problems, const MeshData& data)
 std::vector<std::string> MeshProblems(const MeshData& data)
 {
     std::vector<std::string> problems;
-    const std::size_t count = data.vertices.size();
-    if (count == 0)
+    if (data.vertices.empty())
     {
         problems.emplace_back("vertices: none; at least one is needed");
     }
-    CheckArray(problems, "vertices", data.vertices, count);
-    CheckArray(problems, "normals", data.normals, count);
-    CheckArray(problems, "tangents", data.tangents, count);
-    CheckArray(problems, "colors", data.colors, count);
-    CheckArray(problems, "uv", data.uv, count);
-    CheckArray(problems, "uv8", data.uv8, count);
+    for (const VertexAttribute& attribute : VertexAttributes())
+    {
+        CheckArray(problems, attribute, data);
+    }
     CheckTriangles(problems, data);
     CheckSubMeshes(problems, data);
     return problems;

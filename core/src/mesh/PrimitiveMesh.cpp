@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limn/shaderlab/Case.h>
 #include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
@@ -27,11 +28,6 @@ constexpr std::array k_Types = {
     NamedType{"cylinder", PrimitiveType::Cylinder}, NamedType{"cube", PrimitiveType::Cube},
     NamedType{"plane", PrimitiveType::Plane},       NamedType{"quad", PrimitiveType::Quad},
     NamedType{"torus", PrimitiveType::Torus}};
-
-char ToLowerAscii(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 /// Rings `first` to `last` of a sphere of diameter 1 that is lifted by `y`.
 /// @param vScale,vOffset  map the ring's share of the way down, 0...1, to v
@@ -141,8 +137,7 @@ std::optional<PrimitiveType> PrimitiveTypeFromName(std::string_view name)
 {
     for (const NamedType& entry : k_Types)
     {
-        if (std::equal(name.begin(), name.end(), entry.name.begin(), entry.name.end(),
-                       [](char a, char b) { return ToLowerAscii(a) == b; }))
+        if (EqualsIgnoringCase(name, entry.name))
         {
             return entry.type;
         }

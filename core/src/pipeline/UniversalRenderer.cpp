@@ -42,16 +42,14 @@ public:
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override
     {
-        const DrawingSettings drawing = CreateDrawingSettings(m_Tags, renderingData, m_Sorting);
+        const DrawingSettings drawing =
+            CreateDrawingSettings(ForwardShaderTags(), renderingData, m_Sorting);
         context.DrawRenderers(renderingData.cullResults, drawing, m_Filtering);
     }
 
 private:
     FilteringSettings m_Filtering;
     SortingCriteria m_Sorting;
-    const std::vector<ShaderTagId> m_Tags{ShaderTagId("SRPDefaultUnlit"),
-                                          ShaderTagId("UniversalForward"),
-                                          ShaderTagId("UniversalForwardOnly")};
 };
 
 /// Copies the camera's colour to the output, where it becomes sRGB.

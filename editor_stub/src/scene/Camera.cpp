@@ -8,12 +8,6 @@ namespace limn
 namespace
 {
 
-constexpr EnumEntry k_ClearFlags[] = {
-    {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
-
-/// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
-constexpr ValueRange k_FieldOfView{0.01, 179.0};
-
 void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
     glm::vec3 degrees(0.0f);
@@ -47,11 +41,11 @@ void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnos
 void ReadLens(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
     map.Read("orthographic", camera.orthographic);
-    map.Read("orthographicSize", camera.orthographicSize, {1e-4, k_MaxDistance});
-    map.Read("fieldOfView", camera.fieldOfView, k_FieldOfView);
-    const double nearest = camera.orthographic ? -k_MaxDistance : 1e-4;
-    map.Read("nearClipPlane", camera.nearClipPlane, {nearest, k_MaxDistance});
-    const bool hasFar = map.Read("farClipPlane", camera.farClipPlane, {nearest, k_MaxDistance});
+    map.Read("orthographicSize", camera.orthographicSize, k_OrthographicSizes);
+    map.Read("fieldOfView", camera.fieldOfView, k_FieldsOfView);
+    const double nearest = camera.orthographic ? k_ClipPlanes.min : 1e-4;
+    map.Read("nearClipPlane", camera.nearClipPlane, {nearest, k_ClipPlanes.max});
+    const bool hasFar = map.Read("farClipPlane", camera.farClipPlane, {nearest, k_ClipPlanes.max});
     if (camera.farClipPlane <= camera.nearClipPlane)
     {
         const YamlNode* node = map.Find(hasFar ? "farClipPlane" : "nearClipPlane");
@@ -107,7 +101,7 @@ void ReadLight(const YamlNode& node, SceneLoader& loader)
         light.direction = EulerToRotation(degrees) * glm::vec3(0.0f, 0.0f, 1.0f);
     }
     map.Read("color", light.color);
-    map.Read("intensity", light.intensity, {0.0, 1e6});
+    map.Read("intensity", light.intensity, k_Intensities);
     map.Finish();
 }
 

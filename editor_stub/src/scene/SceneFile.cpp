@@ -1,3 +1,4 @@
+#include "scene/Limits.h"
 #include "scene/Loader.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@ namespace limn
 namespace
 {
 
-constexpr double k_MaxSize = 16384.0;
-
 void ReadSize(const YamlNode& node, SceneLoader& loader)
 {
     if (node.items().size() != 2)
@@ -20,10 +19,11 @@ void ReadSize(const YamlNode& node, SceneLoader& loader)
                                      "; width and height in pixels are expected: [1280, 720]");
         return;
     }
-    const ValueRange range{1.0, k_MaxSize};
     SceneAsset& asset = loader.asset;
-    asset.width = ReadInt(node.items()[0], "size[0]", loader.diagnostics, range).value_or(1);
-    asset.height = ReadInt(node.items()[1], "size[1]", loader.diagnostics, range).value_or(1);
+    asset.width =
+        ReadInt(node.items()[0], "size[0]", loader.diagnostics, k_PictureSizes).value_or(1);
+    asset.height =
+        ReadInt(node.items()[1], "size[1]", loader.diagnostics, k_PictureSizes).value_or(1);
 }
 
 /// Calls `read` with the value of a key that may be absent.

@@ -1,15 +1,13 @@
+#include "scene/Limits.h"
 #include "scene/Loader.h"
 
 #include <algorithm>
-#include <array>
 
 namespace limn
 {
 
 namespace
 {
-
-constexpr ValueRange k_Length{0.0, 1e9};
 
 void ReadDirection(YamlMapReader& map, int& direction, AssetDiagnostics& diagnostics)
 {
@@ -61,15 +59,15 @@ void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume
     {
         SphereCollider sphere{enabled};
         map.Read("center", sphere.center);
-        map.Read("radius", sphere.radius, k_Length);
+        map.Read("radius", sphere.radius, k_Lengths);
         volume.colliders.push_back(sphere);
     }
     else if (type == "capsule")
     {
         CapsuleCollider capsule{enabled};
         map.Read("center", capsule.center);
-        map.Read("radius", capsule.radius, k_Length);
-        map.Read("height", capsule.height, k_Length);
+        map.Read("radius", capsule.radius, k_Lengths);
+        map.Read("height", capsule.height, k_Lengths);
         ReadDirection(map, capsule.direction, loader.diagnostics);
         volume.colliders.push_back(capsule);
     }
@@ -85,16 +83,15 @@ void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume
 void ReadCollider(const YamlNode& node, const std::string& subject, Volume& volume,
                   SceneLoader& loader)
 {
-    constexpr std::array<std::string_view, 4> k_Types{"box", "sphere", "capsule", "mesh"};
     YamlMapReader map(node, subject, loader.diagnostics);
     std::string type = "box";
     map.Read("type", type);
-    if (std::find(k_Types.begin(), k_Types.end(), type) == k_Types.end())
+    if (std::find(k_ColliderTypes.begin(), k_ColliderTypes.end(), type) == k_ColliderTypes.end())
     {
         const YamlNode* named = map.Find("type");
-        loader.diagnostics.Error(named->location(),
-                                 map.SubjectOf("type") + ": unknown shape " +
-                                     UnknownName(type, {k_Types.begin(), k_Types.end()}));
+        loader.diagnostics.Error(named->location(), map.SubjectOf("type") + ": unknown shape " +
+                                                        UnknownName(type, {k_ColliderTypes.begin(),
+                                                                           k_ColliderTypes.end()}));
         return;
     }
     bool enabled = true;
@@ -155,8 +152,8 @@ void ReadVolume(const YamlNode& node, const std::string& place, SceneLoader& loa
     map.Read("enabled", volume.enabled);
     map.Read("isGlobal", volume.isGlobal);
     map.Read("priority", volume.priority);
-    map.Read("weight", volume.weight, {0.0, 1.0});
-    map.Read("blendDistance", volume.blendDistance, {0.0, 1e9});
+    map.Read("weight", volume.weight, k_Weights);
+    map.Read("blendDistance", volume.blendDistance, k_Lengths);
     if (const YamlNode* layer = map.Find("layer"))
     {
         volume.layer =

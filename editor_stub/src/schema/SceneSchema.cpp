@@ -33,12 +33,11 @@ Json CameraSchema()
         {"rotation", Described(VectorSchema(3), "Euler angles in degrees, applied z, x, y")},
         {"lookAt", Described(VectorSchema(3), "A point to look at, in place of a rotation")},
         {"orthographic", BoolSchema()},
-        {"orthographicSize", NumberSchema({1e-4, k_MaxDistance})},
-        {"fieldOfView", Described(NumberSchema({0.01, 179.0}), "Vertical, in degrees")},
-        {"nearClipPlane", NumberSchema({-k_MaxDistance, k_MaxDistance})},
-        {"farClipPlane", NumberSchema({-k_MaxDistance, k_MaxDistance})},
-        {"clearFlags",
-         EnumSchema(std::vector<std::string>{"Skybox", "SolidColor", "Depth", "Nothing"})},
+        {"orthographicSize", NumberSchema(k_OrthographicSizes)},
+        {"fieldOfView", Described(NumberSchema(k_FieldsOfView), "Vertical, in degrees")},
+        {"nearClipPlane", NumberSchema(k_ClipPlanes)},
+        {"farClipPlane", NumberSchema(k_ClipPlanes)},
+        {"clearFlags", EnumSchema(k_ClearFlags)},
         {"backgroundColor", ColorSchema()},
         {"allowHDR", BoolSchema()},
         {"cullingMask", LayerMaskSchema()},
@@ -53,7 +52,7 @@ Json LightSchema()
 {
     return MapSchema({{"rotation", VectorSchema(3)},
                       {"color", ColorSchema()},
-                      {"intensity", NumberSchema({0.0, 1e6})}});
+                      {"intensity", NumberSchema(k_Intensities)}});
 }
 
 void AddTransform(Json& schema)
@@ -79,10 +78,9 @@ Json MeshSchema()
 }
 
 /// What one type of collider holds besides `type` and `enabled`.
-Json ShapeSchema(const char* type)
+Json ShapeSchema(std::string_view name)
 {
-    const std::string_view name(type);
-    const Json length = NumberSchema({0.0, k_MaxDistance});
+    const Json length = NumberSchema(k_Lengths);
     Json shape = MapSchema({{"type", Json::object()}, {"enabled", Json::object()}});
     Json& properties = shape["properties"];
     if (name == "mesh")
@@ -108,16 +106,14 @@ Json ShapeSchema(const char* type)
 
 Json ColliderSchema()
 {
-    Json schema{
-        {"type", "object"},
-        {"properties",
-         {{"type", {{"enum", {"box", "sphere", "capsule", "mesh"}}}}, {"enabled", BoolSchema()}}},
-        {"allOf", Json::array()}};
-    for (const char* type : {"box", "sphere", "capsule", "mesh"})
+    Json schema{{"type", "object"},
+                {"properties", {{"type", {{"enum", k_ColliderTypes}}}, {"enabled", BoolSchema()}}},
+                {"allOf", Json::array()}};
+    for (const std::string_view type : k_ColliderTypes)
     {
         // Without a type it is a box: a condition on a key that is not there holds.
         Json isThis{{"properties", {{"type", {{"const", type}}}}}};
-        if (std::string_view(type) != "box")
+        if (type != "box")
         {
             isThis["required"] = {"type"};
         }
@@ -134,8 +130,8 @@ Json VolumeSchema()
         {"enabled", BoolSchema()},
         {"isGlobal", BoolSchema()},
         {"priority", Described(NumberSchema(), "The higher one wins")},
-        {"weight", NumberSchema({0.0, 1.0})},
-        {"blendDistance", Described(NumberSchema({0.0, k_MaxDistance}), "Metres")},
+        {"weight", NumberSchema(k_Weights)},
+        {"blendDistance", Described(NumberSchema(k_Lengths), "Metres")},
         {"layer", LayerIndexSchema()},
         {"colliders", ListSchema(ColliderSchema())},
     });
@@ -167,7 +163,7 @@ Json ObjectSchema()
 Json SizeSchema()
 {
     return {{"type", "array"},
-            {"items", IntegerSchema({1.0, 16384.0})},
+            {"items", IntegerSchema(k_PictureSizes)},
             {"minItems", 2},
             {"maxItems", 2},
             {"description", "Width and height in pixels"}};
@@ -177,8 +173,8 @@ Json SizeSchema()
 
 Json SceneSchema(const FeatureRegistry& features)
 {
-    Json renderer =
-        MapSchema({{"rendererData", TextSchema()}, {"features", ListSchema(FeatureSchema(features))}});
+    Json renderer = MapSchema(
+        {{"rendererData", TextSchema()}, {"features", ListSchema(FeatureSchema(features))}});
     renderer["not"] = {{"required", {"rendererData", "features"}}};
     Json schema = MapSchema({
         {"size", SizeSchema()},

@@ -2,7 +2,7 @@
 
 #include "shaders/StateText.h"
 
-#include <limn/volume/YamlRead.h>
+#include <limn/shaderlab/PrintShaderLab.h>
 
 namespace limn
 {
@@ -134,45 +134,13 @@ std::string PassText(const CheckedPass& checked, std::size_t index)
 
 std::string TypeText(const ShaderProperty& property)
 {
-    switch (property.type)
-    {
-    case ShaderPropertyType::Float:
-        return "Float";
-    case ShaderPropertyType::Range:
-        return "Range(" + NumberText(property.rangeMin) + ", " + NumberText(property.rangeMax) +
-               ")";
-    case ShaderPropertyType::Int:
-        return "Int";
-    case ShaderPropertyType::Integer:
-        return "Integer";
-    case ShaderPropertyType::Color:
-        return "Color";
-    case ShaderPropertyType::Vector:
-        return "Vector";
-    case ShaderPropertyType::Texture:
-        break;
-    }
-    return "Texture";
+    return property.type == ShaderPropertyType::Texture ? "Texture" : PropertyTypeText(property);
 }
 
 std::string DefaultText(const ShaderProperty& property)
 {
-    if (property.type == ShaderPropertyType::Texture)
-    {
-        return "\"" + property.defaultTexture + "\"";
-    }
-    const bool isVector =
-        property.type == ShaderPropertyType::Color || property.type == ShaderPropertyType::Vector;
-    if (!isVector)
-    {
-        return NumberText(property.defaultValue[0]);
-    }
-    std::string text;
-    for (const float channel : property.defaultValue)
-    {
-        text += (text.empty() ? "(" : ", ") + NumberText(channel);
-    }
-    return text + ")";
+    return property.type == ShaderPropertyType::Texture ? "\"" + property.defaultTexture + "\""
+                                                        : PropertyDefaultText(property);
 }
 
 std::string TypeText(UniformType type, int components, int arraySize)

@@ -4,29 +4,16 @@
 #include "unity/UnityProject.h"
 
 #include <algorithm>
-#include <array>
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/Features.h>
 #include <limn/volume/UnityAsset.h>
+#include <limn/volume/UnityHeaderField.h>
 
 namespace limn
 {
 
 namespace
 {
-
-/// What every MonoBehaviour of a feature has; the rest are settings.
-constexpr std::array<std::string_view, 11> k_HeaderFields{"m_ObjectHideFlags",
-                                                          "m_CorrespondingSourceObject",
-                                                          "m_PrefabInstance",
-                                                          "m_PrefabAsset",
-                                                          "m_GameObject",
-                                                          "m_Enabled",
-                                                          "m_EditorHideFlags",
-                                                          "m_Script",
-                                                          "m_Name",
-                                                          "m_EditorClassIdentifier",
-                                                          "m_Active"};
 
 /// Scripts of the URP package, whose .meta files are in no project. (URP 14)
 constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
@@ -97,8 +84,7 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
         loading.diagnostics.Note(node.location(), subject + ": left out, " + missing);
         return nullptr;
     }
-    loading.diagnostics.Note(node.location(), subject + ": " + missing + ", so " +
-                                                  shipped->name +
+    loading.diagnostics.Note(node.location(), subject + ": " + missing + ", so " + shipped->name +
                                                   " that comes with limn is used");
     return loading.assets.FindShader(shipped->name);
 }
@@ -144,8 +130,7 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     const std::vector<std::string>& known = reader.fieldNames();
     for (const YamlEntry& entry : settings.entries())
     {
-        const bool isHeader = std::find(k_HeaderFields.begin(), k_HeaderFields.end(), entry.key) !=
-                              k_HeaderFields.end();
+        const bool isHeader = isUnityHeaderField(entry.key) || entry.key == "m_Active";
         if (!isHeader && std::find(known.begin(), known.end(), entry.key) == known.end())
         {
             loading.diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +

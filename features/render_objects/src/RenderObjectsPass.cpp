@@ -12,8 +12,7 @@ std::vector<ShaderTagId> ToTags(const std::vector<std::string>& names)
 {
     if (names.empty())
     {
-        return {ShaderTagId("SRPDefaultUnlit"), ShaderTagId("UniversalForward"),
-                ShaderTagId("UniversalForwardOnly")};
+        return ForwardShaderTags();
     }
     std::vector<ShaderTagId> tags;
     for (const std::string& name : names)

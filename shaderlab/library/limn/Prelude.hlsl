@@ -1,10 +1,6 @@
-// Comes before every program: what Unity's compiler defines by itself.
+// Comes before every program, behind the macros that Unity's compiler defines by itself
+// (k_PredefinedMacros).
 #pragma once
-
-#define SHADER_API_VULKAN 1
-#define SHADER_API_DESKTOP 1
-#define UNITY_VERSION 202230
-#define UNITY_COMPILER_HLSL 1
 
 // As on Unity's desktop targets, half is float. Macros rather than the compiler's own half, which
 // marks values as low precision and lets a driver compute them with fewer bits.

@@ -80,46 +80,6 @@ private:
     std::size_t m_LegacyCommands = 0;
 };
 
-std::string TypeText(const ShaderProperty& property)
-{
-    switch (property.type)
-    {
-    case ShaderPropertyType::Float:
-        return "Float";
-    case ShaderPropertyType::Range:
-        return "Range(" + NumberToShaderLab(property.rangeMin) + ", " +
-               NumberToShaderLab(property.rangeMax) + ")";
-    case ShaderPropertyType::Int:
-        return "Int";
-    case ShaderPropertyType::Integer:
-        return "Integer";
-    case ShaderPropertyType::Color:
-        return "Color";
-    case ShaderPropertyType::Vector:
-        return "Vector";
-    case ShaderPropertyType::Texture:
-        return property.textureType;
-    }
-    throw ContractError("ShaderPropertyType: unknown value");
-}
-
-std::string DefaultText(const ShaderProperty& property)
-{
-    const std::array<float, 4>& value = property.defaultValue;
-    switch (property.type)
-    {
-    case ShaderPropertyType::Texture:
-        return Quoted(property.defaultTexture) +
-               (property.textureMode.empty() ? " {}" : " { " + property.textureMode + " }");
-    case ShaderPropertyType::Color:
-    case ShaderPropertyType::Vector:
-        return "(" + NumberToShaderLab(value[0]) + ", " + NumberToShaderLab(value[1]) + ", " +
-               NumberToShaderLab(value[2]) + ", " + NumberToShaderLab(value[3]) + ")";
-    default:
-        return NumberToShaderLab(value[0]);
-    }
-}
-
 std::string TagsText(const ShaderTags& tags)
 {
     std::string text = "Tags {";
@@ -145,8 +105,8 @@ void Printer::PrintProperties(const ShaderLabDocument& document)
         {
             line += "[" + attribute.text + "] ";
         }
-        Line(line + property.name + "(" + Quoted(property.displayName) + ", " + TypeText(property) +
-             ") = " + DefaultText(property));
+        Line(line + property.name + "(" + Quoted(property.displayName) + ", " +
+             PropertyTypeText(property) + ") = " + PropertyDefaultText(property));
     }
     Close();
 }
@@ -338,6 +298,46 @@ ShaderLabDocument WithoutPlaces(ShaderLabDocument document)
 }
 
 } // namespace
+
+std::string PropertyTypeText(const ShaderProperty& property)
+{
+    switch (property.type)
+    {
+    case ShaderPropertyType::Float:
+        return "Float";
+    case ShaderPropertyType::Range:
+        return "Range(" + NumberToShaderLab(property.rangeMin) + ", " +
+               NumberToShaderLab(property.rangeMax) + ")";
+    case ShaderPropertyType::Int:
+        return "Int";
+    case ShaderPropertyType::Integer:
+        return "Integer";
+    case ShaderPropertyType::Color:
+        return "Color";
+    case ShaderPropertyType::Vector:
+        return "Vector";
+    case ShaderPropertyType::Texture:
+        return property.textureType;
+    }
+    throw ContractError("ShaderPropertyType: unknown value");
+}
+
+std::string PropertyDefaultText(const ShaderProperty& property)
+{
+    const std::array<float, 4>& value = property.defaultValue;
+    switch (property.type)
+    {
+    case ShaderPropertyType::Texture:
+        return Quoted(property.defaultTexture) +
+               (property.textureMode.empty() ? " {}" : " { " + property.textureMode + " }");
+    case ShaderPropertyType::Color:
+    case ShaderPropertyType::Vector:
+        return "(" + NumberToShaderLab(value[0]) + ", " + NumberToShaderLab(value[1]) + ", " +
+               NumberToShaderLab(value[2]) + ", " + NumberToShaderLab(value[3]) + ")";
+    default:
+        return NumberToShaderLab(value[0]);
+    }
+}
 
 std::string PrintShaderLab(const ShaderLabDocument& document)
 {

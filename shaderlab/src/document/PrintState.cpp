@@ -34,50 +34,6 @@ std::string NameOf(std::span<const EnumName<T>> names, const StateValue<T>& valu
     return std::string(found->name);
 }
 
-/// ZTest is off by the name of Unity's enum, which no other list has.
-std::string StateText(const StateValue<CullMode>& value)
-{
-    return NameOf<CullMode>(k_CullModes, value);
-}
-std::string StateText(const StateValue<CompareFunction>& value)
-{
-    return NameOf<CompareFunction>(k_DepthTests, value);
-}
-std::string StateText(const StateValue<bool>& value)
-{
-    return NameOf<bool>(k_Bools, value);
-}
-std::string StateText(const StateValue<BlendMode>& value)
-{
-    return NameOf<BlendMode>(k_BlendModes, value);
-}
-std::string StateText(const StateValue<BlendOp>& value)
-{
-    return NameOf<BlendOp>(k_BlendOps, value);
-}
-std::string StateText(const StateValue<StencilOp>& value)
-{
-    return NameOf<StencilOp>(k_StencilOps, value);
-}
-std::string StateText(const StateValue<int>& value)
-{
-    return value.property.empty() ? std::to_string(value.value) : "[" + value.property + "]";
-}
-
-std::string MaskText(const StateValue<int>& mask)
-{
-    if (!mask.property.empty())
-    {
-        return "[" + mask.property + "]";
-    }
-    std::string letters;
-    letters += (mask.value & ColorWriteMask::Red) != 0 ? "R" : "";
-    letters += (mask.value & ColorWriteMask::Green) != 0 ? "G" : "";
-    letters += (mask.value & ColorWriteMask::Blue) != 0 ? "B" : "";
-    letters += (mask.value & ColorWriteMask::Alpha) != 0 ? "A" : "";
-    return letters.empty() ? "0" : letters;
-}
-
 template <typename T>
 void Add(Lines& lines, const char* command, const StateValue<T>& value, const StateValue<T>& base)
 {
@@ -109,7 +65,7 @@ std::string OperationText(const PassBlendState& target)
 
 std::string WriteMaskText(const PassBlendState& target)
 {
-    return MaskText(target.writeMask);
+    return ColorMaskText(target.writeMask);
 }
 
 /// What one command says of each of the eight targets.
@@ -205,6 +161,50 @@ void AddStencil(Lines& lines, const PassStencilState& stencil)
 }
 
 } // namespace
+
+/// ZTest is off by the name of Unity's enum, which no other list has.
+std::string StateText(const StateValue<CullMode>& value)
+{
+    return NameOf<CullMode>(k_CullModes, value);
+}
+std::string StateText(const StateValue<CompareFunction>& value)
+{
+    return NameOf<CompareFunction>(k_DepthTests, value);
+}
+std::string StateText(const StateValue<bool>& value)
+{
+    return NameOf<bool>(k_Bools, value);
+}
+std::string StateText(const StateValue<BlendMode>& value)
+{
+    return NameOf<BlendMode>(k_BlendModes, value);
+}
+std::string StateText(const StateValue<BlendOp>& value)
+{
+    return NameOf<BlendOp>(k_BlendOps, value);
+}
+std::string StateText(const StateValue<StencilOp>& value)
+{
+    return NameOf<StencilOp>(k_StencilOps, value);
+}
+std::string StateText(const StateValue<int>& value)
+{
+    return value.property.empty() ? std::to_string(value.value) : "[" + value.property + "]";
+}
+
+std::string ColorMaskText(const StateValue<int>& mask)
+{
+    if (!mask.property.empty())
+    {
+        return "[" + mask.property + "]";
+    }
+    std::string letters;
+    letters += (mask.value & ColorWriteMask::Red) != 0 ? "R" : "";
+    letters += (mask.value & ColorWriteMask::Green) != 0 ? "G" : "";
+    letters += (mask.value & ColorWriteMask::Blue) != 0 ? "B" : "";
+    letters += (mask.value & ColorWriteMask::Alpha) != 0 ? "A" : "";
+    return letters.empty() ? "0" : letters;
+}
 
 std::string StateText(const StateValue<float>& value)
 {

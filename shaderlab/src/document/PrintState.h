@@ -12,9 +12,6 @@ namespace limn
 /// float.
 std::string NumberToShaderLab(float number);
 
-/// A number, or [_Property].
-std::string StateText(const StateValue<float>& value);
-
 /// The commands that turn `base` into `state`, one a line; a Stencil block is several lines,
 /// indented by four spaces inside.
 std::vector<std::string> StateCommands(const RenderState& state, const RenderState& base);

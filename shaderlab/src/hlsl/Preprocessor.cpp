@@ -5,6 +5,7 @@
 
 #include "hlsl/Tokens.h"
 #include "hlsl/rewrites/Spelling.h"
+#include "program/DirectiveConditions.h"
 #include "program/DynamicKeywords.h"
 #include "spirv/GlslangIncluder.h"
 #include "spirv/GlslangLog.h"
@@ -30,6 +31,10 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
     std::string source;
+    for (const auto& [name, value] : k_PredefinedMacros)
+    {
+        Define(source, name, value);
+    }
     Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
                    : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
                                                     : "SHADER_STAGE_FRAGMENT");

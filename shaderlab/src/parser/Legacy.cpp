@@ -1,6 +1,6 @@
 #include "parser/Parser.h"
 
-#include "document/PrintState.h"
+#include <limn/shaderlab/PrintShaderLab.h>
 
 #include <algorithm>
 

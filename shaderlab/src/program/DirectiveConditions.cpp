@@ -23,10 +23,7 @@ std::string_view FirstWord(std::string_view text)
 } // namespace
 
 DirectiveConditions::DirectiveConditions()
-    : m_Macros{{"SHADER_API_VULKAN", "1"},
-               {"SHADER_API_DESKTOP", "1"},
-               {"UNITY_COMPILER_HLSL", "1"},
-               {"UNITY_VERSION", "202230"}}
+    : m_Macros(std::begin(k_PredefinedMacros), std::end(k_PredefinedMacros))
 {
 }
 

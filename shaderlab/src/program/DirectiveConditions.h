@@ -3,10 +3,18 @@
 #include "program/IntegerExpression.h"
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limn
 {
+
+/// What Unity's compiler defines for every program by itself.
+inline constexpr std::pair<std::string_view, std::string_view> k_PredefinedMacros[] = {
+    {"SHADER_API_VULKAN", "1"},
+    {"SHADER_API_DESKTOP", "1"},
+    {"UNITY_COMPILER_HLSL", "1"},
+    {"UNITY_VERSION", "202230"}};
 
 /// Follows `#define` and `#if` far enough to tell which pragmas count: Unity decides that by the
 /// program's own macros and by those of the platform, before any keyword is set.

@@ -7,9 +7,6 @@
 
 #include <algorithm>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 namespace limn
 {
 
@@ -85,12 +82,6 @@ bool isAbsolute(std::string_view path)
 }
 
 } // namespace
-
-std::uint64_t HashContent(std::string_view text)
-{
-    const std::uint64_t hash = XXH3_64bits(text.data(), text.size());
-    return hash == 0 ? 1 : hash; // 0 stands for an absent file
-}
 
 std::uint64_t HashFile(const std::string& path)
 {

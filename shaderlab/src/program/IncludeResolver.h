@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 
 #include <optional>
@@ -24,8 +25,6 @@ struct IncludeDependency
 
     bool operator==(const IncludeDependency&) const = default;
 };
-
-std::uint64_t HashContent(std::string_view text);
 
 /// Content hash of the file at `path` as it is now, 0 where there is none.
 std::uint64_t HashFile(const std::string& path);

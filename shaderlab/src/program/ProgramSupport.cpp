@@ -172,13 +172,6 @@ const std::vector<std::string_view> k_Pragmas = {"vertex",
                                                  "debug",
                                                  "def"};
 
-std::string LowerCase(std::string_view text)
-{
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(), ToLower);
-    return result;
-}
-
 /// The words of a text up to a ":" in it.
 std::vector<std::string> Words(std::string_view text)
 {
@@ -187,7 +180,7 @@ std::vector<std::string> Words(std::string_view text)
     while (!(text = Trim(text)).empty())
     {
         const std::string_view word = text.substr(0, text.find_first_of(" \t\r\f\v,"));
-        words.push_back(LowerCase(word));
+        words.push_back(ToLower(word));
         text.remove_prefix(std::min(word.size() + 1, text.size()));
     }
     words.erase(std::remove(words.begin(), words.end(), ""), words.end());

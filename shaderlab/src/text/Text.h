@@ -1,14 +1,12 @@
 #pragma once
 
+#include <limn/shaderlab/Case.h>
+
 #include <string_view>
 
 namespace limn
 {
 
-constexpr char ToLower(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 constexpr bool isDigit(char c)
 {
     return c >= '0' && c <= '9';
@@ -26,23 +24,6 @@ constexpr bool isBlank(char c)
 constexpr bool isWordCharacter(char c)
 {
     return isLetter(c) || isDigit(c) || c == '#';
-}
-
-/// ASCII case only, which is all that ShaderLab keywords and HLSL semantics need.
-constexpr bool EqualsIgnoringCase(std::string_view a, std::string_view b)
-{
-    if (a.size() != b.size())
-    {
-        return false;
-    }
-    for (std::size_t i = 0; i < a.size(); ++i)
-    {
-        if (ToLower(a[i]) != ToLower(b[i]))
-        {
-            return false;
-        }
-    }
-    return true;
 }
 
 constexpr std::string_view Trim(std::string_view text)

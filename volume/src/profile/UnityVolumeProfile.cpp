@@ -1,7 +1,7 @@
 #include "profile/UnityVolumeProfile.h"
 
 #include <algorithm>
-#include <array>
+#include <limn/volume/UnityHeaderField.h>
 #include <set>
 
 namespace limn
@@ -10,24 +10,9 @@ namespace limn
 namespace
 {
 
-/// What every MonoBehaviour has; the rest of a component's fields are its parameters.
-constexpr std::array<std::string_view, 11> k_HeaderFields{
-    "m_ObjectHideFlags",
-    "m_CorrespondingSourceObject",
-    "m_PrefabInstance",
-    "m_PrefabAsset",
-    "m_GameObject",
-    "m_Enabled",
-    "m_EditorHideFlags",
-    "m_Script",
-    "m_Name",
-    "m_EditorClassIdentifier",
-    "active",
-};
-
-bool IsHeaderField(std::string_view name)
+bool isHeaderField(std::string_view name)
 {
-    return std::find(k_HeaderFields.begin(), k_HeaderFields.end(), name) != k_HeaderFields.end();
+    return isUnityHeaderField(name) || name == "active";
 }
 
 void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumeParameter& parameter,
@@ -60,7 +45,7 @@ void ReadComponent(const UnityObject& object, VolumeComponent& component,
     }
     for (const YamlEntry& entry : object.fields.entries())
     {
-        if (IsHeaderField(entry.key))
+        if (isHeaderField(entry.key))
         {
             continue;
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limn/shaderlab/HashContent.h>
 #include <set>
 #include <vector>
 
@@ -122,15 +123,10 @@ std::string UnityComponent(const VolumeComponent& component, const std::string& 
     return text;
 }
 
-/// The same for the same name wherever and whenever (FNV-1a), and none of `used`.
+/// The same for the same name wherever and whenever, and none of `used`.
 std::int64_t FileIDOf(const std::string& name, const std::vector<std::int64_t>& used)
 {
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const char c : name)
-    {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-    }
-    auto fileID = static_cast<std::int64_t>(hash);
+    auto fileID = static_cast<std::int64_t>(HashContent(name));
     while (fileID == 0 || fileID == k_ProfileFileID ||
            std::find(used.begin(), used.end(), fileID) != used.end())
     {

@@ -11,6 +11,10 @@ namespace limn
 class Material;
 class Shader;
 
+/// The LightModes that URP's forward passes draw: SRPDefaultUnlit, UniversalForward,
+/// UniversalForwardOnly.
+const std::vector<ShaderTagId>& ForwardShaderTags();
+
 /// How a DrawRenderers call draws what passed its filter: for each tag in turn, the first pass of
 /// the object's shader with that LightMode; a pass without LightMode counts as SRPDefaultUnlit.
 /// Unity: UnityEngine.Rendering.DrawingSettings (2022.3).

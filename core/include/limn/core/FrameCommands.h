@@ -46,11 +46,14 @@ struct ViewportRect
     bool operator==(const ViewportRect&) const = default;
 };
 
+/// Where a uniform buffer may begin: at a multiple of the most any device asks for, in bytes.
+inline constexpr std::uint32_t k_UniformAlignment = 256;
+
 /// A run of bytes of FrameCommands::uniformData, bound to one uniform buffer.
 struct UniformSlice
 {
     std::uint32_t binding = 0;
-    std::uint32_t offset = 0; ///< a multiple of 256
+    std::uint32_t offset = 0; ///< a multiple of k_UniformAlignment
     std::uint32_t size = 0;
 
     bool operator==(const UniformSlice&) const = default;

@@ -88,13 +88,14 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
             FindSlot(bindings.uniforms, buffer.binding, "uniform data", buffer.name);
         const bool inside =
             slice.offset <= uploadedSize && slice.size <= uploadedSize - slice.offset;
-        if (slice.size < buffer.size || !inside || slice.offset % 256 != 0)
+        if (slice.size < buffer.size || !inside || slice.offset % k_UniformAlignment != 0)
         {
-            throw ContractError(
-                "the uniform data of '" + buffer.name + "' are " + std::to_string(slice.size) +
-                " bytes at " + std::to_string(slice.offset) + "; the shader reads " +
-                std::to_string(buffer.size) + ", at a multiple of 256, of the frame's " +
-                std::to_string(uploadedSize));
+            throw ContractError("the uniform data of '" + buffer.name + "' are " +
+                                std::to_string(slice.size) + " bytes at " +
+                                std::to_string(slice.offset) + "; the shader reads " +
+                                std::to_string(buffer.size) + ", at a multiple of " +
+                                std::to_string(k_UniformAlignment) + ", of the frame's " +
+                                std::to_string(uploadedSize));
         }
         writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                          {uploaded.buffer, uploaded.offset + slice.offset, slice.size});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
@@ -51,15 +52,6 @@ namespace
 {
 
 using DeviceTest = std::function<bool(std::size_t, const VulkanDeviceInfo&)>;
-
-std::string Lower(std::string_view text)
-{
-    std::string result{text};
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c)
-                   { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    return result;
-}
 
 std::string Describe(std::size_t index, const VulkanDeviceInfo& device)
 {
@@ -143,9 +135,9 @@ DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::str
         return ChooseByDefault(devices);
     }
     const std::string asked = "'" + std::string(request) + "' was asked for";
-    DeviceTest test = [wanted = Lower(request)](std::size_t, const VulkanDeviceInfo& device)
+    DeviceTest test = [wanted = ToLower(request)](std::size_t, const VulkanDeviceInfo& device)
     {
-        return Lower(device.name).find(wanted) != std::string::npos;
+        return ToLower(device.name).find(wanted) != std::string::npos;
     };
     if (request == "software")
     {

@@ -183,10 +183,10 @@ void PassRecorder::BindVertices(const PassObjects& objects, const PooledMesh* me
     std::vector<VkDeviceSize> strides(fetches.size(), 0);
     for (std::size_t i = 0; i < fetches.size(); ++i)
     {
-        const auto attribute = static_cast<std::size_t>(fetches[i].attribute);
-        const bool carried = mesh != nullptr && fetches[i].attribute != VertexAttribute::None &&
+        const std::size_t attribute = fetches[i].attribute;
+        const bool carried = mesh != nullptr && attribute < k_VertexAttributeCount &&
                              mesh->arrays[attribute].stride != 0;
-        offsets[i] = MeshPool::ConstantOffset(fetches[i].attribute);
+        offsets[i] = MeshPool::ConstantOffset(attribute);
         if (carried)
         {
             buffers[i] = mesh->buffer.handle.get();

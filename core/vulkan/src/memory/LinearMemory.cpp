@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limn/core/FrameCommands.h>
 
 namespace limn::vulkan
 {
@@ -9,8 +10,8 @@ namespace limn::vulkan
 namespace
 {
 
-/// The largest alignment Vulkan lets a device ask of uniform and storage buffer offsets.
-constexpr VkDeviceSize k_Alignment = 256;
+/// Of uniform and storage buffers; Vulkan lets a device ask no more of either.
+constexpr VkDeviceSize k_Alignment = k_UniformAlignment;
 constexpr VkDeviceSize k_ChunkBytes = VkDeviceSize{1} << 20;
 constexpr VkBufferUsageFlags k_Usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |

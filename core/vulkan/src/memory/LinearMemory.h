@@ -20,7 +20,7 @@ class LinearMemory
 public:
     LinearMemory(VkDevice device, MemoryAllocator& allocator);
 
-    /// Room for `size` bytes, at a multiple of 256; lives until Reset().
+    /// Room for `size` bytes, at a multiple of k_UniformAlignment; lives until Reset().
     UploadedBytes Allocate(VkDeviceSize size);
     UploadedBytes Upload(std::span<const std::byte> bytes);
 

@@ -3,6 +3,7 @@
 #include "device/Check.h"
 #include "device/Translate.h"
 #include "programs/PipelineBuilder.h"
+#include <algorithm>
 
 namespace limn::vulkan
 {
@@ -17,28 +18,13 @@ VertexFetch FetchFor(const VertexInput& input)
         throw ContractError("vertex input '" + input.semantic +
                             "' is of an integer type; meshes carry floats");
     }
-    struct Known
-    {
-        std::string_view semantic;
-        VertexAttribute attribute;
-        VkFormat format;
-    };
-    constexpr Known k_Known[] = {
-        {"POSITION", VertexAttribute::Position, VK_FORMAT_R32G32B32_SFLOAT},
-        {"NORMAL", VertexAttribute::Normal, VK_FORMAT_R32G32B32_SFLOAT},
-        {"TANGENT", VertexAttribute::Tangent, VK_FORMAT_R32G32B32A32_SFLOAT},
-        {"COLOR", VertexAttribute::Color, VK_FORMAT_R32G32B32A32_SFLOAT},
-        {"TEXCOORD0", VertexAttribute::Uv, VK_FORMAT_R32G32_SFLOAT},
-        {"TEXCOORD7", VertexAttribute::Uv8, VK_FORMAT_R32G32B32_SFLOAT},
-    };
-    for (const Known& known : k_Known)
-    {
-        if (input.semantic == known.semantic)
-        {
-            return {known.attribute, input.location, known.format};
-        }
-    }
-    return {VertexAttribute::None, input.location, VK_FORMAT_R32G32B32A32_SFLOAT};
+    constexpr VkFormat k_Formats[] = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT,
+                                      VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
+                                      VK_FORMAT_R32G32B32A32_SFLOAT};
+    const auto& known = VertexAttributes();
+    const auto found = std::ranges::find(known, input.semantic, &VertexAttribute::semantic);
+    return {static_cast<std::size_t>(found - known.begin()), input.location,
+            k_Formats[found == known.end() ? 4 : found->components]};
 }
 
 VkDescriptorSetLayoutBinding Binding(std::uint32_t binding, VkDescriptorType type,

@@ -38,7 +38,8 @@ struct PipelineKey
 /// A vertex input and where its values come from.
 struct VertexFetch
 {
-    VertexAttribute attribute = VertexAttribute::None;
+    /// An index of VertexAttributes(); their number where no mesh has the semantic: reads as zero.
+    std::size_t attribute = k_VertexAttributeCount;
     std::uint32_t location = 0;
     VkFormat format = VK_FORMAT_UNDEFINED;
 };

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/WriteFile.h>
 
 namespace limn::vulkan
@@ -19,17 +20,6 @@ struct FileHeader
     std::uint64_t checksum;
 };
 constexpr char k_Magic[8] = {'L', 'I', 'M', 'N', 'P', 'C', '0', '1'};
-
-/// FNV-1a, 64 bits.
-std::uint64_t Checksum(const char* bytes, std::size_t count)
-{
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        hash = (hash ^ static_cast<unsigned char>(bytes[i])) * 1099511628211ULL;
-    }
-    return hash;
-}
 
 std::vector<char> ReadFile(const std::filesystem::path& path)
 {
@@ -75,7 +65,7 @@ std::vector<char> WrapCacheFile(const std::vector<char>& payload)
     FileHeader header{};
     std::memcpy(header.magic, k_Magic, sizeof(k_Magic));
     header.size = payload.size();
-    header.checksum = Checksum(payload.data(), payload.size());
+    header.checksum = HashContent({payload.data(), payload.size()});
     std::vector<char> file(sizeof(header));
     std::memcpy(file.data(), &header, sizeof(header));
     file.insert(file.end(), payload.begin(), payload.end());
@@ -93,7 +83,7 @@ std::vector<char> UnwrapCacheFile(const std::vector<char>& file)
     const char* payload = file.data() + sizeof(header);
     const std::size_t size = file.size() - sizeof(header);
     if (std::memcmp(header.magic, k_Magic, sizeof(k_Magic)) != 0 || header.size != size ||
-        header.checksum != Checksum(payload, size))
+        header.checksum != HashContent({payload, size}))
     {
         return {};
     }

@@ -10,41 +10,30 @@ namespace limn::vulkan
 namespace
 {
 
-using AttributeBytes = std::array<std::span<const std::byte>, 6>;
-
 template <typename T>
 std::span<const std::byte> Bytes(const std::vector<T>& values)
 {
     return std::as_bytes(std::span{values});
 }
 
-AttributeBytes AttributesOf(const MeshData& data)
+/// What meshes without an attribute give, by attribute, and behind them zeros.
+std::array<std::array<float, 4>, k_VertexAttributeCount + 1> Constants()
 {
-    return {Bytes(data.vertices), Bytes(data.normals), Bytes(data.tangents),
-            Bytes(data.colors),   Bytes(data.uv),      Bytes(data.uv8)};
+    std::array<std::array<float, 4>, k_VertexAttributeCount + 1> constants{};
+    std::ranges::transform(VertexAttributes(), constants.begin(), &VertexAttribute::missing);
+    return constants;
 }
-
-constexpr std::array<VkDeviceSize, 6> k_Strides = {12, 12, 16, 16, 8, 12};
-
-constexpr std::array<std::array<float, 4>, 7> k_Constants = {{
-    {0.0f, 0.0f, 0.0f, 0.0f}, // position
-    {0.0f, 0.0f, 1.0f, 0.0f}, // normal
-    {1.0f, 0.0f, 0.0f, 1.0f}, // tangent
-    {1.0f, 1.0f, 1.0f, 1.0f}, // colour
-    {0.0f, 0.0f, 0.0f, 0.0f}, // uv
-    {0.0f, 0.0f, 0.0f, 0.0f}, // uv8
-    {0.0f, 0.0f, 0.0f, 0.0f}, // none
-}};
 
 /// Lays the mesh out and returns the bytes needed, at least 4: Vulkan has no empty buffers.
 VkDeviceSize LayOut(const MeshData& data, PooledMesh& pooled)
 {
     VkDeviceSize end = 0;
-    const AttributeBytes attributes = AttributesOf(data);
-    for (std::size_t i = 0; i < attributes.size(); ++i)
+    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
     {
-        pooled.arrays[i] = {end, attributes[i].empty() ? 0 : k_Strides[i]};
-        end += attributes[i].size();
+        const VertexAttribute& attribute = VertexAttributes()[i];
+        const std::span<const float> values = attribute.values(data);
+        pooled.arrays[i] = {end, values.empty() ? 0 : attribute.components * sizeof(float)};
+        end += values.size_bytes();
     }
     pooled.indexOffset = end;
     return std::max<VkDeviceSize>(end + Bytes(data.triangles).size(), 4);
@@ -59,10 +48,9 @@ void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
             std::memcpy(target + offset, bytes.data(), bytes.size());
         }
     };
-    const AttributeBytes attributes = AttributesOf(data);
-    for (std::size_t i = 0; i < attributes.size(); ++i)
+    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
     {
-        copy(attributes[i], pooled.arrays[i].offset);
+        copy(std::as_bytes(VertexAttributes()[i].values(data)), pooled.arrays[i].offset);
     }
     copy(Bytes(data.triangles), pooled.indexOffset);
 }
@@ -72,15 +60,16 @@ void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
 MeshPool::MeshPool(VkDevice device, MemoryAllocator& allocator)
     : m_Device(device),
       m_Allocator(allocator),
-      m_Constants(device, allocator, sizeof(k_Constants), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+      m_Constants(device, allocator, sizeof(Constants()), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                   MemoryUse::Upload, "missing vertex attributes")
 {
-    std::memcpy(m_Constants.memory.mapped(), k_Constants.data(), sizeof(k_Constants));
+    const auto constants = Constants();
+    std::memcpy(m_Constants.memory.mapped(), constants.data(), sizeof(constants));
 }
 
-VkDeviceSize MeshPool::ConstantOffset(VertexAttribute attribute)
+VkDeviceSize MeshPool::ConstantOffset(std::size_t attribute)
 {
-    return static_cast<VkDeviceSize>(attribute) * sizeof(k_Constants[0]);
+    return attribute * sizeof(VertexAttribute::missing);
 }
 
 PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)

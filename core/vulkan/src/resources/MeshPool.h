@@ -1,23 +1,11 @@
 #pragma once
 
 #include "memory/LinearMemory.h"
-#include <limn/core/Mesh.h>
+#include <limn/core/VertexAttribute.h>
 #include <unordered_map>
 
 namespace limn::vulkan
 {
-
-/// What a vertex function can read; the order is that of the data in a PooledMesh's buffer.
-enum class VertexAttribute
-{
-    Position,
-    Normal,
-    Tangent,
-    Color,
-    Uv,
-    Uv8,
-    None ///< a semantic no mesh carries: reads as zero
-};
 
 /// The buffer behind one mesh: its attribute arrays and then its indices.
 struct PooledMesh
@@ -30,7 +18,7 @@ struct PooledMesh
 
     std::weak_ptr<const Mesh> owner;
     Buffer buffer;
-    Array arrays[6]; ///< by VertexAttribute
+    std::array<Array, k_VertexAttributeCount> arrays; ///< by VertexAttributes()
     VkDeviceSize indexOffset = 0;
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;
@@ -49,10 +37,11 @@ public:
     std::size_t size() const { return m_Meshes.size(); }
     std::uint64_t uploadCount() const { return m_UploadCount; } ///< since construction
 
-    /// One value of each attribute for meshes that lack it, to be read with stride 0: normal +z,
-    /// tangent (1, 0, 0, 1), white, all else 0.
+    /// One value of each attribute for meshes that lack it, to be read with stride 0, and zeros for
+    /// what no mesh has.
     VkBuffer constants() const { return m_Constants.handle.get(); }
-    static VkDeviceSize ConstantOffset(VertexAttribute attribute);
+    /// @param attribute  an index of VertexAttributes(), or their number: none of them
+    static VkDeviceSize ConstantOffset(std::size_t attribute);
 
 private:
     struct Upload

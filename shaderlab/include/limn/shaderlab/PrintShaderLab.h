@@ -17,6 +17,22 @@ std::string PrintShaderLab(const ShaderLabDocument& document);
 /// the text of a program is divided into include blocks.
 bool SameContent(const ShaderLabDocument& a, const ShaderLabDocument& b);
 
+// A value of a pass's state as ShaderLab writes it: "LEqual", "On", "0.5", or "[_Property]".
+// They throw ContractError for a value that ShaderLab has no name for.
+std::string StateText(const StateValue<CullMode>& value);
+std::string StateText(const StateValue<CompareFunction>& value);
+std::string StateText(const StateValue<bool>& value);
+std::string StateText(const StateValue<BlendMode>& value);
+std::string StateText(const StateValue<BlendOp>& value);
+std::string StateText(const StateValue<StencilOp>& value);
+std::string StateText(const StateValue<int>& value);
+std::string StateText(const StateValue<float>& value);
+std::string ColorMaskText(const StateValue<int>& mask); ///< "RGB", "0"
+
+// A property's type and default as a Properties block has them.
+std::string PropertyTypeText(const ShaderProperty& property);    ///< "Range(0, 1)", "2D"
+std::string PropertyDefaultText(const ShaderProperty& property); ///< "(1, 1, 1, 1)", "\"white\" {}"
+
 /// An operation as a BlendOp command writes it: "RevSub".
 /// @throws ContractError if it is none
 std::string BlendOpName(BlendOp op);

@@ -44,9 +44,7 @@ private:
     RTHandle mCameraColorTexture;
     // renderer drawing related
     FilteringSettings mFilteringSettings;
-    const std::vector<ShaderTagId> mShaderTagIDs{ShaderTagId("SRPDefaultUnlit"),
-                                                 ShaderTagId("UniversalForward"),
-                                                 ShaderTagId("UniversalForwardOnly")};
+    const std::vector<ShaderTagId> mShaderTagIDs = ForwardShaderTags();
 };
 
 } // namespace limn
