@@ -23,14 +23,4 @@ void CopyParameters(const VolumeComponent& from, VolumeComponent& to)
     }
 }
 
-std::string TypeName(std::type_index type)
-{
-    int status = 0;
-    const std::unique_ptr<char, void (*)(void*)> demangled(
-        abi::__cxa_demangle(type.name(), nullptr, nullptr, &status), std::free);
-    std::string name = demangled ? demangled.get() : type.name();
-    constexpr std::string_view prefix = "limn::";
-    return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
-}
-
 } // namespace limn

@@ -17,7 +17,4 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
 /// Copies the values and override states of all parameters; both are of one type.
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to);
 
-/// A type's name as C++ writes it, without the namespace limn.
-std::string TypeName(std::type_index type);
-
 } // namespace limn
