@@ -239,7 +239,7 @@ def classify(command, code, out, err, before, after):
         return "no device"
     if code not in (0, 1):
         return "wrong exit code"
-    if CONTROL.search(err) or "\ufffd" in text:
+    if CONTROL.search(err) or text.encode() != err:
         return "control characters"
     if code == 0:
         return "error but exit code 0" if re.search(r"(?m)^(?:\S*: )?error: ", text) else "ok"
