@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vector_relational.hpp>
+#include <limn/core/DrawError.h>
 
 namespace limn
 {
@@ -68,10 +69,9 @@ const char* KindOf(const ShaderPropertyValue& value)
 [[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw ContractError(
-        "material '" + sources.material->name() + "': property '" + member.name + "' is set to " +
-        KindOf(value) + ", but the shader declares " +
-        (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
+    throw DrawError("material '" + sources.material->name() + "': property '" + member.name +
+                    "' is set to " + KindOf(value) + ", but the shader declares " +
+                    (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
 void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
@@ -131,8 +131,8 @@ void RefuseNan(const UniformMember& member, ShaderPropertyId id, const ShaderPro
 {
     if (&value == sources.material->Find(id) && HasNan(value))
     {
-        throw ContractError("material '" + sources.material->name() + "': property '" +
-                            member.name + "' is not a number (NaN)");
+        throw DrawError("material '" + sources.material->name() + "': property '" + member.name +
+                        "' is not a number (NaN)");
     }
 }
 

@@ -4,6 +4,8 @@
 #include "device/Translate.h"
 #include "programs/PipelineBuilder.h"
 
+#include <limn/core/DrawError.h>
+
 namespace limn::vulkan
 {
 
@@ -14,8 +16,8 @@ VertexFetch FetchFor(const VertexInput& input)
 {
     if (input.type != UniformType::Float)
     {
-        throw ContractError("vertex input '" + input.semantic +
-                            "' is of an integer type; meshes carry floats");
+        throw DrawError("vertex input '" + input.semantic +
+                        "' is of an integer type; meshes carry floats");
     }
     struct Known
     {
@@ -51,8 +53,8 @@ void RequireOneSample(const TextureBinding& texture)
 {
     if (texture.multisampled)
     {
-        throw ContractError("texture '" + texture.name +
-                            "' of the shader has several samples a texel; limn has no such yet");
+        throw DrawError("texture '" + texture.name +
+                        "' of the shader has several samples a texel; limn has no such yet");
     }
 }
 
