@@ -1,16 +1,19 @@
 #include "commands/ShaderCommand.h"
 
+#include "assets/FileKind.h"
 #include "console/CacheFolder.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
 #include "shaders/ShaderSummary.h"
+#include "shaders/UnknownKeywords.h"
 
 #include <algorithm>
 #include <atomic>
 #include <future>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ShaderDatabase.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <mutex>
 #include <thread>
 
@@ -180,10 +183,28 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
     return checks;
 }
 
+/// What the checks come to; says so where no single error does.
+ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
+{
+    const ShaderSummary summary = Summarize(checks);
+    const int refused = summary.passesOf(PassOutcome::Refused);
+    const bool isAllRefused = summary.passesTried() == 0 && refused > 0;
+    if (isAllRefused && summary.errors == 0)
+    {
+        console.Error("nothing was compiled: limn refuses " + std::to_string(refused) +
+                      (refused == 1 ? " pass" : " passes") + ", for the reasons above");
+    }
+    return summary.errors > 0 || isAllRefused ? ExitCode::BadInput : ExitCode::Done;
+}
+
 } // namespace
 
 int RunShader(const ShaderOptions& options, Console& console)
 {
+    for (const std::string& path : options.paths)
+    {
+        RequireKind(path, {FileKind::Shader}, "shader");
+    }
     ParallelCheck running(FindFiles(options.paths), options);
     const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
     if (options.json)
@@ -192,19 +213,18 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     else if (options.variants)
     {
-        console.out() << DescribeVariants(checks);
+        console.out() << SeveralLines(DescribeVariants(checks));
     }
     else if (checks.size() == 1 && options.emit.empty())
     {
-        console.out() << DescribeShader(checks.front());
+        console.out() << SeveralLines(DescribeShader(checks.front()));
     }
     else if (options.emit.empty())
     {
         console.out() << ToString(Summarize(checks)) << '\n';
     }
-    const bool hasErrors = std::any_of(checks.begin(), checks.end(),
-                                       [](const ShaderCheck& check) { return check.hasErrors(); });
-    return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
+    PrintUnknownKeywords(checks, options.keywords, console);
+    return static_cast<int>(PrintVerdict(checks, console));
 }
 
 } // namespace limn
