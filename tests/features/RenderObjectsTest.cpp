@@ -135,7 +135,7 @@ TEST_F(RenderObjectsFeature, NamesTheLightModesThereAreWhereANameFitsNone)
     EXPECT_THAT(Render().report.notes,
                 testing::Contains("RenderObjectsFeature: filterSettings.PassNames: no shader in "
                                   "view has a pass with LightMode 'StencilMsak'; did you mean "
-                                  "'StencilMask'? (known: StencilMask, UniversalForward)"));
+                                  "'StencilMask'?"));
 }
 
 TEST_F(RenderObjectsFeature, ReplacesDepthAndStencilOnlyWhereAsked)

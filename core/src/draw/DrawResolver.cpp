@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/core/DrawError.h>
 #include <limn/shaderlab/Case.h>
 
 namespace limn
@@ -28,8 +29,8 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
     const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
     if (texture == nullptr)
     {
-        throw ContractError(Subject(id, sources) +
-                            " is a texture in the shader but is set to a number");
+        throw DrawError(Subject(id, sources) +
+                        " is a texture in the shader but is set to a number");
     }
     return *texture;
 }
@@ -75,9 +76,9 @@ void RequireTriangles(const PropertyLayout& layout, const PropertySources& sourc
         nullptr, "points", "lines", "lines with neighbours", nullptr, "triangles with neighbours"};
     if (const char* taken = k_Taken[static_cast<std::size_t>(layout.geometryInput)])
     {
-        throw ContractError("material '" + sources.material->name() +
-                            "': the geometry function of its shader takes " + taken +
-                            ", but triangles are drawn; write 'triangle' and an array of 3");
+        throw DrawError("material '" + sources.material->name() +
+                        "': the geometry function of its shader takes " + taken +
+                        ", but triangles are drawn; write 'triangle' and an array of 3");
     }
 }
 
@@ -188,8 +189,8 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
     {
         if (buffer.name != "limn_PerDraw")
         {
-            throw ContractError("material '" + sources.material->name() + "': structured buffer '" +
-                                buffer.name + "' cannot be bound yet");
+            throw DrawError("material '" + sources.material->name() + "': structured buffer '" +
+                            buffer.name + "' cannot be bound yet");
         }
         bindings->perDrawBinding = buffer.binding;
     }
@@ -222,8 +223,8 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
 {
     if (binding.multisampled)
     {
-        throw ContractError(Subject(id, sources) + " is a texture of several samples a texel in "
-                                                   "the shader; those cannot be bound yet");
+        throw DrawError(Subject(id, sources) + " is a texture of several samples a texel in "
+                                               "the shader; those cannot be bound yet");
     }
     std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
@@ -232,9 +233,9 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
     }
     if (texture->dimension() != binding.dimension)
     {
-        throw ContractError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
-                            " texture in the shader but is set to the " +
-                            ToString(texture->dimension()) + " texture '" + texture->name() + "'");
+        throw DrawError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
+                        " texture in the shader but is set to the " +
+                        ToString(texture->dimension()) + " texture '" + texture->name() + "'");
     }
     return texture;
 }

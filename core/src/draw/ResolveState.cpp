@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limn/core/DrawError.h>
 #include <limn/core/Material.h>
 
 namespace limn
@@ -71,9 +72,9 @@ private:
     [[noreturn]] void Fail(const std::string& property, const char* command,
                            const std::string& what) const
     {
-        throw ContractError("material '" + m_Material.name() + "', shader '" +
-                            m_Material.shader()->name() + "': " + command + " [" + property +
-                            "]: the property " + what);
+        throw DrawError("material '" + m_Material.name() + "', shader '" +
+                        m_Material.shader()->name() + "': " + command + " [" + property +
+                        "]: the property " + what);
     }
 
     static std::string Text(double number)

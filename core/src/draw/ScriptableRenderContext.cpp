@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <limn/core/DrawError.h>
 #include <limn/core/ScriptableRenderContext.h>
 #include <map>
 #include <tuple>
@@ -138,12 +139,12 @@ private:
     {
         if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
         {
-            throw ContractError("material '" + material.name() + "': pass " +
-                                std::to_string(shaderPass) + " of shader '" +
-                                material.shader()->name() +
-                                "' uses the stencil, but the depth target '" + m_Depth->name() +
-                                "' has the format " + ToString(m_Depth->graphicsFormat()) +
-                                "; give it depthBufferBits 24 or 32");
+            throw DrawError("material '" + material.name() + "': pass " +
+                            std::to_string(shaderPass) + " of shader '" +
+                            material.shader()->name() +
+                            "' uses the stencil, but the depth target '" + m_Depth->name() +
+                            "' has the format " + ToString(m_Depth->graphicsFormat()) +
+                            "; give it depthBufferBits 24 or 32");
         }
     }
 

@@ -1,6 +1,7 @@
 #include "frame/PassSplitter.h"
 
 #include <algorithm>
+#include <limn/core/DrawError.h>
 #include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
@@ -48,8 +49,8 @@ void AddRead(OpenPass& pass, const std::shared_ptr<const Texture>& texture)
     if (texture == pass.targets.depth ||
         std::find(colors.begin(), colors.end(), texture) != colors.end())
     {
-        throw ContractError("pass '" + pass.name + "' samples '" + texture->name() +
-                            "' while drawing into it; draw into another texture and copy");
+        throw DrawError("pass '" + pass.name + "' samples '" + texture->name() +
+                        "' while drawing into it; draw into another texture and copy");
     }
     if (std::find(pass.reads.begin(), pass.reads.end(), texture) == pass.reads.end())
     {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
+#include <limn/core/DrawError.h>
 
 namespace limn
 {
@@ -80,10 +81,9 @@ const char* KindOf(const ShaderPropertyValue& value)
 [[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw ContractError(
-        "material '" + sources.material->name() + "': property '" + member.name + "' is set to " +
-        KindOf(value) + ", but the shader declares " +
-        (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
+    throw DrawError("material '" + sources.material->name() + "': property '" + member.name +
+                    "' is set to " + KindOf(value) + ", but the shader declares " +
+                    (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
 void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,

@@ -81,7 +81,7 @@ std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
     return flipped;
 }
 
-void WritePng(const std::filesystem::path& path, const Image& image)
+std::vector<std::byte> EncodePng(const Image& image)
 {
     PngImage png;
     png->format = PngFormatOf(image.format);
@@ -95,9 +95,16 @@ void WritePng(const std::filesystem::path& path, const Image& image)
     if (png_image_write_to_memory(png.get(), bytes.data(), &size, 0, image.texels.data(), 0,
                                   nullptr) == 0)
     {
-        throw AssetError(path.string(), {}, std::string("cannot be written: ") + png->message);
+        throw AssetError("PNG", {}, std::string("cannot be made: ") + png->message);
     }
-    WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), size});
+    bytes.resize(size);
+    return bytes;
+}
+
+void WritePng(const std::filesystem::path& path, const Image& image)
+{
+    const std::vector<std::byte> bytes = EncodePng(image);
+    WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 Image ReadPng(const std::filesystem::path& path)

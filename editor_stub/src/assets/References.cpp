@@ -40,7 +40,7 @@ std::shared_ptr<const Shader> References::ReadShader(const YamlNode& node,
     {
         m_Diagnostics.Error(node.location(), subject + ": unknown shader " +
                                                  UnknownName(*name, ShippedShaders().names()) +
-                                                 "; a file's path ends in '.shader'");
+                                                 " (a file's path ends in '.shader')");
     }
     return shader;
 }

@@ -1,10 +1,19 @@
 #include "commands/CommandLine.h"
 
+#include "commands/Completion.h"
+#include "commands/DoctorCommand.h"
+#include "commands/Help.h"
+#include "commands/OptionText.h"
+#include "commands/SchemaCommand.h"
+#include "commands/UsageProblem.h"
+#include "commands/WatchCommand.h"
 #include "scene/Limits.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <limn/editor_stub/Overrides.h>
+#include <limn/editor_stub/RunLimn.h>
 #include <limn/volume/ProfileEdit.h>
 #include <limn/volume/YamlRead.h>
 #include <optional>
@@ -68,6 +77,44 @@ std::string CheckTime(const std::string& text)
     return isNumber ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
 }
 
+/// For options that take a whole number.
+std::function<std::string(const std::string&)> CheckCount(int most)
+{
+    return [most](const std::string& text)
+    {
+        int number = 0;
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, number);
+        const bool isGood = error == std::errc{} && rest == end && number >= 1 && number <= most;
+        return isGood ? std::string()
+                      : "'" + text + "' is no number from 1 to " + std::to_string(most);
+    };
+}
+
+/// For options that take one of a few words.
+std::function<std::string(const std::string&)> CheckChoice(const std::string& words)
+{
+    return [words](const std::string& text)
+    {
+        const std::vector<std::string> known = CLI::detail::split(words, '|');
+        const bool isGood = std::find(known.begin(), known.end(), text) != known.end();
+        return isGood ? std::string()
+                      : "unknown word " + UnknownName(text, {known.begin(), known.end()});
+    };
+}
+
+/// Devices and pipes have no ending, which is why a name without one will do.
+std::string CheckPicture(const std::string& text)
+{
+    const std::string ending =
+        CLI::detail::to_lower(std::filesystem::path(text).extension().string());
+    return ending.empty() || ending == ".png"
+               ? std::string()
+               : "'" + text +
+                     "' would not be a PNG by its name; PNG is what limn writes: a.png, "
+                     "or - for stdout";
+}
+
 std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)
 {
     std::map<std::string, std::string> packages;
@@ -92,9 +139,15 @@ void AddDeviceOption(CLI::App& verb, std::string& device)
 {
     verb.add_option("--device", device,
                     "'software', a position in `limn doctor`'s list, or a part of a name; without "
-                    "it the first real GPU, else the software device")
+                    "it what LIMN_DEVICE says, else the first real GPU, else the software device")
         ->type_name("NAME")
         ->envname("LIMN_DEVICE");
+}
+
+/// Makes `run` what limn does if the arguments name this verb.
+void OnceParsed(CLI::App* verb, CommandLine& line, std::function<int(Console&)> run)
+{
+    verb->final_callback([&line, run = std::move(run)] { line.run = run; });
 }
 
 /// What `render` and `watch` have in common.
@@ -106,9 +159,10 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
     verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
         ->type_name("SCENE")
         ->required();
-    verb->add_option("-o,--output", options.output, "The PNG file to write")
+    verb->add_option("-o,--output", options.output, "The PNG file to write; - is stdout")
         ->type_name("FILE")
-        ->required();
+        ->required()
+        ->check(CheckPicture);
     verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
         ->type_name("WxH")
         ->check(CheckSize);
@@ -122,7 +176,13 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                      "Change one value; NAME is a volume component's type, a feature's name or a "
                      "feature's type")
         ->type_name("NAME.path=VALUE")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check(
+            [](const std::string& text)
+            {
+                const std::string problem = OverrideFormProblem(text);
+                return problem.empty() ? problem : "'" + text + "': " + problem;
+            });
     AddDeviceOption(*verb, options.device);
     auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
                                    "Keep compiled shaders here, not in the user's cache folder; "
@@ -146,32 +206,34 @@ std::string CheckEdit(const std::string& text)
     }
 }
 
-} // namespace
-
-CLI::App* AddRender(CLI::App& app, CommandLine& line)
+void AddRender(CLI::App& app, CommandLine& line)
 {
     RenderOptions& options = line.render;
     CLI::App* verb = AddDrawingVerb(app, line, "render", "Draw a scene into a PNG file");
     verb->add_option("--frames", options.frames,
                      "Draw so many frames, 1/60 s apart, and write the last")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000));
+        ->check(CheckCount(100000));
     verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
         ->type_name("FILE");
     verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
         ->type_name("FILE");
     verb->add_flag("--validate", options.validate,
                    "Run under the Vulkan validation layer; its errors give exit code 1");
-    return verb;
+    OnceParsed(verb, line, [&line](Console& console) { return RunRender(line.render, console); });
 }
 
-CLI::App* AddWatch(CLI::App& app, CommandLine& line)
+void AddWatch(CLI::App& app, CommandLine& line)
 {
-    return AddDrawingVerb(app, line, "watch",
-                          "Draw a scene again whenever one of its files changes, until Ctrl-C");
+    CLI::App* verb = AddDrawingVerb(
+        app, line, "watch", "Draw a scene again whenever one of its files changes, until Ctrl-C");
+    CLI::Option* output = verb->get_option("--output")->description("The PNG file to write");
+    output->check([](const std::string& text)
+                  { return text == "-" ? "stdout holds one picture only; name a file" : ""; });
+    OnceParsed(verb, line, [&line](Console& console) { return RunWatch(line.render, console); });
 }
 
-CLI::App* AddInspect(CLI::App& app, CommandLine& line)
+void AddInspect(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
         "inspect", "Show parameters and settings: value, default, range, whether it is set");
@@ -179,10 +241,10 @@ CLI::App* AddInspect(CLI::App& app, CommandLine& line)
         ->type_name("SCENE|PROFILE")
         ->required();
     verb->add_flag("--json", line.inspect.json, "Print JSON");
-    return verb;
+    OnceParsed(verb, line, [&line](Console& console) { return RunInspect(line.inspect, console); });
 }
 
-CLI::App* AddShader(CLI::App& app, CommandLine& line)
+void AddShader(CLI::App& app, CommandLine& line)
 {
     ShaderOptions& options = line.shader;
     CLI::App* verb = app.add_subcommand(
@@ -193,8 +255,8 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
     auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
                        ->type_name("DIR");
     auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
-                     ->type_name("LANGUAGE")
-                     ->check(CLI::IsMember({"spirv", "glsl", "glsles", "msl", "hlsl"}))
+                     ->type_name("spirv|glsl|glsles|msl|hlsl")
+                     ->check(CheckChoice("spirv|glsl|glsles|msl|hlsl"))
                      ->needs(folder);
     folder->needs(emit);
     auto* print = verb->add_flag("--print", options.print,
@@ -205,64 +267,157 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
     verb->add_flag("--variants", options.variants, "Count variants; compile nothing")
         ->excludes(emit)
         ->excludes(print);
-    verb->add_option("--keywords", options.keywords, "On, instead of those of a new material")
+    verb->add_option("--keywords", options.keywords,
+                     "Compile with these keywords, not with those of a new material")
         ->type_name("A,B")
         ->delimiter(',');
     verb->add_option("-j,--jobs", options.jobs, "Files to check at a time; one a core by itself")
         ->type_name("N")
-        ->check(CLI::Range(1, 256));
+        ->check(CheckCount(256));
     verb->add_flag("--json", options.json,
                    "Print {files: [...], summary: {...}}: what was parsed, compiled, refused")
         ->excludes(print);
     AddPackageOption(*verb, line);
-    return verb;
+    OnceParsed(verb, line, [&line](Console& console) { return RunShader(line.shader, console); });
 }
 
-CLI::App* AddExplain(CLI::App& app, CommandLine& line)
+void AddExplain(CLI::App& app, CommandLine& line)
 {
     ExplainOptions& options = line.explain;
     CLI::App* verb = app.add_subcommand(
-        "explain", "Say what a scene draws and why: volume values, passes, textures, objects");
+        "explain", "Say what a scene draws and why: counts and what is odd; -v says all");
     verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
         ->type_name("SCENE")
         ->required();
-    verb->add_option("--object", options.object, "Only objects of this name")->type_name("NAME");
+    verb->add_option("--object", options.object,
+                     "Only objects of this name and what hangs below them")
+        ->type_name("NAME");
     verb->add_flag("--json", options.json, "As JSON");
     AddPackageOption(*verb, line);
-    return verb;
+    OnceParsed(verb, line, [&line](Console& console) { return RunExplain(line.explain, console); });
 }
 
-CLI::App* AddSet(CLI::App& app, CommandLine& line)
+void AddSet(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
         "set", "Change values of a volume profile in place, and not a character besides");
     verb->add_option("file", line.set.file, "A *.profile.yaml or a Unity VolumeProfile .asset")
         ->type_name("FILE")
         ->required();
-    verb->add_option("edits", line.set.edits, "ScreenSpaceOutline.m_OutlineWidth=4")
+    verb->add_option("edits", line.set.edits, "Such as ScreenSpaceOutline.m_OutlineWidth=4")
         ->type_name("Component.param=VALUE")
         ->required()
         ->check(CheckEdit);
-    return verb;
+    OnceParsed(verb, line, [&line](Console& console) { return RunSet(line.set, console); });
 }
 
-CLI::App* AddSchema(CLI::App& app, CommandLine& line)
+void AddSchema(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
         "schema", "Print a JSON Schema, from which an editor completes keys and shows ranges");
     verb->add_option("kind", line.schemaKind, "The kind of file: scene, profile or material")
         ->type_name("scene|profile|material")
         ->required()
-        ->check(CLI::IsMember({"scene", "profile", "material"}));
-    return verb;
+        ->check(CheckChoice("scene|profile|material"));
+    OnceParsed(verb, line,
+               [&line](Console& console) { return RunSchema(line.schemaKind, console); });
 }
 
-CLI::App* AddDoctor(CLI::App& app, CommandLine& line)
+void AddDoctor(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
         "doctor", "Show devices, drivers, the cache folder and versions on this machine");
     AddDeviceOption(*verb, line.doctorDevice);
-    return verb;
+    OnceParsed(verb, line,
+               [&line](Console& console) { return RunDoctor(line.doctorDevice, console); });
+}
+
+void AddCompletion(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand("completion", "Print a script for a shell's completion");
+    verb->add_option("shell", line.completionShell, "For bash: source <(limn completion bash)")
+        ->type_name("bash|zsh|fish")
+        ->required()
+        ->check(CheckChoice("bash|zsh|fish"));
+    OnceParsed(verb, line,
+               [&app, &line](Console& console)
+               {
+                   console.out() << CompletionScript(app, line.completionShell);
+                   return static_cast<int>(ExitCode::Done);
+               });
+}
+
+void AddHelp(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand("help", "Print this, or what a verb takes");
+    verb->add_option("verb", line.helpVerb, "What to explain")
+        ->type_name("VERB")
+        ->check(
+            [&app](const std::string& name)
+            {
+                const std::vector<std::string> names = VerbNames(app);
+                const bool isVerb = std::find(names.begin(), names.end(), name) != names.end();
+                return isVerb ? std::string() : UnknownVerb(name, app);
+            });
+    OnceParsed(verb, line,
+               [&app, &line](Console& console)
+               {
+                   const CLI::App& wanted =
+                       line.helpVerb.empty() ? app : *app.get_subcommand(line.helpVerb);
+                   console.out() << HelpText(wanted, TerminalWidth(console.out()));
+                   return static_cast<int>(ExitCode::Done);
+               });
+}
+
+void AddVersion(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand("version", "Print the version, as -V does");
+    OnceParsed(verb, line,
+               [&app](Console& console)
+               {
+                   console.out() << app.version() << '\n';
+                   return static_cast<int>(ExitCode::Done);
+               });
+}
+
+} // namespace
+
+void AddEverything(CLI::App& app, CommandLine& line)
+{
+    app.set_help_flag("-h,--help", "Print this");
+    app.add_flag("-q,--quiet", line.isQuiet, "Print errors only, besides results")
+        ->disable_flag_override();
+    app.add_flag("-v,--verbose", line.isVerbose,
+                 "Print more: the device that draws, all that `explain` knows")
+        ->disable_flag_override()
+        ->excludes("--quiet");
+    app.add_option("--color", line.color,
+                   "Colours on stderr; 'auto': on a terminal, unless NO_COLOR is set")
+        ->type_name("auto|always|never")
+        ->check(CheckChoice("auto|always|never"));
+    app.option_defaults()->disable_flag_override();
+    AddRender(app, line);
+    AddWatch(app, line);
+    AddInspect(app, line);
+    AddExplain(app, line);
+    AddSet(app, line);
+    AddSchema(app, line);
+    AddShader(app, line);
+    AddDoctor(app, line);
+    AddCompletion(app, line);
+    AddHelp(app, line);
+    AddVersion(app, line);
+}
+
+ConsoleOptions ConsoleOptionsOf(const CLI::App& app)
+{
+    // Not `line`, which CLI11 does not fill where another option is wrong.
+    const CLI::results_t& colors = app.get_option("--color")->results();
+    const std::string color = colors.empty() ? "auto" : colors.front();
+    return {color == "always"  ? ColorMode::Always
+            : color == "never" ? ColorMode::Never
+                               : ColorMode::Auto,
+            app.count("--quiet") > 0, app.count("--verbose") > 0};
 }
 
 void FinishOptions(CommandLine& line)

@@ -6,6 +6,7 @@
 #include "commands/SetCommand.h"
 #include "commands/ShaderCommand.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,20 +28,22 @@ struct CommandLine
     SetOptions set;
     std::string schemaKind;
     std::string doctorDevice;
+    std::string helpVerb; ///< "": of limn itself
+    std::string completionShell;
     std::string size;
+    std::string color;
+    bool isQuiet = false;
+    bool isVerbose = false;
     std::vector<std::string> packages;
+    std::function<int(Console&)> run; ///< the verb that was chosen, once it was parsed
 };
 
-// Each adds a verb with its options, which are read into `line`; that must outlive `app`.
+/// Adds the verbs and the options of every verb, which are read into `line`; that must outlive
+/// `app`.
+void AddEverything(CLI::App& app, CommandLine& line);
 
-CLI::App* AddRender(CLI::App& app, CommandLine& line);
-CLI::App* AddWatch(CLI::App& app, CommandLine& line);
-CLI::App* AddInspect(CLI::App& app, CommandLine& line);
-CLI::App* AddExplain(CLI::App& app, CommandLine& line);
-CLI::App* AddSet(CLI::App& app, CommandLine& line);
-CLI::App* AddSchema(CLI::App& app, CommandLine& line);
-CLI::App* AddShader(CLI::App& app, CommandLine& line);
-CLI::App* AddDoctor(CLI::App& app, CommandLine& line);
+/// What the options of every verb say, also where parsing failed.
+ConsoleOptions ConsoleOptionsOf(const CLI::App& app);
 
 /// Makes of the texts that were read what the verbs take.
 void FinishOptions(CommandLine& line);

@@ -1,13 +1,13 @@
 #include "commands/ExplainCommand.h"
 
-#include "reports/Explanation.h"
+#include "assets/FileKind.h"
+#include "reports/ExplanationText.h"
 #include "view/SceneView.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 namespace limn
 {
@@ -16,112 +16,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-std::string Describe(const VolumeParameterTrace& parameter, const VolumeTraceStep& step)
-{
-    std::ostringstream text;
-    text << parameter.component << '.' << parameter.parameter << " ← " << step.volume << " (factor "
-         << step.factor << ", weight " << step.weight << ", ";
-    if (step.distance)
-    {
-        text << "distance " << *step.distance << " m";
-    }
-    else
-    {
-        text << "global";
-    }
-    text << ") → " << step.valueText;
-    return text.str();
-}
-
-void PrintObjects(const Explanation& explanation, std::ostream& out)
-{
-    out << "objects:\n";
-    for (const ExplainedObject& object : explanation.objects)
-    {
-        out << "  " << object.name << (object.absence.empty() ? "" : ": not drawn, ")
-            << object.absence << '\n';
-        for (const ExplainedDraw& draw : object.draws)
-        {
-            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
-            out << "    " << draw.pass << ", " << draw.material << ": "
-                << (isDrawn ? "drawn" : "left out, ") << (isDrawn ? "" : ToString(draw.verdict))
-                << '\n';
-        }
-    }
-}
-
-void PrintList(const char* title, const std::vector<std::string>& lines, std::ostream& out)
-{
-    out << title << ":\n";
-    for (const std::string& line : lines)
-    {
-        out << "  " << line << '\n';
-    }
-}
-
-std::string Describe(const ExplainedVariant& variant)
-{
-    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
-    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
-    text += variant.isFullScreen ? ", full screen:" : ":";
-    for (const std::string& keyword : variant.keywords)
-    {
-        text += " " + keyword;
-    }
-    return text + (variant.keywords.empty() ? " no keywords" : "");
-}
-
-std::string LayersOf(LayerMask mask)
-{
-    if (mask == LayerMask::Everything() || mask == LayerMask::Nothing())
-    {
-        return mask == LayerMask::Nothing() ? "no layer" : "every layer";
-    }
-    std::string text = "layers";
-    for (int layer = 0; layer < 32; ++layer)
-    {
-        text += mask.Intersects(LayerMask::FromIndex(layer)) ? " " + std::to_string(layer) : "";
-    }
-    return text;
-}
-
-std::string Describe(const ExplainedTrigger& trigger)
-{
-    std::ostringstream text;
-    text << "(" << trigger.position.x << ", " << trigger.position.y << ", " << trigger.position.z
-         << "), " << (trigger.isOwn ? "its volumeTrigger" : "its own position") << "; "
-         << LayersOf(trigger.volumeLayerMask);
-    return text.str();
-}
-
-void PrintText(const Explanation& explanation, std::ostream& out)
-{
-    std::vector<std::string> lines;
-    for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
-    {
-        for (const VolumeTraceStep& step : parameter.steps)
-        {
-            lines.push_back(Describe(parameter, step));
-        }
-    }
-    PrintList("the camera takes volumes at", {Describe(explanation.trigger)}, out);
-    PrintList("volume values", lines, out);
-    lines.clear();
-    for (const ExecutedPassReport& pass : explanation.report.passes)
-    {
-        lines.push_back(std::to_string(static_cast<int>(pass.renderPassEvent)) + " " + pass.name);
-    }
-    PrintList("passes", lines, out);
-    PrintList("textures", explanation.textures, out);
-    lines.clear();
-    for (const ExplainedVariant& variant : explanation.variants)
-    {
-        lines.push_back(Describe(variant));
-    }
-    PrintList("variants", lines, out);
-    PrintObjects(explanation, out);
-}
 
 Json ToJson(const VolumeTrace& trace)
 {
@@ -224,6 +118,7 @@ void Select(Explanation& explanation, const ExplainOptions& options)
 
 int RunExplain(const ExplainOptions& options, Console& console)
 {
+    RequireKind(options.scene, {FileKind::Scene}, "explain");
     RenderOptions rendering;
     rendering.scene = options.scene;
     rendering.packages = options.packages;
@@ -240,11 +135,10 @@ int RunExplain(const ExplainOptions& options, Console& console)
         console.out() << ToJson(explanation).dump(2) << '\n';
         return static_cast<int>(ExitCode::Done);
     }
-    PrintText(explanation, console.out());
-    for (const std::string& note : explanation.report.notes)
-    {
-        console.Note(note);
-    }
+    console.out() << (!options.object.empty()
+                          ? ObjectText(explanation, options.object, console.isVerbose())
+                      : console.isVerbose() ? LongText(explanation)
+                                            : ShortText(explanation));
     return static_cast<int>(ExitCode::Done);
 }
 

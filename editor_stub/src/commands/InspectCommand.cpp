@@ -1,10 +1,12 @@
 #include "commands/InspectCommand.h"
 
+#include "assets/FileKind.h"
 #include "reports/InspectProfileFile.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/editor_stub/UnityRendererData.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <limn/volume/UnityAsset.h>
 
 namespace limn
@@ -21,8 +23,8 @@ std::string KindOfUnityAsset(const std::string& text, const std::string& file)
 std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
 {
     // Without a camera it is no scene; a wrong one should still be called a scene.
-    const bool isScene = path.filename().string().ends_with(".scene.yaml") ||
-                         documents.front().Find("camera") != nullptr;
+    const bool isScene =
+        FileKindOf(path) == FileKind::Scene || documents.front().Find("camera") != nullptr;
     return isScene ? "scene" : "profile";
 }
 
@@ -75,8 +77,9 @@ InspectReport Inspect(const std::string& file, Console& console)
 
 int RunInspect(const InspectOptions& options, Console& console)
 {
+    RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
     const InspectReport report = Inspect(options.file, console);
-    console.out() << (options.json ? ToJson(report) + "\n" : ToText(report));
+    console.out() << (options.json ? ToJson(report) + "\n" : SeveralLines(ToText(report)));
     return static_cast<int>(ExitCode::Done);
 }
 

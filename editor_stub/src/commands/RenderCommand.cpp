@@ -1,10 +1,12 @@
 #include "commands/RenderCommand.h"
 
+#include "assets/FileKind.h"
 #include "reports/RenderReports.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
 
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
 
@@ -15,6 +17,7 @@ namespace
 {
 
 constexpr double k_FramesPerSecond = 60.0;
+constexpr const char* k_Stdout = "-";
 
 /// Hands everything on and measures how long starting frames and waiting for them takes.
 class MeasuredDevice final : public GraphicsDevice
@@ -80,10 +83,32 @@ ExitCode PrintValidation(const VulkanDevice& device, Console& console)
     return code;
 }
 
+/// "-" is stdout; nothing is then printed besides.
+void WritePicture(const RenderOptions& options, const Image& image, Console& console)
+{
+    if (options.output != k_Stdout)
+    {
+        WritePng(options.output, image);
+        console.out() << OneLine(options.output) << ' ' << image.width << 'x' << image.height
+                      << '\n';
+        return;
+    }
+    const std::vector<std::byte> bytes = EncodePng(image);
+    console.out().write(reinterpret_cast<const char*>(bytes.data()),
+                        static_cast<std::streamsize>(bytes.size()));
+}
+
 } // namespace
 
 int RunRender(const RenderOptions& options, Console& console)
 {
+    if (options.output == k_Stdout && isTerminal(console.out()))
+    {
+        console.Error("-o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
+                      "'limn render SCENE -o - > out.png'");
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    RequireKind(options.scene, {FileKind::Scene}, "render");
     RenderMeasurements measurements;
     measurements.frames = options.frames;
     Timeline& timeline = measurements.timeline;
@@ -100,7 +125,7 @@ int RunRender(const RenderOptions& options, Console& console)
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
 
-    console.Line(device->ChoiceSentence());
+    console.Verbose(device->ChoiceSentence());
     measurements.device = device->deviceName();
 
     SceneView view(std::move(asset), assets);
@@ -108,8 +133,7 @@ int RunRender(const RenderOptions& options, Console& console)
     measurements.shaders = assets.compiler()->statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
-    timeline.Measure("write", [&] { WritePng(options.output, image); });
-    console.out() << options.output << ' ' << image.width << 'x' << image.height << '\n';
+    timeline.Measure("write", [&] { WritePicture(options, image, console); });
     if (!options.statsFile.empty())
     {
         WriteStats(options.statsFile, measurements);

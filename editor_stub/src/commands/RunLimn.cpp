@@ -1,12 +1,14 @@
 #include "commands/CommandLine.h"
-#include "commands/DoctorCommand.h"
-#include "commands/SchemaCommand.h"
-#include "commands/WatchCommand.h"
+#include "commands/Help.h"
+#include "commands/OptionText.h"
+#include "commands/UsageProblem.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <limn/core/DrawError.h>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <limn/vulkan/VulkanError.h>
+#include <new>
 
 namespace limn
 {
@@ -14,63 +16,126 @@ namespace limn
 namespace
 {
 
-constexpr const char* k_ExitCodes =
-    "Results go to stdout, everything else to stderr.\n"
-    "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the machine lacks something.";
-
-/// CLI11 alone would only say that a verb is missing.
-std::string UnknownVerb(std::span<const std::string> args, const CLI::App& app)
+int WrongUsage(const std::string& problem, const CLI::App& app, Console& console)
 {
-    std::vector<std::string> names;
-    for (const CLI::App* verb : app.get_subcommands({}))
-    {
-        names.push_back(verb->get_name());
-    }
-    const bool isVerb = args.empty() || args[0].starts_with('-') ||
-                        std::find(names.begin(), names.end(), args[0]) != names.end();
-    return isVerb ? std::string()
-                  : "unknown verb " + UnknownName(args[0], {names.begin(), names.end()});
+    console.Error(Sentence(problem));
+    const CLI::App& verb = ParsedVerb(app);
+    const std::string name = &verb == &app ? "" : " " + verb.get_name();
+    console.Line("usage: " + UsageText(verb) + "; see 'limn help" + name + "'");
+    return static_cast<int>(ExitCode::WrongUsage);
 }
 
-/// Parses the arguments and runs the verb; errors come as exceptions.
-int ParseAndRun(std::span<const std::string> args, Console& console, std::ostream& err)
+/// Reads the arguments into the command line that was made with the app.
+/// @return what is wrong with them; "" if nothing is
+/// @throws CLI::Success where only help or the version is asked for
+std::string ParseArguments(std::span<const std::string> args, CLI::App& app)
 {
-    CommandLine line;
-    CLI::App app("limn renders scenes as Unity's URP 14 does, without Unity.", "limn");
-    app.footer(k_ExitCodes);
-    app.set_version_flag("--version", "limn " LIMN_VERSION);
-    app.require_subcommand(1);
-    const CLI::App* render = AddRender(app, line);
-    const CLI::App* watch = AddWatch(app, line);
-    const CLI::App* inspect = AddInspect(app, line);
-    const CLI::App* explain = AddExplain(app, line);
-    const CLI::App* set = AddSet(app, line);
-    const CLI::App* schema = AddSchema(app, line);
-    const CLI::App* shader = AddShader(app, line);
-    AddDoctor(app, line);
-    if (const std::string problem = UnknownVerb(args, app); !problem.empty())
+    const std::string problem = ProblemBeforeVerb(args, app);
+    if (!problem.empty())
     {
-        console.Error(problem);
-        return static_cast<int>(ExitCode::WrongUsage);
+        return problem;
     }
     try
     {
         app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
     }
+    catch (const CLI::Success&)
+    {
+        throw;
+    }
     catch (const CLI::ParseError& error)
     {
-        return app.exit(error, console.out(), err) == 0 ? static_cast<int>(ExitCode::Done)
-                                                        : static_cast<int>(ExitCode::WrongUsage);
+        return ProblemOf(app, &error);
+    }
+    return ProblemOf(app, nullptr);
+}
+
+/// Parses the arguments and runs the verb; errors come as exceptions.
+int ParseAndRun(std::span<const std::string> args, Console& console)
+{
+    const auto print = [&console](const std::string& text)
+    {
+        console.out() << text;
+        return static_cast<int>(ExitCode::Done);
+    };
+    CommandLine line;
+    CLI::App app("limn renders scenes as Unity's URP 14 does, without Unity.", "limn");
+    app.set_version_flag("-V,--version", "limn " LIMN_VERSION, "Print the version");
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.allow_extras(); // ProblemOf names them
+    AddEverything(app, line);
+    try
+    {
+        if (args.empty())
+        {
+            throw CLI::CallForHelp();
+        }
+        const std::string problem = ParseArguments(args, app);
+        console.Configure(ConsoleOptionsOf(app));
+        if (!problem.empty())
+        {
+            return WrongUsage(problem, app, console);
+        }
+    }
+    catch (const CLI::CallForHelp&)
+    {
+        return print(HelpText(ParsedVerb(app), TerminalWidth(console.out())));
+    }
+    catch (const CLI::CallForVersion&)
+    {
+        return print(app.version() + "\n");
     }
     FinishOptions(line);
-    return render->parsed()    ? RunRender(line.render, console)
-           : watch->parsed()   ? RunWatch(line.render, console)
-           : inspect->parsed() ? RunInspect(line.inspect, console)
-           : explain->parsed() ? RunExplain(line.explain, console)
-           : set->parsed()     ? RunSet(line.set)
-           : schema->parsed()  ? RunSchema(line.schemaKind, console)
-           : shader->parsed()  ? RunShader(line.shader, console)
-                               : RunDoctor(line.doctorDevice, console);
+    return line.run(console);
+}
+
+/// Says what the exception that is being handled means.
+ExitCode ExitCodeOf(Console& console)
+{
+    try
+    {
+        throw;
+    }
+    catch (const AssetError& error)
+    {
+        console.Print(error.diagnostics());
+        return ExitCode::BadInput;
+    }
+    catch (const DrawError& error)
+    {
+        console.Error(error.what());
+        return ExitCode::BadInput;
+    }
+    catch (const std::filesystem::filesystem_error& error)
+    {
+        console.Print({Severity::Error, error.path1().string(), {}, error.code().message()});
+        return ExitCode::BadInput;
+    }
+    catch (const VulkanError& error)
+    {
+        console.Error(error.what());
+        return ExitCode::MachineLacksIt;
+    }
+    catch (const std::bad_alloc&)
+    {
+        console.Error("there is not enough memory");
+        return ExitCode::MachineLacksIt;
+    }
+    catch (const std::system_error& error)
+    {
+        console.Error(error.what());
+        return ExitCode::MachineLacksIt;
+    }
+    catch (const std::exception& error)
+    {
+        console.Bug(error.what());
+    }
+    catch (...)
+    {
+        console.Bug("an exception without a name");
+    }
+    return ExitCode::Bug;
 }
 
 } // namespace
@@ -80,22 +145,11 @@ int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& 
     Console console(out, err);
     try
     {
-        return ParseAndRun(args, console, err);
+        return ParseAndRun(args, console);
     }
-    catch (const AssetError& error)
+    catch (...)
     {
-        console.Print(error.diagnostics());
-        return static_cast<int>(ExitCode::BadInput);
-    }
-    catch (const VulkanError& error)
-    {
-        console.Error(error.what());
-        return static_cast<int>(ExitCode::MachineLacksIt);
-    }
-    catch (const std::exception& error)
-    {
-        console.Error(error.what());
-        return static_cast<int>(ExitCode::BadInput);
+        return static_cast<int>(ExitCodeOf(console));
     }
 }
 

@@ -1,13 +1,16 @@
 #include "commands/SetCommand.h"
 
+#include "assets/FileKind.h"
+
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <limn/volume/ProfileEdit.h>
 
 namespace limn
 {
 
-int RunSet(const SetOptions& options)
+int RunSet(const SetOptions& options, Console& console)
 {
     VolumeComponentRegistry registry;
     RegisterVolumeComponents(registry);
@@ -16,7 +19,14 @@ int RunSet(const SetOptions& options)
     {
         edits.push_back(ScalarEdit::Parse(text));
     }
-    SetScalars(options.file, edits, registry);
+    RequireKind(options.file, {FileKind::Profile}, "set");
+    for (const ScalarChange& change : SetScalars(options.file, edits, registry))
+    {
+        console.out() << OneLine(
+                             change.subject + ": " + change.before +
+                             (change.before == change.after ? ", as it was" : " → " + change.after))
+                      << '\n';
+    }
     return static_cast<int>(ExitCode::Done);
 }
 

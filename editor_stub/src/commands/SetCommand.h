@@ -1,5 +1,7 @@
 #pragma once
 
+#include "console/Console.h"
+
 #include <string>
 #include <vector>
 
@@ -13,9 +15,9 @@ struct SetOptions
     std::vector<std::string> edits; ///< "Component.param=value"
 };
 
-/// Changes values of a profile file in place, all of them or none.
+/// Changes values of a profile file in place, all of them or none, and prints what they were.
 /// @return an ExitCode
 /// @throws AssetError as SetScalars does
-int RunSet(const SetOptions& options);
+int RunSet(const SetOptions& options, Console& console);
 
 } // namespace limn

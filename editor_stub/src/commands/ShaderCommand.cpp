@@ -1,10 +1,12 @@
 #include "commands/ShaderCommand.h"
 
+#include "assets/FileKind.h"
 #include "console/CacheFolder.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
 #include "shaders/ShaderSummary.h"
+#include "shaders/UnknownKeywords.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +15,7 @@
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabParser.h>
+#include <limn/shaderlab/TerminalText.h>
 #include <mutex>
 #include <thread>
 
@@ -221,10 +224,28 @@ int PrintFiles(const ShaderOptions& options, Console& console)
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
 
+/// What the checks come to; says so where no single error does.
+ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
+{
+    const ShaderSummary summary = Summarize(checks);
+    const int refused = summary.passesOf(PassOutcome::Refused);
+    const bool isAllRefused = summary.passesTried() == 0 && refused > 0;
+    if (isAllRefused && summary.errors == 0)
+    {
+        console.Error("nothing was compiled: limn refuses " + std::to_string(refused) +
+                      (refused == 1 ? " pass" : " passes") + ", for the reasons above");
+    }
+    return summary.errors > 0 || isAllRefused ? ExitCode::BadInput : ExitCode::Done;
+}
+
 } // namespace
 
 int RunShader(const ShaderOptions& options, Console& console)
 {
+    for (const std::string& path : options.paths)
+    {
+        RequireKind(path, {FileKind::Shader}, "shader");
+    }
     if (options.print)
     {
         return PrintFiles(options, console);
@@ -237,19 +258,18 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     else if (options.variants)
     {
-        console.out() << DescribeVariants(checks);
+        console.out() << SeveralLines(DescribeVariants(checks));
     }
     else if (checks.size() == 1 && options.emit.empty())
     {
-        console.out() << DescribeShader(checks.front());
+        console.out() << SeveralLines(DescribeShader(checks.front()));
     }
     else if (options.emit.empty())
     {
         console.out() << ToString(Summarize(checks)) << '\n';
     }
-    const bool hasErrors = std::any_of(checks.begin(), checks.end(),
-                                       [](const ShaderCheck& check) { return check.hasErrors(); });
-    return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
+    PrintUnknownKeywords(checks, options.keywords, console);
+    return static_cast<int>(PrintVerdict(checks, console));
 }
 
 } // namespace limn

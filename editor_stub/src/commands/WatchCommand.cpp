@@ -1,5 +1,6 @@
 #include "commands/WatchCommand.h"
 
+#include "assets/FileKind.h"
 #include "console/StopSignals.h"
 #include "view/ChangeBatch.h"
 #include "view/Redrawer.h"
@@ -55,6 +56,7 @@ void RequireStart(const RenderOptions& options)
 int RunWatch(const RenderOptions& options, Console& console)
 {
     RequireStart(options);
+    RequireKind(options.scene, {FileKind::Scene}, "watch");
     const StopSignals signals;
     Redrawer redrawer(options, console);
     redrawer.Redraw({});

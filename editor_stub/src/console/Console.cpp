@@ -1,10 +1,9 @@
 #include "console/Console.h"
 
 #include <fstream>
-#include <iostream>
 #include <iterator>
+#include <limn/shaderlab/TerminalText.h>
 #include <map>
-#include <unistd.h>
 
 namespace limn
 {
@@ -44,15 +43,27 @@ const char* ColorCode(Severity severity)
 
 } // namespace
 
-Console::Console(std::ostream& out, std::ostream& err)
-    : m_Out(out), m_Err(err), m_IsTerminal(&err == &std::cerr && isatty(STDERR_FILENO) == 1)
+Console::Console(std::ostream& out, std::ostream& err) : m_Out(out), m_Err(err)
 {
+    Configure({});
+}
+
+void Console::Configure(const ConsoleOptions& options)
+{
+    m_Options = options;
+    m_UsesColor = usesColor(options.color, m_Err);
+    m_ShowsProgress = isTerminal(m_Err) && !isDumbTerminal() && !options.isQuiet;
 }
 
 std::string Console::Colored(Severity severity, std::string_view text) const
 {
     const std::string plain(text);
-    return m_IsTerminal ? ColorCode(severity) + plain + "\033[0m" : plain;
+    return m_UsesColor ? ColorCode(severity) + plain + "\033[0m" : plain;
+}
+
+bool Console::isShown(Severity severity) const
+{
+    return severity == Severity::Error || !m_Options.isQuiet;
 }
 
 void Console::Print(const Diagnostic& diagnostic)
@@ -62,6 +73,10 @@ void Console::Print(const Diagnostic& diagnostic)
 
 void Console::Print(const Diagnostic& diagnostic, std::string text)
 {
+    if (!isShown(diagnostic.severity))
+    {
+        return;
+    }
     const std::string word = std::string(": ") + Name(diagnostic.severity) + ": ";
     const std::size_t at = text.find(word);
     if (at != std::string::npos)
@@ -69,7 +84,7 @@ void Console::Print(const Diagnostic& diagnostic, std::string text)
         text.replace(at + 2, word.size() - 4,
                      Colored(diagnostic.severity, Name(diagnostic.severity)));
     }
-    Line(text);
+    Write(text);
 }
 
 void Console::Print(const std::vector<Diagnostic>& diagnostics)
@@ -97,15 +112,47 @@ void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
 
 void Console::Note(std::string_view sentence)
 {
-    Line(Colored(Severity::Note, "note") + ": " + std::string(sentence));
+    Say(Severity::Note, Sentence(sentence));
 }
 
-void Console::Error(std::string_view sentence)
+void Console::Warning(std::string_view sentence)
 {
-    Line(Colored(Severity::Error, "error") + ": " + std::string(sentence));
+    Say(Severity::Warning, Sentence(sentence));
+}
+
+void Console::Error(std::string_view text)
+{
+    Say(Severity::Error, SeveralLines(text));
+}
+
+void Console::Bug(std::string_view what)
+{
+    Error("this is a bug in limn: " + std::string(what) +
+          "; please report it with the command line and the files");
+}
+
+void Console::Verbose(std::string_view sentence)
+{
+    if (m_Options.isVerbose)
+    {
+        Line(sentence);
+    }
 }
 
 void Console::Line(std::string_view text)
+{
+    Write(SeveralLines(text));
+}
+
+void Console::Say(Severity severity, std::string_view text)
+{
+    if (isShown(severity))
+    {
+        Write(Colored(severity, Name(severity)) + ": " + std::string(text));
+    }
+}
+
+void Console::Write(std::string_view text)
 {
     ClearProgress();
     m_Err << text << '\n';
@@ -113,9 +160,9 @@ void Console::Line(std::string_view text)
 
 void Console::Progress(std::string_view text)
 {
-    if (m_IsTerminal)
+    if (m_ShowsProgress)
     {
-        m_Err << k_ClearLine << text << std::flush;
+        m_Err << k_ClearLine << OneLine(text) << std::flush;
         m_HasProgress = !text.empty();
     }
 }

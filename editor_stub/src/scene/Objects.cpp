@@ -163,7 +163,7 @@ std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& su
     {
         loader.diagnostics.Error(node.location(), subject + ": unknown mesh " +
                                                       UnknownName(*name, PrimitiveTypeNames()) +
-                                                      "; a file's path ends in '.gltf' or '.glb'");
+                                                      " (a file's path ends in '.gltf' or '.glb')");
     }
     return type ? assets.Primitive(*type) : nullptr;
 }

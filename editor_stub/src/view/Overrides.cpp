@@ -1,3 +1,4 @@
+#include "assets/FileKind.h"
 #include "assets/References.h"
 #include "scene/ProfileContext.h"
 #include "scene/SettingsReader.h"
@@ -31,15 +32,14 @@ YamlNode ParseValue(const std::string& value, const std::string& file)
 
 Override Parse(const std::string& text)
 {
-    Override result;
+    const std::string problem = OverrideFormProblem(text);
+    if (!problem.empty())
+    {
+        throw AssetError("--set " + text, {}, problem);
+    }
     const std::size_t equals = text.find('=');
     const std::size_t dot = text.substr(0, equals).rfind('.');
-    const bool hasValue = equals != std::string::npos && equals + 1 < text.size();
-    if (!hasValue || dot == std::string::npos || dot == 0 || dot + 1 == equals)
-    {
-        throw AssetError("--set " + text, {},
-                         "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4");
-    }
+    Override result;
     result.text = "--set " + text;
     result.name = text.substr(0, dot);
     result.path = text.substr(dot + 1, equals - dot - 1);
@@ -217,6 +217,15 @@ void AddWithoutPlace(const AssetError& error, const std::string& override,
 
 } // namespace
 
+std::string OverrideFormProblem(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const std::size_t dot = text.substr(0, equals).rfind('.');
+    const bool hasValue = equals != std::string::npos && equals + 1 < text.size();
+    const bool isGood = hasValue && dot != std::string::npos && dot != 0 && dot + 1 != equals;
+    return isGood ? "" : "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4";
+}
+
 void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides, AssetContext& assets)
 {
     Overrider overrider(asset, assets);
@@ -243,8 +252,9 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
 {
     AssetDiagnostics diagnostics("--profile");
     const References references(assets, SearchFolders(asset), diagnostics);
-    const VolumeProfileLoadResult& result =
-        assets.LoadProfile(references.Resolve(file), asset.layers);
+    const std::filesystem::path path = references.Resolve(file);
+    RequireKind(path, {FileKind::Profile}, "--profile");
+    const VolumeProfileLoadResult& result = assets.LoadProfile(path, asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;
     for (Volume& volume : asset.volumes)

@@ -3,6 +3,7 @@
 #include "shaders/UsedShaders.h"
 
 #include <cmath>
+#include <limn/core/DrawError.h>
 
 namespace limn
 {
@@ -26,7 +27,7 @@ Redrawer::Redrawer(const RenderOptions& options, Console& console)
       m_Assets(ForDevice(m_CompilerOptions, m_Device)),
       m_Pipeline(m_Device)
 {
-    m_Console.Line(m_Device.ChoiceSentence());
+    m_Console.Verbose(m_Device.ChoiceSentence());
     m_Watcher.Watch({options.scene});
 }
 
@@ -61,9 +62,13 @@ bool Redrawer::Guard(Work&& work)
     {
         m_Console.Print(error.diagnostics());
     }
-    catch (const ContractError& error)
+    catch (const DrawError& error)
     {
         m_Console.Error(error.what());
+    }
+    catch (const ContractError& error)
+    {
+        m_Console.Bug(error.what());
     }
     return false;
 }

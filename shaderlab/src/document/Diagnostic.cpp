@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <limn/shaderlab/TerminalText.h>
 
 namespace limn
 {
@@ -48,11 +48,6 @@ std::string_view TrimEnd(std::string_view text)
     return text;
 }
 
-bool isInsideCharacter(char c)
-{
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
 /// The first place from `position` on where a character of UTF-8 starts; in what is no UTF-8, near
 /// it.
 std::size_t CharacterStart(std::string_view text, std::size_t position)
@@ -63,32 +58,6 @@ std::size_t CharacterStart(std::string_view text, std::size_t position)
         ++position;
     }
     return std::min(position, text.size());
-}
-
-/// Bytes of the character of UTF-8 that a text begins with; 0 where that is none or one that a
-/// terminal takes for a command.
-std::size_t PrintableSize(std::string_view text)
-{
-    const auto first = static_cast<unsigned char>(text[0]);
-    const std::size_t size = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    if (first >= 0xF8 || isInsideCharacter(text[0]) || size > text.size())
-    {
-        return 0;
-    }
-    std::uint32_t code = size == 1 ? first : first & (0x7Fu >> size);
-    for (const char c : text.substr(1, size - 1))
-    {
-        if (!isInsideCharacter(c))
-        {
-            return 0;
-        }
-        code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
-    }
-    constexpr std::uint32_t k_Lowest[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool isCode =
-        code >= k_Lowest[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
-    const bool isControl = (code < 0x20 && code != '\t') || (code >= 0x7F && code < 0xA0);
-    return isCode && !isControl ? size : 0;
 }
 
 /// A piece of a line for people, and blanks as wide as what lies before `column` in it. Tabs stay,
@@ -103,7 +72,7 @@ PrintedLine PrintLine(std::string_view line, std::size_t column)
     PrintedLine printed;
     for (std::size_t i = 0; i < line.size();)
     {
-        const std::size_t size = PrintableSize(line.substr(i));
+        const std::size_t size = line[i] == '\t' ? 1 : PrintableSize(line.substr(i));
         printed.text += size > 0 ? line.substr(i, size) : std::string_view("\xEF\xBF\xBD");
         if (i < column)
         {
@@ -151,7 +120,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b)
 
 std::string ToString(const Diagnostic& diagnostic)
 {
-    std::string text = diagnostic.file;
+    std::string text = OneLine(diagnostic.file);
     if (diagnostic.location.line > 0)
     {
         text += ":" + std::to_string(diagnostic.location.line);
@@ -160,7 +129,8 @@ std::string ToString(const Diagnostic& diagnostic)
             text += ":" + std::to_string(diagnostic.location.column);
         }
     }
-    return text + ": " + std::string(SeverityName(diagnostic.severity)) + ": " + diagnostic.message;
+    return text + ": " + std::string(SeverityName(diagnostic.severity)) + ": " +
+           Sentence(diagnostic.message);
 }
 
 std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text)
@@ -231,19 +201,18 @@ std::string_view NearestName(std::string_view name, const std::vector<std::strin
 
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known)
 {
-    std::string text =
-        "'" + std::string(name.substr(0, k_MaxName)) + (name.size() > k_MaxName ? "..." : "") + "'";
+    const std::string quoted = "'" + Shortened(name, k_MaxName) + "'";
     const std::string_view nearest = NearestName(name, known);
     if (!nearest.empty())
     {
-        text += "; did you mean '" + std::string(nearest) + "'?";
+        return quoted + "; did you mean '" + std::string(nearest) + "'?";
     }
-    text += " (known: ";
-    for (std::size_t i = 0; i < known.size(); ++i)
+    std::string names;
+    for (const std::string_view each : known)
     {
-        text += (i == 0 ? "" : ", ") + std::string(known[i]);
+        names += (names.empty() ? "" : ", ") + std::string(each);
     }
-    return text + ")";
+    return quoted + (known.empty() ? "" : " (known: " + names + ")");
 }
 
 } // namespace limn

@@ -20,6 +20,12 @@ constexpr bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
 }
 
+/// Of UTF-8: a byte that does not begin a character.
+constexpr bool isInsideCharacter(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
 /// Unity's ShaderLab counts '#' among the letters.
 constexpr bool isWordCharacter(char c)
 {

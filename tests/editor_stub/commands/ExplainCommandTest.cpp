@@ -36,6 +36,7 @@ protected:
                        const std::string& scene = k_Scene) const
     {
         m_Folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 4}\n");
+        m_Folder.Write("on.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");
         m_Folder.Write("q.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 8}\n");
         const std::filesystem::path path = m_Folder.Write("s.scene.yaml", scene);
         std::vector<std::string> args{"explain", path.string()};
@@ -46,9 +47,65 @@ protected:
     TemporaryFolder m_Folder;
 };
 
-TEST_F(ExplainCommand, TellsWhereEveryVolumeValueComesFrom)
+TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
 {
     const CommandRun run = Explain();
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ("", run.err);
+    EXPECT_EQ("odd:\n"
+              "  1 object of 3 not drawn, inactive: Off\n"
+              "  1 object of 3 not drawn, outside the camera's frustum: Behind\n"
+              "the camera takes volumes at:\n"
+              "  (0, 0, -5), its own position; layers 0\n"
+              "volume values:\n"
+              "  ScreenSpaceOutline.m_OutlineWidth 5.5 ← Placement, Corner\n"
+              "passes:\n"
+              "  250  Draw Opaque Objects: 1 of 1 drawn\n"
+              "  450  Draw Transparent Objects: 0 of 1 drawn; left out: 1 render queue\n"
+              "  1001 Final Blit\n"
+              "3 objects, 4 textures, 2 shader variants: -v lists them, --object NAME explains "
+              "one\n",
+              run.out);
+}
+
+TEST_F(ExplainCommand, CountsByFeatureAndVerdictAndSaysWhatAFeatureLacks)
+{
+    const CommandRun run = Explain({}, "camera: {position: [0, 0, -5]}\n"
+                                       "layers: {6: Furniture}\n"
+                                       "renderer:\n"
+                                       "  features:\n"
+                                       "    - type: ScreenSpaceOutlineRenderFeature\n"
+                                       "      name: Outline\n"
+                                       "      m_ScreenSpaceOutlineShader: "
+                                       "Hidden/ScreenSpaceOutline\n"
+                                       "      m_LayerMask: [Furniture]\n"
+                                       "      m_RenderingLayerMask: 1\n"
+                                       "volumes: [{name: On, profile: on.profile.yaml}]\n"
+                                       "objects:\n"
+                                       "  - {name: A, mesh: cube}\n"
+                                       "  - {name: B, mesh: cube}\n"
+                                       "  - {name: C, mesh: cube, layer: Furniture,\n"
+                                       "     renderingLayerMask: 2}\n");
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, testing::StartsWith("odd:\n"
+                                             "  Outline: 0 of 3 renderers drawn: 2 layer mask, 1 "
+                                             "rendering layer mask\n"));
+    EXPECT_THAT(run.out, HasSubstr("  500  Outline: 0 of 3 drawn; left out: 2 layer mask, 1 "
+                                   "rendering layer mask\n"));
+}
+
+TEST_F(ExplainCommand, CannotBeCommandedToForgeALine)
+{
+    const CommandRun run = Explain({}, "camera: {position: [0, 0, -5]}\n"
+                                       "objects: [{name: \"A\\n  B\\e[2J\", mesh: cube, active: "
+                                       "false}]\n");
+    EXPECT_THAT(run.out, testing::StartsWith(
+                             "odd:\n  1 object of 1 not drawn, inactive: A\\n  B\\x1B[2J\n"));
+}
+
+TEST_F(ExplainCommand, TellsWhereEveryVolumeValueComesFrom)
+{
+    const CommandRun run = Explain({"-v"});
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out,
                 HasSubstr("volume values:\n"
@@ -90,7 +147,7 @@ TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUs
                               " materials: {own: {shader: own.shader}},\n"
                               " objects: [{name: A, mesh: cube, material: own},\n"
                               "           {name: B, mesh: sphere, material: own}]}\n";
-    const CommandRun run = Explain({}, scene);
+    const CommandRun run = Explain({"-v"}, scene);
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out, HasSubstr("variants:\n  Test/Own, pass 0 'Only': WARM\n"));
     EXPECT_THAT(run.out, HasSubstr("full screen: no keywords\n"));
@@ -120,7 +177,7 @@ TEST_F(ExplainCommand, NamesEveryOneOfManyObjects)
 
 TEST_F(ExplainCommand, TellsWhyEachObjectIsDrawnOrNot)
 {
-    const CommandRun run = Explain();
+    const CommandRun run = Explain({"-v"});
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out, HasSubstr("  Seen\n"));
     EXPECT_THAT(run.out, HasSubstr("Default-Material: drawn\n"));
@@ -133,19 +190,39 @@ TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
 {
     const CommandRun run = Explain({"--object", "Off"});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("objects:\n  Off: not drawn, inactive\n"));
-    EXPECT_THAT(run.out, testing::Not(HasSubstr("Behind")));
+    EXPECT_EQ("Off: not drawn, inactive\n", run.out);
+    EXPECT_EQ("Seen\n"
+              "  Draw Opaque Objects, Default-Material: drawn\n"
+              "  Draw Transparent Objects, Default-Material: left out, render queue\n",
+              Explain({"--object", "Seen"}).out);
 }
 
-TEST(ExplainSample, ShowsWhatHangsBelowTheObjectAskedFor)
+TEST(ExplainSample, CountsWhatHangsBelowTheObjectAskedFor)
 {
-    const CommandRun run =
-        RunCommand({"explain", test::SourcePath("samples/furniture/furniture.scene.yaml"),
-                    "--object", "Sofa"});
+    std::vector<std::string> args{
+        "explain", test::SourcePath("samples/furniture/furniture.scene.yaml"), "--object", "Sofa"};
+    const CommandRun run = RunCommand(args);
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("Screen Space Outline, petrol: drawn\n"));
-    EXPECT_THAT(run.out, testing::Not(HasSubstr("Slab")));
-    EXPECT_THAT(run.out, testing::Not(HasSubstr("Screen Space Outline, oak: drawn\n")));
+    EXPECT_EQ("Sofa, 16 objects:\n"
+              "  Draw Opaque Objects: 13 of 16 drawn; left out: 3 render queue\n"
+              "  Draw Transparent Objects: 3 of 16 drawn; left out: 13 render queue\n"
+              "  Screen Space Outline: 13 of 16 drawn; left out: 3 render queue\n"
+              "-v lists the objects\n",
+              run.out);
+    args.push_back("-v");
+    const std::string all = RunCommand(args).out;
+    EXPECT_THAT(all, HasSubstr("Screen Space Outline, petrol: drawn\n"));
+    EXPECT_THAT(all, testing::Not(HasSubstr("Slab")));
+    EXPECT_THAT(all, testing::Not(HasSubstr("Screen Space Outline, oak: drawn\n")));
+}
+
+TEST(ExplainSample, FitsOnAScreen)
+{
+    const std::string text =
+        RunCommand({"explain", test::SourcePath("samples/furniture/furniture.scene.yaml")}).out;
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 24);
+    EXPECT_THAT(text, HasSubstr("  500  Screen Space Outline: 13 of 370 drawn; left out: 241 "
+                                "rendering layer mask, 72 render queue, 44 layer mask\n"));
 }
 
 TEST_F(ExplainCommand, RefusesAnObjectThatIsNotThere)
@@ -189,13 +266,6 @@ TEST_F(ExplainCommand, NamesWhatIsWrongWithAShapeAndItsWeight)
                                    "mean 'sphere'?"));
     EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[1].direction: 'w' is no axis; x, y or z "
                                    "is expected"));
-}
-
-TEST_F(ExplainCommand, NeedsAScene)
-{
-    const CommandRun run = RunCommand({"explain"});
-    EXPECT_EQ(2, run.exitCode);
-    EXPECT_THAT(run.err, HasSubstr("scene is required"));
 }
 
 } // namespace

@@ -69,28 +69,61 @@ protected:
         return count;
     }
 
-    /// stderr without its first line, which names the device.
-    static std::string Notes(const CommandRun& run)
-    {
-        return run.err.substr(run.err.find('\n') + 1);
-    }
-
     TemporaryFolder folder;
 };
 
 } // namespace
 
-TEST_F(Render, WritesThePictureAndNamesPathSizeAndDevice)
+TEST_F(Render, WritesThePictureAndNamesPathAndSize)
 {
     const CommandRun run = Draw({"--profile", "on.profile.yaml"});
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_EQ(Path("out.png") + " 64x48\n", run.out);
-    EXPECT_EQ(SharedDevice().ChoiceSentence() + "\n", run.err);
+    EXPECT_EQ("", run.err);
     const Image image = ReadPng(folder / "out.png");
     EXPECT_EQ(64, image.width);
     EXPECT_EQ(48, image.height);
     EXPECT_EQ(std::byte{255}, image.texels.at(3)) << "opaque, though the background's alpha is not";
     EXPECT_GT(GreenPixels("out.png"), 40);
+}
+
+TEST_F(Render, NamesTheDeviceIfAskedToSayMoreAndNoNotesIfAskedToSayLess)
+{
+    EXPECT_THAT(Draw({"-v"}).err,
+                testing::StartsWith(SharedDevice().ChoiceSentence() + "\nnote: "));
+    const CommandRun quiet = Draw({"-q"});
+    EXPECT_EQ(Path("out.png") + " 64x48\n", quiet.out);
+    EXPECT_EQ("", quiet.err);
+}
+
+TEST_F(Render, WritesThePictureToStdoutAndNothingBesides)
+{
+    ASSERT_EQ(0, Draw({"--profile", "on.profile.yaml"}).exitCode);
+    const CommandRun run =
+        RunCommand({"render", Path("s.scene.yaml"), "--profile", "on.profile.yaml", "-o", "-"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ(ReadText(folder / "out.png"), run.out);
+    EXPECT_EQ("", run.err);
+    EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_F(Render, RefusesWhatCannotBeDrawnAsBadInput)
+{
+    folder.Write("cube.shader", "Shader \"C\" { Properties { _T (\"T\", 2D) = \"white\" {} }\n"
+                                "SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex V\n"
+                                "#pragma fragment F\nTextureCube _T; SamplerState sampler_T;\n"
+                                "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+                                "float4 F() : SV_Target { return _T.Sample(sampler_T, 1); }\n"
+                                "ENDHLSL\n} } }\n");
+    folder.Write("s.scene.yaml", "size: [64, 48]\ncamera: {position: [0, 0, -4]}\n"
+                                 "materials: {m: {shader: cube.shader, _T: t.png}}\n"
+                                 "objects: [{name: A, mesh: cube, material: m}]\n");
+    WritePng(folder / "t.png", {1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)});
+    const CommandRun run = Draw({});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ("", run.out);
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("bug")));
+    EXPECT_THAT(run.err, HasSubstr("error: "));
 }
 
 // No device has barycentrics for limn, which does not ask for the extension.
@@ -152,7 +185,7 @@ TEST_F(Render, WithoutAVolumeSaysWhyThereIsNoOutline)
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_EQ("note: Outline: not drawn, no volume at the camera sets ScreenSpaceOutline.m_Enable, "
               "which is false by default\n",
-              Notes(run));
+              run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
@@ -160,14 +193,14 @@ TEST_F(Render, WithADisabledVolumeComponentSaysSo)
 {
     const CommandRun run = Draw({"--profile", "off.profile.yaml"});
     EXPECT_EQ("note: Outline: not drawn, a volume sets ScreenSpaceOutline.m_Enable to false\n",
-              Notes(run));
+              run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
 TEST_F(Render, WithAnInactiveFeatureSaysSo)
 {
     const CommandRun run = Draw({"--profile", "on.profile.yaml", "--set", "Outline.active=false"});
-    EXPECT_EQ("note: Outline: not drawn, the feature is inactive\n", Notes(run));
+    EXPECT_EQ("note: Outline: not drawn, the feature is inactive\n", run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
@@ -176,7 +209,7 @@ TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
     const CommandRun run =
         Draw({"--profile", "on.profile.yaml", "--set", "Outline.m_RenderingLayerMask=9"});
     EXPECT_EQ("note: Outline: 0 of 2 renderers drawn: 1 layer mask, 1 rendering layer mask\n",
-              Notes(run));
+              run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 

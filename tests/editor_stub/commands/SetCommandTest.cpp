@@ -6,7 +6,7 @@
 namespace limn::test
 {
 
-TEST(LimnSet, ChangesTheValueAndPrintsNothing)
+TEST(LimnSet, ChangesTheValueAndPrintsWhatItWas)
 {
     const TemporaryFolder folder;
     const auto file = folder.Write("a.profile.yaml", "ScreenSpaceOutline:\n"
@@ -15,9 +15,24 @@ TEST(LimnSet, ChangesTheValueAndPrintsNothing)
     const CommandRun run = RunCommand({"set", file.string(), "ScreenSpaceOutline.outlineWidth=6",
                                        "ScreenSpaceOutline.m_Enable=false"});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ("", run.out + run.err);
+    EXPECT_EQ("ScreenSpaceOutline.m_OutlineWidth: 4 → 6\n"
+              "ScreenSpaceOutline.m_Enable: true → false\n",
+              run.out);
+    EXPECT_EQ("", run.err);
     EXPECT_EQ("ScreenSpaceOutline:\n  m_OutlineWidth: 6 # pixels\n  enable: false\n",
               ReadText(file));
+}
+
+TEST(LimnSet, SaysWhereTheFileStaysAsItIs)
+{
+    const TemporaryFolder folder;
+    const std::string text = "ScreenSpaceOutline: {outlineWidth: 4.0, active: false}\n";
+    const auto file = folder.Write("a.profile.yaml", text);
+    EXPECT_EQ("ScreenSpaceOutline.m_OutlineWidth: 4, as it was\n",
+              RunCommand({"set", file.string(), "ScreenSpaceOutline.m_OutlineWidth=4"}).out);
+    EXPECT_EQ(text, ReadText(file));
+    EXPECT_EQ("ScreenSpaceOutline.active: false → true\n",
+              RunCommand({"set", file.string(), "ScreenSpaceOutline.active=true"}).out);
 }
 
 TEST(LimnSet, LeavesTheFileIfOneOfTheValuesIsWrong)
@@ -37,9 +52,7 @@ TEST(LimnSet, LeavesTheFileIfOneOfTheValuesIsWrong)
 TEST(LimnSet, OfAMissingFileIsBadInputAndOfAWrongFormWrongUsage)
 {
     EXPECT_EQ(1, RunCommand({"set", "/nowhere.yaml", "A.b=1"}).exitCode);
-    const CommandRun run = RunCommand({"set", "/nowhere.yaml", "nonsense"});
-    EXPECT_EQ(2, run.exitCode);
-    EXPECT_THAT(run.err, testing::HasSubstr("Component.param=value is expected"));
+    EXPECT_EQ(2, RunCommand({"set", "/nowhere.yaml", "nonsense"}).exitCode);
 }
 
 TEST(LimnSchema, OfProfilesHoldsRangeDefaultAndBothSpellings)

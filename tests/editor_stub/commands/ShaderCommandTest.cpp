@@ -340,4 +340,35 @@ TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
               run.err);
 }
 
+TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
+{
+    std::string surface = k_Good;
+    surface.replace(surface.find("#pragma fragment F"), 18, "#pragma surface F");
+    const std::string path = Write("surface.shader", surface);
+    const std::string sentence =
+        "error: nothing was compiled: limn refuses 1 pass, for the reasons above\n";
+    const CommandRun single = RunCommand({"shader", path});
+    EXPECT_EQ(1, single.exitCode);
+    EXPECT_THAT(single.err, testing::EndsWith(sentence));
+    const CommandRun all = RunCommand({"shader", (folder / "").string()});
+    EXPECT_EQ(1, all.exitCode);
+    EXPECT_THAT(all.err, testing::EndsWith(sentence));
+    EXPECT_EQ("1 file: 1 parsed (100.0 %); 0 of 0 passes compiled, 1 refused\n", all.out);
+    EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
+    Write("good.shader", k_Good);
+    EXPECT_EQ(0, RunCommand({"shader", (folder / "").string()}).exitCode);
+}
+
+TEST_F(ShaderCommand, WarnsOfKeywordsThatNoPassDeclares)
+{
+    const std::string path = Write("good.shader", k_Good);
+    const CommandRun near = RunCommand({"shader", path, "--keywords", "FOG,FOGG"});
+    EXPECT_EQ(0, near.exitCode);
+    EXPECT_EQ("warning: --keywords: no pass declares the keyword 'FOGG'; did you mean 'FOG'?\n",
+              near.err);
+    EXPECT_EQ("warning: --keywords: no pass declares the keyword '_SHADOWS' (known: FOG)\n",
+              RunCommand({"shader", path, "--keywords", "_SHADOWS"}).err);
+    EXPECT_EQ("", RunCommand({"shader", path, "--keywords", "FOG"}).err);
+}
+
 } // namespace limn::test

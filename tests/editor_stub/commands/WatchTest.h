@@ -34,10 +34,14 @@ protected:
 
     void Start()
     {
-        const std::string command = "exec '" + LimnExecutable() + "' watch '" +
-                                    Path("s.scene.yaml") + "' --cache-dir '" + Path("cache") +
-                                    "' -o '" + Path("out.png") + "' > '" + Path("out") + "' 2> '" +
-                                    Path("err") + "'";
+        Start("'" + Path("s.scene.yaml") + "' --cache-dir '" + Path("cache") + "' -o '" +
+              Path("out.png") + "'");
+    }
+
+    void Start(const std::string& arguments)
+    {
+        const std::string command = "exec '" + LimnExecutable() + "' watch " + arguments + " > '" +
+                                    Path("out") + "' 2> '" + Path("err") + "'";
         m_Child = fork();
         if (m_Child == 0)
         {

@@ -83,7 +83,7 @@ TEST(RenderObjectsInAScene, ReportsWhatIsWrongWithItsSettingsAllAtOnce)
     EXPECT_EQ(
         (Lines{
             "5:23: renderer.features[0].filterSettings: unknown key 'LayerMaks'; did you mean "
-            "'LayerMask'? (known: RenderQueueType, LayerMask, PassNames)",
+            "'LayerMask'?",
             "6:26: renderer.features[0].overrideMaterial: unknown material 'nosuch' (known: flat)",
             "7:44: renderer.features[0].stencilSettings.stencilReference: 256 is outside [0, "
             "255]",

@@ -14,15 +14,10 @@ TEST(SceneErrors, AreAllReportedAtOnceInTheOrderOfTheFile)
 {
     SceneFolder folder;
     EXPECT_EQ((Lines{"1:8: size[0]: 0 is outside [1, 16384]",
-                     "3:3: camera: unknown key 'fieldOfVeiw'; did you mean 'fieldOfView'? (known: "
-                     "position, rotation, lookAt, orthographic, orthographicSize, fieldOfView, "
-                     "nearClipPlane, farClipPlane, clearFlags, backgroundColor, allowHDR, "
-                     "cullingMask, volumeLayerMask, volumeTrigger)",
+                     "3:3: camera: unknown key 'fieldOfVeiw'; did you mean 'fieldOfView'?",
                      "4:17: camera.position[1]: '.nan' is not a finite number; a number such as "
                      "0.5 is expected",
-                     "5:1: scene: unknown key 'lihgt'; did you mean 'light'? (known: size, layers, "
-                     "renderingLayers, camera, light, ambientLight, renderer, volumes, materials, "
-                     "objects)"}),
+                     "5:1: scene: unknown key 'lihgt'; did you mean 'light'?"}),
               folder.ProblemsOf("size: [0, 8]\n"
                                 "camera:\n"
                                 "  fieldOfVeiw: 60\n"
@@ -62,8 +57,7 @@ TEST(SceneErrors, ListTheLayersThereAre)
 {
     SceneFolder folder;
     EXPECT_EQ(
-        (Lines{"4:12: object 'A'.layer: unknown layer 'Furnitur'; did you mean 'Furniture'? "
-               "(known: Default, Furniture)",
+        (Lines{"4:12: object 'A'.layer: unknown layer 'Furnitur'; did you mean 'Furniture'?",
                "4:46: object 'A'.renderingLayerMask[0]: unknown rendering layer 'Chosen' (known: "
                "Default)",
                "4:54: object 'A'.renderingLayerMask[1]: 32 is outside [0, 31]"}),
@@ -112,9 +106,8 @@ TEST(SceneErrors, NameAMissingMesh)
 TEST(SceneErrors, NameAnUnknownPrimitive)
 {
     SceneFolder folder;
-    EXPECT_EQ((Lines{"2:27: object 'A'.mesh: unknown mesh 'cub'; did you mean 'cube'? (known: "
-                     "sphere, capsule, cylinder, cube, plane, quad, torus); a file's path ends in "
-                     "'.gltf' or '.glb'"}),
+    EXPECT_EQ((Lines{"2:27: object 'A'.mesh: unknown mesh 'cub'; did you mean 'cube'? (a file's "
+                     "path ends in '.gltf' or '.glb')"}),
               folder.ProblemsOf("camera: {}\nobjects: [{name: A, mesh: cub}]\n"));
 }
 
@@ -141,7 +134,7 @@ TEST(SceneErrors, OfAProfileFollowTheLineThatNamesIt)
                      "of that file",
                      "2:19: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
                      "3:3: ScreenSpaceOutline: unknown parameter 'outlneColor'; did you mean "
-                     "'outlineColor'? (known: active, enable, outlineColor, outlineWidth)",
+                     "'outlineColor'?",
                      "4:20: object 'A'.layer: -1 is outside [0, 31]"}),
               folder.ProblemsOf("camera: {}\n"
                                 "volumes:\n"
@@ -156,8 +149,7 @@ TEST(SceneErrors, NameAPropertyThatTheShaderLacks)
                               "Properties { _Tint (\"\", Color) = (1, 1, 1, 1)\n"
                               "_Gloss (\"\", Range(0, 1)) = 0 }\n"
                               "SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
-    EXPECT_EQ((Lines{"4:5: material 'wood': unknown property '_Tnt'; did you mean '_Tint'? "
-                     "(known: shader, renderQueue, _Tint, _Gloss)",
+    EXPECT_EQ((Lines{"4:5: material 'wood': unknown property '_Tnt'; did you mean '_Tint'?",
                      "5:13: material 'wood'._Gloss: 4 is outside [0, 1]",
                      "6:18: material 'wood'.renderQueue: 5001 is outside [-1, 5000]"}),
               folder.ProblemsOf("camera: {}\n"
@@ -191,11 +183,8 @@ TEST(SceneErrors, NameWhatAFeatureCannotBe)
                "7:27: renderer.features[1].m_RenderPassEvent: '+x' is no distance from "
                "AfterRendering; a whole number is expected, AfterRendering+1",
                "8:36: renderer.features[1].m_ScreenSpaceOutlineShader: unknown shader "
-               "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? "
-               "(known: Hidden/ScreenSpaceOutline, Hidden/Universal/CoreBlit, "
-               "Limn/TranslucentOutline, Limn/TranslucentOutlineHull, Limn/TranslucentSolid, "
-               "Universal Render Pipeline/Lit, Universal Render Pipeline/Unlit); a file's path "
-               "ends in '.shader'"}),
+               "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? (a "
+               "file's path ends in '.shader')"}),
         folder.ProblemsOf("camera: {}\n"
                           "renderer:\n"
                           "  features:\n"

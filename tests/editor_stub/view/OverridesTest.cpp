@@ -106,14 +106,10 @@ TEST_F(Overrides, ThatAreWrongAreAllReported)
     EXPECT_EQ(
         (std::vector<std::string>{
             "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4",
-            "unknown name 'My Outlin'; did you mean 'My Outline'? (known: ScreenSpaceOutline, My "
-            "Outline, ScreenSpaceOutlineRenderFeature, Other)",
+            "unknown name 'My Outlin'; did you mean 'My Outline'?",
             "ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
-            "ScreenSpaceOutline: unknown parameter 'outlneColor'; did you mean 'outlineColor'? "
-            "(known: enable, outlineColor, outlineWidth)",
-            "My Outline: unknown setting 'm_LayerMsk'; did you mean 'm_LayerMask'? (known: "
-            "active, m_RenderPassEvent, m_ScreenSpaceOutlineShader, m_RenderQueueRange, "
-            "m_LayerMask, m_RenderingLayerMask)",
+            "ScreenSpaceOutline: unknown parameter 'outlneColor'; did you mean 'outlineColor'?",
+            "My Outline: unknown setting 'm_LayerMsk'; did you mean 'm_LayerMask'?",
             "My Outline.m_RenderingLayerMask: 32 is outside [0, 31]"}),
         ProblemsOf({"nonsense", "My Outlin.active=true", "ScreenSpaceOutline.m_OutlineWidth=14",
                     "ScreenSpaceOutline.outlneColor=white", "My Outline.m_LayerMsk=Nothing",

@@ -82,12 +82,8 @@ TEST(LoadShaderLab, ThrowsAllErrorsOfTheFile)
     const auto path =
         folder.Write("a.shader", "Shader \"A\" { SubShader { Pass {\nCull Bak\nZWrite Onn\n} } }");
     EXPECT_EQ(LoadMessage(path),
-              path.string() +
-                  ":2:6: error: Cull: unknown value 'Bak'; did you mean 'Back'? (known: Back, "
-                  "Front, Off, False)\n" +
-                  path.string() +
-                  ":3:8: error: ZWrite: unknown value 'Onn'; did you mean 'On'? (known: On, Off, "
-                  "True, False)");
+              path.string() + ":2:6: error: Cull: unknown value 'Bak'; did you mean 'Back'?\n" +
+                  path.string() + ":3:8: error: ZWrite: unknown value 'Onn'; did you mean 'On'?");
 }
 
 } // namespace

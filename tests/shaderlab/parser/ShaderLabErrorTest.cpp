@@ -20,17 +20,16 @@ TEST(ShaderLabError, SuggestsTheCommandThatWasMeant)
 {
     EXPECT_THAT(PassMessages("ZWrit Off"),
                 ElementsAre(StartsWith("4:1: error: Pass: unknown command 'ZWrit'; did you mean "
-                                       "'ZWrite'? (known: Name, Tags, ")));
+                                       "'ZWrite'?")));
 }
 
 TEST(ShaderLabError, SuggestsTheValueThatWasMeant)
 {
     EXPECT_THAT(PassMessages("Cull Bakc"),
-                ElementsAre("4:6: error: Cull: unknown value 'Bakc'; did you mean 'Back'? (known: "
-                            "Back, Front, Off, False)"));
+                ElementsAre("4:6: error: Cull: unknown value 'Bakc'; did you mean 'Back'?"));
     EXPECT_THAT(PassMessages("Stencil { Comp Allways }"),
                 ElementsAre(StartsWith("4:16: error: Comp: unknown value 'Allways'; did you mean "
-                                       "'Always'? (known: Never, Less, ")));
+                                       "'Always'?")));
 }
 
 TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
@@ -92,7 +91,7 @@ TEST(ShaderLabError, ReportsABadPropertyAndReadsTheNext)
                        "t.shader");
     EXPECT_THAT(test::Messages(result.diagnostics),
                 ElementsAre(StartsWith("2:10: error: _A: unknown property type 'Flaot'; did you "
-                                       "mean 'Float'? (known: Float, Range, "),
+                                       "mean 'Float'?"),
                             "3:19: error: _B: a number is missing before 'pi'",
                             "5:1: error: _C: ')' is missing before '_D'"));
 }
@@ -117,7 +116,7 @@ TEST(ShaderLabError, ReportsTargetsAndOperationsThatDoNotExist)
         PassMessages("Blend 8 One One\nBlendOp LogicalXorr\nColorMask RGX\nOffset 1"),
         ElementsAre("4:7: error: Blend: target 8 does not exist; a target is 0...7",
                     StartsWith("5:9: error: BlendOp: unknown value 'LogicalXorr'; did you mean "
-                               "'LogicalXor'? (known: Add, Sub, "),
+                               "'LogicalXor'?"),
                     "6:11: error: ColorMask: 'RGX' is no mask; write letters of RGBA, 0 "
                     "or [_Property]",
                     "8:1: error: Offset: ',' is missing before '}'"));

@@ -168,7 +168,7 @@ TEST(VolumeComponentRegistry, RefusesToCreateWhatItDoesNotKnow)
     VolumeComponentRegistry registry;
     registry.Register<Mixed>("Mixed");
     EXPECT_EQ(ThrownMessage<ContractError>([&] { registry.Create("Mixd"); }),
-              "unknown volume component 'Mixd'; did you mean 'Mixed'? (known: Mixed)");
+              "unknown volume component 'Mixd'; did you mean 'Mixed'?");
     EXPECT_THROW(registry.Create(typeid(ScreenSpaceOutline)), ContractError);
     EXPECT_EQ(registry.Find("Mixd"), nullptr);
 }

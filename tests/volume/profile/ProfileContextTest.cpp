@@ -152,7 +152,7 @@ TEST(ProfileContext, SaysWhatTheNamesOfLayersMean)
     EXPECT_EQ(LayerMask(32), read("UI", {}));
     EXPECT_THAT(test::Problems([&] { read("[1, Furnitur]", scene); }),
                 ElementsAre("1:26: References.m_Layers: unknown layer 'Furnitur'; did you mean "
-                            "'Furniture'? (known: Furniture)"));
+                            "'Furniture'?"));
     EXPECT_THAT(test::Problems([&] { read("Furniture", {}); }),
                 ElementsAre("1:22: References.m_Layers: unknown layer 'Furniture' (known: Default, "
                             "TransparentFX, Ignore Raycast, Water, UI)"));

@@ -84,8 +84,7 @@ TEST(YamlMapReader, ReportsEveryUnknownKeyWithTheNearestKnownOne)
     map.Read("name", camera.name);
     map.Finish();
     EXPECT_THAT(reading.problems(),
-                ElementsAre("1:1: camera: unknown key 'fieldOfVew'; did you mean 'fieldOfView'? "
-                            "(known: fieldOfView, name)",
+                ElementsAre("1:1: camera: unknown key 'fieldOfVew'; did you mean 'fieldOfView'?",
                             "3:1: camera: unknown key 'zzz' (known: fieldOfView, name)"));
 }
 
@@ -111,9 +110,8 @@ TEST(YamlMapReader, SuggestsInTheSpellingOfTheWriter)
     map.Finish();
     EXPECT_THAT(reading.problems(),
                 ElementsAre("1:1: camera: unknown key 'm_FeldOfView'; did you mean "
-                            "'m_FieldOfView'? (known: m_FieldOfView)",
-                            "2:1: camera: unknown key 'feldOfView'; did you mean 'fieldOfView'? "
-                            "(known: fieldOfView)"));
+                            "'m_FieldOfView'?",
+                            "2:1: camera: unknown key 'feldOfView'; did you mean 'fieldOfView'?"));
 }
 
 TEST(YamlMapReader, RefusesBothSpellingsOfOneKeyAtOnce)

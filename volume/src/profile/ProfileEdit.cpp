@@ -271,7 +271,7 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
 }
 
 std::string EditOne(const std::string& text, const std::string& file, const ScalarEdit& edit,
-                    const VolumeComponentRegistry& registry)
+                    const VolumeComponentRegistry& registry, std::vector<ScalarChange>& changes)
 {
     const Wanted wanted(edit, registry);
     const ProfileText profile(text, file);
@@ -288,9 +288,12 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
     AssetDiagnostics ignored(file);
     const auto old = registry.Create(edit.component);
     const std::vector<VolumeParameter*> current = FindAlong(*old, wanted.path);
-    const bool isSame = !current.empty() &&
-                        current.back()->ReadYaml(*value, wanted.subject, ignored) &&
-                        current.back()->ValueText() == wanted.parameter->ValueText();
+    BoolParameter active{nullptr, "active", true};
+    VolumeParameter& before = current.empty() ? active : *current.back();
+    const bool isRead = before.ReadYaml(*value, wanted.subject, ignored);
+    const bool isSame = isRead && before.ValueText() == wanted.parameter->ValueText();
+    changes.push_back({wanted.subject, isRead ? before.ValueText() : value->Describe(),
+                       wanted.parameter->ValueText()});
     if (!isSame)
     {
         splicer.Replace(*value, ParseYaml(fresh, file).front(), fresh);
@@ -319,15 +322,17 @@ ScalarEdit ScalarEdit::Parse(std::string_view text)
 
 std::string EditVolumeProfile(std::string_view text, const std::string& file,
                               std::span<const ScalarEdit> edits,
-                              const VolumeComponentRegistry& registry)
+                              const VolumeComponentRegistry& registry,
+                              std::vector<ScalarChange>* changes)
 {
+    std::vector<ScalarChange> ignored;
     std::string result(text);
     std::vector<Diagnostic> problems;
     for (const ScalarEdit& edit : edits)
     {
         try
         {
-            result = EditOne(result, file, edit, registry);
+            result = EditOne(result, file, edit, registry, changes ? *changes : ignored);
         }
         catch (const AssetError& error)
         {
@@ -347,15 +352,19 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
     return result;
 }
 
-void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
-                const VolumeComponentRegistry& registry)
+std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
+                                     std::span<const ScalarEdit> edits,
+                                     const VolumeComponentRegistry& registry)
 {
+    std::vector<ScalarChange> changes;
     const std::string text = ReadYamlText(path);
-    const std::string edited = EditVolumeProfile(text, path.generic_string(), edits, registry);
+    const std::string edited =
+        EditVolumeProfile(text, path.generic_string(), edits, registry, &changes);
     if (edited != text)
     {
         ReplaceContent(path, text, edited);
     }
+    return changes;
 }
 
 void ReplaceContent(const std::filesystem::path& path, std::string_view expected,

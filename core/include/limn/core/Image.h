@@ -25,6 +25,11 @@ struct Image
 /// @throws ContractError if the bytes are no whole number of rows
 std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows);
 
+/// An R8G8B8A8 (SRGB or UNorm) or R8_UNorm image as the bytes of a PNG file.
+/// @throws ContractError for any other format, or if size and texels do not fit each other
+/// @throws AssetError if the image is too large for a PNG
+std::vector<std::byte> EncodePng(const Image& image);
+
 /// Writes an R8G8B8A8 (SRGB or UNorm) or R8_UNorm image as PNG. The file appears whole or not at
 /// all; one that was there before stays where that fails.
 /// @throws AssetError naming the path and the system's reason, if it cannot be written

@@ -3,6 +3,7 @@
 #include "device/Translate.h"
 #include "programs/PipelineBuilder.h"
 #include <algorithm>
+#include <limn/core/DrawError.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <span>
 
@@ -73,14 +74,14 @@ void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabi
 {
     if (!state.zClip && !capabilities.depthClamp)
     {
-        throw ContractError("a draw has ZClip False, and the device lacks depthClamp; it draws "
-                            "ZClip True only");
+        throw DrawError("a draw has ZClip False, and the device lacks depthClamp; it draws "
+                        "ZClip True only");
     }
     if (state.conservative && !capabilities.conservative)
     {
-        throw ContractError("a draw has Conservative True, and the device lacks "
-                            "VK_EXT_conservative_rasterization; it draws the texels whose centre "
-                            "is covered only");
+        throw DrawError("a draw has Conservative True, and the device lacks "
+                        "VK_EXT_conservative_rasterization; it draws the texels whose centre "
+                        "is covered only");
     }
 }
 
@@ -104,10 +105,10 @@ BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
         if (!blend.enabled || blend.colorOp != op || blend.alphaOp != op)
         {
             const std::string name = BlendOpName(op);
-            throw ContractError("a draw has BlendOp " + name +
-                                " for a part of what it writes; it works for colour and alpha of "
-                                "all targets alike: write Blend and 'BlendOp " +
-                                name + "' with neither a target nor a ','");
+            throw DrawError("a draw has BlendOp " + name +
+                            " for a part of what it writes; it works for colour and alpha of "
+                            "all targets alike: write Blend and 'BlendOp " +
+                            name + "' with neither a target nor a ','");
         }
     }
     return op;
@@ -145,14 +146,14 @@ void RequireOperation(BlendOp op, const TargetFormats& formats,
     const std::string reason = ReasonAgainst(op, formats.colors.size(), capabilities);
     if (!reason.empty())
     {
-        throw ContractError("a draw has BlendOp " + BlendOpName(op) + ", and the device " + reason +
-                            "; every device has Add, Sub, RevSub, Min and Max");
+        throw DrawError("a draw has BlendOp " + BlendOpName(op) + ", and the device " + reason +
+                        "; every device has Add, Sub, RevSub, Min and Max");
     }
     if (isLogical(op) && !std::all_of(formats.colors.begin(), formats.colors.end(), HasPlainBits))
     {
-        throw ContractError("a draw has BlendOp " + BlendOpName(op) +
-                            " into a target of floats or sRGB values; a logical operation wants "
-                            "R8_UNorm, R8G8B8A8_UNorm or R8G8B8A8_SNorm");
+        throw DrawError("a draw has BlendOp " + BlendOpName(op) +
+                        " into a target of floats or sRGB values; a logical operation wants "
+                        "R8_UNorm, R8G8B8A8_UNorm or R8G8B8A8_SNorm");
     }
 }
 

@@ -5,6 +5,8 @@
 #include "programs/PipelineBuilder.h"
 #include <algorithm>
 
+#include <limn/core/DrawError.h>
+
 namespace limn::vulkan
 {
 
@@ -15,8 +17,8 @@ VertexFetch FetchFor(const VertexInput& input)
 {
     if (input.type != UniformType::Float)
     {
-        throw ContractError("vertex input '" + input.semantic +
-                            "' is of an integer type; meshes carry floats");
+        throw DrawError("vertex input '" + input.semantic +
+                        "' is of an integer type; meshes carry floats");
     }
     constexpr VkFormat k_Formats[] = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT,
                                       VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
@@ -37,8 +39,8 @@ void RequireOneSample(const TextureBinding& texture)
 {
     if (texture.multisampled)
     {
-        throw ContractError("texture '" + texture.name +
-                            "' of the shader has several samples a texel; limn has no such yet");
+        throw DrawError("texture '" + texture.name +
+                        "' of the shader has several samples a texel; limn has no such yet");
     }
 }
 

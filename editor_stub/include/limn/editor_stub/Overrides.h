@@ -2,6 +2,7 @@
 
 #include <limn/editor_stub/SceneFile.h>
 #include <span>
+#include <string>
 
 namespace limn
 {
@@ -14,6 +15,10 @@ namespace limn
 /// @throws AssetError with every problem of all of them
 void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides,
                     AssetContext& assets);
+
+/// What is wrong with the form of "NAME.path=value", whatever there is of these names; "" if
+/// nothing.
+std::string OverrideFormProblem(const std::string& text);
 
 /// Puts one profile in place of that of every global volume; a scene without any gets one, in a
 /// layer that the camera's volumeLayerMask has. `file` is looked for from the working directory,

@@ -36,7 +36,8 @@ struct Diagnostic
     bool operator==(const Diagnostic&) const = default;
 };
 
-/// `file:line:col: error: message`, the form compilers use; a place of 0 is left out.
+/// `file:line:col: error: message`, the form compilers use, as the terminal may have it; a place of
+/// 0 is left out.
 std::string ToString(const Diagnostic& diagnostic);
 
 /// ToString(), and below it the line of `text` that it is about with a '^' under the column, as
@@ -78,8 +79,8 @@ std::size_t EditDistance(std::string_view a, std::string_view b);
 /// than 64 bytes are near to none.
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
 
-/// "'outlneWidth'; did you mean 'outlineWidth'? (known: a, b, c)" for messages about unknown names;
-/// the question is left out where nothing is near.
+/// "'outlneWidth'; did you mean 'outlineWidth'?" for messages about unknown names; where nothing is
+/// near, "'foo' (known: a, b, c)". Long names are Shortened.
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known);
 
 } // namespace limn

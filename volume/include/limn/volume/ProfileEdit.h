@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn
 {
@@ -22,6 +23,14 @@ struct ScalarEdit
     static ScalarEdit Parse(std::string_view text);
 };
 
+/// What an edit did, values as VolumeParameter::ValueText.
+struct ScalarChange
+{
+    std::string subject; ///< "ScreenSpaceOutline.m_OutlineWidth"
+    std::string before;
+    std::string after; ///< equal to `before` where the file stays as it is
+};
+
 /// The text of a profile file, of limn's or of Unity's form, with new values. Only the characters
 /// of scalars that change are others: a colour stays a map, a list or "#RRGGBB" as it was
 /// (written as a map where eight bits do not hold it). A list or map in brackets on one line, as of
@@ -30,14 +39,18 @@ struct ScalarEdit
 /// @throws AssetError with every problem: an unknown name, a value of the wrong type or outside its
 ///     range, a parameter the file does not have, a value written in a way that cannot hold the new
 ///     one or that an alias repeats, and whatever else is wrong with the file
+/// @param changes  if given, what each edit did is added to it
 std::string EditVolumeProfile(std::string_view text, const std::string& file,
                               std::span<const ScalarEdit> edits,
-                              const VolumeComponentRegistry& registry);
+                              const VolumeComponentRegistry& registry,
+                              std::vector<ScalarChange>* changes = nullptr);
 
 /// EditVolumeProfile of a file, which is replaced whole or not at all.
+/// @return what each edit did
 /// @throws AssetError as EditVolumeProfile and ReplaceContent do; the file is then as it was
-void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
-                const VolumeComponentRegistry& registry);
+std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
+                                     std::span<const ScalarEdit> edits,
+                                     const VolumeComponentRegistry& registry);
 
 /// Replaces a file's content, through a link the file behind it, if it still is `expected`.
 /// @throws AssetError if it is something else by now, or cannot be written; the file is then as it

@@ -1,0 +1,301 @@
+#include "reports/ExplanationText.h"
+
+#include <algorithm>
+#include <limn/shaderlab/TerminalText.h>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_ListedLines = 12; ///< of a list in a short text
+constexpr std::size_t k_ListedNames = 4;
+constexpr std::size_t k_ListedObjects = 4; ///< that are explained one by one without being asked
+
+using ReportLines = std::vector<std::string>;
+
+std::string Several(std::size_t number, const std::string& noun)
+{
+    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+/// "title:" and the lines below it; "" without lines.
+std::string Section(const std::string& title, const ReportLines& lines,
+                    std::size_t most = static_cast<std::size_t>(-1))
+{
+    std::string text = lines.empty() ? "" : title + ":\n";
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+    {
+        text += "  " + OneLine(lines[i]) + "\n";
+    }
+    return text + (lines.size() > most
+                       ? "  … and " + std::to_string(lines.size() - most) + " more; -v lists them\n"
+                       : "");
+}
+
+/// "a, b, c, d, …"
+std::string NameSome(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), k_ListedNames); ++i)
+    {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return text + (names.size() > k_ListedNames ? ", …" : "");
+}
+
+/// "13 of 370 drawn; left out: 221 rendering layer mask, 72 render queue", the largest first.
+std::string CountsText(const FilterCounts& counts)
+{
+    int all = 0;
+    std::vector<std::pair<int, std::string>> rules;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+        all += counts[i];
+        if (counts[i] > 0 && static_cast<FilterVerdict>(i) != FilterVerdict::Drawn)
+        {
+            rules.emplace_back(counts[i], ToString(static_cast<FilterVerdict>(i)));
+        }
+    }
+    std::stable_sort(rules.begin(), rules.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text = std::to_string(counts[0]) + " of " + std::to_string(all) + " drawn";
+    for (std::size_t i = 0; i < rules.size(); ++i)
+    {
+        text += (i == 0 ? "; left out: " : ", ") + std::to_string(rules[i].first) + " " +
+                rules[i].second;
+    }
+    return text;
+}
+
+/// Objects that culling left out, by reason, and those that no pass takes.
+ReportLines OddObjects(const Explanation& explanation)
+{
+    std::map<std::string, std::vector<std::string>> names;
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        const bool isDrawn = std::any_of(object.draws.begin(), object.draws.end(),
+                                         [](const ExplainedDraw& draw)
+                                         { return draw.verdict == FilterVerdict::Drawn; });
+        if (!object.absence.empty() || !isDrawn)
+        {
+            names[object.absence.empty() ? "every pass leaves it out" : object.absence].push_back(
+                object.name);
+        }
+    }
+    ReportLines lines;
+    for (const auto& [reason, objects] : names)
+    {
+        lines.push_back(Several(objects.size(), "object") + " of " +
+                        std::to_string(explanation.objects.size()) + " not drawn, " + reason +
+                        ": " + NameSome(objects));
+    }
+    return lines;
+}
+
+ReportLines OddThings(const Explanation& explanation)
+{
+    ReportLines lines;
+    for (const std::string& note : explanation.report.notes)
+    {
+        if (std::find(lines.begin(), lines.end(), note) == lines.end())
+        {
+            lines.push_back(note);
+        }
+    }
+    const ReportLines objects = OddObjects(explanation);
+    lines.insert(lines.end(), objects.begin(), objects.end());
+    return lines;
+}
+
+std::string TriggerText(const ExplainedTrigger& trigger)
+{
+    std::ostringstream text;
+    text << "(" << trigger.position.x << ", " << trigger.position.y << ", " << trigger.position.z
+         << "), " << (trigger.isOwn ? "its volumeTrigger" : "its own position") << "; ";
+    const LayerMask mask = trigger.volumeLayerMask;
+    if (mask == LayerMask::Everything() || mask == LayerMask::Nothing())
+    {
+        text << (mask == LayerMask::Nothing() ? "no layer" : "every layer");
+        return text.str();
+    }
+    text << "layers";
+    for (int layer = 0; layer < 32; ++layer)
+    {
+        text << (mask.Intersects(LayerMask::FromIndex(layer)) ? " " + std::to_string(layer) : "");
+    }
+    return text.str();
+}
+
+/// "ScreenSpaceOutline.m_OutlineWidth 5.5 ← Placement, Corner"
+std::string ValueText(const VolumeParameterTrace& parameter)
+{
+    std::string text =
+        parameter.component + "." + parameter.parameter + " " + parameter.valueText();
+    for (const VolumeTraceStep& step : parameter.steps)
+    {
+        text += (&step == &parameter.steps.front() ? " ← " : ", ") + step.volume;
+    }
+    return text;
+}
+
+/// "ScreenSpaceOutline.m_OutlineWidth ← Corner (factor 0.375, weight 0.5, distance 2 m) → 5.5"
+std::string StepText(const VolumeParameterTrace& parameter, const VolumeTraceStep& step)
+{
+    std::ostringstream text;
+    text << parameter.component << '.' << parameter.parameter << " ← " << step.volume << " (factor "
+         << step.factor << ", weight " << step.weight << ", ";
+    if (step.distance)
+    {
+        text << "distance " << *step.distance << " m";
+    }
+    else
+    {
+        text << "global";
+    }
+    text << ") → " << step.valueText;
+    return text.str();
+}
+
+std::string VolumesText(const Explanation& explanation, bool isLong)
+{
+    ReportLines lines;
+    for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
+    {
+        if (!isLong)
+        {
+            lines.push_back(ValueText(parameter));
+            continue;
+        }
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            lines.push_back(StepText(parameter, step));
+        }
+    }
+    return Section("the camera takes volumes at", {TriggerText(explanation.trigger)}) +
+           Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
+}
+
+/// The passes with the counts of their draws, those of equal names with all of them.
+ReportLines PassLines(const RenderReport& report)
+{
+    ReportLines lines;
+    std::set<std::string> counted;
+    for (const ExecutedPassReport& pass : report.passes)
+    {
+        std::string line = std::to_string(static_cast<int>(pass.renderPassEvent));
+        line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name;
+        const bool isNew = counted.insert(pass.name).second;
+        std::size_t draws = 0;
+        for (const DrawRenderersReport& draw : report.draws)
+        {
+            if (isNew && draw.pass == pass.name)
+            {
+                lines.push_back(line + ": " + CountsText(draw.counts));
+                ++draws;
+            }
+        }
+        if (draws == 0)
+        {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+std::string VariantText(const ExplainedVariant& variant)
+{
+    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
+    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
+    text += variant.isFullScreen ? ", full screen:" : ":";
+    for (const std::string& keyword : variant.keywords)
+    {
+        text += " " + keyword;
+    }
+    return text + (variant.keywords.empty() ? " no keywords" : "");
+}
+
+/// "Cube: not drawn, inactive", or its name with a line for each pass and material.
+std::string OneObject(const ExplainedObject& object, const std::string& indent)
+{
+    std::string text = indent + OneLine(object.name) +
+                       (object.absence.empty() ? "" : ": not drawn, ") + object.absence + "\n";
+    for (const ExplainedDraw& draw : object.draws)
+    {
+        const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+        text += indent + "  " + OneLine(draw.pass + ", " + draw.material) + ": " +
+                (isDrawn ? "drawn" : "left out, ") + (isDrawn ? "" : ToString(draw.verdict)) + "\n";
+    }
+    return text;
+}
+
+std::string Objects(const std::vector<ExplainedObject>& objects, const std::string& indent)
+{
+    std::string text;
+    for (const ExplainedObject& object : objects)
+    {
+        text += OneObject(object, indent);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string ShortText(const Explanation& explanation)
+{
+    return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
+           Section("passes", PassLines(explanation.report), k_ListedLines) +
+           Several(explanation.objects.size(), "object") + ", " +
+           Several(explanation.textures.size(), "texture") + ", " +
+           Several(explanation.variants.size(), "shader variant") +
+           ": -v lists them, --object NAME explains one\n";
+}
+
+std::string LongText(const Explanation& explanation)
+{
+    ReportLines variants;
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        variants.push_back(VariantText(variant));
+    }
+    const std::string objects = Objects(explanation.objects, "  ");
+    return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
+           Section("passes", PassLines(explanation.report)) +
+           Section("textures", explanation.textures) + Section("variants", variants) +
+           (objects.empty() ? "" : "objects:\n" + objects);
+}
+
+std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong)
+{
+    const std::vector<ExplainedObject>& objects = explanation.objects;
+    if (objects.size() <= k_ListedObjects)
+    {
+        return Objects(objects, "");
+    }
+    std::vector<std::string> passes;
+    std::map<std::string, FilterCounts> counts;
+    for (const ExplainedObject& object : objects)
+    {
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            if (counts.count(draw.pass) == 0)
+            {
+                passes.push_back(draw.pass);
+            }
+            ++counts[draw.pass][static_cast<std::size_t>(draw.verdict)];
+        }
+    }
+    ReportLines lines = OddObjects(explanation);
+    for (const std::string& pass : passes)
+    {
+        lines.push_back(pass + ": " + CountsText(counts[pass]));
+    }
+    return Section(OneLine(name) + ", " + Several(objects.size(), "object"), lines) +
+           (isLong ? Objects(objects, "  ") : "-v lists the objects\n");
+}
+
+} // namespace limn

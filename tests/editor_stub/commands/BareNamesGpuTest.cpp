@@ -1,0 +1,52 @@
+#include "commands/WatchTest.h"
+#include "commands/WorkingFolder.h"
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// The verbs that draw, run from inside the files' own folder.
+class BareNamesGpu : public WatchTest
+{
+protected:
+    void SetUp() override
+    {
+        WatchTest::SetUp();
+        WriteProject(working.folder);
+    }
+
+    WorkingFolder working;
+};
+
+} // namespace
+
+TEST_F(BareNamesGpu, DoForRender)
+{
+    const CommandRun run =
+        RunCommand({"render", "s.scene.yaml", "-o", "out.png", "--profile", "p.profile.yaml",
+                    "--cache-dir", "cache", "--stats", "stats.json", "--trace", "trace.json"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ("", run.err);
+    EXPECT_EQ("out.png 16x9\n", run.out);
+    EXPECT_EQ(16, ReadPng("out.png").width);
+    EXPECT_TRUE(std::filesystem::exists("stats.json"));
+    EXPECT_TRUE(std::filesystem::exists("trace.json"));
+}
+
+TEST_F(BareNamesGpu, DoForWatch)
+{
+    Start("s.scene.yaml -o out.png --cache-dir cache");
+    ASSERT_TRUE(WaitFor([] { return std::filesystem::exists("out.png"); }))
+        << ReadText(folder / "err");
+    std::filesystem::remove("out.png");
+    working.folder.Write("a.hlsl", "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+                                   "float4 F() : SV_Target { return 0.5; }\n");
+    EXPECT_TRUE(WaitFor([] { return std::filesystem::exists("out.png"); }))
+        << ReadText(folder / "err");
+    EXPECT_EQ(0, Stop(SIGINT));
+    EXPECT_EQ("", ReadText(folder / "err"));
+}
+
+} // namespace limn::test
