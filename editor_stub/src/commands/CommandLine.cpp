@@ -67,6 +67,15 @@ std::map<std::string, std::string> ToPackages(const std::vector<std::string>& te
     return packages;
 }
 
+void AddRootOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--root", line.roots,
+                    "Let references and includes lead into this folder too, not only into the "
+                    "file's own and the Unity project around it")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void AddPackageOption(CLI::App& verb, CommandLine& line)
 {
     verb.add_option("--package", line.packages,
@@ -118,6 +127,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -167,6 +177,7 @@ CLI::App* AddInspect(CLI::App& app, CommandLine& line)
         ->type_name("SCENE|PROFILE")
         ->required();
     verb->add_flag("--json", line.inspect.json, "Print JSON");
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -198,6 +209,7 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
     verb->add_flag("--json", options.json,
                    "Print {files: [...], summary: {...}}: what was parsed, compiled, refused");
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -212,6 +224,7 @@ CLI::App* AddExplain(CLI::App& app, CommandLine& line)
     verb->add_option("--object", options.object, "Only objects of this name")->type_name("NAME");
     verb->add_flag("--json", options.json, "As JSON");
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -258,6 +271,10 @@ void FinishOptions(CommandLine& line)
     line.render.packages = ToPackages(line.packages);
     line.shader.packages = line.render.packages;
     line.explain.packages = line.render.packages;
+    line.render.roots = line.roots;
+    line.shader.roots = line.roots;
+    line.explain.roots = line.roots;
+    line.inspect.roots = line.roots;
 }
 
 } // namespace limn

@@ -20,12 +20,19 @@ namespace limn
 namespace
 {
 
+/// False for what cannot be looked at as well: who reads it says why.
+bool isFolder(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
 std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& paths)
 {
     std::vector<std::filesystem::path> files;
     for (const std::string& path : paths)
     {
-        if (!std::filesystem::is_directory(path))
+        if (!isFolder(path))
         {
             files.emplace_back(path);
             continue;
@@ -47,7 +54,7 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
     for (const std::string& path : paths)
     {
         std::filesystem::path folder(path);
-        folder = std::filesystem::is_directory(folder) ? folder : FolderOfShaders(folder);
+        folder = isFolder(folder) ? folder : FolderOfShaders(folder);
         if (std::find(folders.begin(), folders.end(), folder) == folders.end())
         {
             folders.push_back(std::move(folder));
@@ -66,6 +73,7 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
     }
     compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
+    compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
 }
 

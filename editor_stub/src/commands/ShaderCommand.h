@@ -21,6 +21,7 @@ struct ShaderOptions
     bool variants = false; ///< count them, compile nothing
     bool json = false;
     std::map<std::string, std::string> packages;
+    std::vector<std::string> roots;
 };
 
 /// Checks ShaderLab files and describes them.

@@ -229,7 +229,7 @@ std::string ToJson(const InspectReport& report)
     if (report.kind == "profile")
     {
         json["components"] = ComponentsAsJson(report.volumes.at(0));
-        return json.dump(2);
+        return json.dump(2, ' ', false, Json::error_handler_t::replace);
     }
     if (report.kind == "scene")
     {
@@ -244,7 +244,7 @@ std::string ToJson(const InspectReport& report)
     {
         json["features"].push_back(AsJson(feature, "settings"));
     }
-    return json.dump(2);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace limn

@@ -77,6 +77,10 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
     std::error_code ignored;
     if (path && std::filesystem::exists(*path, ignored))
     {
+        if (!loading.references.isAllowed(*path, node, subject))
+        {
+            return nullptr;
+        }
         try
         {
             return loading.assets.LoadShader(*path);
@@ -235,6 +239,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                                                   AssetContext& assets)
 {
     assets.Reach(path);
+    assets.AddRootsAround(path); // it refers to files by guid, anywhere in its project
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
     const UnityObject* root = asset.FindWithField("m_RendererFeatures");

@@ -2,8 +2,7 @@
 
 #include "device/Check.h"
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/WriteFile.h>
 
 namespace limn::vulkan
@@ -29,12 +28,6 @@ std::uint64_t Checksum(const char* bytes, std::size_t count)
         hash = (hash ^ static_cast<unsigned char>(bytes[i])) * 1099511628211ULL;
     }
     return hash;
-}
-
-std::vector<char> ReadFile(const std::filesystem::path& path)
-{
-    std::ifstream stream{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, std::istreambuf_iterator<char>{}};
 }
 
 /// One file a device and driver: Vulkan's pipelineCacheUUID changes with both.
@@ -115,7 +108,8 @@ PipelineCacheFile::PipelineCacheFile(const VulkanContext& context,
                               "' cannot be made: " + error.message());
         }
         m_Path = folder / FileName(context.physicalDevice());
-        payload = UnwrapCacheFile(ReadFile(m_Path));
+        const std::string file = TryReadFile(m_Path, k_MaxDataBytes).bytes;
+        payload = UnwrapCacheFile({file.begin(), file.end()});
         if (!IsOfThisDevice(payload, context.physicalDevice()))
         {
             payload.clear();
