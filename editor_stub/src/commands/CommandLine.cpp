@@ -79,6 +79,15 @@ std::map<std::string, std::string> ToPackages(const std::vector<std::string>& te
     return packages;
 }
 
+void AddRootOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--root", line.roots,
+                    "Let references and includes lead into this folder too, not only into the "
+                    "file's own and the Unity project around it")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void AddPackageOption(CLI::App& verb, CommandLine& line)
 {
     verb.add_option("--package", line.packages,
@@ -130,6 +139,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -179,6 +189,7 @@ CLI::App* AddInspect(CLI::App& app, CommandLine& line)
         ->type_name("SCENE|PROFILE")
         ->required();
     verb->add_flag("--json", line.inspect.json, "Print JSON");
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -215,6 +226,7 @@ CLI::App* AddShader(CLI::App& app, CommandLine& line)
                    "Print {files: [...], summary: {...}}: what was parsed, compiled, refused")
         ->excludes(print);
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -229,6 +241,7 @@ CLI::App* AddExplain(CLI::App& app, CommandLine& line)
     verb->add_option("--object", options.object, "Only objects of this name")->type_name("NAME");
     verb->add_flag("--json", options.json, "As JSON");
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -275,6 +288,10 @@ void FinishOptions(CommandLine& line)
     line.render.packages = ToPackages(line.packages);
     line.shader.packages = line.render.packages;
     line.explain.packages = line.render.packages;
+    line.render.roots = line.roots;
+    line.shader.roots = line.roots;
+    line.explain.roots = line.roots;
+    line.inspect.roots = line.roots;
 }
 
 } // namespace limn

@@ -29,6 +29,7 @@ struct CommandLine
     std::string doctorDevice;
     std::string size;
     std::vector<std::string> packages;
+    std::vector<std::string> roots;
 };
 
 // Each adds a verb with its options, which are read into `line`; that must outlive `app`.

@@ -43,9 +43,13 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
     return report;
 }
 
-InspectReport Inspect(const std::string& file, Console& console)
+InspectReport Inspect(const InspectOptions& options, Console& console)
 {
-    AssetContext assets;
+    const std::string& file = options.file;
+    ShaderCompilerOptions compilerOptions;
+    compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
+    AssetContext assets(std::move(compilerOptions));
+    assets.AddRootsAround(file);
     const std::string text = ReadYamlText(file);
     const bool isUnity = IsUnityAsset(text);
     const std::vector<YamlNode> documents =
@@ -75,7 +79,7 @@ InspectReport Inspect(const std::string& file, Console& console)
 
 int RunInspect(const InspectOptions& options, Console& console)
 {
-    const InspectReport report = Inspect(options.file, console);
+    const InspectReport report = Inspect(options, console);
     console.out() << (options.json ? ToJson(report) + "\n" : ToText(report));
     return static_cast<int>(ExitCode::Done);
 }

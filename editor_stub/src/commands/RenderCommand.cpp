@@ -1,5 +1,6 @@
 #include "commands/RenderCommand.h"
 
+#include "assets/OutputFiles.h"
 #include "reports/RenderReports.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
@@ -99,6 +100,8 @@ int RunRender(const RenderOptions& options, Console& console)
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
+    const std::string outputs[] = {options.output, options.statsFile, options.traceFile};
+    RequireOwnFiles(outputs, assets.reachedFiles());
 
     console.Line(device->ChoiceSentence());
     measurements.device = device->deviceName();

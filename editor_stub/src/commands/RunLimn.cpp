@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanError.h>
+#include <new>
 
 namespace limn
 {
@@ -73,6 +74,18 @@ int ParseAndRun(std::span<const std::string> args, Console& console, std::ostrea
                                : RunDoctor(line.doctorDevice, console);
 }
 
+/// Results that did not all go out are as good as none.
+int CheckResults(int exitCode, Console& console)
+{
+    if (console.out().flush())
+    {
+        return exitCode;
+    }
+    console.Error("the results cannot be written to standard output: its disk is full, or nobody "
+                  "reads it");
+    return static_cast<int>(ExitCode::MachineLacksIt);
+}
+
 } // namespace
 
 int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& err)
@@ -80,7 +93,12 @@ int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& 
     Console console(out, err);
     try
     {
-        return ParseAndRun(args, console, err);
+        return CheckResults(ParseAndRun(args, console, err), console);
+    }
+    catch (const std::bad_alloc&)
+    {
+        console.Error("there is not enough memory");
+        return static_cast<int>(ExitCode::MachineLacksIt);
     }
     catch (const AssetError& error)
     {

@@ -88,7 +88,8 @@ public:
     {
         const Override change = Parse(text);
         AssetDiagnostics diagnostics(change.text);
-        References references(m_Assets, SearchFolders(m_Asset), diagnostics);
+        References references(m_Assets, SearchFolders(m_Asset), diagnostics,
+                              ReferenceScope::Anywhere);
         if (m_Assets.volumeComponents().Find(change.name))
         {
             SetParameter(change, diagnostics);
@@ -243,8 +244,9 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
 {
     AssetDiagnostics diagnostics("--profile");
     const References references(assets, SearchFolders(asset), diagnostics);
-    const VolumeProfileLoadResult& result =
-        assets.LoadProfile(references.Resolve(file), asset.layers);
+    const std::filesystem::path path = references.Resolve(file);
+    assets.AddRootsAround(path);
+    const VolumeProfileLoadResult& result = assets.LoadProfile(path, asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;
     for (Volume& volume : asset.volumes)

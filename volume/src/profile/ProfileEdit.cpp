@@ -350,6 +350,7 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
 void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
                 const VolumeComponentRegistry& registry)
 {
+    const FileLock lock(path);
     const std::string text = ReadYamlText(path);
     const std::string edited = EditVolumeProfile(text, path.generic_string(), edits, registry);
     if (edited != text)
@@ -361,9 +362,7 @@ void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> e
 void ReplaceContent(const std::filesystem::path& path, std::string_view expected,
                     std::string_view content)
 {
-    std::error_code error;
-    const std::filesystem::path behind = std::filesystem::canonical(path, error);
-    WriteFile(error ? path : behind, content,
+    WriteFile(path, content,
               [&path, expected]
               {
                   if (ReadYamlText(path) != expected)

@@ -13,7 +13,7 @@ enum class ExitCode
     Done = 0,
     BadInput = 1,       ///< a file is wrong or cannot be written; every problem was printed
     WrongUsage = 2,     ///< the command line makes no sense
-    MachineLacksIt = 3, ///< no usable Vulkan device, a driver that fails
+    MachineLacksIt = 3, ///< no usable Vulkan device, no memory, no room for the results
 };
 
 /// The command line `limn`: runs one verb. Results go to `out`, everything else to `err`. Throws

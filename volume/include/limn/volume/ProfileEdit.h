@@ -34,7 +34,8 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
                               std::span<const ScalarEdit> edits,
                               const VolumeComponentRegistry& registry);
 
-/// EditVolumeProfile of a file, which is replaced whole or not at all.
+/// EditVolumeProfile of a file, which is replaced whole or not at all. Of calls for one file at the
+/// same time, in this process or in others, each sees what the one before wrote.
 /// @throws AssetError as EditVolumeProfile and ReplaceContent do; the file is then as it was
 void SetScalars(const std::filesystem::path& path, std::span<const ScalarEdit> edits,
                 const VolumeComponentRegistry& registry);
