@@ -19,7 +19,7 @@ constexpr float k_ExtremeWidth = 5.0f;
 class ExtremeScene : public TranslucentScene
 {
 public:
-    explicit ExtremeScene(const char* shader) : TranslucentScene(ShippedShaders(shader))
+    explicit ExtremeScene(const char* shader) : TranslucentScene(LimnEffectShaders(shader))
     {
         outline->SetColor(ShaderPropertyId("_OutlineColor"), {0, 1, 0, 1});
         solid->SetColor(ShaderPropertyId("_Color"), {1, 0, 0, 1});

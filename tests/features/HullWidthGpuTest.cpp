@@ -36,7 +36,8 @@ struct View
 class BandScene : public TranslucentScene
 {
 public:
-    explicit BandScene(const char* outlineShader) : TranslucentScene(ShippedShaders(outlineShader))
+    explicit BandScene(const char* outlineShader)
+        : TranslucentScene(LimnEffectShaders(outlineShader))
     {
         outline->SetColor(ShaderPropertyId("_OutlineColor"), {0, 1, 0, 1});
         solid->SetColor(ShaderPropertyId("_Color"), {1, 0, 0, 1});

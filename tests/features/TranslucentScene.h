@@ -30,7 +30,7 @@ struct EffectShaders
     std::shared_ptr<const Shader> solid;
 };
 
-inline EffectShaders ShippedShaders(const char* outline = "Limn/TranslucentOutline")
+inline EffectShaders LimnEffectShaders(const char* outline = "Limn/TranslucentOutline")
 {
     static std::map<std::string, std::shared_ptr<const Shader>> shaders;
     for (const char* name : {outline, "Limn/TranslucentSolid"})

@@ -76,7 +76,7 @@ TEST_F(TranslucentSolidGpu, HasTheStencilAndColoursThatTheModelPredictsForOneToE
 {
     for (int count = 1; count <= 8; ++count)
     {
-        ExpectPrediction(ShippedShaders(), count);
+        ExpectPrediction(LimnEffectShaders(), count);
     }
 }
 
@@ -110,7 +110,7 @@ TEST_F(TranslucentSolidGpu, GivesTheSamePixelsWithTheArticlesShadersInAPerspecti
         content.Add(Rectangle({-1, -1}, {1, 1}), {0, 0, 4}, {TranslucentUnlit(Color::red)});
         return content.Draw(160, 120);
     };
-    const EffectPicture ours = draw(ShippedShaders());
+    const EffectPicture ours = draw(LimnEffectShaders());
     const EffectPicture theirs = draw(article);
     EXPECT_GT(CountStencil(ours, 253), 1000);
     EXPECT_EQ(ours.stencil, theirs.stencil);
@@ -125,7 +125,7 @@ TEST_F(TranslucentSolidGpu, IsTheSameInWhateverOrderItsLayersAreDrawn)
     {
         layers.push_back(MakeLayer(i, random));
     }
-    LayerScene content(ShippedShaders(), MeshOf(layers, random));
+    LayerScene content(LimnEffectShaders(), MeshOf(layers, random));
     const EffectPicture first = content.Draw(k_Size, k_Size);
     for (int i = 0; i < 5; ++i)
     {
@@ -145,9 +145,9 @@ TEST_F(TranslucentSolidGpu, OfSeveralMeshesIsOneWhereTheSolidsMaskIsRepeated)
         layers.push_back(MakeLayer(i, random));
     }
     const EffectPicture one =
-        LayerScene(ShippedShaders(), MeshOf(layers, random)).Draw(k_Size, k_Size);
+        LayerScene(LimnEffectShaders(), MeshOf(layers, random)).Draw(k_Size, k_Size);
 
-    LayerScene parts(ShippedShaders(), MeshOf({layers.begin(), layers.begin() + 3}, random));
+    LayerScene parts(LimnEffectShaders(), MeshOf({layers.begin(), layers.begin() + 3}, random));
     parts.AddBody(MeshOf({layers.begin() + 3, layers.end()}, random), {0, 0, 0});
     // The hull of the part that is masked last runs over the other one.
     EXPECT_NE(parts.Draw(k_Size, k_Size).stencil, one.stencil);
@@ -172,7 +172,7 @@ TEST_F(TranslucentSolidGpu, LeavesOtherTransparentsAsTheyAreOutsideItsHull)
     {
         layers.push_back(MakeLayer(i, random));
     }
-    LayerScene content(ShippedShaders(), MeshOf(layers, random));
+    LayerScene content(LimnEffectShaders(), MeshOf(layers, random));
     const EffectPicture with = content.Draw(k_Size, k_Size);
     content.body->activeSelf = false;
     const EffectPicture without = content.Draw(k_Size, k_Size);

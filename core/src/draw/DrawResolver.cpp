@@ -98,7 +98,7 @@ DrawResolver::Resolve(const std::shared_ptr<const CompiledPass>& pass,
                       const PropertySources& sources, std::uint64_t globalsVersion,
                       std::vector<std::byte>& uniformData)
 {
-    const PassIds& ids = IdsOf(pass);
+    const PassIds& ids = IdsOf(pass, *sources.material->shader());
     if (sources.block != nullptr && !sources.block->isEmpty())
     {
         return Build(ids, sources, uniformData);
@@ -113,12 +113,28 @@ DrawResolver::Resolve(const std::shared_ptr<const CompiledPass>& pass,
     return shared;
 }
 
-const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const CompiledPass>& pass)
+void DrawResolver::Note(std::string note)
+{
+    if (std::find(m_Notes.begin(), m_Notes.end(), note) == m_Notes.end())
+    {
+        m_Notes.push_back(std::move(note));
+    }
+}
+
+const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const CompiledPass>& pass,
+                                                 const Shader& shader)
 {
     PassIds& ids = m_Ids[pass.get()];
     if (!ids.pass)
     {
         ids.pass = pass;
+        for (const Diagnostic& diagnostic : pass->diagnostics)
+        {
+            if (diagnostic.severity == Severity::Note)
+            {
+                Note("shader '" + shader.name() + "': " + diagnostic.message);
+            }
+        }
         for (const UniformBuffer& buffer : pass->layout.buffers)
         {
             auto& members = ids.members.emplace_back();

@@ -23,7 +23,8 @@ struct PropertySources
 class DrawResolver
 {
 public:
-    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value
+    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value, and
+    ///               those of the passes themselves
     explicit DrawResolver(std::vector<std::string>& notes) : m_Notes(notes) {}
 
     /// The bindings of a draw; equal ones of draws without a block of their own are shared.
@@ -41,7 +42,8 @@ private:
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
         std::vector<ShaderPropertyId> textures;
     };
-    const PassIds& IdsOf(const std::shared_ptr<const CompiledPass>& pass);
+    void Note(std::string note); ///< once
+    const PassIds& IdsOf(const std::shared_ptr<const CompiledPass>& pass, const Shader& shader);
     std::shared_ptr<const DrawBindings> Build(const PassIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
     std::vector<TextureSlot> TextureSlots(const PassIds& ids, const PropertySources& sources);

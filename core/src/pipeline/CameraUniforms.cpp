@@ -123,6 +123,8 @@ void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
     {
         Vector(cmd, name, color);
     }
+    cmd.SetGlobalInt(ShaderPropertyId("_MainLightLayerMask"),
+                     static_cast<int>(light.renderingLayerMask.bits));
     const glm::vec4 ambient = scene.ambientLight.linear().vector();
     for (const char* side : {"unity_AmbientSky", "unity_AmbientEquator", "unity_AmbientGround"})
     {

@@ -1,8 +1,6 @@
 #include "commands/SchemaCommand.h"
 
-#include "schema/MaterialSchema.h"
-#include "schema/ProfileSchema.h"
-#include "schema/SceneSchema.h"
+#include "schema/Schemas.h"
 
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>

@@ -1,4 +1,4 @@
-#include "schema/CurveSchema.h"
+#include "schema/Schemas.h"
 
 namespace limn
 {

@@ -1,4 +1,4 @@
-#include "schema/FeatureSchema.h"
+#include "schema/Schemas.h"
 
 #include <limn/core/Material.h>
 

@@ -1,4 +1,4 @@
-#include "schema/MaterialSchema.h"
+#include "schema/Schemas.h"
 
 namespace limn
 {

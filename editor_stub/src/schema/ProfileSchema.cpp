@@ -1,6 +1,4 @@
-#include "schema/ProfileSchema.h"
-
-#include "schema/CurveSchema.h"
+#include "schema/Schemas.h"
 
 #include <algorithm>
 

@@ -1,8 +1,6 @@
-#include "schema/SceneSchema.h"
+#include "schema/Schemas.h"
 
 #include "scene/Limits.h"
-#include "schema/FeatureSchema.h"
-#include "schema/MaterialSchema.h"
 
 #include <limn/core/PrimitiveMesh.h>
 

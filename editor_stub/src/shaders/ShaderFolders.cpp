@@ -9,8 +9,8 @@ namespace limn
 std::filesystem::path FolderOfShaders(const std::filesystem::path& shaderFile)
 {
     std::filesystem::path folder = shaderFile.parent_path();
-    for (std::filesystem::path above = std::filesystem::absolute(folder); above.has_relative_path();
-         above = above.parent_path())
+    for (std::filesystem::path above = std::filesystem::absolute(shaderFile).parent_path();
+         above.has_relative_path(); above = above.parent_path())
     {
         if (above.filename() == "Assets")
         {

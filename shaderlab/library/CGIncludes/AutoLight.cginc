@@ -15,13 +15,19 @@
 #define SHADOW_COORDS(index)
 #define TRANSFER_SHADOW(a)
 #endif
+#if defined(SHADOWS_SCREEN) || defined(SHADOWS_DEPTH) || defined(SHADOWS_CUBE)
+[limn_Lacks("shadow maps", "everything is lit")]
+fixed limn_Lit() { return 1.0; }
+#define SHADOW_ATTENUATION(a) limn_Lit()
+#else
 #define SHADOW_ATTENUATION(a) 1.0
-fixed unitySampleShadow(unityShadowCoord4 shadowCoord) { return 1.0; }
+#endif
+fixed unitySampleShadow(unityShadowCoord4 shadowCoord) { return SHADOW_ATTENUATION(0); }
 half UnityComputeForwardShadows(float2 lightmapUV, float3 worldPos, float4 screenPos) { return 1.0; }
 
 #define UNITY_SHADOW_COORDS(index) SHADOW_COORDS(index)
 #define UNITY_TRANSFER_SHADOW(a, coord) TRANSFER_SHADOW(a)
-#define UNITY_SHADOW_ATTENUATION(a, worldPos) 1.0
+#define UNITY_SHADOW_ATTENUATION(a, worldPos) SHADOW_ATTENUATION(a)
 #define UNITY_READ_SHADOW_COORDS(input) 0
 #define TRANSFER_SHADOW_WPOS(a, wpos) TRANSFER_SHADOW(a)
 #define SHADOWS_COORDS(index) SHADOW_COORDS(index)

@@ -51,6 +51,7 @@ UnityGI UnityGI_Base(UnityGIInput data, half occlusion, half3 normalWorld)
     return gi;
 }
 
+[limn_Lacks("reflection probes", "unity_IndirectSpecColor is what is reflected")]
 half3 UnityGI_IndirectSpecular(UnityGIInput data, half occlusion,
                                Unity_GlossyEnvironmentData glossIn)
 {

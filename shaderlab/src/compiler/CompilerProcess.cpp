@@ -73,11 +73,27 @@ std::string Compile(const PassProgram& program, std::span<const std::string> key
     return static_cast<char>(outcome) + WritePass(pass, resolver.dependencies());
 }
 
-/// No core files, and the end by SIGALRM when the time is over.
+// The address sanitizer's shadow counts as memory, terabytes of it.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool k_HasShadow = true;
+#elif defined(__has_feature)
+constexpr bool k_HasShadow = __has_feature(address_sanitizer);
+#else
+constexpr bool k_HasShadow = false;
+#endif
+
+/// No core files, std::bad_alloc where macros grow and grow, and the end by SIGALRM when the time
+/// is over.
 void LimitProcess(std::chrono::milliseconds limit)
 {
+    constexpr rlim_t k_Memory = rlim_t{2} << 30;
     const rlimit noCore{};
+    const rlimit memory{k_Memory, k_Memory};
     setrlimit(RLIMIT_CORE, &noCore);
+    if (!k_HasShadow)
+    {
+        setrlimit(RLIMIT_DATA, &memory);
+    }
     std::signal(SIGALRM, SIG_DFL);
     sigset_t signals;
     sigemptyset(&signals);

@@ -231,7 +231,13 @@ void BuildStages(CompiledPass& pass, const PassProgram& program, const Stages& s
     std::vector<Diagnostic> diagnostics;
     for (const Stage& stage : stages)
     {
-        const std::string hlsl = RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
+        std::vector<std::string> standIns;
+        const std::string hlsl =
+            RewriteStage(*stage.source, stage.stage, stage.interface, linkage, &standIns);
+        for (std::string& standIn : standIns)
+        {
+            pass.diagnostics.push_back({Severity::Note, program.file, {}, std::move(standIn)});
+        }
         try
         {
             SpirvOf(pass, stage.stage) =

@@ -21,6 +21,21 @@ constexpr std::array<std::string_view, 11> k_Assignments = {
     "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 
+constexpr std::string_view k_StandIn = "[limn_Lacks";
+
+/// What `[limn_Lacks("X", "Y")]` says.
+std::string DescribeStandIn(std::string_view attribute)
+{
+    std::vector<std::string> parts; // what is outside and inside of quotes in turn
+    while (parts.size() < 4)
+    {
+        const std::size_t size = std::min(attribute.find('"'), attribute.size());
+        parts.emplace_back(attribute.substr(0, size));
+        attribute.remove_prefix(std::min(size + 1, attribute.size()));
+    }
+    return "uses " + parts[1] + ", which limn does not have: " + parts[3];
+}
+
 class Rewriter
 {
 public:
@@ -155,6 +170,25 @@ public:
                            });
     }
 
+    /// Takes the marks off, which are no HLSL, and tells what those of reached functions say.
+    void TakeStandIns(std::vector<std::string>* standIns)
+    {
+        for (const HlslFunction* function : m_Reachable)
+        {
+            for (const std::string_view attribute : function->attributes)
+            {
+                if (attribute.starts_with(k_StandIn))
+                {
+                    Erase(function->begin, attribute);
+                    if (standIns != nullptr)
+                    {
+                        standIns->push_back(DescribeStandIn(attribute));
+                    }
+                }
+            }
+        }
+    }
+
     const std::string& prologue() const { return m_Prologue; }
 
     /// The source with everything applied. Blanks and directives between tokens stay as they are.
@@ -243,6 +277,18 @@ private:
                         pending.push_back(m_Tokens[i].text);
                     }
                 }
+            }
+        }
+    }
+
+    /// Erases the tokens of `span`, from `token` on.
+    void Erase(std::size_t token, std::string_view span)
+    {
+        for (; Text(token).data() < span.data() + span.size(); ++token)
+        {
+            if (Text(token).data() >= span.data())
+            {
+                m_Renamed[token] = "";
             }
         }
     }
@@ -371,9 +417,11 @@ HlslSource::HlslSource(std::string preprocessed)
 }
 
 std::string RewriteStage(const HlslSource& source, ShaderStage stage,
-                         const StageInterface& interface, const StageLinkage& linkage)
+                         const StageInterface& interface, const StageLinkage& linkage,
+                         std::vector<std::string>* standIns)
 {
     Rewriter rewriter(source, interface.function->name);
+    rewriter.TakeStandIns(standIns);
     rewriter.RefuseWritable();
     rewriter.RemoveEmptyMembers();
     rewriter.RemoveRepeatedDeclarations();

@@ -28,8 +28,12 @@ struct HlslSource
 /// Functions out of reach have to go because they may use what only the other stage has (ddx,
 /// clip). Line breaks and #line directives stay, so that positions of messages hold.
 ///
+/// @param standIns  gets "uses X, which limn does not have: Y" for each function that the entry
+///                  function reaches and that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`,
+///                  because it does less than Unity's of that name; may be null
 /// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
 std::string RewriteStage(const HlslSource& source, ShaderStage stage,
-                         const StageInterface& interface, const StageLinkage& linkage);
+                         const StageInterface& interface, const StageLinkage& linkage,
+                         std::vector<std::string>* standIns = nullptr);
 
 } // namespace limn

@@ -199,6 +199,40 @@ TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
     EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
 }
 
+TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
+{
+    const auto masked = std::make_shared<Material>(test::ShaderWithProgram(
+        "", "uint _MainLightLayerMask;", "float4(_MainLightLayerMask, 0, 0, 1)"));
+    m_Scene = Scene();
+    test::AddCube(m_Scene, "cube", {0, 0, 10}, {masked});
+    const auto mask = [&]
+    {
+        const CompiledFrame frame = Render().frame;
+        FrameCommands values;
+        values.uniformData = frame.uniformData;
+        return test::ReadUniform<std::uint32_t>(values, DrawsOf(frame.passes.at(0)).at(0),
+                                                "_MainLightLayerMask", 1);
+    };
+    EXPECT_THAT(mask(), ElementsAre(1u));
+    m_Scene.mainLight.renderingLayerMask = RenderingLayerMask{0x80000004u};
+    EXPECT_THAT(mask(), ElementsAre(0x80000004u));
+}
+
+TEST_F(Pipeline, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
+{
+    const auto shader = test::ShaderOf(
+        "Shader \"Test/Baked\" { SubShader { Pass {\n" +
+        test::Program("#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
+                      "Lighting.hlsl\"\n",
+                      "float4(SampleLightmap(float2(0, 0), float3(0, 1, 0)), 1)") +
+        "} } }");
+    test::AddCube(m_Scene, "a", {0, 0, 10}, {std::make_shared<Material>(shader)});
+    test::AddCube(m_Scene, "b", {0, 1, 10}, {std::make_shared<Material>(shader)});
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre("shader 'Test/Baked': uses light maps, which limn does not have: they "
+                            "are white"));
+}
+
 TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
 {
     m_Camera.orthographic = true;

@@ -116,6 +116,28 @@ TEST_F(Render, ASubShaderThatRequiresWhatTheDeviceLacksIsPassedOver)
     EXPECT_GT(GreenPixels("out.png"), 40);
 }
 
+TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
+{
+    folder.Write("baked.shader",
+                 "Shader \"My/Baked\" { SubShader { Pass { HLSLPROGRAM\n"
+                 "#pragma vertex V\n#pragma fragment F\n#include "
+                 "\"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl\"\n"
+                 "Texture2D _Map;\n"
+                 "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+                 "float4 F(float4 p : SV_POSITION) : SV_Target\n"
+                 "{ return _Map.Load(0) * float4(SampleLightmap(p.xy, p.xyz), 1); }\n"
+                 "ENDHLSL } } }");
+    folder.Write("s.scene.yaml", "size: [8, 8]\nmaterials: {m: {shader: baked.shader}}\n"
+                                 "objects: [{name: a, mesh: cube, material: m, "
+                                 "position: [0, 0, 3]}]\n");
+    const CommandRun run = Draw({"--frames", "2"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ("note: shader 'My/Baked': uses light maps, which limn does not have: they are white\n"
+              "note: shader 'My/Baked': texture '_Map' is gray: it is no property of the shader, "
+              "and neither material 'm' nor anything global sets it\n",
+              Notes(run));
+}
+
 TEST_F(Render, TheSizeOptionWinsOverTheScene)
 {
     const CommandRun run = Draw({"--size", "20x10"});

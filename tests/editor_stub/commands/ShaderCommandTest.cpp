@@ -320,4 +320,23 @@ TEST_F(ShaderCommand, NamesAFolderWithoutShaders)
     EXPECT_EQ(path + ": error: the folder has no .shader file in it\n", run.err);
 }
 
+TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
+{
+    const std::string pass =
+        "Pass { HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
+        "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl\"\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+        "float4 F(float4 p : SV_POSITION) : SV_Target\n"
+        "{ return float4(SampleLightmap(p.xy, p.xyz) * SampleMainLightCookie(p.xyz), 1); }\n"
+        "ENDHLSL }\n";
+    const std::string path =
+        Write("baked.shader", "Shader \"My/Baked\" { SubShader {\n" + pass + pass + "} }");
+    const CommandRun run = RunCommand({"shader", path});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ(path + ": note: uses light maps, which limn does not have: they are white\n" + path +
+                  ": note: uses light cookies, which limn does not have: lights shine white "
+                  "through them\n",
+              run.err);
+}
+
 } // namespace limn::test

@@ -39,7 +39,7 @@ TEST(OwnFeature, OfAProgramIsReadFromAScene)
     EXPECT_EQ(-70000, halo->m_Rings);
     EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
                                   "renderer: {features: [{type: HaloFeature, m_Radius: 6}]}\n"),
-                testing::ElementsAre("2:55: renderer.features[0].m_Radius: 6 is outside [0, 5]"));
+                testing::ElementsAre("2:53: renderer.features[0].m_Radius: 6 is outside [0, 5]"));
 }
 
 TEST(OwnFeature, IsUnknownToOtherPrograms)

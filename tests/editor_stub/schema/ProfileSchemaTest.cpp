@@ -1,4 +1,4 @@
-#include "schema/ProfileSchema.h"
+#include "schema/Schemas.h"
 
 #include <gtest/gtest.h>
 #include <limn/volume/AnimationCurveParameter.h>

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <limn/features/Features.h>
-#include <schema/SceneSchema.h>
+#include <schema/Schemas.h>
 #include <set>
 
 namespace limn::test

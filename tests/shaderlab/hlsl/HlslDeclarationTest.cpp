@@ -49,7 +49,8 @@ TEST(HlslDeclaration, RepeatedInABufferStaysInTheBuffer)
          {"float4 _A;\ncbuffer UnityPerMaterial { float4 _B; float4 _A; };",
           "cbuffer UnityPerMaterial { float4 _B; float4 _A; };\nfloat4 _A;"})
     {
-        const auto pass = CompileDeclarations(text + "\nfloat4 frag() : SV_Target { return _A + _B; }");
+        const auto pass =
+            CompileDeclarations(text + "\nfloat4 frag() : SV_Target { return _A + _B; }");
         ASSERT_EQ(pass->layout.buffers.size(), 1U) << text;
         EXPECT_EQ(pass->layout.buffers[0].name, "UnityPerMaterial");
         EXPECT_EQ(pass->layout.buffers[0].members.at(1).name, "_A");
@@ -61,8 +62,8 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
 {
     const auto messages = [](const std::string& declarations)
     {
-        return test::CompileMessages(
-            test::Program(k_PlainVertex + declarations + "\nfloat4 frag() : SV_Target { return 1; }"));
+        return test::CompileMessages(test::Program(k_PlainVertex + declarations +
+                                                   "\nfloat4 frag() : SV_Target { return 1; }"));
     };
     const std::string message = "error: '_A': redefinition; something else has this name already";
     EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
@@ -80,15 +81,15 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
 
 TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
 {
-    EXPECT_THAT(test::CompileMessages(
-                    test::Program(k_PlainVertex + "struct S { float a; float Get() { return a; } };\n"
-                                             "S Make() { S s; s.a = 1; return s; }\n"
-                                             "float4 frag() : SV_Target { return Make().Get(); }")),
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_PlainVertex + "struct S { float a; float Get() { return a; } };\n"
+                                    "S Make() { S s; s.a = 1; return s; }\n"
+                                    "float4 frag() : SV_Target { return Make().Get(); }")),
                 ElementsAre("t.shader:4:43: error: 'Get': a method of what a function returns "
                             "cannot be called; keep the result in a variable first"));
     CompileDeclarations("struct S { float a; float Get() { return a; } };\n"
-                 "S Make() { S s; s.a = 1; return s; }\n"
-                 "float4 frag() : SV_Target { S s = Make(); return s.Get(); }");
+                        "S Make() { S s; s.a = 1; return s; }\n"
+                        "float4 frag() : SV_Target { S s = Make(); return s.Get(); }");
 }
 
 TEST(HlslDeclaration, OfATextureOrBufferMayStandInACbuffer)
@@ -126,10 +127,10 @@ TEST(HlslDeclaration, ByAnUnknownMacroIsAnErrorAtItsLine)
                "that does";
     };
     EXPECT_THAT(test::CompileMessages(
-                    test::Program(k_Vertex + hash + "\n UNKNOWN(_A);\nOTHER(_B, (1))" + frag)),
+                    test::Program(k_PlainVertex + hash + "\n UNKNOWN(_A);\nOTHER(_B, (1))" + frag)),
                 ElementsAre(message("4:2", "UNKNOWN"), message("5:1", "OTHER")));
     EXPECT_THAT(test::CompileMessages(test::Program(
-                    k_Vertex + hash + "\ncbuffer C { float4 _A; PROP(float4, _B) };" + frag)),
+                    k_PlainVertex + hash + "\ncbuffer C { float4 _A; PROP(float4, _B) };" + frag)),
                 ElementsAre(message("4:24", "PROP")));
 }
 

@@ -205,7 +205,10 @@ TEST_F(HlslDialectValues, ScalarsFillMatrices)
     FunctionGrid grid(R"(
         static const float3x3 k_Ones = (float3x3)1;
         static const int3x3 k_Table = {1, 2, 3, 4, 5, 7, 8, 9, 10};
-        half3x3 Half(int n) { return (half3x3)n; })");
+        static const int k_Five = 5;
+        static const float3x3 k_All[2] = { (float3x3)-2, (float3x3)k_Five };
+        half3x3 Half(int n) { return (half3x3)n; }
+        float3 Local() { static const float3x3 k = (float3x3)6; return k[2]; })");
     const std::pair<std::string, std::function<double(const glm::dvec4&)>> scalars[] = {
         {"1",
          [](auto&)
@@ -284,6 +287,8 @@ TEST_F(HlslDialectValues, ScalarsFillMatrices)
                  [](auto&, auto&, auto&) { return glm::dvec3(2); });
     }
     grid.Add("k_Table[1][2] / 2", inputs, [](auto&, auto&, auto&) { return 3; });
+    grid.Add("k_All[0][1] + k_All[1][1] + Local()", inputs,
+             [](auto&, auto&, auto&) { return glm::dvec3(-2 + 5 + 6); });
     grid.Add("k_Ones[2]", inputs, [](auto&, auto&, auto&) { return glm::dvec3(1); });
     grid.Add("Half(a.x * 4)[1]", inputs,
              [](auto& a, auto&, auto&) { return glm::dvec3(std::trunc(a.x * 4)); });
@@ -302,7 +307,10 @@ TEST_F(HlslDialectValues, MatrixSwizzlesEvaluateTheirOperandOnce)
         static float s_Calls = 0;
         float4x4 Next(float x) { s_Calls += 1; return (float4x4)(x + s_Calls); }
         float3 Calls(float x) { s_Calls = 0; float2 v = Next(x)._m03_m13; return float3(v, s_Calls); }
-        float3x4 m(float4 a, float4 b, float4 c) { return float3x4(a, b, c); })");
+        float3x4 m(float4 a, float4 b, float4 c) { return float3x4(a, b, c); }
+        static const float2x2 k_Square = float2x2(1, 2, 3, 4);
+        static const float2 k_Pair = k_Square._m10_m01;)");
+    grid.Add("k_Pair", k_Inputs, [](auto&, auto&, auto&) { return glm::dvec2(3, 2); });
     grid.Add("Calls(a.x)", k_Inputs,
              [](auto& a, auto&, auto&) { return glm::dvec3(a.x + 1, a.x + 1, 1); });
     grid.Add("m(a, b, c)._m03_m12_m20.zxyy", k_Inputs,
@@ -334,6 +342,20 @@ TEST_F(HlslDialectValues, NumbersThatAreNotFiniteHaveTheirBits)
     grid.Add("High(-1.#INFf)", k_Inputs, constant(0xFF80));
     grid.Add("High(1.#QNAN)", k_Inputs, constant(0x7FC0));
     grid.Add("High(-1.#IND)", k_Inputs, constant(0xFFC0));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, EnumeratorsAreIntegers)
+{
+    FunctionGrid grid(R"(
+        enum Shape { Disc, Square = 1 << 2, Line, };
+        enum class Side : uint { Left = 7, Right, Both = Left + Right };
+        enum { Alone = 9 };
+        float Size(Shape shape) { switch (shape) { case Square: return 10; default: return shape; } }
+        float Mixed(float Left) { Side side = Side::Both; return side * 100 + Side::Right + Left; })");
+    grid.Add("float4(Disc, Size(Shape::Square), Size(Line), Alone)", Combine({0.0}),
+             [](auto&, auto&, auto&) { return glm::dvec4(0, 10, 5, 9); });
+    grid.Add("Mixed(a.x)", k_Inputs, [](auto& a, auto&, auto&) { return 1508 + a.x; });
     grid.Run();
 }
 

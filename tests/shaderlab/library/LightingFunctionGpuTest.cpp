@@ -1,5 +1,6 @@
 #include "library/Formulas.h"
 #include "library/FunctionGrid.h"
+#include "library/Lights.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -66,24 +67,6 @@ glm::dvec3 Ambient(const Material& m, const glm::dvec3& n, const glm::dvec3& v,
     const double fresnel = std::pow(1.0 - Saturate(glm::dot(n, v)), 4.0);
     const glm::dvec3 reflected = m.Specular() * (1.0 - fresnel) + glm::dvec3(grazing * fresnel);
     return sky * (m.Diffuse() + reflected / (r2 + 1.0));
-}
-
-const glm::dvec3 k_Sun = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
-const glm::dvec3 k_SunColor(1.5, 1.25, 1.0);
-const glm::dvec3 k_Sky(0.125, 0.25, 0.5);
-
-std::vector<float> Floats4(const glm::dvec3& v, float w)
-{
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
-}
-
-void SetLights(FunctionGrid& grid)
-{
-    grid.SetGlobal("_MainLightPosition", Floats4(k_Sun, 0.0f));
-    grid.SetGlobal("_MainLightColor", Floats4(k_SunColor, 1.0f));
-    grid.SetGlobal("unity_SHAr", {0, 0, 0, static_cast<float>(k_Sky.x)});
-    grid.SetGlobal("unity_SHAg", {0, 0, 0, static_cast<float>(k_Sky.y)});
-    grid.SetGlobal("unity_SHAb", {0, 0, 0, static_cast<float>(k_Sky.z)});
 }
 
 } // namespace

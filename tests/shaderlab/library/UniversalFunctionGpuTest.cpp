@@ -177,6 +177,17 @@ TEST_F(UniversalLibrary, TakesDirectionsAndNormalsFromSpaceToSpace)
         "1, 0), float3(1, 0, 0), 1)), CreateTangentToWorld(float3(0, 1, 0), float3(1, 0, 0), "
         "1))",
         directions, [](auto& a, auto&, auto&) { return glm::dvec3(a); }, tolerance);
+    for (const char* frame : {"float3x3(1, 0, 0, 0.5, 2, 0, -0.25, 0.5, 0.75)", // skewed
+                              "float3x3(0, 1, 0, 1, 0, 0, 0, 0, 3)"})           // mirrored
+    {
+        const std::string there = "TransformTangentToWorld(a.xyz, " + std::string(frame) + "), ";
+        grid.Add(
+            "TransformWorldToTangent(" + there + frame + ", false)", directions,
+            [](auto& a, auto&, auto&) { return glm::dvec3(a); }, tolerance);
+        grid.Add(
+            "TransformWorldToTangent(" + there + frame + ")", directions,
+            [](auto& a, auto&, auto&) { return glm::normalize(glm::dvec3(a)); }, tolerance);
+    }
     grid.Add("GetOddNegativeScale()", Combine({0.0}), [](auto&, auto&, auto&) { return -1.0; });
     grid.Add("float2(GetMeshRenderingLayer(), EncodeMeshRenderingLayer(GetMeshRenderingLayer()))",
              Combine({0.0}), [](auto&, auto&, auto&) { return glm::dvec2(0x1A5, 0xA5 / 255.0); });

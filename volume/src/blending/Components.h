@@ -2,6 +2,8 @@
 
 #include <limn/core/TypeName.h>
 #include <limn/volume/VolumeComponentRegistry.h>
+#include <string>
+#include <typeindex>
 
 namespace limn
 {

@@ -11,7 +11,7 @@ namespace
 
 bool HasSerializedPrefix(std::string_view name)
 {
-    return name.size() > 2 && name.substr(0, 2) == "m_";
+    return name.size() > 2 && name.starts_with("m_");
 }
 
 } // namespace

@@ -39,6 +39,8 @@ struct DirectionalLight
     glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< world, the way the light travels; unit length
     Color color;                            ///< sRGB
     float intensity = 1.0f;                 ///< multiplies the linear colour
+    /// What it lights, where a shader has _LIGHT_LAYERS on.
+    RenderingLayerMask renderingLayerMask{1};
 };
 
 /// What there is to draw. Objects keep their address, so that transforms can be parents.

@@ -153,7 +153,9 @@ struct CompiledPass
     std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
     std::vector<std::uint32_t> fragmentSpirv;
     PropertyLayout layout;
-    std::vector<Diagnostic> diagnostics; ///< warnings of the compiler, pragmas included
+    /// Warnings of the compiler, pragmas included; and notes without a line, "uses X, which limn
+    /// does not have: Y", of what the pass uses that the ShaderLibrary only stands in for.
+    std::vector<Diagnostic> diagnostics;
 
     bool operator==(const CompiledPass&) const = default;
 };

@@ -99,25 +99,51 @@ std::string Assemble(HlslEditor& code, const std::string& functions)
     return code.Assemble();
 }
 
+/// Tells initialisers of what is static from other code: glslang crashes on calls in them.
+class InitializerScope
+{
+public:
+    explicit InitializerScope(const HlslEditor& code) : m_Code(code) {}
+
+    /// For each token in turn.
+    bool isInitial(std::size_t index)
+    {
+        const std::string_view text = m_Code.Text(index);
+        if (text == "{")
+        {
+            const bool isFunction =
+                index > 1 && (m_Code.Text(index - 1) == ")" || m_Code.Text(index - 2) == ":");
+            m_BodyDepth += m_BodyDepth > 0 || isFunction ? 1 : 0;
+            m_IsStatic = m_IsStatic && !isFunction;
+        }
+        m_BodyDepth -= text == "}" && m_BodyDepth > 0 ? 1 : 0;
+        m_IsStatic = text == "static" || (m_IsStatic && text != ";");
+        return m_BodyDepth == 0 || m_IsStatic;
+    }
+
+private:
+    const HlslEditor& m_Code;
+    int m_BodyDepth = 0;     ///< braces open in a function
+    bool m_IsStatic = false; ///< in a declaration of something static
+};
+
 class CastSpeller
 {
 public:
-    explicit CastSpeller(const std::string& text) : m_Code(text) {}
+    explicit CastSpeller(const std::string& text) : m_Code(text), m_Scope(m_Code) {}
 
     std::string Spell()
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
+            m_IsInitial = m_Scope.isInitial(i);
             const MatrixType type = m_Code.isWord(i) ? ReadMatrixType(Text(i)) : MatrixType();
-            if (type.rows > 0 && isCast(i))
+            const bool isCastHere = type.rows > 0 && isCast(i);
+            if (isCastHere || (type.rows > 0 && isConstructorOfOne(i)))
             {
-                m_Code.Erase(i - 1, i + 2);
-                m_Code.Spelling(i - 1) = " " + Function(type) + "(";
-                m_Code.Spelling(EndOfOperand(i + 2) - 1) += ")";
-            }
-            else if (type.rows > 0 && isConstructorOfOne(i))
-            {
-                m_Code.Spelling(i) = Function(type);
+                const std::size_t end =
+                    isCastHere ? EndOfOperand(i + 2) : m_Code.AfterBracket(i + 1);
+                m_IsInitial ? SpellInitial(type, i + 1, end) : SpellCall(type, i, isCastHere, end);
             }
         }
         return Assemble(m_Code, m_Functions);
@@ -125,6 +151,29 @@ public:
 
 private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    /// `(float3x3)n` becomes `limn_float3x3(n)`.
+    void SpellCall(const MatrixType& type, std::size_t index, bool isCastHere, std::size_t end)
+    {
+        if (!isCastHere)
+        {
+            m_Code.Spelling(index) = Function(type);
+            return;
+        }
+        m_Code.Erase(index - 1, index + 2);
+        m_Code.Spelling(index - 1) = " " + Function(type) + "(";
+        m_Code.Spelling(end - 1) += ")";
+    }
+
+    /// `(float3x3)n` becomes `(float3x3)(1.0 * (n))`.
+    void SpellInitial(const MatrixType& type, std::size_t bracket, std::size_t end)
+    {
+        if (type.scalar == "float")
+        {
+            m_Code.Spelling(bracket) += Text(bracket) == ")" ? "(1.0 * (" : "1.0 * (";
+            m_Code.Spelling(end - 1) += Text(bracket) == ")" ? "))" : ")";
+        }
+    }
 
     std::string Function(const MatrixType& type)
     {
@@ -189,6 +238,8 @@ private:
     }
 
     HlslEditor m_Code;
+    InitializerScope m_Scope;
+    bool m_IsInitial = false;
     std::set<std::string> m_Known;
     std::string m_Functions;
 };
@@ -261,11 +312,13 @@ public:
 
     std::string Spell()
     {
-        for (std::size_t i = 2; i < m_Code.size(); ++i)
+        InitializerScope scope(m_Code);
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            if (Text(i)[0] == '_' && Text(i - 1) == ".")
+            const bool isInitial = scope.isInitial(i);
+            if (Text(i)[0] == '_' && i > 1 && Text(i - 1) == ".")
             {
-                SpellSwizzle(i);
+                SpellSwizzle(i, isInitial);
             }
         }
         return Assemble(m_Code, m_Functions);
@@ -275,7 +328,7 @@ private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
 
     /// `M._m03_m13.yx` becomes `limn_m13_m03(M)`, but for the left side of `=`.
-    void SpellSwizzle(std::size_t index)
+    void SpellSwizzle(std::size_t index, bool isInitial)
     {
         std::vector<std::string_view> elements = MatrixElements(Text(index));
         const std::string_view next = Text(index + 1);
@@ -295,6 +348,12 @@ private:
         {
             return;
         }
+        const std::size_t first = FirstOfOperand(index - 2);
+        if (isInitial)
+        {
+            SpellEach(elements, first, index - 1, last);
+            return;
+        }
         std::string function = "limn";
         for (const std::string_view element : elements)
         {
@@ -307,7 +366,23 @@ private:
         m_Code.Erase(index - 1, last + 1);
         m_Code.Spelling(last) = ")";
         // The preprocessor leaves no blank between `return` and a bracket.
-        m_Code.Spelling(FirstOfOperand(index - 2)).insert(0, " " + function + "(");
+        m_Code.Spelling(first).insert(0, " " + function + "(");
+    }
+
+    /// `float2(M._m13, M._m03)`
+    void SpellEach(const std::vector<std::string_view>& elements, std::size_t first,
+                   std::size_t dot, std::size_t last)
+    {
+        const std::string operand(m_Code.Span(first, dot));
+        std::string values;
+        for (const std::string_view element : elements)
+        {
+            values.append(values.empty() ? "" : ", ").append(operand).append(".").append(element);
+        }
+        m_Code.Erase(first, last + 1);
+        m_Code.Spelling(first) =
+            elements.size() > 1 ? "float" + std::to_string(elements.size()) + "(" + values + ")"
+                                : values;
     }
 
     /// Where the operand of `.` begins that ends at a token: `a.b[i]`, `f(x)`, `(x)`.

@@ -1,6 +1,7 @@
 #include "hlsl/rewrites/Spelling.h"
 
 #include "hlsl/Editor.h"
+#include "hlsl/rewrites/Enums.h"
 #include "hlsl/rewrites/Initializers.h"
 #include "hlsl/rewrites/Loops.h"
 #include "hlsl/rewrites/Matrices.h"
@@ -170,6 +171,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
                               std::vector<Diagnostic>& warnings)
 {
     text = TakeOldForms(std::move(text), warnings);
+    text = SpellEnums(std::move(text));
     text = CopyBaseMembers(std::move(text));
     text = GroupInitializers(std::move(text));
     text = TakeUniformParameters(

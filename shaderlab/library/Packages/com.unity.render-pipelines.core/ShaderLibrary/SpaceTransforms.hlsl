@@ -116,14 +116,20 @@ float3 TransformTangentToWorldDir(float3 v, float3x3 tangentToWorld, bool doNorm
 {
     return TransformTangentToWorld(v, tangentToWorld, doNormalize);
 }
-// Exact for an orthonormal frame
+// The inverse of TransformTangentToWorld for an orthonormal frame
 float3 TransformWorldToTangentDir(float3 v, float3x3 tangentToWorld, bool doNormalize = false)
 {
     return limn_NormalizeIf(mul(tangentToWorld, v), doNormalize);
 }
+// The inverse of TransformTangentToWorld for any frame that has one, as interpolated ones need it
 float3 TransformWorldToTangent(float3 v, float3x3 tangentToWorld, bool doNormalize = true)
 {
-    return TransformWorldToTangentDir(v, tangentToWorld, doNormalize);
+    float3 t = tangentToWorld[0];
+    float3 b = tangentToWorld[1];
+    float3 n = tangentToWorld[2];
+    float3 scaled = float3(dot(cross(b, n), v), dot(cross(n, t), v), dot(cross(t, b), v));
+    float determinant = dot(t, cross(b, n)); // Cramer's rule
+    return doNormalize ? SafeNormalize(determinant < 0.0 ? -scaled : scaled) : scaled / determinant;
 }
 float3 TransformTangentToObject(float3 v, float3x3 tangentToWorld)
 {

@@ -41,14 +41,23 @@ float3 SampleSHPixel(float3 L2Term, float3 normalWS)
 #define OUTPUT_LIGHTMAP_UV(lightmapUV, lightmapScaleOffset, OUT)
 #define OUTPUT_SH(normalWS, OUT) OUT.xyz = SampleSHVertex(normalWS)
 #define OUTPUT_SH4(absolutePositionWS, normalWS, viewDir, OUT) OUTPUT_SH(normalWS, OUT)
+#if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
+[limn_Lacks("light maps", "the ambient light stands in for them")]
+float3 limn_AmbientForLightmap(float3 ambient) { return ambient; }
+#define SAMPLE_GI(lmName, shName, normalWSName) \
+    limn_AmbientForLightmap(SampleSHPixel(shName, normalWSName))
+#else
 #define SAMPLE_GI(lmName, shName, normalWSName) SampleSHPixel(shName, normalWSName)
+#endif
 
-float3 SampleLightmap(float2 staticLightmapUV, float3 normalWS) { return float3(0, 0, 0); }
+[limn_Lacks("light maps", "they are white")]
+float3 SampleLightmap(float2 staticLightmapUV, float3 normalWS) { return float3(1, 1, 1); }
 float3 SampleLightmap(float2 staticLightmapUV, float2 dynamicLightmapUV, float3 normalWS)
 {
-    return float3(0, 0, 0);
+    return SampleLightmap(staticLightmapUV, normalWS);
 }
 
+[limn_Lacks("reflection probes", "the ambient light is what is reflected")]
 float3 GlossyEnvironmentReflection(float3 reflectVector, float perceptualRoughness, float occlusion)
 {
     return SampleSH(reflectVector) * occlusion;

@@ -54,6 +54,13 @@ cbuffer AdditionalLights
     float4 _SubtractiveShadowColor;
 };
 
+// The rendering layers that lights reach, for _LIGHT_LAYERS.
+cbuffer limn_LightLayers
+{
+    uint _MainLightLayerMask;
+    uint _AdditionalLightsLayerMasks[MAX_VISIBLE_LIGHTS];
+};
+
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityInput.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl"

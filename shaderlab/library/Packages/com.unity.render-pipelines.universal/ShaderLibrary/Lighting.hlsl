@@ -105,9 +105,9 @@ LightingData CreateLightingData(InputData inputData, SurfaceData surfaceData)
 }
 float3 CalculateLightingColor(LightingData lightingData, float3 albedo)
 {
-    float3 light = lightingData.mainLightColor + lightingData.additionalLightsColor +
-                   lightingData.vertexLightingColor;
-    return lightingData.giColor + light * albedo + lightingData.emissionColor;
+    float3 light = lightingData.giColor + lightingData.mainLightColor +
+                   lightingData.additionalLightsColor + lightingData.vertexLightingColor;
+    return light * albedo + lightingData.emissionColor;
 }
 float4 CalculateFinalColor(LightingData lightingData, float alpha)
 {
@@ -123,6 +123,9 @@ float3 CalculateBlinnPhong(Light light, InputData inputData, SurfaceData surface
     float3 arriving = light.color * (light.distanceAttenuation * light.shadowAttenuation);
     float3 color =
         LightingLambert(arriving, light.direction, inputData.normalWS) * surfaceData.albedo;
+#ifdef _ALPHAPREMULTIPLY_ON
+    color *= surfaceData.alpha; // a highlight lies on the surface, however clear that is
+#endif
 #if defined(_SPECGLOSSMAP) || defined(_SPECULAR_COLOR)
     float exponent = exp2(10.0 * surfaceData.smoothness + 1.0);
     float4 specular = float4(surfaceData.specular, 1.0);

@@ -43,7 +43,11 @@ Light GetMainLight()
     light.color = _MainLightColor.rgb;
     light.distanceAttenuation = 1.0;
     light.shadowAttenuation = 1.0;
+#ifdef _LIGHT_LAYERS
+    light.layerMask = _MainLightLayerMask;
+#else
     light.layerMask = 0xFFFFFFFFu;
+#endif
     return light;
 }
 Light GetMainLight(float4 shadowCoord)
@@ -57,7 +61,9 @@ Light GetMainLight(float4 shadowCoord, float3 positionWS, float4 shadowMask)
     Light light = GetMainLight();
     light.shadowAttenuation =
         MainLightShadow(shadowCoord, positionWS, shadowMask, _MainLightOcclusionProbes);
+#ifdef _LIGHT_COOKIES
     light.color *= SampleMainLightCookie(positionWS);
+#endif
     return light;
 }
 Light GetMainLight(InputData inputData, float4 shadowMask, AmbientOcclusionFactor aoFactor)
@@ -85,7 +91,11 @@ Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
         AngleAttenuation(_AdditionalLightsSpotDir[perObjectLightIndex].xyz, light.direction,
                          attenuation.zw);
     light.shadowAttenuation = 1.0;
+#ifdef _LIGHT_LAYERS
+    light.layerMask = _AdditionalLightsLayerMasks[perObjectLightIndex];
+#else
     light.layerMask = 0xFFFFFFFFu;
+#endif
     return light;
 }
 
@@ -103,7 +113,9 @@ Light GetAdditionalLight(uint i, float3 positionWS, float4 shadowMask)
     light.shadowAttenuation =
         AdditionalLightShadow(index, positionWS, light.direction, shadowMask,
                               _AdditionalLightsOcclusionProbes[index]);
+#ifdef _LIGHT_COOKIES
     light.color *= SampleAdditionalLightCookie(index, positionWS);
+#endif
     return light;
 }
 Light GetAdditionalLight(uint i, InputData inputData, float4 shadowMask,

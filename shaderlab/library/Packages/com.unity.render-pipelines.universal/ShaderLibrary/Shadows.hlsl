@@ -19,6 +19,11 @@
 #endif
 #endif
 
+// What is transparent is not in the picture of shadows that the screen has: it looks into the map.
+#if defined(_MAIN_LIGHT_SHADOWS_SCREEN) && !defined(_SURFACE_TYPE_TRANSPARENT)
+#define limn_ShadowsOfScreen
+#endif
+
 #define SHADOWMASK_NAME unity_ShadowMask
 #define SHADOWMASK_SAMPLER_NAME samplerunity_ShadowMask
 #define SAMPLE_SHADOWMASK(uv) float4(1, 1, 1, 1)
@@ -152,20 +157,20 @@ float ComputeCascadeIndex(float3 positionWS)
 }
 float4 TransformWorldToShadowCoord(float3 positionWS)
 {
-#ifdef _MAIN_LIGHT_SHADOWS_SCREEN
+#ifdef limn_ShadowsOfScreen
     return ComputeScreenPos(TransformWorldToHClip(positionWS));
 #elif defined(_MAIN_LIGHT_SHADOWS_CASCADE)
     uint cascade = (uint)ComputeCascadeIndex(positionWS);
 #else
     uint cascade = 0;
 #endif
-#ifndef _MAIN_LIGHT_SHADOWS_SCREEN
+#ifndef limn_ShadowsOfScreen
     return float4(mul(_MainLightWorldToShadow[cascade], float4(positionWS, 1.0)).xyz, 0.0);
 #endif
 }
 float4 GetShadowCoord(VertexPositionInputs vertexInput)
 {
-#ifdef _MAIN_LIGHT_SHADOWS_SCREEN
+#ifdef limn_ShadowsOfScreen
     return ComputeScreenPos(vertexInput.positionCS);
 #else
     return TransformWorldToShadowCoord(vertexInput.positionWS);
@@ -176,17 +181,23 @@ float MainLightRealtimeShadow(float4 shadowCoord)
 {
 #if !defined(MAIN_LIGHT_CALCULATE_SHADOWS)
     return 1.0;
-#elif defined(_MAIN_LIGHT_SHADOWS_SCREEN) && !defined(_SURFACE_TYPE_TRANSPARENT)
+#elif defined(limn_ShadowsOfScreen)
     return SampleScreenSpaceShadowmap(shadowCoord);
 #else
     return limn_SampleMainLightShadowmap(shadowCoord);
 #endif
 }
+#ifdef ADDITIONAL_LIGHT_CALCULATE_SHADOWS
+[limn_Lacks("shadows of additional lights", "they light everything")]
+#endif
 float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS, float3 lightDirection)
 {
     return 1.0;
 }
-float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS) { return 1.0; }
+float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS)
+{
+    return AdditionalLightRealtimeShadow(lightIndex, positionWS, float3(1, 0, 0));
+}
 
 // 0 near the camera, 1 where shadows end.
 float GetMainLightShadowFade(float3 positionWS)
@@ -221,7 +232,7 @@ float MainLightShadow(float4 shadowCoord, float3 positionWS, float4 shadowMask,
 float AdditionalLightShadow(int lightIndex, float3 positionWS, float3 lightDirection,
                             float4 shadowMask, float4 occlusionProbeChannels)
 {
-    return 1.0;
+    return AdditionalLightRealtimeShadow(lightIndex, positionWS, lightDirection);
 }
 
 // Moves what casts a shadow away from the light, so that it does not shadow itself.

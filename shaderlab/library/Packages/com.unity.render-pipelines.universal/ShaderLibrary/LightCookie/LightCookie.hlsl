@@ -1,7 +1,9 @@
 // Lights have no cookies: they shine white through.
 #pragma once
 
+[limn_Lacks("light cookies", "lights shine white through them")]
 float3 SampleMainLightCookie(float3 samplePositionWS) { return float3(1, 1, 1); }
+[limn_Lacks("light cookies", "lights shine white through them")]
 float3 SampleAdditionalLightCookie(int perObjectLightIndex, float3 samplePositionWS)
 {
     return float3(1, 1, 1);
