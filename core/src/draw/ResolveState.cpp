@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limn/core/DrawError.h>
 #include <limn/core/Material.h>
@@ -12,8 +13,9 @@ namespace
 class StateReader
 {
 public:
-    StateReader(const Material& material, const MaterialPropertyBlock& globals)
-        : m_Material(material), m_Globals(globals)
+    StateReader(const RenderState& state, const Material& material,
+                const MaterialPropertyBlock& globals)
+        : m_State(state), m_Material(material), m_Globals(globals)
     {
     }
 
@@ -74,7 +76,24 @@ private:
     {
         throw DrawError("material '" + m_Material.name() + "', shader '" +
                         m_Material.shader()->name() + "': " + command + " [" + property +
-                        "]: the property " + what);
+                        "]: the property " + what + Place());
+    }
+
+    /// "; the pass is at toon.shader:12:9", if the state is that of a pass.
+    std::string Place() const
+    {
+        const ShaderLabDocument& document = m_Material.shader()->document();
+        const std::vector<ShaderLabPass>& passes = m_Material.shader()->subShader().passes;
+        const auto pass =
+            std::find_if(passes.begin(), passes.end(),
+                         [this](const auto& known) { return &known.state == &m_State; });
+        if (pass == passes.end())
+        {
+            return {};
+        }
+        const std::string file = pass->program ? pass->program->file : document.file;
+        return "; the pass is at " + file + ":" + std::to_string(pass->location.line) + ":" +
+               std::to_string(pass->location.column);
     }
 
     static std::string Text(double number)
@@ -84,6 +103,7 @@ private:
                    : std::to_string(number);
     }
 
+    const RenderState& m_State;
     const Material& m_Material;
     const MaterialPropertyBlock& m_Globals;
 };
@@ -120,7 +140,7 @@ StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader
 PipelineState ResolveState(const RenderState& state, const Material& material,
                            const MaterialPropertyBlock& globals)
 {
-    const StateReader reader(material, globals);
+    const StateReader reader(state, material, globals);
     PipelineState result;
     result.cull = reader.Read(state.cull, "Cull", 0, static_cast<int>(CullMode::Back));
     result.zTest = reader.Read(state.zTest, "ZTest", 0, k_MaxCompare);

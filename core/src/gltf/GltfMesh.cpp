@@ -2,10 +2,10 @@
 
 #include "gltf/Collector.h"
 #include "mesh/MeshProblems.h"
-#include "texture/ReadFileBytes.h"
 #include <algorithm>
 #include <cstdio>
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/ReadFile.h>
 #include <string_view>
 #include <tiny_gltf.h>
 #include <utility>
@@ -108,19 +108,67 @@ void CheckLevels(const std::filesystem::path& path, std::string_view file, bool 
                          " levels deep; glTF needs less than ten");
 }
 
-tinygltf::Model ParseFile(const std::filesystem::path& path)
+/// Reads the files that a glTF file names, and keeps what is wrong with the last one that it could
+/// not read.
+struct ReferredFiles
 {
-    const std::vector<std::byte> bytes = ReadFileBytes(path);
+    FileRoots roots;
+    std::string problem;
+
+    bool Read(const std::filesystem::path& path, std::vector<unsigned char>& bytes)
+    {
+        FileContent content;
+        content.problem = "it lies outside the folders that references may lead into";
+        if (roots.Contains(path))
+        {
+            content = TryReadFile(path, k_MaxDataBytes);
+        }
+        bytes.assign(content.bytes.begin(), content.bytes.end());
+        if (!content.isRead())
+        {
+            problem = "buffer '" + path.filename().string() + "': " + content.problem;
+        }
+        return content.isRead();
+    }
+
+    tinygltf::FsCallbacks Callbacks()
+    {
+        tinygltf::FsCallbacks callbacks{};
+        // Whatever is wrong with the file beside this one: none of the working directory counts.
+        callbacks.FileExists = [](const std::string&, void*)
+        {
+            return true;
+        };
+        callbacks.ExpandFilePath = [](const std::string& path, void*)
+        {
+            return path;
+        };
+        callbacks.ReadWholeFile =
+            [](std::vector<unsigned char>* out, std::string*, const std::string& path, void* files)
+        {
+            return static_cast<ReferredFiles*>(files)->Read(path, *out);
+        };
+        callbacks.user_data = this;
+        return callbacks;
+    }
+};
+
+tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& roots)
+{
+    const std::string bytes = ReadFile(path, k_MaxDataBytes);
     if (bytes.empty())
     {
         throw AssetError(path.string(), {}, "is empty; a glTF 2.0 file is expected");
     }
-    const auto* text = reinterpret_cast<const char*>(bytes.data());
+    const char* text = bytes.data();
     const auto length = static_cast<unsigned int>(bytes.size());
     const bool isBinary = std::string_view(text, bytes.size()).substr(0, 4) == "glTF";
 
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(SkipImage, nullptr);
+    ReferredFiles files{roots, {}};
+    files.roots.Add(path.parent_path());
+    parser.SetFsCallbacks(files.Callbacks());
     tinygltf::Model model;
     std::string error;
     std::string warning;
@@ -133,7 +181,9 @@ tinygltf::Model ParseFile(const std::filesystem::path& path)
                  : parser.LoadASCIIFromString(&model, &error, &warning, text, length, folder);
     if (!parsed)
     {
-        throw ParseFailure(path, error);
+        // The parser's own words for a file that cannot be read.
+        const bool isOfFile = error.find("File read error") != std::string::npos;
+        throw isOfFile ? AssetError(path.string(), {}, files.problem) : ParseFailure(path, error);
     }
     return model;
 }
@@ -171,9 +221,9 @@ void ThrowIfAny(const std::filesystem::path& path, const std::vector<std::string
 
 } // namespace
 
-std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path)
+std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path, const FileRoots& roots)
 {
-    const tinygltf::Model model = ParseFile(path);
+    const tinygltf::Model model = ParseFile(path, roots);
     ThrowIfAny(path, FileProblems(model));
     GltfCollector collector(model);
     collector.CollectAll();

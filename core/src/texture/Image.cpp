@@ -1,7 +1,7 @@
 #include <limn/core/Image.h>
 
-#include "texture/ReadFileBytes.h"
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/WriteFile.h>
 #include <png.h>
 #include <string>
@@ -61,6 +61,28 @@ void RequireWholeImage(const Image& image)
     }
 }
 
+constexpr png_uint_32 k_MaxSide = 16384; // of textures, on every device worth the name
+
+/// Why a picture of the header's size is not made; "" if it is. Memory is taken by what the file
+/// can hold, not by what it says: deflate makes at most 1032 bytes of one.
+std::string SizeProblem(const png_image& header, std::string_view file)
+{
+    const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
+    if (header.width > k_MaxSide || header.height > k_MaxSide)
+    {
+        return "is " + size + "; at most " + std::to_string(k_MaxSide) + " either way is read";
+    }
+    constexpr std::uint64_t maxRatio = 1032;
+    constexpr std::uint64_t channels[] = {1, 0, 3, 1, 2, 0, 4}; // by the header's colour type
+    const auto depth = static_cast<unsigned char>(file[24]);
+    const auto type = static_cast<std::size_t>(file[25]);
+    const std::uint64_t bits = std::uint64_t{header.width} * header.height * depth * channels[type];
+    return bits / 8 > maxRatio * file.size()
+               ? "is no readable PNG: a file of " + std::to_string(file.size()) +
+                     " bytes cannot hold its picture of " + size
+               : std::string();
+}
+
 } // namespace
 
 std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
@@ -109,7 +131,7 @@ void WritePng(const std::filesystem::path& path, const Image& image)
 
 Image ReadPng(const std::filesystem::path& path)
 {
-    const std::vector<std::byte> bytes = ReadFileBytes(path);
+    const std::string bytes = ReadFile(path, k_MaxDataBytes);
     PngImage png;
     const auto fail = [&]
     {
@@ -119,6 +141,10 @@ Image ReadPng(const std::filesystem::path& path)
     if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0)
     {
         throw fail();
+    }
+    if (std::string problem = SizeProblem(*png.get(), bytes); !problem.empty())
+    {
+        throw AssetError(path.string(), {}, std::move(problem));
     }
     png->format = PNG_FORMAT_RGBA;
     // Without this, libpng takes a 16-bit file that does not state its gamma for linear.

@@ -4,6 +4,7 @@
 #include "scene/MaterialReader.h"
 #include "scene/ProfileContext.h"
 #include "shaders/ShaderFolders.h"
+#include "unity/UnityProject.h"
 
 #include <algorithm>
 #include <limn/core/GltfMesh.h>
@@ -69,9 +70,23 @@ std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 } // namespace
 
 AssetContext::AssetContext(ShaderCompilerOptions options)
-    : m_Compiler(std::make_shared<ShaderCompiler>(std::move(options)))
 {
+    for (const std::filesystem::path& folder : options.includeFolders)
+    {
+        m_Roots.Add(folder);
+    }
+    m_Compiler = std::make_shared<ShaderCompiler>(std::move(options));
     RegisterFeatures(m_Features, m_VolumeComponents);
+}
+
+void AssetContext::AddRootsAround(const std::filesystem::path& file)
+{
+    m_Roots.Add(file.parent_path());
+    const std::filesystem::path project = UnityProjectAround(file);
+    if (!project.empty())
+    {
+        m_Roots.Add(project);
+    }
 }
 
 std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)
@@ -125,7 +140,7 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
             Reach(buffer);
             m_MeshesOfBuffers[buffer].insert(normal);
         }
-        return LoadGltfMesh(normal);
+        return LoadGltfMesh(normal, m_Roots);
     };
     return Cached(m_Meshes, normal, load);
 }

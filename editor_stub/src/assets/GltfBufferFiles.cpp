@@ -1,7 +1,7 @@
 #include "assets/GltfBufferFiles.h"
 
 #include <charconv>
-#include <fstream>
+#include <limn/shaderlab/ReadFile.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -32,8 +32,8 @@ std::string DecodeUri(std::string_view uri)
 std::set<std::filesystem::path> GltfBufferFiles(const std::filesystem::path& path)
 {
     std::set<std::filesystem::path> files;
-    std::ifstream stream(path, std::ios::binary);
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    const auto json =
+        nlohmann::json::parse(TryReadFile(path, k_MaxDataBytes).bytes, nullptr, false);
     if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array())
     {
         return files;

@@ -7,9 +7,13 @@ namespace limn
 {
 
 References::References(AssetContext& assets, std::vector<std::filesystem::path> folders,
-                       AssetDiagnostics& diagnostics)
-    : m_Assets(assets), m_Folders(std::move(folders)), m_Diagnostics(diagnostics)
+                       AssetDiagnostics& diagnostics, ReferenceScope scope)
+    : m_Assets(assets), m_Folders(std::move(folders)), m_Diagnostics(diagnostics), m_Scope(scope)
 {
+    for (const std::filesystem::path& folder : m_Folders)
+    {
+        m_OwnRoots.Add(folder);
+    }
 }
 
 std::filesystem::path References::Resolve(const std::string& text) const
@@ -23,6 +27,24 @@ std::filesystem::path References::Resolve(const std::string& text) const
         }
     }
     return m_Folders.empty() ? std::filesystem::path(text) : m_Folders.front() / text;
+}
+
+bool References::isAllowed(const std::filesystem::path& path, const YamlNode& node,
+                           std::string_view subject)
+{
+    if (m_Scope == ReferenceScope::Anywhere)
+    {
+        m_Assets.AddRootsAround(path);
+        return true;
+    }
+    const bool isInside = m_OwnRoots.Contains(path) || m_Assets.roots().Contains(path);
+    if (!isInside)
+    {
+        const std::string which = node.isScalar() ? "'" + node.scalar() + "'" : "the file";
+        m_Diagnostics.Error(node.location(),
+                            std::string(subject) + ": " + which + " " + k_OutsideRoots);
+    }
+    return isInside;
 }
 
 std::shared_ptr<const Shader> References::ReadShader(const YamlNode& node,

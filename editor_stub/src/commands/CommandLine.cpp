@@ -126,6 +126,15 @@ std::map<std::string, std::string> ToPackages(const std::vector<std::string>& te
     return packages;
 }
 
+void AddRootOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--root", line.roots,
+                    "Let references and includes lead into this folder too, not only into the "
+                    "file's own and the Unity project around it")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void AddPackageOption(CLI::App& verb, CommandLine& line)
 {
     verb.add_option("--package", line.packages,
@@ -190,6 +199,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     return verb;
 }
 
@@ -241,6 +251,7 @@ void AddInspect(CLI::App& app, CommandLine& line)
         ->type_name("SCENE|PROFILE")
         ->required();
     verb->add_flag("--json", line.inspect.json, "Print JSON");
+    AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunInspect(line.inspect, console); });
 }
 
@@ -278,6 +289,7 @@ void AddShader(CLI::App& app, CommandLine& line)
                    "Print {files: [...], summary: {...}}: what was parsed, compiled, refused")
         ->excludes(print);
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunShader(line.shader, console); });
 }
 
@@ -294,6 +306,7 @@ void AddExplain(CLI::App& app, CommandLine& line)
         ->type_name("NAME");
     verb->add_flag("--json", options.json, "As JSON");
     AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunExplain(line.explain, console); });
 }
 
@@ -430,6 +443,10 @@ void FinishOptions(CommandLine& line)
     line.render.packages = ToPackages(line.packages);
     line.shader.packages = line.render.packages;
     line.explain.packages = line.render.packages;
+    line.render.roots = line.roots;
+    line.shader.roots = line.roots;
+    line.explain.roots = line.roots;
+    line.inspect.roots = line.roots;
 }
 
 } // namespace limn

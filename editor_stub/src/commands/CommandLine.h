@@ -35,6 +35,7 @@ struct CommandLine
     bool isQuiet = false;
     bool isVerbose = false;
     std::vector<std::string> packages;
+    std::vector<std::string> roots;
     std::function<int(Console&)> run; ///< the verb that was chosen, once it was parsed
 };
 

@@ -122,6 +122,7 @@ int RunExplain(const ExplainOptions& options, Console& console)
     RenderOptions rendering;
     rendering.scene = options.scene;
     rendering.packages = options.packages;
+    rendering.roots = options.roots;
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);
@@ -132,7 +133,8 @@ int RunExplain(const ExplainOptions& options, Console& console)
     }
     if (options.json)
     {
-        console.out() << ToJson(explanation).dump(2) << '\n';
+        console.out() << ToJson(explanation).dump(2, ' ', false, Json::error_handler_t::replace)
+                      << '\n';
         return static_cast<int>(ExitCode::Done);
     }
     console.out() << (!options.object.empty()

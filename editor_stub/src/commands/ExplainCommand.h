@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace limn
 {
@@ -15,6 +16,7 @@ struct ExplainOptions
     std::string object; ///< "": all
     bool json = false;
     std::map<std::string, std::string> packages;
+    std::vector<std::string> roots;
 };
 
 /// Says what a scene's frame draws and why: volume values, passes, textures, variants, objects.

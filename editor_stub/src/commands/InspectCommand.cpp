@@ -45,9 +45,13 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
     return report;
 }
 
-InspectReport Inspect(const std::string& file, Console& console)
+InspectReport Inspect(const InspectOptions& options, Console& console)
 {
-    AssetContext assets;
+    const std::string& file = options.file;
+    ShaderCompilerOptions compilerOptions;
+    compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
+    AssetContext assets(std::move(compilerOptions));
+    assets.AddRootsAround(file);
     const std::string text = ReadYamlText(file);
     const bool isUnity = IsUnityAsset(text);
     const std::vector<YamlNode> documents =
@@ -78,7 +82,7 @@ InspectReport Inspect(const std::string& file, Console& console)
 int RunInspect(const InspectOptions& options, Console& console)
 {
     RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
-    const InspectReport report = Inspect(options.file, console);
+    const InspectReport report = Inspect(options, console);
     console.out() << (options.json ? ToJson(report) + "\n" : SeveralLines(ToText(report)));
     return static_cast<int>(ExitCode::Done);
 }

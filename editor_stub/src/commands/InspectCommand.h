@@ -3,6 +3,7 @@
 #include "console/Console.h"
 
 #include <string>
+#include <vector>
 
 namespace limn
 {
@@ -12,6 +13,7 @@ struct InspectOptions
 {
     std::string file; ///< a scene, a profile or a renderer asset, told by its content
     bool json = false;
+    std::vector<std::string> roots;
 };
 
 /// Prints what the file sets: the parameters of volumes' components and the settings of features,

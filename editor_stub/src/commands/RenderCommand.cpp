@@ -1,6 +1,7 @@
 #include "commands/RenderCommand.h"
 
 #include "assets/FileKind.h"
+#include "assets/OutputFiles.h"
 #include "reports/RenderReports.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
@@ -124,6 +125,8 @@ int RunRender(const RenderOptions& options, Console& console)
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
+    const std::string outputs[] = {options.output, options.statsFile, options.traceFile};
+    RequireOwnFiles(outputs, assets.reachedFiles());
 
     console.Verbose(device->ChoiceSentence());
     measurements.device = device->deviceName();

@@ -138,6 +138,18 @@ ExitCode ExitCodeOf(Console& console)
     return ExitCode::Bug;
 }
 
+/// Results that did not all go out are as good as none.
+int CheckResults(int exitCode, Console& console)
+{
+    if (console.out().flush())
+    {
+        return exitCode;
+    }
+    console.Error("the results cannot be written to standard output: its disk is full, or nobody "
+                  "reads it");
+    return static_cast<int>(ExitCode::MachineLacksIt);
+}
+
 } // namespace
 
 int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& err)
@@ -145,7 +157,7 @@ int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& 
     Console console(out, err);
     try
     {
-        return ParseAndRun(args, console);
+        return CheckResults(ParseAndRun(args, console), console);
     }
     catch (...)
     {

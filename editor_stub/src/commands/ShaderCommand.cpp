@@ -25,12 +25,19 @@ namespace limn
 namespace
 {
 
+/// False for what cannot be looked at as well: who reads it says why.
+bool isFolder(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
 std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& paths)
 {
     std::vector<std::filesystem::path> files;
     for (const std::string& path : paths)
     {
-        if (!std::filesystem::is_directory(path))
+        if (!isFolder(path))
         {
             files.emplace_back(path);
             continue;
@@ -52,7 +59,7 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
     for (const std::string& path : paths)
     {
         std::filesystem::path folder(path);
-        folder = std::filesystem::is_directory(folder) ? folder : FolderOfShaders(folder);
+        folder = isFolder(folder) ? folder : FolderOfShaders(folder);
         if (std::find(folders.begin(), folders.end(), folder) == folders.end())
         {
             folders.push_back(std::move(folder));
@@ -72,6 +79,7 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
     compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
     compilerOptions.isIsolated = true; // one shader that the compiler crashes on ends only itself
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
+    compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
 }
 

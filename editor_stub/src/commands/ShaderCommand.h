@@ -22,6 +22,7 @@ struct ShaderOptions
     bool print = false;    ///< the files as canonical text, nothing else
     bool json = false;
     std::map<std::string, std::string> packages;
+    std::vector<std::string> roots;
 };
 
 /// Checks ShaderLab files and describes them.

@@ -1,7 +1,9 @@
 #include "console/Console.h"
 
 #include <fstream>
+#include <iostream>
 #include <iterator>
+#include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/TerminalText.h>
 #include <map>
 
@@ -103,8 +105,7 @@ void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
         const auto [entry, isNew] = texts.try_emplace(diagnostic.file);
         if (isNew)
         {
-            std::ifstream stream(diagnostic.file, std::ios::binary);
-            entry->second.assign(std::istreambuf_iterator<char>(stream), {});
+            entry->second = TryReadFile(diagnostic.file).bytes;
         }
         Print(diagnostic, ToStringWithSource(diagnostic, entry->second));
     }

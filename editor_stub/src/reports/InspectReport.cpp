@@ -232,7 +232,7 @@ std::string ToJson(const InspectReport& report)
     if (report.kind == "profile")
     {
         json["components"] = ComponentsAsJson(report.volumes.at(0));
-        return json.dump(2);
+        return json.dump(2, ' ', false, Json::error_handler_t::replace);
     }
     if (report.kind == "scene")
     {
@@ -247,7 +247,7 @@ std::string ToJson(const InspectReport& report)
     {
         json["features"].push_back(AsJson(feature, "settings"));
     }
-    return json.dump(2);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace limn

@@ -27,7 +27,8 @@ void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnos
     if (map.Read("lookAt", target))
     {
         const glm::vec3 forward = target - camera.transform.localPosition;
-        if (forward == glm::vec3(0.0f))
+        const bool hasDirection = glm::dot(forward, forward) > 0.0f; // not so close that it is 0
+        if (!hasDirection)
         {
             diagnostics.Error(lookAt->location(),
                               "camera.lookAt: this is the camera's own position; a point in front "

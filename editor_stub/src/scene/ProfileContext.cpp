@@ -1,5 +1,7 @@
 #include "scene/ProfileContext.h"
 
+#include "assets/References.h"
+
 namespace limn
 {
 
@@ -49,6 +51,13 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
         throw AssetError(file.generic_string(), {},
                          std::string("is no ") + noun + "; a " + std::string(extension) +
                              " file is expected");
+    }
+    // What a person typed, in no file, leads anywhere.
+    FileRoots own;
+    own.Add(m_Profile.parent_path());
+    if (!m_Profile.empty() && !own.Contains(file) && !m_Assets.roots().Contains(file))
+    {
+        throw AssetError(file.generic_string(), {}, k_OutsideRoots);
     }
     m_HasLoaded = true;
     return {load(file), {}};

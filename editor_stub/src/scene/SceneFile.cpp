@@ -127,6 +127,7 @@ void ReadTransform(YamlMapReader& map, Transform& transform, AssetDiagnostics& d
 SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets)
 {
     assets.Reach(path);
+    assets.AddRootsAround(path);
     const std::vector<YamlNode> documents = LoadYamlFile(path);
     AssetDiagnostics diagnostics(path.generic_string());
     References references(assets, {path.parent_path()}, diagnostics);

@@ -132,6 +132,16 @@ void ReadProfile(YamlMapReader& map, Volume& volume, SceneLoader& loader)
         return;
     }
     References& references = loader.references;
+    const std::string extension = std::filesystem::path(node->scalar()).extension().string();
+    if (node->isScalar() && extension != ".yaml" && extension != ".yml" && extension != ".asset")
+    {
+        // Any other file would be printed line by line, as so many unknown components.
+        loader.diagnostics.Error(node->location(),
+                                 map.SubjectOf("profile") + ": '" + node->scalar() +
+                                     "' is no profile; a .profile.yaml file, or Unity's .asset, "
+                                     "is expected");
+        return;
+    }
     const auto load = [&references, &loader](const std::filesystem::path& path)
     {
         return references.assets().LoadProfile(path, loader.asset.layers);

@@ -64,6 +64,10 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
     std::error_code ignored;
     if (path && std::filesystem::exists(*path, ignored))
     {
+        if (!loading.references.isAllowed(*path, node, subject))
+        {
+            return nullptr;
+        }
         try
         {
             return loading.assets.LoadShader(*path);
@@ -229,6 +233,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                                                   AssetContext& assets)
 {
     assets.Reach(path);
+    assets.AddRootsAround(path); // it refers to files by guid, anywhere in its project
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<UnityObject> root = asset.FindWithField("m_RendererFeatures");

@@ -1,6 +1,7 @@
 #include "unity/UnityProject.h"
 
-#include <fstream>
+#include <limn/shaderlab/ReadFile.h>
+#include <sstream>
 
 namespace limn
 {
@@ -9,21 +10,6 @@ namespace
 {
 
 constexpr std::string_view k_GuidKey = "guid: ";
-
-std::filesystem::path FindRoot(const std::filesystem::path& asset)
-{
-    std::error_code ignored;
-    std::filesystem::path folder = std::filesystem::absolute(asset, ignored).parent_path();
-    while (!std::filesystem::is_directory(folder / "Assets", ignored))
-    {
-        if (folder == folder.parent_path())
-        {
-            return {};
-        }
-        folder = folder.parent_path();
-    }
-    return folder;
-}
 
 bool IsReferredTo(const std::filesystem::path& path)
 {
@@ -35,7 +21,7 @@ bool IsReferredTo(const std::filesystem::path& path)
 /// The guid a .meta file gives; "" if it gives none.
 std::string ReadGuid(const std::filesystem::path& metaFile)
 {
-    std::ifstream stream(metaFile);
+    std::istringstream stream(TryReadFile(metaFile).bytes);
     std::string line;
     while (std::getline(stream, line))
     {
@@ -50,7 +36,22 @@ std::string ReadGuid(const std::filesystem::path& metaFile)
 
 } // namespace
 
-UnityProject::UnityProject(const std::filesystem::path& asset) : m_Root(FindRoot(asset))
+std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
+    while (!std::filesystem::is_directory(folder / "Assets", ignored))
+    {
+        if (folder == folder.parent_path())
+        {
+            return {};
+        }
+        folder = folder.parent_path();
+    }
+    return folder;
+}
+
+UnityProject::UnityProject(const std::filesystem::path& asset) : m_Root(UnityProjectAround(asset))
 {
     if (!m_Root.empty())
     {

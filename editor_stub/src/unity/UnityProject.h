@@ -9,12 +9,14 @@
 namespace limn
 {
 
+/// The nearest folder above a file that has an Assets folder; "" if there is none.
+std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
+
 /// The scripts, shaders, textures and materials of the Unity project around an asset, by guid.
 class UnityProject
 {
 public:
-    /// The project is the nearest folder above `asset` with an Assets folder; without one it is
-    /// empty.
+    /// The one around `asset`; without one it is empty.
     explicit UnityProject(const std::filesystem::path& asset);
 
     /// The path that a .meta file of a .cs, .shader, .png or .mat file belongs to, whether that

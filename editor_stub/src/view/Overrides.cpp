@@ -88,7 +88,8 @@ public:
     {
         const Override change = Parse(text);
         AssetDiagnostics diagnostics(change.text);
-        References references(m_Assets, SearchFolders(m_Asset), diagnostics);
+        References references(m_Assets, SearchFolders(m_Asset), diagnostics,
+                              ReferenceScope::Anywhere);
         if (m_Assets.volumeComponents().Find(change.name))
         {
             SetParameter(change, diagnostics);
@@ -254,6 +255,7 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
     const References references(assets, SearchFolders(asset), diagnostics);
     const std::filesystem::path path = references.Resolve(file);
     RequireKind(path, {FileKind::Profile}, "--profile");
+    assets.AddRootsAround(path);
     const VolumeProfileLoadResult& result = assets.LoadProfile(path, asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;

@@ -1,5 +1,6 @@
 #include "view/Redrawer.h"
 
+#include "assets/OutputFiles.h"
 #include "shaders/UsedShaders.h"
 
 #include <cmath>
@@ -98,6 +99,7 @@ void Redrawer::LoadScene()
 
 void Redrawer::Draw(Clock::time_point start)
 {
+    RequireOwnFiles({&m_Options.output, 1}, m_Assets.reachedFiles());
     const RenderResult result = m_View->Render(m_Pipeline, m_Options.time);
     Image image = m_Device.ReadBack(*result.output.rt());
     MakeOpaque(image);

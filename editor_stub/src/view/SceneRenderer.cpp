@@ -62,6 +62,13 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
 void ReadRendererData(const YamlNode& node, SceneLoader& loader)
 {
     References& references = loader.references;
+    if (node.isScalar() && std::filesystem::path(node.scalar()).extension() != ".asset")
+    {
+        loader.diagnostics.Error(node.location(),
+                                 "renderer.rendererData: '" + node.scalar() +
+                                     "' is no renderer of Unity's; an .asset file is expected");
+        return;
+    }
     const auto load = [&references](const std::filesystem::path& path)
     {
         return LoadUnityRendererData(path, references.assets());

@@ -41,6 +41,7 @@ ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Consol
     result.cacheFolder = ChooseCacheFolder(options, console);
     result.cacheLimit = CacheLimit(result.cacheLimit);
     result.packages.insert(options.packages.begin(), options.packages.end());
+    result.includeFolders.assign(options.roots.begin(), options.roots.end());
     return result;
 }
 

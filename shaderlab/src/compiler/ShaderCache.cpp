@@ -1,9 +1,9 @@
 #include "compiler/ShaderCache.h"
 
 #include "text/ByteStream.h"
-#include "text/TextFile.h"
 
 #include <algorithm>
+#include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/WriteFile.h>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Magic = "limn pass 3\n";
+constexpr std::string_view k_Magic = "limn pass 4\n";
 constexpr const char* k_Extension = ".limnpass";
 
 // One description of the format serves both directions: Stream is ByteWriter or ByteReader, and the
@@ -160,8 +160,8 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
                                               std::vector<IncludeDependency>& dependencies) const
 {
     dependencies.clear();
-    const auto file = isEnabled() ? ReadTextFile(EntryPath(m_Folder, key)) : std::nullopt;
-    const auto payload = file ? Payload(*file) : std::nullopt;
+    const FileContent file = isEnabled() ? TryReadFile(EntryPath(m_Folder, key)) : FileContent();
+    const auto payload = Payload(file.bytes);
     if (!payload)
     {
         return std::nullopt;
@@ -169,6 +169,12 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
     try
     {
         ByteReader reader(*payload);
+        std::string ownKey;
+        reader.Value(ownKey);
+        if (ownKey != key)
+        {
+            return std::nullopt; // copied or renamed: the name alone does not make it this pass
+        }
         TransferDependencies(reader, dependencies);
         const bool isCurrent =
             std::all_of(dependencies.begin(), dependencies.end(),
@@ -200,6 +206,7 @@ void ShaderCache::Store(const std::string& key, const CompiledPass& pass,
         return;
     }
     ByteWriter payload;
+    payload.Value(key);
     TransferDependencies(payload, dependencies);
     TransferPass(payload, pass);
     ByteWriter hash;

@@ -1,6 +1,6 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 
-#include "text/TextFile.h"
+#include <limn/shaderlab/ReadFile.h>
 
 #include <algorithm>
 
@@ -28,26 +28,20 @@ bool isUtf16(const std::string& text)
 ShaderLabParseResult LoadShaderLabWithDiagnostics(const std::filesystem::path& path)
 {
     const std::string file = path.string();
-    const auto text = ReadTextFile(path);
-    if (!text)
-    {
-        throw AssetError(file, {},
-                         std::filesystem::exists(path) ? "file: it cannot be read"
-                                                       : "file: no such file");
-    }
-    if (text->empty())
+    const std::string text = ReadFile(path);
+    if (text.empty())
     {
         throw AssetError(file, {}, "file: it is empty; a shader starts with Shader \"name\"");
     }
-    if (isUtf16(*text))
+    if (isUtf16(text))
     {
         throw AssetError(file, {}, "file: it is in UTF-16; save it in UTF-8");
     }
-    if (isBinary(*text))
+    if (isBinary(text))
     {
         throw AssetError(file, {}, "file: it is binary; a shader is a text file in UTF-8");
     }
-    return ParseShaderLab(*text, file);
+    return ParseShaderLab(text, file);
 }
 
 ShaderLabDocument LoadShaderLab(const std::filesystem::path& path)

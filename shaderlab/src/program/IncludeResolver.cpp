@@ -1,9 +1,9 @@
 #include "program/IncludeResolver.h"
 
 #include "text/Text.h"
-#include "text/TextFile.h"
 
 #include <limn/shaderlab/EmbeddedFile.h>
+#include <limn/shaderlab/ReadFile.h>
 
 #include <algorithm>
 
@@ -85,8 +85,8 @@ bool isAbsolute(std::string_view path)
 
 std::uint64_t HashFile(const std::string& path)
 {
-    const auto text = ReadTextFile(path);
-    return text ? HashContent(*text) : 0;
+    const FileContent content = TryReadFile(path);
+    return content.isRead() ? HashContent(content.bytes) : 0;
 }
 
 std::uint64_t HashLibrary()
@@ -117,23 +117,20 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
     : m_Options(options)
 {
     const std::filesystem::path file = std::filesystem::absolute(shaderFile);
-    std::vector<std::filesystem::path> roots = options.includeFolders;
-    roots.push_back(options.projectRoot.empty() ? std::filesystem::current_path()
-                                                : options.projectRoot);
-    roots.push_back(file.parent_path());
+    for (const std::filesystem::path& folder : options.includeFolders)
+    {
+        m_Roots.Add(folder);
+    }
+    m_Roots.Add(options.projectRoot);
+    m_Roots.Add(file.parent_path());
     m_UnityProject = UnityProjectOf(file);
     if (m_UnityProject)
     {
-        roots.push_back(*m_UnityProject);
+        m_Roots.Add(*m_UnityProject);
     }
     for (const auto& [name, folder] : options.packages)
     {
-        roots.push_back(folder);
-    }
-    for (const std::filesystem::path& root : roots)
-    {
-        std::error_code error;
-        m_Roots.push_back(std::filesystem::weakly_canonical(root, error));
+        m_Roots.Add(folder);
     }
 }
 
@@ -219,37 +216,24 @@ std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string
     return candidates;
 }
 
-bool IncludeResolver::isAllowed(const std::filesystem::path& path) const
-{
-    std::error_code error;
-    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
-    return std::any_of(
-        m_Roots.begin(), m_Roots.end(),
-        [&](const std::filesystem::path& root) {
-            return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
-                   root.end();
-        });
-}
-
 std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem::path& path)
 {
-    constexpr std::uintmax_t k_MaximumSize = 64 << 20;
     const std::string name = path.generic_string();
     std::error_code error;
     std::optional<std::string> text;
     if (std::filesystem::is_regular_file(path, error))
     {
-        if (!isAllowed(path))
+        if (!m_Roots.Contains(path))
         {
             m_Refusal = "outside the folders that includes may lie in; move it into the project";
         }
-        else if (std::filesystem::file_size(path, error) > k_MaximumSize)
+        else if (std::filesystem::file_size(path, error) > k_MaxTextBytes)
         {
             m_Refusal = "larger than 64 MB; split it";
         }
-        else
+        else if (FileContent content = TryReadFile(path); content.isRead())
         {
-            text = ReadTextFile(path);
+            text = std::move(content.bytes);
         }
     }
     const IncludeDependency dependency{name, text ? HashContent(*text) : 0};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 
@@ -65,10 +66,9 @@ private:
     std::vector<std::filesystem::path> Candidates(const std::string& include,
                                                   const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
-    bool isAllowed(const std::filesystem::path& path) const;
 
     const ShaderCompilerOptions& m_Options;
-    std::vector<std::filesystem::path> m_Roots;          ///< canonical
+    FileRoots m_Roots;
     std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
     std::vector<IncludeDependency> m_Dependencies;
     std::string m_Refusal;

@@ -1,13 +1,15 @@
 #include <limn/shaderlab/WriteFile.h>
 
+#include "text/FileDescriptor.h"
+
 #include <limn/shaderlab/Diagnostic.h>
 
-#include <atomic>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
+#include <fcntl.h>
+#include <poll.h>
+#include <random>
 #include <string>
-#include <unistd.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 
 namespace limn
 {
@@ -15,38 +17,27 @@ namespace limn
 namespace
 {
 
-struct FileCloser
+/// What is to be written where.
+struct Writing
 {
-    void operator()(std::FILE* file) const { std::fclose(file); }
+    std::filesystem::path path; ///< no link
+    std::string_view bytes;
+    const std::function<void()>& beforeReplace;
+    bool isDurable;
+
+    void CallBeforeReplace() const
+    {
+        if (beforeReplace)
+        {
+            beforeReplace();
+        }
+    }
+
+    std::error_code Finish(FileDescriptor& file) const
+    {
+        return isDurable && fsync(file.get()) != 0 ? LastError() : file.Close();
+    }
 };
-
-std::error_code LastError()
-{
-    return {errno, std::generic_category()};
-}
-
-std::filesystem::path TemporaryBeside(const std::filesystem::path& path)
-{
-    static std::atomic<unsigned> s_Count{0};
-    std::filesystem::path temporary = path;
-    temporary += ".tmp-" + std::to_string(getpid()) + "-" + std::to_string(++s_Count);
-    return temporary;
-}
-
-std::error_code WriteNew(const std::filesystem::path& path, std::string_view bytes)
-{
-    std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "wbx"));
-    if (!file)
-    {
-        return LastError();
-    }
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
-    {
-        return LastError();
-    }
-    // The last bytes go out when the file is closed, so a full disk may show only then.
-    return std::fclose(file.release()) == 0 ? std::error_code{} : LastError();
-}
 
 /// Removes a file when it goes, unless it has been moved away.
 struct TemporaryFile
@@ -56,23 +47,141 @@ struct TemporaryFile
     explicit TemporaryFile(std::filesystem::path p) : path(std::move(p)) {}
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile()
-    {
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
-    }
+    ~TemporaryFile() { unlink(path.c_str()); }
 };
 
-std::error_code Replace(const std::filesystem::path& path, const std::filesystem::path& by)
+/// A name that nobody else has; short, whatever that of the file is.
+std::filesystem::path TemporaryBeside(const std::filesystem::path& path)
 {
-    std::error_code failure;
-    const std::filesystem::file_status old = std::filesystem::status(path, failure);
-    if (std::filesystem::is_regular_file(old))
+    std::random_device random;
+    const std::uint64_t number = (std::uint64_t{random()} << 32) | random();
+    return path.parent_path() / (".limn-" + std::to_string(number));
+}
+
+/// The file that a path stands for, whether it is there or not.
+std::filesystem::path BehindLinks(std::filesystem::path path)
+{
+    constexpr int k_MaxLinks = 40; // as the kernel has it
+    std::error_code error;
+    for (int i = 0; i < k_MaxLinks && std::filesystem::is_symlink(path, error); ++i)
     {
-        std::filesystem::permissions(by, old.permissions(), failure);
+        path = path.parent_path() / std::filesystem::read_symlink(path, error);
     }
-    std::filesystem::rename(by, path, failure);
-    return failure;
+    return path;
+}
+
+/// Standard output or error, where it is this very file; else -1.
+int StandardStream(const struct stat& status)
+{
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    {
+        struct stat other = {};
+        if (fstat(stream, &other) == 0 && other.st_dev == status.st_dev &&
+            other.st_ino == status.st_ino)
+        {
+            return stream;
+        }
+    }
+    return -1;
+}
+
+std::error_code WriteToSpecial(const std::filesystem::path& path, const struct stat& status,
+                               std::string_view bytes)
+{
+    if (S_ISBLK(status.st_mode))
+    {
+        return std::make_error_code(std::errc::operation_not_permitted);
+    }
+    // A pipe that nobody reads is an error, not something to wait for.
+    FileDescriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    if (!file.isOpen())
+    {
+        return LastError();
+    }
+    const std::error_code failure = WriteToDescriptor(file.get(), bytes);
+    return failure ? failure : file.Close();
+}
+
+/// Writes into the file that is there. What it grows by is taken from the disk first: after that,
+/// there is room for everything.
+std::error_code Overwrite(const Writing& writing, const struct stat& old)
+{
+    FileDescriptor file(open(writing.path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.isOpen())
+    {
+        return LastError();
+    }
+    writing.CallBeforeReplace();
+    const auto size = static_cast<off_t>(writing.bytes.size());
+    if (size > old.st_size)
+    {
+        if (const int failure = posix_fallocate(file.get(), 0, size))
+        {
+            static_cast<void>(ftruncate(file.get(), old.st_size) == 0);
+            return {failure, std::generic_category()};
+        }
+    }
+    if (const std::error_code failure = WriteToDescriptor(file.get(), writing.bytes))
+    {
+        return failure;
+    }
+    return ftruncate(file.get(), size) == 0 ? writing.Finish(file) : LastError();
+}
+
+/// Whether the new file could be given owner and permissions of the old one.
+bool TakeOver(const FileDescriptor& file, const struct stat& old)
+{
+    struct stat fresh = {};
+    const bool isOwner =
+        fstat(file.get(), &fresh) == 0 && fresh.st_uid == old.st_uid && fresh.st_gid == old.st_gid;
+    return (isOwner || fchown(file.get(), old.st_uid, old.st_gid) == 0) &&
+           fchmod(file.get(), old.st_mode & 07777) == 0;
+}
+
+/// @param old  null if there is no such file yet
+std::error_code Replace(const Writing& writing, const struct stat* old)
+{
+    const TemporaryFile temporary(TemporaryBeside(writing.path));
+    FileDescriptor file(
+        open(temporary.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file.isOpen())
+    {
+        return LastError();
+    }
+    if (old && !TakeOver(file, *old))
+    {
+        return Overwrite(writing, *old);
+    }
+    std::error_code failure = WriteToDescriptor(file.get(), writing.bytes);
+    failure = failure ? failure : writing.Finish(file);
+    if (failure)
+    {
+        return failure;
+    }
+    writing.CallBeforeReplace();
+    return rename(temporary.path.c_str(), writing.path.c_str()) == 0 ? failure : LastError();
+}
+
+std::error_code Write(const std::filesystem::path& path, std::string_view bytes,
+                      const std::function<void()>& beforeReplace, bool isDurable)
+{
+    const Writing writing{BehindLinks(path), bytes, beforeReplace, isDurable};
+    struct stat old = {};
+    if (stat(path.c_str(), &old) != 0)
+    {
+        return errno == ENOENT ? Replace(writing, nullptr) : LastError();
+    }
+    if (S_ISDIR(old.st_mode))
+    {
+        return std::make_error_code(std::errc::is_a_directory);
+    }
+    const int stream = StandardStream(old);
+    if (stream >= 0 || !S_ISREG(old.st_mode))
+    {
+        writing.CallBeforeReplace();
+        return stream >= 0 ? WriteToDescriptor(stream, bytes) : WriteToSpecial(path, old, bytes);
+    }
+    return old.st_nlink > 1 ? Overwrite(writing, old) : Replace(writing, &old);
 }
 
 } // namespace
@@ -80,24 +189,56 @@ std::error_code Replace(const std::filesystem::path& path, const std::filesystem
 std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes,
                              const std::function<void()>& beforeReplace)
 {
-    const TemporaryFile temporary(TemporaryBeside(path));
-    if (const std::error_code failure = WriteNew(temporary.path, bytes))
-    {
-        return failure;
-    }
-    if (beforeReplace)
-    {
-        beforeReplace();
-    }
-    return Replace(path, temporary.path);
+    return Write(path, bytes, beforeReplace, false);
 }
 
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace)
 {
-    if (const std::error_code failure = TryWriteFile(path, bytes, beforeReplace))
+    const std::error_code failure = Write(path, bytes, beforeReplace, true);
+    if (failure == std::errc::no_such_device_or_address)
+    {
+        throw AssetError(path.string(), {}, "cannot be written: nobody reads this pipe");
+    }
+    if (failure)
     {
         throw AssetError(path.string(), {}, "cannot be written: " + failure.message());
+    }
+}
+
+std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty())
+    {
+        const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EAGAIN)
+        {
+            pollfd room{descriptor, POLLOUT, 0};
+            poll(&room, 1, -1);
+        }
+        else if (count < 0 && errno != EINTR)
+        {
+            return LastError();
+        }
+        bytes.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+    }
+    return {};
+}
+
+FileLock::FileLock(const std::filesystem::path& file)
+    : m_Descriptor(
+          open((BehindLinks(file).parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+{
+    while (m_Descriptor >= 0 && flock(m_Descriptor, LOCK_EX) != 0 && errno == EINTR)
+    {
+    }
+}
+
+FileLock::~FileLock()
+{
+    if (m_Descriptor >= 0)
+    {
+        close(m_Descriptor);
     }
 }
 

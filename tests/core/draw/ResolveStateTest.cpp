@@ -23,7 +23,13 @@ protected:
     {
         return ResolveState(m_Material->shader()->passState(0), *m_Material, m_Globals);
     }
+    /// What is wrong, without where.
     std::string Error() const
+    {
+        const std::string message = FullError();
+        return message.substr(0, message.rfind("; the pass is at "));
+    }
+    std::string FullError() const
     {
         return test::ThrownMessage<ContractError>([&] { static_cast<void>(Resolve()); });
     }
@@ -119,6 +125,13 @@ TEST_F(ResolvedState, RefusesANumberThatIsNoMemberOfTheEnum)
     Make("Stencil { Ref [_Ref] }", "_Ref (\"\", Float) = 256");
     EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Ref [_Ref]: the property is 256, "
                        "which is outside 0...255");
+}
+
+TEST_F(ResolvedState, SaysWhichPassIsMeant)
+{
+    Make("\n Cull [_Missing]");
+    EXPECT_EQ(FullError(),
+              Error() + "; the pass is at " + m_Material->shader()->document().file + ":1:51");
 }
 
 TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)

@@ -48,7 +48,7 @@ TEST(GltfMeshError, SaysThatAFileIsMissing)
     const test::TemporaryFolder folder;
     const std::filesystem::path path = folder / "none.gltf";
     EXPECT_EQ(test::ThrownMessage<AssetError>([&] { static_cast<void>(LoadGltfMesh(path)); }),
-              path.string() + ": error: cannot be read: No such file or directory");
+              path.string() + ": error: there is no such file");
 }
 
 TEST(GltfMeshError, SaysThatAFileIsAFolder)
@@ -56,7 +56,44 @@ TEST(GltfMeshError, SaysThatAFileIsAFolder)
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "a.gltf");
     EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadGltfMesh(folder / "a.gltf"); }),
-              (folder / "a.gltf").string() + ": error: cannot be read: Is a directory");
+              (folder / "a.gltf").string() + ": error: is a folder; a file is expected");
+}
+
+TEST(GltfMeshError, SaysWhyABufferCannotBeRead)
+{
+    const test::TemporaryFolder outer;
+    const std::filesystem::path folder = outer / "meshes";
+    std::filesystem::create_directories(folder / "folder.bin");
+    outer.Write("near.bin", "0123");
+    const auto errorOf = [&](const std::string& uri)
+    {
+        const auto path =
+            outer.Write("meshes/a.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" +
+                                             uri + R"(", "byteLength": 4}]})");
+        return test::ThrownMessage<AssetError>([&] { LoadGltfMesh(path); })
+            .erase(0, path.string().size());
+    };
+    EXPECT_EQ(errorOf("none.bin"), ": error: buffer 'none.bin': there is no such file");
+    EXPECT_EQ(errorOf("folder.bin"),
+              ": error: buffer 'folder.bin': is a folder; a file is expected");
+    EXPECT_EQ(errorOf("../near.bin"), ": error: buffer 'near.bin': it lies outside the folders "
+                                      "that references may lead into");
+    std::filesystem::create_symlink(outer / "near.bin", folder / "link.bin");
+    EXPECT_EQ(errorOf("link.bin"), ": error: buffer 'link.bin': it lies outside the folders that "
+                                   "references may lead into");
+}
+
+TEST(GltfMesh, ReadsABufferFromAnotherRoot)
+{
+    const test::TemporaryFolder outer;
+    std::filesystem::create_directory(outer / "meshes");
+    outer.Write("near.bin", "0123");
+    const auto path = outer.Write("meshes/a.gltf", R"({"asset": {"version": "2.0"}, "buffers": )"
+                                                   R"([{"uri": "../near.bin", "byteLength": 4}]})");
+    FileRoots roots;
+    roots.Add(outer / "");
+    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadGltfMesh(path, roots); }),
+              path.string() + ": error: holds no triangles; a mesh that the scene shows is needed");
 }
 
 TEST(GltfMeshError, SaysThatAFileIsEmpty)

@@ -97,8 +97,7 @@ TEST(ReadPng, SaysThatAFileIsMissing)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(ThrownMessage<AssetError>([&] { ReadPng(folder / "none.png"); }),
-              (folder / "none.png").string() +
-                  ": error: cannot be read: No such file or directory");
+              (folder / "none.png").string() + ": error: there is no such file");
 }
 
 TEST(ReadPng, SaysThatAFileIsNoPng)
@@ -117,6 +116,72 @@ TEST(ReadPng, RejectsAFileThatIsCutOff)
         const auto path = folder.Write("a.png", Bytes(k_PalettePng, size));
         EXPECT_THROW(ReadPng(path), AssetError) << "after " << size << " bytes";
     }
+}
+
+/// A header that says it is an RGBA picture of this size, and nothing behind it that counts.
+std::string HeaderOf(std::uint32_t width, std::uint32_t height)
+{
+    std::string header = "IHDR";
+    for (const std::uint32_t side : {width, height})
+    {
+        for (int shift = 24; shift >= 0; shift -= 8)
+        {
+            header += static_cast<char>(side >> shift & 255);
+        }
+    }
+    header += std::string("\x08\x06\0\0\0", 5);
+    std::uint32_t crc = ~0u;
+    for (const char c : header)
+    {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit)
+        {
+            crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xedb88320u : 0u);
+        }
+    }
+    std::string file("\x89PNG\r\n\x1a\n\0\0\0\x0d", 12);
+    file += header;
+    for (int shift = 24; shift >= 0; shift -= 8)
+    {
+        file += static_cast<char>(~crc >> shift & 255);
+    }
+    return file + std::string("\0\0\0\x0cIDAT\x78\xda\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 24);
+}
+
+TEST(ReadPng, TakesNoMemoryForAPictureThatTheFileCannotHold)
+{
+    const TemporaryFolder folder;
+    const auto errorOf = [&](std::uint32_t width, std::uint32_t height)
+    {
+        const auto path = folder.Write("a.png", HeaderOf(width, height));
+        return ThrownMessage<AssetError>([&] { ReadPng(path); }).erase(0, path.string().size());
+    };
+    EXPECT_EQ(errorOf(65535, 65535), ": error: is 65535x65535; at most 16384 either way is read");
+    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; at most 16384 either way is read");
+    EXPECT_EQ(errorOf(16384, 16384), ": error: is no readable PNG: a file of 57 bytes cannot hold "
+                                     "its picture of 16384x16384");
+    // As large as 57 bytes could make it, and still there is nothing in them.
+    EXPECT_NE(errorOf(120, 120).find("is no readable PNG"), std::string::npos);
+}
+
+TEST(ReadPng, ReadsWhatIsCompressedAsWellAsCanBe)
+{
+    const TemporaryFolder folder;
+    for (const GraphicsFormat format : {GraphicsFormat::R8_UNorm, GraphicsFormat::R8G8B8A8_SRGB})
+    {
+        const std::size_t texel = format == GraphicsFormat::R8_UNorm ? 1 : 4;
+        const Image plain{1024, 1024, format, std::vector<std::byte>(1024 * 1024 * texel)};
+        WritePng(folder / "a.png", plain);
+        EXPECT_EQ(ReadPng(folder / "a.png").width, 1024);
+    }
+}
+
+TEST(ReadPng, RefusesADeviceAndAPipe)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("/dev/zero", folder / "a.png");
+    EXPECT_EQ(ThrownMessage<AssetError>([&] { ReadPng(folder / "a.png"); }),
+              (folder / "a.png").string() + ": error: is a device; a file is expected");
 }
 
 TEST(WritePng, KeepsEveryTexelAsItIs)

@@ -88,7 +88,7 @@ TEST_F(BadInput, AMissingShaderFileIsNamed)
                   Path("s.scene.yaml") +
                       ":2:25: error: material 'a'.shader: 'no.shader' cannot be used; see the "
                       "errors of that file\n" +
-                      Path("no.shader") + ": error: file: no such file\n",
+                      Path("no.shader") + ": error: there is no such file\n",
                   1);
 }
 
@@ -127,7 +127,7 @@ TEST_F(BadInput, AMissingMeshIsNamed)
                   Path("s.scene.yaml") +
                       ":2:27: error: object 'A'.mesh: 'no.glb' cannot be used; see the errors of "
                       "that file\n" +
-                      Path("no.glb") + ": error: cannot be read: No such file or directory\n",
+                      Path("no.glb") + ": error: there is no such file\n",
                   1);
 }
 

@@ -309,6 +309,66 @@ TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
     EXPECT_EQ(before, folder.fileCount());
 }
 
+TEST_F(Render, RefusesToWriteOverWhatItReads)
+{
+    std::filesystem::create_symlink("s.scene.yaml", folder / "link");
+    std::filesystem::create_hard_link(folder / "on.profile.yaml", folder / "name");
+    for (const auto& [output, input] :
+         {std::pair("s.scene.yaml", "s.scene.yaml"), std::pair("link", "s.scene.yaml"),
+          std::pair("on.profile.yaml", "on.profile.yaml"), std::pair("name", "on.profile.yaml")})
+    {
+        const std::string before = ReadText(folder / output);
+        const CommandRun run = Draw({"--profile", "on.profile.yaml"}, output);
+        EXPECT_EQ(1, run.exitCode);
+        EXPECT_THAT(run.err,
+                    EndsWith(Path(output) + ": error: cannot be written: the scene is drawn from " +
+                             Path(input) + ", which is this file; give another name\n"));
+        EXPECT_EQ(before, ReadText(folder / output));
+    }
+    const CommandRun stats = Draw({"--stats", Path("s.scene.yaml")});
+    EXPECT_EQ(1, stats.exitCode);
+    EXPECT_EQ(k_Scene, ReadText(folder / "s.scene.yaml"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
+}
+
+TEST_F(Render, RefusesToWriteOneFileTwice)
+{
+    const CommandRun run = Draw({"--stats", Path("o.json"), "--trace", Path("./o.json")});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, EndsWith(Path("o.json") + ": error: is to be written twice; give each "
+                                                   "output a name of its own\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "o.json"));
+    EXPECT_EQ(0, Draw({"--stats", "/dev/null", "--trace", "/dev/null"}).exitCode);
+}
+
+TEST_F(Render, WritesThroughALinkAndToADevice)
+{
+    std::filesystem::create_symlink("real.png", folder / "link.png");
+    std::filesystem::create_symlink("/dev/null", folder / "null.png");
+    EXPECT_EQ(0, Draw({}, "link.png").exitCode);
+    EXPECT_EQ(0, Draw({}, "null.png").exitCode);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "null.png"));
+    EXPECT_EQ(64, ReadPng(folder / "real.png").width);
+}
+
+TEST_F(Render, AFolderInPlaceOfItsCachedPipelinesDoesNoHarm)
+{
+    const std::vector<std::string> cached{"--cache-dir", Path("cache")};
+    ASSERT_EQ(0, Draw(cached).exitCode);
+    int replaced = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "cache"))
+    {
+        const std::filesystem::path path = entry.path();
+        std::filesystem::remove(path);
+        std::filesystem::create_directories(path / "full");
+        ++replaced;
+    }
+    EXPECT_GT(replaced, 1) << "passes and pipelines";
+    const CommandRun run = Draw(cached);
+    EXPECT_EQ(0, run.exitCode) << run.err;
+}
+
 TEST_F(Render, AnUnknownDeviceEndsWith3)
 {
     const CommandRun run = Draw({"--device", "no such device"});

@@ -309,7 +309,7 @@ TEST_F(ShaderCommand, NamesAFileThatIsNotThere)
     const std::string path = (folder / "no.shader").string();
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(path + ": error: file: no such file\n", run.err);
+    EXPECT_EQ(path + ": error: there is no such file\n", run.err);
 }
 
 TEST_F(ShaderCommand, NamesAFolderWithoutShaders)

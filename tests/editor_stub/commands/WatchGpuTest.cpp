@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 namespace limn::test
 {
@@ -159,6 +160,36 @@ TEST_F(Watch, EndsWith0OnSigintAndSigterm)
         EXPECT_EQ(0, Stop(signal));
         std::filesystem::remove(folder / "out.png");
     }
+}
+
+TEST_F(Watch, DoesNotDrawOverATextureOfItsScene)
+{
+    WritePng(folder / "out.png",
+             Image{1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)});
+    const std::string before = ReadText(folder / "out.png");
+    std::string scene = k_Scene;
+    scene.replace(scene.find("{_BaseColor"), 1, "{_BaseMap: out.png, ");
+    folder.Write("s.scene.yaml", scene);
+    Start();
+    EXPECT_TRUE(WaitFor(
+        [&]
+        {
+            return ReadText(folder / "err").find(Path("out.png") + ": error: cannot be written") !=
+                   std::string::npos;
+        }))
+        << ReadText(folder / "err");
+    EXPECT_EQ(0, Stop(SIGTERM));
+    EXPECT_EQ(before, ReadText(folder / "out.png"));
+}
+
+TEST_F(Watch, WithAPipeForAProfileStillEndsOnASignal)
+{
+    std::filesystem::remove(folder / "p.profile.yaml");
+    ASSERT_EQ(0, mkfifo((folder / "p.profile.yaml").c_str(), 0600));
+    Start();
+    EXPECT_TRUE(WaitFor(
+        [&] { return ReadText(folder / "err").find("is a named pipe") != std::string::npos; }));
+    EXPECT_EQ(0, Stop(SIGINT));
 }
 
 TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)

@@ -99,7 +99,7 @@ TEST(SceneErrors, NameAMissingMesh)
 {
     SceneFolder folder;
     EXPECT_EQ((Lines{"2:28: object 'A'.mesh: 'a.glb' cannot be used; see the errors of that file",
-                     "cannot be read: No such file or directory"}),
+                     "there is no such file"}),
               folder.ProblemsOf("camera: {}\nobjects: [{name: A,  mesh: a.glb}]\n"));
 }
 
@@ -116,7 +116,7 @@ TEST(SceneErrors, NameAMissingShaderFileOnceForAllReferences)
     SceneFolder folder;
     EXPECT_EQ((Lines{"3:16: material 'a'.shader: 'nope.shader' cannot be used; see the errors of "
                      "that file",
-                     "file: no such file",
+                     "there is no such file",
                      "4:16: material 'b'.shader: 'nope.shader' cannot be used; see the errors of "
                      "that file"}),
               folder.ProblemsOf("camera: {}\n"

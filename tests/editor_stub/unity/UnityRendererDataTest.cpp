@@ -147,6 +147,7 @@ TEST(UnityRendererData, RefusesAnotherKindOfAsset)
 TEST(UnityRendererData, IsASceneFilesRenderer)
 {
     SceneFolder folder;
+    folder.assets.AddRootsAround(k_Project + "/Assets/Settings/UniversalRenderer.asset");
     const SceneAsset asset = folder.LoadWithCamera("renderer: {rendererData: " + k_Project +
                                                    "/Assets/Settings/UniversalRenderer.asset}\n");
     ASSERT_EQ(1u, asset.renderer.features.size());

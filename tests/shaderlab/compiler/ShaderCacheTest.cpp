@@ -126,6 +126,39 @@ TEST(ShaderCache, RebuildsEntriesThatAreTornOrForeign)
     EXPECT_EQ(*CompileWith(folder.path(), program).pass, *good.pass);
 }
 
+TEST(ShaderCache, DoesNotBelieveAnEntryUnderTheNameOfAnother)
+{
+    test::TemporaryFolder folder;
+    const PassProgram program = test::Program(k_Program);
+    const Result a = CompileWith(folder.path() / "a", program, {"A"});
+    PassProgram other = program;
+    other.chunks[0].text += "float4 unused;\n";
+    other.chunks[0].text.replace(other.chunks[0].text.find("* _Color"), 8, "+ _Color");
+    const Result b = CompileWith(folder.path() / "b", other, {"A"});
+    ASSERT_NE(*a.pass, *b.pass);
+    std::filesystem::copy_file(OnlyFile(folder.path() / "a"), OnlyFile(folder.path() / "b"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const Result again = CompileWith(folder.path() / "b", other, {"A"});
+    EXPECT_FALSE(again.fromCache);
+    EXPECT_EQ(*again.pass, *b.pass);
+}
+
+TEST(ShaderCache, CompilesWhereAFolderHasTheNameOfAnEntry)
+{
+    test::TemporaryFolder folder;
+    const PassProgram program = test::Program(k_Program);
+    const Result good = CompileWith(folder.path(), program);
+    const auto file = OnlyFile(folder.path());
+    std::filesystem::remove(file);
+    std::filesystem::create_directories(file / "full");
+    for (int i = 0; i < 2; ++i)
+    {
+        const Result again = CompileWith(folder.path(), program);
+        EXPECT_FALSE(again.fromCache);
+        EXPECT_EQ(*again.pass, *good.pass);
+    }
+}
+
 TEST(ShaderCache, WorksWithoutAFolderThatCanBeWritten)
 {
     test::TemporaryFolder folder;

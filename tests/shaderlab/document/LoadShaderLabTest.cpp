@@ -29,7 +29,7 @@ TEST(LoadShaderLab, ReadsAFile)
 
 TEST(LoadShaderLab, SaysThatAFileIsMissing)
 {
-    EXPECT_EQ(LoadMessage("/nowhere/a.shader"), "/nowhere/a.shader: error: file: no such file");
+    EXPECT_EQ(LoadMessage("/nowhere/a.shader"), "/nowhere/a.shader: error: there is no such file");
 }
 
 TEST(LoadShaderLab, SaysThatAFileIsEmpty)
@@ -73,7 +73,7 @@ TEST(LoadShaderLab, SaysThatAFolderCannotBeRead)
 {
     test::TemporaryFolder folder;
     EXPECT_EQ(LoadMessage(folder.path()),
-              folder.path().string() + ": error: file: it cannot be read");
+              folder.path().string() + ": error: is a folder; a file is expected");
 }
 
 TEST(LoadShaderLab, ThrowsAllErrorsOfTheFile)

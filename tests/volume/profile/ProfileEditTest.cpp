@@ -6,6 +6,7 @@
 #include "core/FileSizeLimit.h"
 #include <core/TemporaryFolder.h>
 #include <fstream>
+#include <future>
 #include <gmock/gmock.h>
 #include <iterator>
 #include <limn/volume/ProfileEdit.h>
@@ -203,6 +204,41 @@ TEST(SetScalars, OnAFullDiskLeavesTheOldFileAndNothingBesideIt)
     EXPECT_THAT(problems, ElementsAre("cannot be written: File too large"));
     EXPECT_EQ(text, ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
+}
+
+TEST(SetScalars, LosesNothingOfWhatAnotherSetsAtTheSameTime)
+{
+    const TemporaryFolder folder;
+    const auto file =
+        folder.Write("a.profile.yaml", "Mixed: {number: 0}\nTestVolume: {param: 0}\n");
+    constexpr int k_Rounds = 30;
+    const auto setAll = [&file](const char* component, const char* parameter)
+    {
+        int lost = 0;
+        const TestRegistry registry;
+        for (int i = 1; i <= k_Rounds; ++i)
+        {
+            const std::vector<ScalarEdit> edits{{component, parameter, std::to_string(i)}};
+            SetScalars(file, edits, registry);
+            const std::string line = std::string(parameter) + ": " + std::to_string(i) + "}";
+            lost += ContentOf(file).find(line) == std::string::npos ? 1 : 0;
+        }
+        return lost;
+    };
+    auto other = std::async(std::launch::async, setAll, "TestVolume", "param");
+    EXPECT_EQ(0, setAll("Mixed", "number"));
+    EXPECT_EQ(0, other.get());
+    EXPECT_EQ("Mixed: {number: 30}\nTestVolume: {param: 30}\n", ContentOf(file));
+}
+
+TEST(SetScalars, KeepsEveryNameOfTheFile)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.Write("a.profile.yaml", "Mixed: {number: 1}\n");
+    std::filesystem::create_hard_link(file, folder / "b.profile.yaml");
+    const std::vector<ScalarEdit> edits{{"Mixed", "number", "20"}};
+    SetScalars(file, edits, k_Registry);
+    EXPECT_EQ("Mixed: {number: 20}\n", ContentOf(folder / "b.profile.yaml"));
 }
 
 TEST(ReplaceContent, RefusesAFileThatChangedMeanwhile)

@@ -357,6 +357,7 @@ std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
                                      const VolumeComponentRegistry& registry)
 {
     std::vector<ScalarChange> changes;
+    const FileLock lock(path);
     const std::string text = ReadYamlText(path);
     const std::string edited =
         EditVolumeProfile(text, path.generic_string(), edits, registry, &changes);
@@ -370,9 +371,7 @@ std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
 void ReplaceContent(const std::filesystem::path& path, std::string_view expected,
                     std::string_view content)
 {
-    std::error_code error;
-    const std::filesystem::path behind = std::filesystem::canonical(path, error);
-    WriteFile(error ? path : behind, content,
+    WriteFile(path, content,
               [&path, expected]
               {
                   if (ReadYamlText(path) != expected)

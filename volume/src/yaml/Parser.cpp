@@ -43,6 +43,24 @@ void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
     diagnostics.Error(location, "not valid YAML: " + message);
 }
 
+/// A key that is longer than YAML allows ends a map, as yaml-cpp sees it.
+void CheckKeyLength(const YAML::Exception& e, std::string_view text, const std::string& file,
+                    int firstLine)
+{
+    constexpr std::size_t maxLength = 1024;
+    const auto begin = static_cast<std::size_t>(std::max(e.mark.pos, 0));
+    const char first = begin < text.size() ? text[begin] : '\n';
+    const bool isQuoted = first == '"' || first == '\'';
+    const std::size_t end =
+        isQuoted ? text.find(first, begin + 1) : text.find_first_of(":,[]{}\n", begin);
+    if (e.msg == YAML::ErrorMsg::END_OF_MAP_FLOW && end != text.npos && end - begin > maxLength)
+    {
+        throw AssetError(file, LocationOf(text, begin, firstLine),
+                         "the key here is longer than " + std::to_string(maxLength) +
+                             " characters, which is the most that YAML allows");
+    }
+}
+
 void CheckIsText(std::string_view text, const std::string& file, int firstLine)
 {
     const std::optional<std::size_t> offset = FindNonText(text);
@@ -98,6 +116,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
     }
     catch (const YAML::Exception& e)
     {
+        CheckKeyLength(e, text, file, firstLine);
         ReportSyntaxError(e, builder, diagnostics);
     }
     diagnostics.ThrowIfErrors();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limn/core/Mesh.h>
+#include <limn/shaderlab/FileRoots.h>
 #include <memory>
 
 namespace limn
@@ -13,8 +14,10 @@ namespace limn
 /// reversed accordingly. Missing normals are made flat; of vertex colours and uv, what some
 /// primitives lack is white and 0; tangents are kept where all primitives have them. Named after
 /// the file. Points, lines, skins, morph targets and materials are left out.
+/// @param roots  where its buffers may lie besides the file's own folder and those below it
 /// @throws AssetError with every problem, if the file is missing, is not glTF 2.0, holds no
 ///         triangles, or uses sparse accessors or Draco or meshopt compression
-std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path);
+std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path,
+                                         const FileRoots& roots = {});
 
 } // namespace limn

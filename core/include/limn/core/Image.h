@@ -30,13 +30,14 @@ std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows);
 /// @throws AssetError if the image is too large for a PNG
 std::vector<std::byte> EncodePng(const Image& image);
 
-/// Writes an R8G8B8A8 (SRGB or UNorm) or R8_UNorm image as PNG. The file appears whole or not at
-/// all; one that was there before stays where that fails.
+/// Writes what EncodePng gives as WriteFile does: the file appears whole or not at all, and one
+/// that was there before stays where that fails.
 /// @throws AssetError naming the path and the system's reason, if it cannot be written
-/// @throws ContractError for any other format, or if size and texels do not fit each other
+/// @throws ContractError as EncodePng
 void WritePng(const std::filesystem::path& path, const Image& image);
 
-/// Reads a PNG of any kind as R8G8B8A8_SRGB.
+/// Reads a PNG of any kind as R8G8B8A8_SRGB, of at most 16384 texels either way. Takes no more
+/// memory than a file of that length can fill.
 /// @throws AssetError if the file is missing or is no PNG
 Image ReadPng(const std::filesystem::path& path);
 

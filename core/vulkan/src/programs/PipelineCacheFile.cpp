@@ -2,9 +2,8 @@
 
 #include "device/Check.h"
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limn/shaderlab/HashContent.h>
+#include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/WriteFile.h>
 
 namespace limn::vulkan
@@ -20,12 +19,6 @@ struct FileHeader
     std::uint64_t checksum;
 };
 constexpr char k_Magic[8] = {'L', 'I', 'M', 'N', 'P', 'C', '0', '1'};
-
-std::vector<char> ReadFile(const std::filesystem::path& path)
-{
-    std::ifstream stream{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, std::istreambuf_iterator<char>{}};
-}
 
 /// One file a device and driver: Vulkan's pipelineCacheUUID changes with both.
 std::string FileName(VkPhysicalDevice device)
@@ -105,7 +98,8 @@ PipelineCacheFile::PipelineCacheFile(const VulkanContext& context,
                               "' cannot be made: " + error.message());
         }
         m_Path = folder / FileName(context.physicalDevice());
-        payload = UnwrapCacheFile(ReadFile(m_Path));
+        const std::string file = TryReadFile(m_Path, k_MaxDataBytes).bytes;
+        payload = UnwrapCacheFile({file.begin(), file.end()});
         if (!IsOfThisDevice(payload, context.physicalDevice()))
         {
             payload.clear();

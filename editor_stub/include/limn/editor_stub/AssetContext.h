@@ -8,6 +8,7 @@
 #include <limn/core/Texture.h>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/features/FeatureRegistry.h>
+#include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <map>
@@ -23,6 +24,7 @@ namespace limn
 class AssetContext
 {
 public:
+    /// @param options  its includeFolders are roots of references as well
     explicit AssetContext(ShaderCompilerOptions options = {});
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
@@ -48,6 +50,12 @@ public:
     /// @throws AssetError as LoadVolumeProfile
     const VolumeProfileLoadResult& LoadProfile(const std::filesystem::path& path,
                                                const LayerNames& layers = {});
+
+    /// Folders that what files refer to may lie in. References that lead elsewhere, be it by a
+    /// link, are refused; paths that a program or a person gives are not asked about.
+    const FileRoots& roots() const { return m_Roots; }
+    /// Makes a root of the folder of a file that a person named, and of the Unity project it is in.
+    void AddRootsAround(const std::filesystem::path& file);
 
     /// Adds a file to reachedFiles() that a caller reads itself.
     void Reach(const std::filesystem::path& path) { m_Reached.insert(path.lexically_normal()); }
@@ -85,6 +93,7 @@ private:
     const ShaderDatabase& DatabaseAround(const std::filesystem::path& shaderFile);
     Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
 
+    FileRoots m_Roots;
     std::shared_ptr<ShaderCompiler> m_Compiler;
     FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;

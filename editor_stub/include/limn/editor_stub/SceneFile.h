@@ -51,7 +51,8 @@ struct SceneAsset
 /// precision, so that the angle is good after days as well.
 void TurnObjects(const std::vector<Turn>& turns, double seconds);
 
-/// A scene from a *.scene.yaml file. Paths in it start from its folder.
+/// A scene from a *.scene.yaml file. Paths in it start from its folder and lead into that folder,
+/// the Unity project around it or another root of the assets.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
 ///     of the wrong type or outside their range, and files it refers to that are missing or wrong,
 ///     with the errors of those

@@ -45,7 +45,8 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
                               const VolumeComponentRegistry& registry,
                               std::vector<ScalarChange>* changes = nullptr);
 
-/// EditVolumeProfile of a file, which is replaced whole or not at all.
+/// EditVolumeProfile of a file, which is replaced whole or not at all. Of calls for one file at the
+/// same time, in this process or in others, each sees what the one before wrote.
 /// @return what each edit did
 /// @throws AssetError as EditVolumeProfile and ReplaceContent do; the file is then as it was
 std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,

@@ -98,7 +98,8 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
                                 const YamlLimits& limits = {}, int firstLine = 1);
 
 /// The bytes of a YAML file.
-/// @throws AssetError for a missing or unreadable file and for one above 64 MiB
+/// @throws AssetError for a missing or unreadable file, for what is no regular file, and for one
+///     above 64 MiB
 std::string ReadYamlText(const std::filesystem::path& path);
 
 /// ParseYaml of a file's content.

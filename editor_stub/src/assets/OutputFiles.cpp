@@ -1,0 +1,55 @@
+#include "assets/OutputFiles.h"
+
+#include <algorithm>
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+namespace
+{
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(a, error);
+    if (std::filesystem::exists(status))
+    {
+        return std::filesystem::is_regular_file(status) && std::filesystem::equivalent(a, b, error);
+    }
+    const std::filesystem::path real = std::filesystem::weakly_canonical(a, error);
+    return !error && real == std::filesystem::weakly_canonical(b, error);
+}
+
+} // namespace
+
+void RequireOwnFiles(std::span<const std::string> outputs,
+                     const std::set<std::filesystem::path>& inputs)
+{
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+    {
+        if (outputs[i].empty())
+        {
+            continue;
+        }
+        const auto isIt = [&output = outputs[i]](const std::filesystem::path& other)
+        {
+            return !other.empty() && isSameFile(output, other);
+        };
+        const auto input = std::find_if(inputs.begin(), inputs.end(), isIt);
+        if (input != inputs.end())
+        {
+            throw AssetError(outputs[i], {},
+                             "cannot be written: the scene is drawn from " + input->string() +
+                                 ", which is this file; give another name");
+        }
+        const auto rest = outputs.subspan(i + 1);
+        if (std::any_of(rest.begin(), rest.end(), isIt))
+        {
+            throw AssetError(outputs[i], {},
+                             "is to be written twice; give each output a name of its own");
+        }
+    }
+}
+
+} // namespace limn

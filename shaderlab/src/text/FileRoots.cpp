@@ -1,0 +1,35 @@
+#include <limn/shaderlab/FileRoots.h>
+
+#include <algorithm>
+
+namespace limn
+{
+
+void FileRoots::Add(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(
+        folder.is_absolute() ? folder : std::filesystem::current_path(error) / folder, error);
+    // No folder is everything's root, which a path that cannot be resolved would be.
+    if (!error && !real.empty() &&
+        std::find(m_Folders.begin(), m_Folders.end(), real) == m_Folders.end())
+    {
+        m_Folders.push_back(real);
+    }
+}
+
+bool FileRoots::Contains(const std::filesystem::path& path) const
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(
+        path.is_absolute() ? path : std::filesystem::current_path(error) / path, error);
+    return !error &&
+           std::any_of(
+               m_Folders.begin(), m_Folders.end(),
+               [&real](const std::filesystem::path& root) {
+                   return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
+                          root.end();
+               });
+}
+
+} // namespace limn
