@@ -169,7 +169,7 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
     EXPECT_EQ("note: shader 'My/Baked': uses light maps, which limn does not have: they are white\n"
               "note: shader 'My/Baked': texture '_Map' is gray: it is no property of the shader, "
               "and neither material 'm' nor anything global sets it\n",
-              Notes(run));
+              run.err);
 }
 
 TEST_F(Render, TheSizeOptionWinsOverTheScene)
