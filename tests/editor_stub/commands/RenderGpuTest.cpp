@@ -127,7 +127,8 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
                  "float4 F(float4 p : SV_POSITION) : SV_Target\n"
                  "{ return _Map.Load(0) * float4(SampleLightmap(p.xy, p.xyz), 1); }\n"
                  "ENDHLSL } } }");
-    folder.Write("s.scene.yaml", "size: [8, 8]\nmaterials: {m: {shader: baked.shader}}\n"
+    folder.Write("s.scene.yaml", "size: [8, 8]\ncamera: {}\n"
+                                 "materials: {m: {shader: baked.shader}}\n"
                                  "objects: [{name: a, mesh: cube, material: m, "
                                  "position: [0, 0, 3]}]\n");
     const CommandRun run = Draw({"--frames", "2"});

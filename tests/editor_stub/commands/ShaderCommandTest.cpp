@@ -240,9 +240,10 @@ TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
         Write("baked.shader", "Shader \"My/Baked\" { SubShader {\n" + pass + pass + "} }");
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(0, run.exitCode);
-    EXPECT_EQ(path + ": note: uses light maps, which limn does not have: they are white\n" + path +
+    EXPECT_EQ(path +
                   ": note: uses light cookies, which limn does not have: lights shine white "
-                  "through them\n",
+                  "through them\n" +
+                  path + ": note: uses light maps, which limn does not have: they are white\n",
               run.err);
 }
 
