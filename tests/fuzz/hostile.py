@@ -42,6 +42,8 @@ HOSTILE = [
     ("lists nested 100 000 deep, binary", "m.glb",
      lambda: glb(deep("[", "]", json=GLTF.replace("BUFFER", ""))), ["inspect", "s.scene.yaml"], 1,
      "m.glb: error: " + TOO_DEEP),
+    ("a number beyond a double", "m.gltf", lambda: deep("", "", inner="1e400"), ["inspect", "s.scene.yaml"], 1,
+     "m.gltf: error: is not glTF 2.0: number overflow parsing '1e400'"),
     ("a Unity scene", "u.unity", lambda: UNITY_FILE, ["inspect", "u.unity"], 0, "ScreenSpaceOutline"),
     ("a value of a Unity scene", "u.unity", lambda: UNITY_FILE, ["set", "u.unity", *SET], 0, ""),
     ("a Unity scene of 40 000 objects", "u.unity", lambda: transforms(40_000), ["inspect", "u.unity"], 0,

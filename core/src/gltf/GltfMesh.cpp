@@ -17,7 +17,7 @@ namespace
 {
 
 /// What the parser complained of, on one line; from a JSON parser's "[...] parse error at line 3,
-/// column 7: what" the place is taken out.
+/// column 7: what" the place is taken out, from its "[...] what" the name of its exception.
 AssetError ParseFailure(const std::filesystem::path& path, std::string error)
 {
     while (!error.empty() && error.back() == '\n')
@@ -33,6 +33,10 @@ AssetError ParseFailure(const std::filesystem::path& path, std::string error)
                                                   &location.line, &location.column, &length) == 2)
     {
         error.erase(0, place + static_cast<std::size_t>(length));
+    }
+    else if (const std::size_t end = error.find("] "); error.starts_with('[') && end < error.size())
+    {
+        error.erase(0, end + 2);
     }
     return AssetError(path.string(), location, "is not glTF 2.0: " + error);
 }

@@ -108,6 +108,12 @@ TEST(GltfMeshError, SaysWhereAFileIsNoJson)
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
+TEST(GltfMeshError, SaysWhichNumberIsNone)
+{
+    EXPECT_EQ(ErrorOf(R"({"asset": {"version": "2.0"}, "scene": 0.1e400})"),
+              "a.gltf: error: is not glTF 2.0: number overflow parsing '0.1e400'");
+}
+
 TEST(GltfMeshError, SaysThatAFileIsNoGltf)
 {
     EXPECT_EQ(ErrorOf("[1, 2]"),
