@@ -84,8 +84,7 @@ TEST_F(ExplainCommand, CountsByFeatureAndVerdictAndSaysWhatAFeatureLacks)
                                        "objects:\n"
                                        "  - {name: A, mesh: cube}\n"
                                        "  - {name: B, mesh: cube}\n"
-                                       "  - {name: C, mesh: cube, layer: Furniture,\n"
-                                       "     renderingLayerMask: 2}\n");
+                                       "  - {name: C, mesh: cube, layer: Furniture}\n");
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out, testing::StartsWith("odd:\n"
                                              "  Outline: 0 of 3 renderers drawn: 2 layer mask, 1 "
