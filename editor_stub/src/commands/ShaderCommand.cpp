@@ -260,6 +260,8 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     ParallelCheck running(FindFiles(options.paths), options);
     const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
+    const bool isOneFile =
+        options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front());
     if (options.json)
     {
         console.out() << ShadersAsJson(checks) << '\n';
@@ -268,7 +270,7 @@ int RunShader(const ShaderOptions& options, Console& console)
     {
         console.out() << SeveralLines(DescribeVariants(checks));
     }
-    else if (checks.size() == 1 && options.emit.empty())
+    else if (isOneFile && options.emit.empty())
     {
         console.out() << SeveralLines(DescribeShader(checks.front()));
     }

@@ -311,11 +311,10 @@ TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
 
 TEST_F(Render, RefusesToWriteOverWhatItReads)
 {
-    std::filesystem::create_symlink("s.scene.yaml", folder / "link");
-    std::filesystem::create_hard_link(folder / "on.profile.yaml", folder / "name");
+    std::filesystem::create_symlink("s.scene.yaml", folder / "link.png");
+    std::filesystem::create_hard_link(folder / "on.profile.yaml", folder / "name.png");
     for (const auto& [output, input] :
-         {std::pair("s.scene.yaml", "s.scene.yaml"), std::pair("link", "s.scene.yaml"),
-          std::pair("on.profile.yaml", "on.profile.yaml"), std::pair("name", "on.profile.yaml")})
+         {std::pair("link.png", "s.scene.yaml"), std::pair("name.png", "on.profile.yaml")})
     {
         const std::string before = ReadText(folder / output);
         const CommandRun run = Draw({"--profile", "on.profile.yaml"}, output);
