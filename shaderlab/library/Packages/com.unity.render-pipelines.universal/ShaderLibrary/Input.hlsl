@@ -54,12 +54,13 @@ cbuffer AdditionalLights
     float4 _SubtractiveShadowColor;
 };
 
-// The rendering layers that lights reach, for _LIGHT_LAYERS.
+#ifdef _LIGHT_LAYERS
 cbuffer limn_LightLayers
 {
-    uint _MainLightLayerMask;
+    uint _MainLightLayerMask; // the rendering layers that lights reach
     uint _AdditionalLightsLayerMasks[MAX_VISIBLE_LIGHTS];
 };
+#endif
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityInput.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"
