@@ -54,7 +54,7 @@ KINDS = {
     "renderer asset": (6, RENDERER, [["inspect"], ["inspect", "unity.scene.yaml"]], []),
     "profile asset": (6, PROFILE, [["inspect"], ["set", *SET], ["inspect", "unity.scene.yaml"]],
                       ["tests/volume/data/SampleSceneProfile.asset"]),
-    "Unity scene": (3, "u.unity", [["inspect"], ["set", *SET]], []),
+    "Unity scene": (3, "u.asset", [["inspect"], ["set", *SET]], []),
     "drawn scene": (1, "s.scene.yaml", [["render", "s.scene.yaml", "-o", "out.png", "--no-cache"]], []),
     "meta": (3, "Assets/_Project/ScreenSpaceOutline/Shaders/ScreenSpaceOutline.shader.meta",
              [["inspect", RENDERER]], []),

@@ -170,7 +170,7 @@ def make_project(folder):
     files = {"s.scene.yaml": SCENE, "unity.scene.yaml": UNITY_SCENE, "own.shader": SHADER,
              "Tint.hlsl": INCLUDE, "m.gltf": GLTF.replace("BUFFER", '"uri": "m.bin", '),
              "m.glb": glb(GLTF.replace("BUFFER", "")), "m.bin": TRIANGLE, "t.png": png(),
-             "u.unity": UNITY_FILE, "p.profile.yaml": PROFILE_FILE,
+             "u.asset": UNITY_FILE, "p.profile.yaml": PROFILE_FILE,
              "can_place.profile.yaml": PROFILE_FILE, "torus_knot.bin": b"\0" * 64512}
     for name, content in files.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
