@@ -350,10 +350,12 @@ TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
     const CommandRun single = RunCommand({"shader", path});
     EXPECT_EQ(1, single.exitCode);
     EXPECT_THAT(single.err, testing::EndsWith(sentence));
+    Write("second.shader", surface);
     const CommandRun all = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(1, all.exitCode);
-    EXPECT_THAT(all.err, testing::EndsWith(sentence));
-    EXPECT_EQ("1 file: 1 parsed (100.0 %); 0 of 0 passes compiled, 1 refused\n", all.out);
+    EXPECT_THAT(all.err, testing::EndsWith("error: nothing was compiled: limn refuses 2 passes, "
+                                           "for the reasons above\n"));
+    EXPECT_EQ("2 files: 2 parsed (100.0 %); 0 of 0 passes compiled, 2 refused\n", all.out);
     EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
     Write("good.shader", k_Good);
     EXPECT_EQ(0, RunCommand({"shader", (folder / "").string()}).exitCode);
