@@ -260,8 +260,9 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     ParallelCheck running(FindFiles(options.paths), options);
     const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
+    std::error_code ignored;
     const bool isOneFile =
-        options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front());
+        options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front(), ignored);
     if (options.json)
     {
         console.out() << ShadersAsJson(checks) << '\n';
