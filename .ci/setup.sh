@@ -10,6 +10,7 @@ limn_build_packages=(
 limn_test_packages=(
     libgtest-dev libgmock-dev vulkan-validationlayers
     python3-jsonschema python3-yaml                          # `limn schema` is validated
+    ccache mold                                              # the next build is quicker; found by CMake
 )
 
 limn_install_missing() {

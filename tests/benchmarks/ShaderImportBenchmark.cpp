@@ -209,7 +209,7 @@ struct Steps
     {
         const ShaderCompilerOptions options;
         IncludeResolver resolver(options, program.file);
-        CompiledPass pass;
+        ShaderProgram pass;
         times.Measure("ms_preprocess",
                       [&]
                       {

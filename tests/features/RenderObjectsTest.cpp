@@ -250,7 +250,7 @@ protected:
     static float Member(const FrameCommands& frame, const DrawCommand& draw, const char* name,
                         int column, int row)
     {
-        for (const UniformBuffer& buffer : draw.pass->layout.buffers)
+        for (const UniformBuffer& buffer : draw.program->layout.buffers)
         {
             for (const UniformMember& member : buffer.members)
             {

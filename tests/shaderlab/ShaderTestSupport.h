@@ -73,7 +73,7 @@ inline PassProgram Program(const std::string& hlsl,
     return program;
 }
 
-inline std::shared_ptr<const CompiledPass>
+inline std::shared_ptr<const ShaderProgram>
 CompileHlsl(const std::string& hlsl, ProgramLanguage language = ProgramLanguage::Hlsl)
 {
     ShaderCompiler compiler;

@@ -11,7 +11,7 @@ namespace limn::test
 {
 
 using TargetPtr = std::shared_ptr<const RenderTexture>;
-using PassPtr = std::shared_ptr<const CompiledPass>;
+using PassPtr = std::shared_ptr<const ShaderProgram>;
 using MeshPtr = std::shared_ptr<const Mesh>;
 
 /// Compiles HLSL with the functions `vert` and `frag`.
@@ -101,7 +101,7 @@ inline DrawCommand MakeDraw(PassPtr pass, MeshPtr mesh, PipelineState state = Pl
                             DrawBindings bindings = {})
 {
     DrawCommand draw;
-    draw.pass = std::move(pass);
+    draw.program = std::move(pass);
     draw.mesh = std::move(mesh);
     draw.state = state;
     draw.bindings = std::make_shared<DrawBindings>(std::move(bindings));

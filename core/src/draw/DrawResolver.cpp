@@ -95,11 +95,11 @@ const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
 }
 
 std::shared_ptr<const DrawBindings>
-DrawResolver::Resolve(const std::shared_ptr<const CompiledPass>& pass,
+DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                       const PropertySources& sources, std::uint64_t globalsVersion,
                       std::vector<std::byte>& uniformData)
 {
-    const PassIds& ids = IdsOf(pass, *sources.material->shader());
+    const ProgramIds& ids = IdsOf(pass, *sources.material->shader());
     if (sources.block != nullptr && !sources.block->isEmpty())
     {
         return Build(ids, sources, uniformData);
@@ -122,10 +122,10 @@ void DrawResolver::Note(std::string note)
     }
 }
 
-const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const CompiledPass>& pass,
-                                                 const Shader& shader)
+const DrawResolver::ProgramIds&
+DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader)
 {
-    PassIds& ids = m_Ids[pass.get()];
+    ProgramIds& ids = m_Ids[pass.get()];
     if (!ids.pass)
     {
         ids.pass = pass;
@@ -152,7 +152,7 @@ const DrawResolver::PassIds& DrawResolver::IdsOf(const std::shared_ptr<const Com
     return ids;
 }
 
-std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
+std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
                                                         const PropertySources& sources,
                                                         std::vector<std::byte>& uniformData)
 {
@@ -197,7 +197,7 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const PassIds& ids,
     return bindings;
 }
 
-std::vector<TextureSlot> DrawResolver::TextureSlots(const PassIds& ids,
+std::vector<TextureSlot> DrawResolver::TextureSlots(const ProgramIds& ids,
                                                     const PropertySources& sources)
 {
     const PropertyLayout& layout = ids.pass->layout;

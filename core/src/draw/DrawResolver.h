@@ -29,24 +29,24 @@ public:
 
     /// The bindings of a draw; equal ones of draws without a block of their own are shared.
     /// @param globalsVersion  changes whenever `sources.globals` does
-    std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const CompiledPass>& pass,
+    std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                                                 const PropertySources& sources,
                                                 std::uint64_t globalsVersion,
                                                 std::vector<std::byte>& uniformData);
 
 private:
     /// The names of a layout as ids, worked out once a pass.
-    struct PassIds
+    struct ProgramIds
     {
-        std::shared_ptr<const CompiledPass> pass;           ///< keeps the key's address taken
+        std::shared_ptr<const ShaderProgram> pass;          ///< keeps the key's address taken
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
         std::vector<ShaderPropertyId> textures;
     };
     void Note(std::string note); ///< once
-    const PassIds& IdsOf(const std::shared_ptr<const CompiledPass>& pass, const Shader& shader);
-    std::shared_ptr<const DrawBindings> Build(const PassIds& ids, const PropertySources& sources,
+    const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader);
+    std::shared_ptr<const DrawBindings> Build(const ProgramIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
-    std::vector<TextureSlot> TextureSlots(const PassIds& ids, const PropertySources& sources);
+    std::vector<TextureSlot> TextureSlots(const ProgramIds& ids, const PropertySources& sources);
     std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
                                              const PropertySources& sources);
     std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
@@ -54,13 +54,13 @@ private:
 
     struct SharedKey
     {
-        const CompiledPass* pass;
+        const ShaderProgram* pass;
         std::uint64_t materialId;
         std::uint64_t materialVersion;
         std::uint64_t globalsVersion;
         auto operator<=>(const SharedKey&) const = default;
     };
-    std::unordered_map<const CompiledPass*, PassIds> m_Ids;
+    std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
     std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
     std::vector<std::string>& m_Notes;
     std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures

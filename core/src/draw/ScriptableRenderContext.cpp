@@ -47,7 +47,7 @@ PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask re
 }
 
 /// Only a vertex function learns which instance it works on.
-bool ReadsPerDrawBehindVertices(const CompiledPass& pass)
+bool ReadsPerDrawBehindVertices(const ShaderProgram& pass)
 {
     const auto& buffers = pass.layout.storageBuffers;
     return std::any_of(buffers.begin(), buffers.end(),
@@ -90,15 +90,16 @@ public:
     {
         const Material& material = *recorded.material;
         DrawCommand draw;
-        draw.pass = material.Compile(recorded.shaderPass);
+        draw.program = material.Compile(recorded.shaderPass);
         draw.shader = material.shader();
         draw.shaderPass = recorded.shaderPass;
         draw.state = Override(
             ResolveState(material.shader()->passState(recorded.shaderPass), material, m_Globals),
             stateBlock);
         ExpectStencil(draw.state, material, recorded.shaderPass);
-        draw.bindings = m_Resolver.Resolve(draw.pass, {&recorded.properties, &material, &m_Globals},
-                                           m_GlobalsVersion, m_Frame.uniformData);
+        draw.bindings =
+            m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
+                               m_GlobalsVersion, m_Frame.uniformData);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
@@ -155,9 +156,9 @@ private:
         auto* last =
             m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
         if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
-            last->subMesh != draw.subMesh || last->pass != draw.pass ||
+            last->subMesh != draw.subMesh || last->program != draw.program ||
             last->bindings != draw.bindings || last->state != draw.state ||
-            ReadsPerDrawBehindVertices(*draw.pass))
+            ReadsPerDrawBehindVertices(*draw.program))
         {
             return false;
         }

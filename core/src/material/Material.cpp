@@ -133,7 +133,7 @@ bool Material::IsKeywordEnabled(std::string_view keyword) const
     return std::binary_search(m_Keywords.begin(), m_Keywords.end(), keyword);
 }
 
-std::shared_ptr<const CompiledPass> Material::Compile(int passIndex) const
+std::shared_ptr<const ShaderProgram> Material::Compile(int passIndex) const
 {
     // Choosing a variant costs more than a draw should.
     return m_HasInitialKeywords ? m_Shader->Compile(passIndex)

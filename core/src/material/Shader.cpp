@@ -188,7 +188,7 @@ std::vector<std::string> Shader::keywords(int passIndex, std::span<const std::st
     return pass.program ? SelectVariant(*pass.program, enabled) : std::vector<std::string>();
 }
 
-std::shared_ptr<const CompiledPass>
+std::shared_ptr<const ShaderProgram>
 Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) const
 {
     const ShaderLabPass& pass = PassAt(passIndex);
@@ -204,7 +204,7 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
     return m_Compiler->Compile(*pass.program, variant);
 }
 
-std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex) const
+std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex) const
 {
     PassAt(passIndex);
     Variant& variant = m_Initial[static_cast<std::size_t>(passIndex)];
@@ -216,8 +216,8 @@ std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex) const
     return variant.compiled;
 }
 
-std::shared_ptr<const CompiledPass> Shader::Compile(int passIndex,
-                                                    std::span<const std::string> enabled) const
+std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex,
+                                                     std::span<const std::string> enabled) const
 {
     const std::vector<std::string> wanted = keywords(passIndex, enabled);
     if (wanted == keywords(passIndex))

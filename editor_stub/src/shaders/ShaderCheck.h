@@ -32,7 +32,7 @@ struct CheckedPass
     const ShaderLabPass* pass = nullptr;
     PassOutcome outcome = PassOutcome::NotTried;
     std::string reason; ///< of a refusal, one sentence
-    std::shared_ptr<const CompiledPass> compiled;
+    std::shared_ptr<const ShaderProgram> compiled;
     std::vector<std::string> keywords; ///< that it was compiled with
     VariantCount variants;             ///< 0 without a program
     /// Which property keeps the SRP Batcher from taking the pass; "" if none does.

@@ -97,7 +97,7 @@ struct EmittedFile
 void Translate(const CheckedPass& checked, const ShaderCheck& check, const std::string& language,
                const std::filesystem::path& stem, std::vector<EmittedFile>& files)
 {
-    const CompiledPass& pass = *checked.compiled;
+    const ShaderProgram& pass = *checked.compiled;
     const std::string refusal = "the pass cannot be written as " + language + ": ";
     if (!pass.geometrySpirv.empty() && (language == "msl" || language == "hlsl"))
     {

@@ -41,7 +41,7 @@ AssetError ProgramError(const PassProgram& program, const std::string& reason)
 std::string Compile(const PassProgram& program, std::span<const std::string> keywords,
                     IncludeResolver& resolver)
 {
-    CompiledPass pass;
+    ShaderProgram pass;
     Outcome outcome = Outcome::Failed;
     const auto fail = [&](Outcome kind, const AssetError& error)
     {
@@ -70,7 +70,7 @@ std::string Compile(const PassProgram& program, std::span<const std::string> key
         fail(Outcome::Failed,
              ProgramError(program, "the HLSL compiler failed: " + std::string(error.what())));
     }
-    return static_cast<char>(outcome) + WritePass(pass, resolver.dependencies());
+    return static_cast<char>(outcome) + WriteProgram(pass, resolver.dependencies());
 }
 
 // The address sanitizer's shadow counts as memory, terabytes of it.
@@ -203,8 +203,8 @@ std::string Wait(const Child& child, std::chrono::milliseconds limit)
 
 } // namespace
 
-CompiledPass CompileInProcess(const PassProgram& program, std::span<const std::string> keywords,
-                              IncludeResolver& resolver, std::chrono::milliseconds limit)
+ShaderProgram CompileInProcess(const PassProgram& program, std::span<const std::string> keywords,
+                               IncludeResolver& resolver, std::chrono::milliseconds limit)
 {
     StartGlslang(); // once for all children
     const Child child = Start(
@@ -226,7 +226,7 @@ CompiledPass CompileInProcess(const PassProgram& program, std::span<const std::s
         throw ProgramError(program, reason);
     }
     std::vector<IncludeDependency> dependencies;
-    CompiledPass pass = ReadPass(std::string_view(answer).substr(1), dependencies);
+    ShaderProgram pass = ReadProgram(std::string_view(answer).substr(1), dependencies);
     resolver.SetDependencies(std::move(dependencies));
     switch (static_cast<Outcome>(answer[0]))
     {

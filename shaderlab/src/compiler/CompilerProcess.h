@@ -1,7 +1,7 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include "program/IncludeResolver.h"
 
@@ -21,7 +21,7 @@ namespace limn
 /// @param resolver  gets the dependencies, also where this throws
 /// @param limit  the time that the child gets
 /// @throws what CompileProgram throws
-CompiledPass CompileInProcess(const PassProgram& program, std::span<const std::string> keywords,
-                              IncludeResolver& resolver, std::chrono::milliseconds limit);
+ShaderProgram CompileInProcess(const PassProgram& program, std::span<const std::string> keywords,
+                               IncludeResolver& resolver, std::chrono::milliseconds limit);
 
 } // namespace limn

@@ -217,7 +217,7 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& erro
     }
 }
 
-std::vector<std::uint32_t>& SpirvOf(CompiledPass& pass, ShaderStage stage)
+std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? pass.vertexSpirv
            : stage == ShaderStage::Geometry ? pass.geometrySpirv
@@ -225,7 +225,7 @@ std::vector<std::uint32_t>& SpirvOf(CompiledPass& pass, ShaderStage stage)
 }
 
 /// SPIR-V of all stages; their mistakes are reported together, each once.
-void BuildStages(CompiledPass& pass, const PassProgram& program, const Stages& stages,
+void BuildStages(ShaderProgram& pass, const PassProgram& program, const Stages& stages,
                  const StageLinkage& linkage)
 {
     std::vector<Diagnostic> diagnostics;
@@ -281,10 +281,10 @@ GeometryInput GeometryInputOf(const StageInterface& interface)
         ->second;
 }
 
-CompiledPass Build(const PassProgram& program, std::span<const std::string> keywords,
-                   IncludeResolver& resolver)
+ShaderProgram Build(const PassProgram& program, std::span<const std::string> keywords,
+                    IncludeResolver& resolver)
 {
-    CompiledPass pass;
+    ShaderProgram pass;
     const Stages stages = ReadStages(program, keywords, resolver, pass.diagnostics);
     std::vector<HlslVariable> objects;
     for (const Stage& stage : stages)
@@ -321,13 +321,13 @@ void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 
 } // namespace
 
-CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
-                            IncludeResolver& resolver)
+ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
+                             IncludeResolver& resolver)
 {
     RequireEntryPoints(program, resolver);
     try
     {
-        CompiledPass pass = Build(program, keywords, resolver);
+        ShaderProgram pass = Build(program, keywords, resolver);
         const std::vector<Diagnostic> warnings = CheckPragmas(program);
         pass.diagnostics.insert(pass.diagnostics.begin(), warnings.begin(), warnings.end());
         RemoveRepeated(pass.diagnostics);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include "program/IncludeResolver.h"
 
@@ -15,7 +15,7 @@ namespace limn
 ///
 /// @throws AssetError with columns where they can be told
 /// @throws UnsupportedProgramError where that shows in what the program includes
-CompiledPass CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
-                            IncludeResolver& resolver);
+ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
+                             IncludeResolver& resolver);
 
 } // namespace limn

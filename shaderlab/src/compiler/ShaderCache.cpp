@@ -139,7 +139,8 @@ std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::
 
 } // namespace
 
-std::string WritePass(const CompiledPass& pass, const std::vector<IncludeDependency>& dependencies)
+std::string WriteProgram(const ShaderProgram& pass,
+                         const std::vector<IncludeDependency>& dependencies)
 {
     ByteWriter writer;
     TransferDependencies(writer, dependencies);
@@ -147,17 +148,17 @@ std::string WritePass(const CompiledPass& pass, const std::vector<IncludeDepende
     return writer.bytes();
 }
 
-CompiledPass ReadPass(std::string_view bytes, std::vector<IncludeDependency>& dependencies)
+ShaderProgram ReadProgram(std::string_view bytes, std::vector<IncludeDependency>& dependencies)
 {
     ByteReader reader(bytes);
-    CompiledPass pass;
+    ShaderProgram pass;
     TransferDependencies(reader, dependencies);
     TransferPass(reader, pass);
     return pass;
 }
 
-std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
-                                              std::vector<IncludeDependency>& dependencies) const
+std::optional<ShaderProgram> ShaderCache::Load(const std::string& key,
+                                               std::vector<IncludeDependency>& dependencies) const
 {
     dependencies.clear();
     const FileContent file = isEnabled() ? TryReadFile(EntryPath(m_Folder, key)) : FileContent();
@@ -180,7 +181,7 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
             std::all_of(dependencies.begin(), dependencies.end(),
                         [](const IncludeDependency& dependency)
                         { return HashFile(dependency.path) == dependency.contentHash; });
-        CompiledPass pass;
+        ShaderProgram pass;
         TransferPass(reader, pass);
         if (!isCurrent)
         {
@@ -198,7 +199,7 @@ std::optional<CompiledPass> ShaderCache::Load(const std::string& key,
     }
 }
 
-void ShaderCache::Store(const std::string& key, const CompiledPass& pass,
+void ShaderCache::Store(const std::string& key, const ShaderProgram& pass,
                         const std::vector<IncludeDependency>& dependencies) const
 {
     if (!isEnabled())

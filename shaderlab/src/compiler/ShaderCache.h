@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include "program/IncludeResolver.h"
 
@@ -16,9 +16,10 @@ namespace limn
 {
 
 /// A pass and the files it was compiled from as bytes, for this version of limn on this machine.
-std::string WritePass(const CompiledPass& pass, const std::vector<IncludeDependency>& dependencies);
+std::string WriteProgram(const ShaderProgram& pass,
+                         const std::vector<IncludeDependency>& dependencies);
 /// @throws std::out_of_range where the bytes are others
-CompiledPass ReadPass(std::string_view bytes, std::vector<IncludeDependency>& dependencies);
+ShaderProgram ReadProgram(std::string_view bytes, std::vector<IncludeDependency>& dependencies);
 
 /// A folder of compiled passes, one file each. Nothing that is wrong with it is an error: a
 /// missing, torn or foreign file counts as absent, and a folder that cannot be written keeps
@@ -38,9 +39,9 @@ public:
 
     /// The pass stored under `key`, if every file it was compiled from is still the same.
     /// @param dependencies  is set to these files
-    std::optional<CompiledPass> Load(const std::string& key,
-                                     std::vector<IncludeDependency>& dependencies) const;
-    void Store(const std::string& key, const CompiledPass& pass,
+    std::optional<ShaderProgram> Load(const std::string& key,
+                                      std::vector<IncludeDependency>& dependencies) const;
+    void Store(const std::string& key, const ShaderProgram& pass,
                const std::vector<IncludeDependency>& dependencies) const;
 
 private:

@@ -130,8 +130,8 @@ PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
     return complete;
 }
 
-std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& written,
-                                                            std::span<const std::string> keywords)
+std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& written,
+                                                             std::span<const std::string> keywords)
 {
     const PassProgram program = ReadPragmas(written);
     if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
@@ -150,12 +150,12 @@ std::shared_ptr<const CompiledPass> ShaderCompiler::Compile(const PassProgram& w
     {
         ++m_State->loadedFromCache;
         m_State->Remember(cachedDependencies);
-        return std::make_shared<const CompiledPass>(std::move(*cached));
+        return std::make_shared<const ShaderProgram>(std::move(*cached));
     }
     IncludeResolver resolver(m_State->options, program.file);
     try
     {
-        auto pass = std::make_shared<const CompiledPass>(
+        auto pass = std::make_shared<const ShaderProgram>(
             m_State->options.isIsolated
                 ? CompileInProcess(program, keywords, resolver, m_State->options.timeLimit)
                 : CompileProgram(program, keywords, resolver));

@@ -278,7 +278,7 @@ private:
 
 } // namespace
 
-void ReflectLayout(CompiledPass& pass, const StageLinkage& linkage,
+void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
                    const std::vector<HlslVariable>& objects, std::vector<std::string>& messages)
 {
     std::uint32_t nextBinding = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include "hlsl/Declarations.h"
 #include "stages/StageLinkage.h"
@@ -17,7 +17,7 @@ namespace limn
 /// @param pass      its SPIR-V is there; its layout is filled
 /// @param objects   textures, samplers and buffers as HLSL declares them
 /// @param messages  gets what limn cannot bind, without a place
-void ReflectLayout(CompiledPass& pass, const StageLinkage& linkage,
+void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
                    const std::vector<HlslVariable>& objects, std::vector<std::string>& messages);
 
 } // namespace limn

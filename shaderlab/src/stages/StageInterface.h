@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include "hlsl/Declarations.h"
 

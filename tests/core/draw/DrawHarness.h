@@ -36,7 +36,7 @@ struct UniformBytes
 inline UniformBytes FindUniform(const FrameCommands& frame, const DrawCommand& draw,
                                 const std::string& name)
 {
-    for (const UniformBuffer& buffer : draw.pass->layout.buffers)
+    for (const UniformBuffer& buffer : draw.program->layout.buffers)
     {
         for (const UniformMember& member : buffer.members)
         {
@@ -108,7 +108,7 @@ public:
     /// The texture bound under an HLSL name; null and a failed test if there is none.
     std::shared_ptr<const Texture> TextureNamed(const std::string& name) const
     {
-        for (const TextureBinding& binding : draw().pass->layout.textures)
+        for (const TextureBinding& binding : draw().program->layout.textures)
         {
             for (const TextureSlot& slot : draw().bindings->textures)
             {
@@ -125,7 +125,7 @@ public:
     /// The state of the sampler of an HLSL name.
     SamplerState SamplerNamed(const std::string& name) const
     {
-        for (const SamplerBinding& binding : draw().pass->layout.samplers)
+        for (const SamplerBinding& binding : draw().program->layout.samplers)
         {
             for (const SamplerSlot& slot : draw().bindings->samplers)
             {

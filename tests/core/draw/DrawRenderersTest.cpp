@@ -145,7 +145,7 @@ TEST_F(DrawRenderersCalls, KeepObjectsApartWhoseFragmentsReadPerDrawData)
     ASSERT_EQ(draws.size(), 2u);
     EXPECT_EQ(draws[1].firstInstance, 1u);
     EXPECT_EQ(draws[0].bindings->perDrawBinding,
-              draws[0].pass->layout.storageBuffers.at(0).binding);
+              draws[0].program->layout.storageBuffers.at(0).binding);
 }
 
 TEST_F(DrawRenderersCalls, ShareOneSetOfBindingsAmongEqualDraws)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/core/CompiledFrame.h>
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <memory>
 #include <string>
 #include <type_traits>

@@ -29,7 +29,7 @@ std::string Drawn(const std::shared_ptr<const Material>& material)
 {
     test::OneDraw draw;
     draw.Resolve(material);
-    return draw.draw().pass->layout.buffers.at(0).members.at(0).name;
+    return draw.draw().program->layout.buffers.at(0).members.at(0).name;
 }
 
 TEST(MaterialKeywords, BeginWithTheDefaultsOfToggleAndKeywordEnum)
@@ -68,7 +68,7 @@ TEST(MaterialKeywords, AreValuesWhereTheShaderBranchesOnThem)
         "float4 F() : SV_Target { if (WET) { return MOSS; } return 2; }\nENDHLSL } } }"));
     test::OneDraw draw;
     draw.Resolve(material);
-    const auto pass = draw.draw().pass;
+    const auto pass = draw.draw().program;
     const auto values = [&]
     {
         draw.Resolve(material);
@@ -84,7 +84,7 @@ TEST(MaterialKeywords, AreValuesWhereTheShaderBranchesOnThem)
     // No property can take their place.
     material->SetFloat(ShaderPropertyId("WET"), 7.0f);
     EXPECT_EQ(values(), std::pair(1, 0));
-    EXPECT_EQ(draw.draw().pass, pass);
+    EXPECT_EQ(draw.draw().program, pass);
 }
 
 TEST(MaterialTexture, HasScaleOffsetAndSizeFed)

@@ -86,7 +86,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     {
         return compiler.Compile(lives);
     };
-    std::vector<std::future<std::shared_ptr<const CompiledPass>>> others;
+    std::vector<std::future<std::shared_ptr<const ShaderProgram>>> others;
     for (int i = 0; i < 4; ++i)
     {
         others.push_back(std::async(std::launch::async, live));

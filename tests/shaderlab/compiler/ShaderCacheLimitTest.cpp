@@ -22,8 +22,8 @@ PassProgram NumberedProgram(int digit)
                          std::to_string(digit) + "; }\n");
 }
 
-std::shared_ptr<const CompiledPass> CompileInto(const std::filesystem::path& cache, int digit,
-                                                std::uintmax_t limit)
+std::shared_ptr<const ShaderProgram> CompileInto(const std::filesystem::path& cache, int digit,
+                                                 std::uintmax_t limit)
 {
     ShaderCompilerOptions options;
     options.cacheFolder = cache;
@@ -174,7 +174,7 @@ constexpr int k_Programs = 5;
 
 /// What a process of its own does: 0 = every result was as expected, else the number of wrong ones.
 int CompileRepeatedly(const std::filesystem::path& cache, int first,
-                      const std::vector<std::shared_ptr<const CompiledPass>>& expected,
+                      const std::vector<std::shared_ptr<const ShaderProgram>>& expected,
                       std::uintmax_t limit)
 {
     int wrong = 0;
@@ -193,7 +193,7 @@ int CompileRepeatedly(const std::filesystem::path& cache, int first,
 /// Two processes that use one cache folder at once; both must find nothing wrong.
 void ShareFolder(const std::filesystem::path& cache, std::uintmax_t limit)
 {
-    std::vector<std::shared_ptr<const CompiledPass>> expected;
+    std::vector<std::shared_ptr<const ShaderProgram>> expected;
     for (int digit = 0; digit < k_Programs; ++digit)
     {
         expected.push_back(CompileInto({}, digit, 0));

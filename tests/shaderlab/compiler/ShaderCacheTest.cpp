@@ -14,7 +14,7 @@ constexpr const char* k_Program =
 /// One compilation by a fresh compiler: what it gave and whether the cache answered.
 struct Result
 {
-    std::shared_ptr<const CompiledPass> pass;
+    std::shared_ptr<const ShaderProgram> pass;
     bool fromCache = false;
 };
 

@@ -17,7 +17,7 @@ using testing::Not;
 
 constexpr const char* k_FragmentOnly = "float4 frag() : SV_Target { return 1; }\n";
 
-void ExpectValid(const CompiledPass& pass)
+void ExpectValid(const ShaderProgram& pass)
 {
     EXPECT_EQ(test::ValidationMessages(pass.vertexSpirv), "");
     EXPECT_EQ(test::ValidationMessages(pass.fragmentSpirv), "");
@@ -229,7 +229,7 @@ TEST(ShaderCompiler, CompilesForSeveralThreadsAtOnce)
         test::Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n" +
                       std::string(k_FragmentOnly));
     const auto expected = compiler.Compile(program);
-    std::vector<std::shared_ptr<const CompiledPass>> results(4);
+    std::vector<std::shared_ptr<const ShaderProgram>> results(4);
     std::vector<std::thread> threads;
     for (auto& result : results)
     {

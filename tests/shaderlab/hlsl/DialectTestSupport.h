@@ -18,7 +18,7 @@ inline const std::string k_Vertex = R"(
 )";
 
 /// Compiles, validates and asks for no warning.
-inline std::shared_ptr<const CompiledPass>
+inline std::shared_ptr<const ShaderProgram>
 CompileValid(const std::string& hlsl, ProgramLanguage language = ProgramLanguage::Hlsl)
 {
     auto pass = CompileHlsl(hlsl, language);
@@ -28,12 +28,12 @@ CompileValid(const std::string& hlsl, ProgramLanguage language = ProgramLanguage
     return pass;
 }
 
-inline std::shared_ptr<const CompiledPass> CompileFragment(const std::string& hlsl)
+inline std::shared_ptr<const ShaderProgram> CompileFragment(const std::string& hlsl)
 {
     return CompileValid(k_Vertex + hlsl, ProgramLanguage::Cg);
 }
 
-inline const UniformMember& Member(const CompiledPass& pass, const std::string& name)
+inline const UniformMember& Member(const ShaderProgram& pass, const std::string& name)
 {
     for (const UniformBuffer& buffer : pass.layout.buffers)
     {

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 const std::string k_PlainVertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
 
-std::shared_ptr<const CompiledPass> CompileDeclarations(const std::string& hlsl)
+std::shared_ptr<const ShaderProgram> CompileDeclarations(const std::string& hlsl)
 {
     auto pass = test::CompileHlsl(k_PlainVertex + hlsl);
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");

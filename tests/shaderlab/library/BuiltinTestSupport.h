@@ -9,8 +9,8 @@ namespace limn::test
 {
 
 /// A program of the built-in pipeline, whose SPIR-V is expected to be valid.
-inline std::shared_ptr<const CompiledPass> CompileCg(const std::string& text,
-                                                     const std::vector<std::string>& keywords = {})
+inline std::shared_ptr<const ShaderProgram> CompileCg(const std::string& text,
+                                                      const std::vector<std::string>& keywords = {})
 {
     ShaderCompiler compiler;
     const auto pass = compiler.Compile(Program(text, ProgramLanguage::Cg), keywords);
@@ -19,7 +19,7 @@ inline std::shared_ptr<const CompiledPass> CompileCg(const std::string& text,
     return pass;
 }
 
-inline std::vector<std::string> TextureNames(const CompiledPass& pass)
+inline std::vector<std::string> TextureNames(const ShaderProgram& pass)
 {
     std::vector<std::string> names;
     for (const auto& texture : pass.layout.textures)

@@ -7,8 +7,8 @@
 #include <glm/vec4.hpp>
 #include <limn/core/Image.h>
 #include <limn/core/Texture.h>
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <map>
 #include <memory>
 #include <string>

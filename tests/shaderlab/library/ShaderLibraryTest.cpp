@@ -15,7 +15,7 @@ using testing::Not;
 constexpr const char* k_Core =
     "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n";
 
-void ExpectValid(const CompiledPass& pass)
+void ExpectValid(const ShaderProgram& pass)
 {
     EXPECT_EQ(test::ValidationMessages(pass.vertexSpirv), "");
     EXPECT_EQ(test::ValidationMessages(pass.fragmentSpirv), "");

@@ -27,7 +27,7 @@ PassProgram GeometryProgram(const std::string& hlsl)
 }
 
 /// Compiles, validates all three stages and asks for no warning.
-std::shared_ptr<const CompiledPass> CompileGeometry(const std::string& hlsl)
+std::shared_ptr<const ShaderProgram> CompileGeometry(const std::string& hlsl)
 {
     ShaderCompiler compiler;
     auto pass = compiler.Compile(GeometryProgram(hlsl));

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
-#include <programs/PassPool.h>
+#include <programs/ProgramPool.h>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <limn/core/Mesh.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <optional>
 #include <string>
 #include <variant>
@@ -89,7 +89,7 @@ struct DrawBindings
 
 struct DrawCommand
 {
-    std::shared_ptr<const CompiledPass> pass;
+    std::shared_ptr<const ShaderProgram> program;
     std::shared_ptr<const DrawBindings> bindings;
     PipelineState state;
     std::shared_ptr<const Mesh> mesh; ///< null = no vertex buffers, SV_VertexID only
@@ -97,7 +97,7 @@ struct DrawCommand
     std::uint32_t vertexCount = 0;   ///< without a mesh
     std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
     std::uint32_t instanceCount = 1;
-    // What `pass` was compiled from: for reports, a device looks at neither.
+    // What `program` was compiled from: for reports, a device looks at neither.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
 };

@@ -54,7 +54,7 @@ public:
     /// Unity: Material.shaderKeywords. Sorted.
     const std::vector<std::string>& shaderKeywords() const { return m_Keywords; }
     /// The pass in the variant of these keywords, as Shader::Compile.
-    std::shared_ptr<const CompiledPass> Compile(int passIndex) const;
+    std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
 
     /// The queue filtering and sorting go by: the shader's unless set here.
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }

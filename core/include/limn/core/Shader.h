@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <limn/core/ShaderId.h>
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabDocument.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -85,20 +85,20 @@ public:
     /// by the initial keywords.
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
-    std::shared_ptr<const CompiledPass> Compile(int passIndex) const;
-    std::shared_ptr<const CompiledPass> Compile(int passIndex,
-                                                std::span<const std::string> enabled) const;
+    std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
+    std::shared_ptr<const ShaderProgram> Compile(int passIndex,
+                                                 std::span<const std::string> enabled) const;
 
 private:
     /// One variant of one pass.
     struct Variant
     {
         std::mutex mutex; ///< held while it is compiled
-        std::shared_ptr<const CompiledPass> compiled;
+        std::shared_ptr<const ShaderProgram> compiled;
     };
 
     const ShaderLabPass& PassAt(int passIndex) const;
-    std::shared_ptr<const CompiledPass>
+    std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
 
     std::uint64_t m_Id;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limn/core/GraphicsFormat.h>
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <string>
 #include <vector>
 

@@ -185,7 +185,7 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 {
     const std::uint32_t element = draw.firstInstance + skipped;
     const std::uint32_t left = draw.instanceCount - skipped;
-    if (draw.pass->layout.storageBuffers.empty())
+    if (draw.program->layout.storageBuffers.empty())
     {
         return {0, element, left};
     }
@@ -193,13 +193,13 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
     return {element / m_PieceElements, first, std::min(left, m_PieceElements - first)};
 }
 
-VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const PassObjects& pass,
+VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
                                       std::size_t piece)
 {
     VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get(), piece}];
     if (set == VK_NULL_HANDLE)
     {
-        set = Create(draw.pass->layout, draw.bindings ? *draw.bindings : k_NoBindings,
+        set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,
                      pass.setLayout.get(), piece);
     }
     return set;

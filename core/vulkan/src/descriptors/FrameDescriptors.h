@@ -29,7 +29,7 @@ public:
 
     /// @param piece  of the per-draw data
     /// @throws ContractError naming what the shader reads and the draw does not bind
-    VkDescriptorSet Get(const DrawCommand& draw, const PassObjects& pass, std::size_t piece);
+    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece);
 
 private:
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,

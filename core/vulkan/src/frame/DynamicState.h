@@ -1,6 +1,6 @@
 #pragma once
 
-#include "programs/PassPool.h"
+#include "programs/ProgramPool.h"
 
 namespace limn::vulkan
 {

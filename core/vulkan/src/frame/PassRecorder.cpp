@@ -23,7 +23,7 @@ SubMesh IndicesOf(const DrawCommand& draw)
 void RequirePerDraw(const DrawCommand& draw, std::size_t count)
 {
     const std::uint64_t end = std::uint64_t{draw.firstInstance} + draw.instanceCount;
-    if (!draw.pass->layout.storageBuffers.empty() && end > count)
+    if (!draw.program->layout.storageBuffers.empty() && end > count)
     {
         throw ContractError("a draw reads per-draw elements " + std::to_string(draw.firstInstance) +
                             " to " + std::to_string(end) + "; the frame has " +
@@ -125,7 +125,7 @@ void PassRecorder::Run(const SetViewportCommand& viewport)
 void PassRecorder::Run(const DrawCommand& draw)
 {
     RequirePerDraw(draw, m_PerDrawCount);
-    PassObjects& objects = m_Resources.passes.Use(draw.pass, m_Number);
+    ProgramObjects& objects = m_Resources.programs.Use(draw.program, m_Number);
     BindState(draw, objects);
     const PooledMesh* mesh = draw.mesh ? &m_Resources.meshes.Use(draw.mesh, m_Number) : nullptr;
     BindVertices(objects, mesh);
@@ -152,16 +152,16 @@ void PassRecorder::Run(const DrawCommand& draw)
     }
 }
 
-void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
+void PassRecorder::BindState(const DrawCommand& draw, ProgramObjects& objects)
 {
     const PipelineKey key = MakePipelineKey(draw.state, m_Formats, m_Context.capabilities());
-    const VkPipeline pipeline = m_Resources.passes.Pipeline(objects, *draw.pass, key);
+    const VkPipeline pipeline = m_Resources.programs.Pipeline(objects, *draw.program, key);
     if (pipeline != m_BoundPipeline)
     {
         vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
         m_BoundPipeline = pipeline;
     }
-    const int outputs = draw.pass->layout.colorOutputs;
+    const int outputs = draw.program->layout.colorOutputs;
     if (m_BoundState != draw.state || m_BoundOutputs != outputs)
     {
         RecordDynamicState(m_Commands, draw.state, key, outputs, m_Context.functions());
@@ -170,11 +170,11 @@ void PassRecorder::BindState(const DrawCommand& draw, PassObjects& objects)
     }
 }
 
-void PassRecorder::BindInstances(const DrawCommand& draw, const PassObjects& objects,
+void PassRecorder::BindInstances(const DrawCommand& draw, const ProgramObjects& objects,
                                  const InstanceRun& run)
 {
     const VkPipelineLayout layout = objects.layout.get();
-    if (HasBindings(draw.pass->layout))
+    if (HasBindings(draw.program->layout))
     {
         const VkDescriptorSet set = m_Descriptors.Get(draw, objects, run.piece);
         if (set != m_BoundSet)
@@ -187,7 +187,7 @@ void PassRecorder::BindInstances(const DrawCommand& draw, const PassObjects& obj
     vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(run.first), &run.first);
 }
 
-void PassRecorder::BindVertices(const PassObjects& objects, const PooledMesh* mesh)
+void PassRecorder::BindVertices(const ProgramObjects& objects, const PooledMesh* mesh)
 {
     const std::vector<VertexFetch>& fetches = objects.fetches;
     if (fetches.empty())

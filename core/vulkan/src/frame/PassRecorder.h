@@ -22,9 +22,10 @@ private:
     void Run(const DrawCommand& draw);
     void Run(const BeginSampleCommand& sample);
     void Run(const EndSampleCommand& sample);
-    void BindState(const DrawCommand& draw, PassObjects& objects);
-    void BindInstances(const DrawCommand& draw, const PassObjects& objects, const InstanceRun& run);
-    void BindVertices(const PassObjects& objects, const PooledMesh* mesh);
+    void BindState(const DrawCommand& draw, ProgramObjects& objects);
+    void BindInstances(const DrawCommand& draw, const ProgramObjects& objects,
+                       const InstanceRun& run);
+    void BindVertices(const ProgramObjects& objects, const PooledMesh* mesh);
     void BeginLabel(const std::string& name);
     void EndLabel();
 

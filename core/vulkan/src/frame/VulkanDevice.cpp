@@ -85,7 +85,7 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     const std::uint64_t finished = m_Impl->queue.finishedNumber();
     m_Impl->resources.images.Sweep(finished);
     m_Impl->resources.meshes.Sweep(finished);
-    m_Impl->resources.passes.Sweep(finished);
+    m_Impl->resources.programs.Sweep(finished);
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
@@ -170,7 +170,7 @@ VulkanDeviceStatistics VulkanDevice::statistics() const
     statistics.images = m_Impl->resources.images.size();
     statistics.meshes = m_Impl->resources.meshes.size();
     statistics.meshUploads = m_Impl->resources.meshes.uploadCount();
-    statistics.pipelines = m_Impl->resources.passes.pipelineCount();
+    statistics.pipelines = m_Impl->resources.programs.pipelineCount();
     return statistics;
 }
 

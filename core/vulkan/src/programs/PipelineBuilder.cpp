@@ -69,7 +69,7 @@ struct PipelineParts
     VkPipelineRenderingCreateInfo rendering{};
 };
 
-void DescribeVertices(PipelineParts& parts, const PassObjects& pass)
+void DescribeVertices(PipelineParts& parts, const ProgramObjects& pass)
 {
     for (std::uint32_t i = 0; i < pass.fetches.size(); ++i)
     {
@@ -153,7 +153,7 @@ VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, 
 }
 
 UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
-                             const PassObjects& pass, int colorOutputs, const PipelineKey& key)
+                             const ProgramObjects& pass, int colorOutputs, const PipelineKey& key)
 {
     PipelineParts parts;
     parts.stages = {Stage(VK_SHADER_STAGE_VERTEX_BIT, pass.vertex.get()),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "programs/PassPool.h"
+#include "programs/ProgramPool.h"
 
 namespace limn::vulkan
 {
@@ -11,6 +11,6 @@ VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, 
                                                       int colorOutputs);
 
 UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
-                             const PassObjects& pass, int colorOutputs, const PipelineKey& key);
+                             const ProgramObjects& pass, int colorOutputs, const PipelineKey& key);
 
 } // namespace limn::vulkan

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "programs/PassPool.h"
+#include "programs/ProgramPool.h"
 #include "resources/ImagePool.h"
 #include "resources/MeshPool.h"
 #include "resources/SamplerCache.h"
@@ -13,14 +13,14 @@ struct DeviceResources
 {
     ImagePool images;
     MeshPool meshes;
-    PassPool passes;
+    ProgramPool programs;
     SamplerCache samplers;
 
     DeviceResources(const VulkanContext& context, MemoryAllocator& allocator,
                     const std::filesystem::path& cacheFolder)
         : images(context, allocator),
           meshes(context.device(), allocator),
-          passes(context, cacheFolder),
+          programs(context, cacheFolder),
           samplers(context)
     {
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include <string>
 #include <vector>

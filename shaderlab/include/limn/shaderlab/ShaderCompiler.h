@@ -1,7 +1,7 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/PassProgram.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include <chrono>
 #include <cstdint>
@@ -58,8 +58,8 @@ public:
     /// @throws UnsupportedProgramError where limn does not do what the program asks for
     /// @throws AssetError with every message of the compiler at the line of the .shader file, or of
     ///         the included file, that causes it
-    std::shared_ptr<const CompiledPass> Compile(const PassProgram& program,
-                                                std::span<const std::string> keywords = {});
+    std::shared_ptr<const ShaderProgram> Compile(const PassProgram& program,
+                                                 std::span<const std::string> keywords = {});
 
     /// The program with the pragmas of the files behind its `#include_with_pragmas` taken in, which
     /// parsing a .shader file leaves out. Compile does this by itself; keywords and variants are

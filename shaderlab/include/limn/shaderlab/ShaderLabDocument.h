@@ -1,9 +1,9 @@
 #pragma once
 
-#include <limn/shaderlab/CompiledPass.h>
 #include <limn/shaderlab/Diagnostic.h>
 #include <limn/shaderlab/PassProgram.h>
 #include <limn/shaderlab/RenderState.h>
+#include <limn/shaderlab/ShaderProgram.h>
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/core/Texture.h>
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <limn/volume/AssetReference.h>
 #include <limn/volume/ValueParameter.h>
 

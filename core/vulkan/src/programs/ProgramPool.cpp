@@ -1,4 +1,4 @@
-#include "programs/PassPool.h"
+#include "programs/ProgramPool.h"
 
 #include "device/Check.h"
 #include "device/Translate.h"
@@ -75,69 +75,70 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
 
 } // namespace
 
-PassPool::PassPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
+ProgramPool::ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
     : m_Context(context), m_Cache(context, cacheFolder)
 {
 }
 
-PassObjects& PassPool::Use(const std::shared_ptr<const CompiledPass>& pass, std::uint64_t number)
+ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& program,
+                                 std::uint64_t number)
 {
-    const auto found = m_Passes.find({pass, pass.get()});
-    if (found != m_Passes.end())
+    const auto found = m_Programs.find({program, program.get()});
+    if (found != m_Programs.end())
     {
         found->second.lastUse = number;
         return found->second;
     }
-    PassObjects objects;
+    ProgramObjects objects;
     objects.lastUse = number;
-    for (const VertexInput& input : pass->layout.vertexInputs)
+    for (const VertexInput& input : program->layout.vertexInputs)
     {
         objects.fetches.push_back(FetchFor(input));
     }
     objects.pushStages = VK_SHADER_STAGE_FRAGMENT_BIT;
-    if (!pass->geometrySpirv.empty())
+    if (!program->geometrySpirv.empty())
     {
         objects.pushStages |= VK_SHADER_STAGE_GEOMETRY_BIT;
-        objects.geometry = CreateModule(pass->geometrySpirv);
+        objects.geometry = CreateModule(program->geometrySpirv);
     }
-    CreateLayouts(objects, pass->layout);
-    objects.vertex = CreateModule(pass->vertexSpirv);
-    objects.fragment = CreateModule(pass->fragmentSpirv);
-    return m_Passes.emplace(Identity{pass, pass.get()}, std::move(objects)).first->second;
+    CreateLayouts(objects, program->layout);
+    objects.vertex = CreateModule(program->vertexSpirv);
+    objects.fragment = CreateModule(program->fragmentSpirv);
+    return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
 }
 
-VkPipeline PassPool::Pipeline(PassObjects& pass, const CompiledPass& compiled,
-                              const PipelineKey& key)
+VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                                 const PipelineKey& key)
 {
-    for (const auto& [known, pipeline] : pass.pipelines)
+    for (const auto& [known, pipeline] : program.pipelines)
     {
         if (known == key)
         {
             return pipeline.get();
         }
     }
-    pass.pipelines.emplace_back(
-        key, BuildPipeline(m_Context, m_Cache.get(), pass, compiled.layout.colorOutputs, key));
-    return pass.pipelines.back().second.get();
+    program.pipelines.emplace_back(
+        key, BuildPipeline(m_Context, m_Cache.get(), program, compiled.layout.colorOutputs, key));
+    return program.pipelines.back().second.get();
 }
 
-void PassPool::Sweep(std::uint64_t finished)
+void ProgramPool::Sweep(std::uint64_t finished)
 {
-    std::erase_if(m_Passes, [&](const auto& entry)
+    std::erase_if(m_Programs, [&](const auto& entry)
                   { return entry.first.owner.expired() && entry.second.lastUse <= finished; });
 }
 
-std::size_t PassPool::pipelineCount() const
+std::size_t ProgramPool::pipelineCount() const
 {
     std::size_t count = 0;
-    for (const auto& [identity, objects] : m_Passes)
+    for (const auto& [identity, objects] : m_Programs)
     {
         count += objects.pipelines.size();
     }
     return count;
 }
 
-UniqueShaderModule PassPool::CreateModule(const std::vector<std::uint32_t>& spirv) const
+UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& spirv) const
 {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
@@ -149,7 +150,7 @@ UniqueShaderModule PassPool::CreateModule(const std::vector<std::uint32_t>& spir
     return {m_Context.device(), handle};
 }
 
-void PassPool::CreateLayouts(PassObjects& objects, const PropertyLayout& layout) const
+void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const
 {
     const std::vector<VkDescriptorSetLayoutBinding> bindings = Bindings(layout);
     VkDescriptorSetLayoutCreateInfo setInfo{};

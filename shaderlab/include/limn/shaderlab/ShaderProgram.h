@@ -147,7 +147,7 @@ struct PropertyLayout
 
 /// A pass compiled for one keyword set: SPIR-V 1.3 of its stages (entry point "main") and its
 /// layout.
-struct CompiledPass
+struct ShaderProgram
 {
     std::vector<std::uint32_t> vertexSpirv;
     std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
@@ -157,7 +157,7 @@ struct CompiledPass
     /// does not have: Y", of what the pass uses that the ShaderLibrary only stands in for.
     std::vector<Diagnostic> diagnostics;
 
-    bool operator==(const CompiledPass&) const = default;
+    bool operator==(const ShaderProgram&) const = default;
 };
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros

@@ -4,7 +4,7 @@
 #include "programs/PipelineCacheFile.h"
 #include "resources/MeshPool.h"
 #include <limn/core/PipelineState.h>
-#include <limn/shaderlab/CompiledPass.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <map>
 
 namespace limn::vulkan
@@ -21,7 +21,7 @@ struct TargetFormats
     bool operator==(const TargetFormats&) const = default;
 };
 
-/// Everything that tells two pipelines of one pass apart: what is not dynamic state.
+/// Everything that tells two pipelines of one program apart: what is not dynamic state.
 struct PipelineKey
 {
     TargetFormats formats;
@@ -44,11 +44,11 @@ struct VertexFetch
     VkFormat format = VK_FORMAT_UNDEFINED;
 };
 
-/// The Vulkan objects of one CompiledPass. Vertex input i is binding i, its stride dynamic.
-struct PassObjects
+/// The Vulkan objects of one ShaderProgram. Vertex input i is binding i, its stride dynamic.
+struct ProgramObjects
 {
     UniqueShaderModule vertex;
-    UniqueShaderModule geometry; ///< null where the pass has no such function
+    UniqueShaderModule geometry; ///< null where the program has no such function
     UniqueShaderModule fragment;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
@@ -58,39 +58,40 @@ struct PassObjects
     std::uint64_t lastUse = 0;
 };
 
-/// Pipelines of all passes, compiled when first drawn with; freed when the CompiledPass is gone.
-class PassPool
+/// Pipelines of all passes, compiled when first drawn with; freed when the ShaderProgram is gone.
+class ProgramPool
 {
 public:
-    PassPool(const VulkanContext& context, const std::filesystem::path& cacheFolder);
+    ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder);
 
     /// @throws ContractError if the layout needs what limn does not have
-    PassObjects& Use(const std::shared_ptr<const CompiledPass>& pass, std::uint64_t number);
-    VkPipeline Pipeline(PassObjects& pass, const CompiledPass& compiled, const PipelineKey& key);
+    ProgramObjects& Use(const std::shared_ptr<const ShaderProgram>& program, std::uint64_t number);
+    VkPipeline Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                        const PipelineKey& key);
     void Sweep(std::uint64_t finished);
     std::size_t pipelineCount() const;
 
 private:
-    /// Identity that survives the pass: its owner's control block, which is never used again while
-    /// the weak pointer lives, and the address within what that owner keeps.
+    /// Identity that survives the program: its owner's control block, which is never used again
+    /// while the weak pointer lives, and the address within what that owner keeps.
     struct Identity
     {
-        std::weak_ptr<const CompiledPass> owner;
-        const CompiledPass* pass = nullptr;
+        std::weak_ptr<const ShaderProgram> owner;
+        const ShaderProgram* program = nullptr;
 
         bool operator<(const Identity& other) const
         {
             return owner.owner_before(other.owner) ||
-                   (!other.owner.owner_before(owner) && std::less<>{}(pass, other.pass));
+                   (!other.owner.owner_before(owner) && std::less<>{}(program, other.program));
         }
     };
 
     UniqueShaderModule CreateModule(const std::vector<std::uint32_t>& spirv) const;
-    void CreateLayouts(PassObjects& objects, const PropertyLayout& layout) const;
+    void CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const;
 
     const VulkanContext& m_Context;
     PipelineCacheFile m_Cache;
-    std::map<Identity, PassObjects> m_Passes;
+    std::map<Identity, ProgramObjects> m_Programs;
 };
 
 } // namespace limn::vulkan
