@@ -43,8 +43,9 @@ UnityAsset Read(std::string_view text)
     return UnityAsset(std::string(text), "R.asset");
 }
 
-constexpr const char* k_NotAnObject = "this document is no Unity object; one begins like '--- !u!114 "
-                                   "&11400000' and has one map, 'MonoBehaviour:'";
+constexpr const char* k_NotAnObject =
+    "this document is no Unity object; one begins like '--- !u!114 "
+    "&11400000' and has one map, 'MonoBehaviour:'";
 
 TEST(UnityAsset, GivesEveryObjectWithItsIdsAndName)
 {
@@ -102,30 +103,31 @@ TEST(UnityAsset, IsToldByTheLinesItsObjectsBeginWith)
 
 /// A scene as Unity saves it, cut down: an object, a prefab's instance and what stands for the
 /// prefab's own transform.
-constexpr std::string_view k_UnityScene = "%YAML 1.1\n"
-                                     "%TAG !u! tag:unity3d.com,2011:\n"
-                                     "--- !u!1 &100\n"
-                                     "GameObject:\n"
-                                     "  m_Component:\n"
-                                     "  - component: {fileID: 102}\n"
-                                     "  m_Name: 'Hammer: 2'\n"
-                                     "--- !u!4 &101 stripped\n"
-                                     "Transform:\n"
-                                     "  m_CorrespondingSourceObject: {fileID: -8679921383154817045,"
-                                     " guid: 0a,\n"
-                                     "    type: 3}\n"
-                                     "  m_PrefabInstance: {fileID: 300}\n"
-                                     "--- !u!4 &102\n"
-                                     "Transform:\n"
-                                     "  m_Father: {fileID: 101}\n"
-                                     "--- !u!1001 &300\n"
-                                     "PrefabInstance:\n"
-                                     "  m_Modification:\n"
-                                     "    m_Modifications: []\n"
-                                     "--- !u!1660057539 &9223372036854775807\n"
-                                     "SceneRoots:\n"
-                                     "  m_Roots:\n"
-                                     "  - {fileID: 300}\n";
+constexpr std::string_view k_UnityScene =
+    "%YAML 1.1\n"
+    "%TAG !u! tag:unity3d.com,2011:\n"
+    "--- !u!1 &100\n"
+    "GameObject:\n"
+    "  m_Component:\n"
+    "  - component: {fileID: 102}\n"
+    "  m_Name: 'Hammer: 2'\n"
+    "--- !u!4 &101 stripped\n"
+    "Transform:\n"
+    "  m_CorrespondingSourceObject: {fileID: -8679921383154817045,"
+    " guid: 0a,\n"
+    "    type: 3}\n"
+    "  m_PrefabInstance: {fileID: 300}\n"
+    "--- !u!4 &102\n"
+    "Transform:\n"
+    "  m_Father: {fileID: 101}\n"
+    "--- !u!1001 &300\n"
+    "PrefabInstance:\n"
+    "  m_Modification:\n"
+    "    m_Modifications: []\n"
+    "--- !u!1660057539 &9223372036854775807\n"
+    "SceneRoots:\n"
+    "  m_Roots:\n"
+    "  - {fileID: 300}\n";
 
 void ExpectUnityScene(const UnityAsset& asset)
 {
@@ -204,22 +206,23 @@ TEST(UnityAsset, FindsEachOfManyObjectsWithoutALookAtTheOthers)
 
 TEST(UnityAsset, RefusesEveryDocumentThatDoesNotBeginAsAnObject)
 {
-    EXPECT_THAT(Problems(
-                    []
-                    {
-                        Read("%TAG !u! tag:unity3d.com,2011:\n"
-                             "--- !u!114\n"
-                             "MonoBehaviour: {}\n"
-                             "--- !u!1x &2\n"
-                             "--- !u!1 &99999999999999999999\n"
-                             "--- !u!1 &3 striped\n"
-                             "--- !u!1 &4 stripped too\n"
-                             "---\n"
-                             "plain: {}\n");
-                    }),
-                ElementsAre("2:1: " + std::string(k_NotAnObject), "4:1: " + std::string(k_NotAnObject),
-                            "5:1: " + std::string(k_NotAnObject), "6:1: " + std::string(k_NotAnObject),
-                            "7:1: " + std::string(k_NotAnObject), "8:1: " + std::string(k_NotAnObject)));
+    EXPECT_THAT(
+        Problems(
+            []
+            {
+                Read("%TAG !u! tag:unity3d.com,2011:\n"
+                     "--- !u!114\n"
+                     "MonoBehaviour: {}\n"
+                     "--- !u!1x &2\n"
+                     "--- !u!1 &99999999999999999999\n"
+                     "--- !u!1 &3 striped\n"
+                     "--- !u!1 &4 stripped too\n"
+                     "---\n"
+                     "plain: {}\n");
+            }),
+        ElementsAre("2:1: " + std::string(k_NotAnObject), "4:1: " + std::string(k_NotAnObject),
+                    "5:1: " + std::string(k_NotAnObject), "6:1: " + std::string(k_NotAnObject),
+                    "7:1: " + std::string(k_NotAnObject), "8:1: " + std::string(k_NotAnObject)));
 }
 
 TEST(UnityAsset, RefusesABodyThatIsNotOneMapWhenAskedForIt)

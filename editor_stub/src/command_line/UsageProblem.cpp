@@ -1,6 +1,6 @@
-#include "commands/UsageProblem.h"
+#include "command_line/UsageProblem.h"
 
-#include "commands/OptionText.h"
+#include "command_line/OptionText.h"
 
 #include <CLI/CLI.hpp>
 #include <limn/shaderlab/Diagnostic.h>

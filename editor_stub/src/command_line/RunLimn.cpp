@@ -1,7 +1,7 @@
-#include "commands/CommandLine.h"
-#include "commands/Help.h"
-#include "commands/OptionText.h"
-#include "commands/UsageProblem.h"
+#include "command_line/CommandLine.h"
+#include "command_line/Help.h"
+#include "command_line/OptionText.h"
+#include "command_line/UsageProblem.h"
 
 #include <CLI/CLI.hpp>
 #include <limn/core/DrawError.h>

@@ -1,6 +1,6 @@
-#include "commands/Completion.h"
+#include "command_line/Completion.h"
 
-#include "commands/OptionText.h"
+#include "command_line/OptionText.h"
 
 #include <CLI/CLI.hpp>
 

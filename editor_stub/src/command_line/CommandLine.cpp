@@ -1,11 +1,11 @@
-#include "commands/CommandLine.h"
+#include "command_line/CommandLine.h"
 
-#include "commands/Completion.h"
+#include "command_line/Completion.h"
+#include "command_line/Help.h"
+#include "command_line/OptionText.h"
+#include "command_line/UsageProblem.h"
 #include "commands/DoctorCommand.h"
-#include "commands/Help.h"
-#include "commands/OptionText.h"
 #include "commands/SchemaCommand.h"
-#include "commands/UsageProblem.h"
 #include "commands/WatchCommand.h"
 #include "scene/Limits.h"
 

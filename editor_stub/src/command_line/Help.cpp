@@ -1,6 +1,6 @@
-#include "commands/Help.h"
+#include "command_line/Help.h"
 
-#include "commands/OptionText.h"
+#include "command_line/OptionText.h"
 
 #include <CLI/CLI.hpp>
 

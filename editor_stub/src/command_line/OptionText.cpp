@@ -1,4 +1,4 @@
-#include "commands/OptionText.h"
+#include "command_line/OptionText.h"
 
 #include <CLI/CLI.hpp>
 
