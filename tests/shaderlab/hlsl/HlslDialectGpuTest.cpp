@@ -35,6 +35,18 @@ constexpr const char* k_Matrix = "float4x4(a, b, c, float4(1, 2, 3, 4))";
 
 } // namespace
 
+TEST_F(HlslDialectValues, FixedAndHalfScalarsVectorsAndMatricesHold)
+{
+    FunctionGrid grid(R"(
+        half4 Fill(half3x3 m, fixed4x4 k) { return mul(k, half4(m[0], 1)); }
+        fixed Corner(half2 h) { fixed2x2 m = fixed2x2(1, 0, 0, h.y); return m[1][1]; })",
+                      ProgramLanguage::Cg);
+    grid.Add("Fill((half3x3)1, (fixed4x4)2) * a", k_Inputs,
+             [](const glm::dvec4& a, auto&, auto&) { return 8.0 * a; });
+    grid.Add("Corner(a.xy)", k_Inputs, [](const glm::dvec4& a, auto&, auto&) { return a.y; });
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, LoopVariablesAfterTheirLoop)
 {
     FunctionGrid grid(R"(

@@ -29,18 +29,6 @@ TEST(HlslDialect, SamplesOldSamplersInEveryWay)
     EXPECT_THAT(spirv, HasSubstr("OpImageSampleExplicitLod"));
 }
 
-TEST(HlslDialect, HasFixedAndHalfScalarsVectorsAndMatrices)
-{
-    CompileFragment(R"(
-        half4 twice(half3x3 m, fixed4x4 k) { return mul(k, half4(m[0], 1)); }
-        fixed4 frag(v2f i) : COLOR
-        {
-            fixed2x2 a = fixed2x2(1, 0, 0, 1); half3x3 m = (half3x3)1; fixed4x4 k = (fixed4x4)2;
-            fixed f = a[0][0]; half3 h = i.uv.xyx;
-            return twice(m, k) * f + h.xyzz;
-        })");
-}
-
 TEST(HlslDialect, TakesTheFaceInEveryType)
 {
     for (const std::string parameter :

@@ -59,20 +59,6 @@ TEST(HlslOldForms, TakesTexturesOfOneDimensionForRowsOfTwo)
                 HasSubstr("Bias %float_2"));
 }
 
-TEST(HlslOldForms, SamplesCubesAndVolumesInEveryWay)
-{
-    CompileFragment(R"(
-        samplerCUBE _C; sampler3D _V;
-        float4 frag(v2f i) : SV_Target
-        {
-            float4 u = i.uv.xyxy; float3 d = ddx(u.xyz);
-            return texCUBE(_C, u) + texCUBE(_C, u.xyz, d, d) + texCUBEgrad(_C, u.xyz, d, d)
-                + texCUBElod(_C, u) + texCUBEbias(_C, u) + tex3D(_V, u) + tex3D(_V, u.xyz, d, d)
-                + tex3Dgrad(_V, u.xyz, d, d) + tex3Dlod(_V, u) + tex3Dbias(_V, u)
-                + tex3Dproj(_V, u);
-        })");
-}
-
 TEST(HlslOldForms, TakesSamplersAsParameters)
 {
     const auto pass = CompileFragment(R"(

@@ -218,6 +218,40 @@ TEST_F(TextureDimensions, PutTheTexelsOfAVolumeInItsCorners)
     }
 }
 
+TEST_F(TextureDimensions, AreReadByEveryOldFunction)
+{
+    const auto sky = std::make_shared<Cubemap>("sky", 2, k_R8, NumberedFaces(), PointClamp());
+    for (const char* read :
+         {"texCUBE(_Map, _At.xyz)", "texCUBE(_Map, _At.xyz, 0, 0)",
+          "texCUBEgrad(_Map, _At.xyz, 0, 0)", "texCUBElod(_Map, float4(_At.xyz, 0))",
+          "texCUBEbias(_Map, float4(_At.xyz, 0))", "texCUBEproj(_Map, float4(_At.xyz * 2, 2))"})
+    {
+        SCOPED_TRACE(read);
+        MapDraw draw("samplerCUBE _Map;", read);
+        draw.Set(sky);
+        for (int i = 0; i < 6; ++i)
+        {
+            const Face& face = k_Faces[i];
+            const glm::vec3 topRight = face.forward + 0.5f * face.right + 0.5f * face.up;
+            EXPECT_EQ(40 * i + 10, draw.ByteAt(glm::vec4(topRight, 0))) << face.name;
+        }
+    }
+    const auto fog =
+        std::make_shared<Texture3D>("fog", 2, 2, 2, k_R8, NumberedVolume(), PointClamp());
+    for (const char* read :
+         {"tex3D(_Map, _At.xyz)", "tex3D(_Map, _At.xyz, 0, 0)", "tex3Dgrad(_Map, _At.xyz, 0, 0)",
+          "tex3Dlod(_Map, float4(_At.xyz, 0))", "tex3Dbias(_Map, float4(_At.xyz, 0))",
+          "tex3Dproj(_Map, float4(_At.xyz * 4, 4))"})
+    {
+        SCOPED_TRACE(read);
+        MapDraw draw("sampler3D _Map;", read);
+        draw.Set(fog);
+        EXPECT_EQ(20, draw.ByteAt({0.75f, 0.25f, 0.25f, 0}));
+        EXPECT_EQ(40, draw.ByteAt({0.25f, 0.75f, 0.25f, 0}));
+        EXPECT_EQ(80, draw.ByteAt({0.25f, 0.25f, 0.75f, 0}));
+    }
+}
+
 TEST_F(TextureDimensions, InterpolateInAVolumeAlongEachAxis)
 {
     MapDraw draw("sampler3D _Map;", "tex3Dlod(_Map, float4(_At.xyz, 0))");
