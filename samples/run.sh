@@ -5,6 +5,7 @@ cd "$(dirname "$0")/.."
 source .ci/setup.sh
 limn_install_missing "${limn_build_packages[@]}"
 
+export NINJA_STATUS="[%f/%t, %es] " # one line on a terminal
 cmake --preset release >/dev/null
 cmake --build --preset release
 mkdir -p out

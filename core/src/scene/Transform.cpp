@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limn/core/Transform.h>
 #include <limn/shaderlab/Diagnostic.h>
+#include <vector>
 
 namespace limn
 {
@@ -8,25 +10,26 @@ namespace limn
 namespace
 {
 
-/// Calls `visit` with each parent, nearest first.
-/// @throws ContractError if they form a circle
-template <typename Visit>
-void ForEachParent(const Transform& transform, Visit&& visit)
+/// From the one without a parent down to `transform` itself: rounded in this order, a world matrix
+/// is the parent's world matrix times its own, whoever asks.
+/// @throws ContractError if the parents form a circle
+std::vector<const Transform*> FromTheRoot(const Transform& transform)
 {
+    std::vector<const Transform*> chain;
     // Floyd: who goes half as fast is met again in a circle only.
     const Transform* slow = &transform;
-    bool isSecond = false;
-    for (const Transform* parent = transform.parent; parent != nullptr; parent = parent->parent)
+    for (const Transform* t = &transform; t != nullptr; t = t->parent)
     {
-        if (parent == slow)
+        if (t == slow && !chain.empty())
         {
             throw ContractError("transform: it is among its own parents, or they go round in a "
                                 "circle; a parent must lead to one without a parent");
         }
-        visit(*parent);
-        slow = isSecond ? slow->parent : slow;
-        isSecond = !isSecond;
+        slow = chain.size() % 2 == 1 ? slow->parent : slow;
+        chain.push_back(t);
     }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
 }
 
 } // namespace
@@ -65,9 +68,16 @@ glm::mat4 Transform::localToParentMatrix() const
 
 glm::mat4 Transform::localToWorldMatrix() const
 {
-    glm::mat4 matrix = localToParentMatrix();
-    ForEachParent(*this,
-                  [&](const Transform& above) { matrix = above.localToParentMatrix() * matrix; });
+    if (parent == nullptr)
+    {
+        return localToParentMatrix();
+    }
+    const std::vector<const Transform*> chain = FromTheRoot(*this);
+    glm::mat4 matrix = chain.front()->localToParentMatrix();
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+        matrix = matrix * chain[i]->localToParentMatrix();
+    }
     return matrix;
 }
 
@@ -78,8 +88,16 @@ glm::vec3 Transform::position() const
 
 glm::quat Transform::rotation() const
 {
-    glm::quat turned = localRotation;
-    ForEachParent(*this, [&](const Transform& above) { turned = above.localRotation * turned; });
+    if (parent == nullptr)
+    {
+        return localRotation;
+    }
+    const std::vector<const Transform*> chain = FromTheRoot(*this);
+    glm::quat turned = chain.front()->localRotation;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+        turned = turned * chain[i]->localRotation;
+    }
     return turned;
 }
 

@@ -107,6 +107,15 @@ TEST(EditVolumeProfile, LeavesAValueThatSaysTheSameAsItIs)
                                     "Mixed.tint=[0, 0, 0.5, 1]"}));
 }
 
+TEST(EditVolumeProfile, RewritesAColourWithAnotherShapeOnOneLineOnly)
+{
+    EXPECT_EQ("Mixed: {tint: {r: 1, g: 0, b: 0, a: 0.5}} # c\n",
+              Edit("Mixed: {tint: {r: 0, g: 0, b: 0}} # c\n", {"Mixed.tint=[1, 0, 0, 0.5]"}));
+    EXPECT_THAT(
+        ProblemsOf("Mixed:\n  tint: {r: 0,\n    g: 0, b: 0}\n", {"Mixed.tint=[1, 0, 0, 0.5]"}),
+        testing::ElementsAre(testing::HasSubstr("'a' is missing here")));
+}
+
 TEST(EditVolumeProfile, ChangesWhetherAComponentIsActive)
 {
     EXPECT_EQ("Mixed: {active: false}\n", Edit("Mixed: {active: true}\n", {"Mixed.active=false"}));

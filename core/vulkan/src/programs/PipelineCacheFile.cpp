@@ -1,6 +1,7 @@
 #include "programs/PipelineCacheFile.h"
 
 #include "device/Check.h"
+#include <algorithm>
 #include <cstring>
 #include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ReadFile.h>
@@ -59,9 +60,9 @@ std::vector<char> WrapCacheFile(const std::vector<char>& payload)
     std::memcpy(header.magic, k_Magic, sizeof(k_Magic));
     header.size = payload.size();
     header.checksum = HashContent({payload.data(), payload.size()});
-    std::vector<char> file(sizeof(header));
+    std::vector<char> file(sizeof(header) + payload.size());
     std::memcpy(file.data(), &header, sizeof(header));
-    file.insert(file.end(), payload.begin(), payload.end());
+    std::copy(payload.begin(), payload.end(), file.begin() + sizeof(header));
     return file;
 }
 
