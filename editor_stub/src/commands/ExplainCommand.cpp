@@ -2,11 +2,11 @@
 
 #include "assets/FileKind.h"
 #include "reports/ExplanationText.h"
+#include "reports/Json.h"
 #include "view/SceneView.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace limn
@@ -14,8 +14,6 @@ namespace limn
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 Json ToJson(const VolumeTrace& trace)
 {

@@ -1,16 +1,14 @@
 #include "reports/InspectReport.h"
+#include "reports/Json.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace limn
 {
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 std::string RangeText(const std::optional<ValueRange>& range)
 {

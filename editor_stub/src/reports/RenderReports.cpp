@@ -1,17 +1,15 @@
 #include "reports/RenderReports.h"
+#include "reports/Json.h"
 
 #include <limn/shaderlab/WriteFile.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace limn
 {
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 Json CpuTimes(const Timeline& timeline)
 {

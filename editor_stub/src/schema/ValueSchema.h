@@ -1,8 +1,9 @@
 #pragma once
 
+#include "reports/Json.h"
+
 #include <limn/core/Inspector.h>
 #include <limn/volume/YamlRead.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -10,8 +11,6 @@ namespace limn
 {
 
 /// Keys keep their order, which is the one an editor offers them in.
-using Json = nlohmann::ordered_json;
-
 // The JSON Schema of values as YamlRead and ReadLayers read them.
 
 Json BoolSchema();

@@ -1,16 +1,13 @@
+#include "reports/Json.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderSummary.h"
 #include "shaders/StateText.h"
-
-#include <nlohmann/json.hpp>
 
 namespace limn
 {
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 Json TagsJson(const ShaderTags& tags)
 {
