@@ -1,6 +1,7 @@
 #include "pipeline/CameraUniforms.h"
 
 #include <cmath>
+#include <limn/core/FrameCompiler.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -73,12 +74,6 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
 
 } // namespace
 
-void UniversalRenderPipeline::SetDevice(GraphicsDevice& device)
-{
-    m_Device = &device;
-    m_FrameCompiler = {};
-}
-
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
@@ -101,11 +96,11 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
-    // What the frame does to textures counts only once the device has taken it.
-    FrameCompiler afterwards = m_FrameCompiler;
-    result.frame = afterwards.Compile(context.TakeCommands(), outputs);
+    result.frame = CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs,
+                                request.isLastFrame);
     m_Device->Execute(result.frame);
-    m_FrameCompiler = std::move(afterwards);
+    std::vector<std::string>& notes = result.report.notes;
+    notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());
     return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/CompiledFrame.h>
+#include <limn/core/FrameCompiler.h>
 #include <limn/shaderlab/ShaderProgram.h>
 #include <memory>
 #include <string>
@@ -69,6 +69,21 @@ private:
     }
 
     FrameCommands m_Frame;
+};
+
+/// Compiles frame after frame, each with the states that the one before left.
+class FrameCompiler
+{
+public:
+    CompiledFrame Compile(FrameCommands commands, const std::vector<RenderTexturePtr>& outputs = {})
+    {
+        CompiledFrame frame = CompileFrame(std::move(commands), m_States, outputs);
+        m_States = frame.states;
+        return frame;
+    }
+
+private:
+    TextureStates m_States;
 };
 
 inline std::string Describe(const PassCommand& command)

@@ -9,7 +9,11 @@ namespace limn
 class RecordingDevice final : public GraphicsDevice
 {
 public:
-    void Execute(const CompiledFrame& frame) override { m_Frames.push_back(frame); }
+    void Execute(const CompiledFrame& frame) override
+    {
+        m_Frames.push_back(frame);
+        Adopt(frame.states);
+    }
     /// @throws ContractError always: nothing was drawn
     Image ReadBack(const RenderTexture& texture) override;
     std::vector<PassTiming> LastFrameTimings() override { return {}; }

@@ -88,6 +88,7 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->resources.programs.Sweep(finished);
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
+    Adopt(frame.states);
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 

@@ -1,4 +1,4 @@
-#include "frame/PassSplitter.h"
+#include "frame/FrameNode.h"
 
 #include <algorithm>
 #include <limn/core/DrawError.h>
@@ -16,52 +16,25 @@ ViewportRect WholeOf(const SetRenderTargetCommand& target)
     return {0, 0, any.width(), any.height()};
 }
 
-/// Adds a clear to those that the pass begins with.
-void MergeClear(std::optional<ClearCommand>& clear, const ClearCommand& command)
+/// @throws DrawError if the draw samples what it draws into
+void ExpectOtherTextures(const FrameNode& node, const DrawCommand& draw)
 {
-    if (!clear)
+    const auto& colors = node.targets.colors;
+    for (const TextureSlot& slot : draw.bindings->textures)
     {
-        clear = command;
-        return;
-    }
-    if (command.flags & ClearFlag::Color)
-    {
-        clear->color = command.color;
-    }
-    if (command.flags & ClearFlag::Depth)
-    {
-        clear->depth = command.depth;
-    }
-    if (command.flags & ClearFlag::Stencil)
-    {
-        clear->stencil = command.stencil;
-    }
-    clear->flags = clear->flags | command.flags;
-}
-
-void AddRead(OpenPass& pass, const std::shared_ptr<const Texture>& texture)
-{
-    if (dynamic_cast<const RenderTexture*>(texture.get()) == nullptr)
-    {
-        return; // contents come from the CPU: nothing to wait for
-    }
-    const auto& colors = pass.targets.colors;
-    if (texture == pass.targets.depth ||
-        std::find(colors.begin(), colors.end(), texture) != colors.end())
-    {
-        throw DrawError("pass '" + pass.name + "' samples '" + texture->name() +
-                        "' while drawing into it; draw into another texture and copy");
-    }
-    if (std::find(pass.reads.begin(), pass.reads.end(), texture) == pass.reads.end())
-    {
-        pass.reads.push_back(texture);
+        if (slot.texture == node.targets.depth ||
+            std::find(colors.begin(), colors.end(), slot.texture) != colors.end())
+        {
+            throw DrawError("pass '" + node.name + "' samples '" + slot.texture->name() +
+                            "' while drawing into it; draw into another texture and copy");
+        }
     }
 }
 
-class PassSplitter
+class NodeSplitter
 {
 public:
-    std::vector<OpenPass> Split(std::vector<FrameCommand> commands)
+    std::vector<FrameNode> Split(std::vector<FrameCommand> commands)
     {
         for (FrameCommand& command : commands)
         {
@@ -71,11 +44,11 @@ public:
         {
             m_Pending.emplace_back(EndSampleCommand{});
         }
-        if (!m_Passes.empty())
+        if (!m_Nodes.empty())
         {
             FlushPending();
         }
-        return std::move(m_Passes);
+        return std::move(m_Nodes);
     }
 
 private:
@@ -93,24 +66,25 @@ private:
         {
             return;
         }
-        OpenPass& pass = Pass("a clear");
+        FrameNode& node = Node("a clear");
         if (!m_Started && !m_Viewport)
         {
-            MergeClear(pass.clear, command);
+            node.clear = node.clear ? *node.clear : ClearCommand{};
+            Merge(*node.clear, command);
             return;
         }
-        pass.commands.emplace_back(command);
+        node.commands.emplace_back(command);
         m_Started = true;
     }
 
     void Take(DrawCommand& command)
     {
-        OpenPass& pass = Pass("a draw");
+        FrameNode& node = Node("a draw");
         for (const TextureSlot& slot : command.bindings->textures)
         {
             AddRead(pass, slot.texture);
         }
-        pass.commands.emplace_back(std::move(command));
+        node.commands.emplace_back(std::move(command));
         m_Started = true;
     }
 
@@ -139,8 +113,8 @@ private:
         }
     }
 
-    /// The pass that a draw or clear goes into, begun if need be, with the viewport in effect.
-    OpenPass& Pass(const char* what)
+    /// The node that a draw or clear goes into, begun if need be, with the viewport in effect.
+    FrameNode& Node(const char* what)
     {
         if (!m_Target)
         {
@@ -150,52 +124,51 @@ private:
         }
         if (!IsOnTarget())
         {
-            OpenPass& pass = m_Passes.emplace_back();
-            pass.name = m_Samples.empty() ? std::string() : m_Samples.back();
-            pass.targets = *m_Target;
-            m_PassViewport.reset();
+            FrameNode& node = m_Nodes.emplace_back();
+            node.name = m_Samples.empty() ? std::string() : m_Samples.back();
+            node.targets = *m_Target;
+            m_NodeViewport.reset();
             m_Started = false;
         }
         FlushPending();
-        if (m_Viewport != m_PassViewport)
+        if (m_Viewport != m_NodeViewport)
         {
-            m_Passes.back().commands.emplace_back(
+            m_Nodes.back().commands.emplace_back(
                 SetViewportCommand{m_Viewport ? *m_Viewport : WholeOf(*m_Target)});
-            m_PassViewport = m_Viewport;
+            m_NodeViewport = m_Viewport;
         }
-        return m_Passes.back();
+        return m_Nodes.back();
     }
 
-    /// Whether the last pass draws into what is bound.
+    /// Whether the last node draws into what is bound.
     bool IsOnTarget() const
     {
-        return m_Target && !m_Passes.empty() &&
-               m_Passes.back().targets.colors == m_Target->colors &&
-               m_Passes.back().targets.depth == m_Target->depth;
+        return m_Target && !m_Nodes.empty() && m_Nodes.back().targets.colors == m_Target->colors &&
+               m_Nodes.back().targets.depth == m_Target->depth;
     }
 
     void FlushPending()
     {
-        auto& commands = m_Passes.back().commands;
+        auto& commands = m_Nodes.back().commands;
         commands.insert(commands.end(), std::make_move_iterator(m_Pending.begin()),
                         std::make_move_iterator(m_Pending.end()));
         m_Pending.clear();
     }
 
-    std::vector<OpenPass> m_Passes;
+    std::vector<FrameNode> m_Nodes;
     std::optional<SetRenderTargetCommand> m_Target;
-    bool m_Started = false;                     ///< the last pass holds a draw or a clear
+    bool m_Started = false;                     ///< the last node holds a draw or a clear
     std::optional<ViewportRect> m_Viewport;     ///< as recorded; none = the whole target
-    std::optional<ViewportRect> m_PassViewport; ///< in effect at the end of the last pass
-    std::vector<PassCommand> m_Pending;         ///< samples begun or ended between passes
+    std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
+    std::vector<PassCommand> m_Pending;         ///< samples begun or ended between nodes
     std::vector<std::string> m_Samples;         ///< open ones, outermost first
 };
 
 } // namespace
 
-std::vector<OpenPass> SplitIntoPasses(std::vector<FrameCommand> commands)
+std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands)
 {
-    return PassSplitter().Split(std::move(commands));
+    return NodeSplitter().Split(std::move(commands));
 }
 
 } // namespace limn
