@@ -82,7 +82,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     const PassProgram lives = dies;
     dies.file = "dies.shader";
     ShaderCompiler compiler(IsolatedOptions());
-    ShaderCompiler other(IsolatedOptions());
+    ShaderCompiler dying(IsolatedOptions());
     const auto live = [&]
     {
         return compiler.Compile(lives);
@@ -91,7 +91,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     for (int i = 0; i < 4; ++i)
     {
         others.push_back(std::async(std::launch::async, live));
-        EXPECT_THAT(IsolatedMessages(other, dies),
+        EXPECT_THAT(IsolatedMessages(dying, dies),
                     ElementsAre("1:1: error: program: the HLSL compiler crashes on it: Aborted "
                                 "(signal 6)"));
     }
