@@ -22,7 +22,7 @@ bool UsesStencil(const FrameNode& node)
 }
 
 /// The ids of textures that have to stay as they are.
-std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, Outputs outputs)
+std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, OutputSpan outputs)
 {
     std::unordered_set<std::uint64_t> kept;
     for (const auto& output : outputs)
@@ -82,7 +82,7 @@ TwinOf(const std::shared_ptr<const RenderTexture>& original,
 
 } // namespace
 
-void LeaveOutStencil(std::vector<FrameNode>& nodes, Outputs outputs, CompiledFrame& frame)
+void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });

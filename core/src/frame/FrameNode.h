@@ -6,7 +6,7 @@
 namespace limn
 {
 
-using Outputs = std::span<const std::shared_ptr<const RenderTexture>>;
+using OutputSpan = std::span<const std::shared_ptr<const RenderTexture>>;
 
 /// Commands on one set of targets, before load, store and barriers are decided.
 struct FrameNode
@@ -40,6 +40,9 @@ void Merge(ClearCommand& clear, const ClearCommand& other);
 /// or end in them stay.
 void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame);
 
+/// Erases samples that begin and end with nothing in between.
+void EraseEmptySamples(FrameNode& node);
+
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
 /// or cleared, so binding alone makes no node and ends none. Samples left open end with the frame.
 /// @throws ContractError as CompileFrame
@@ -51,16 +54,16 @@ void FindAccess(std::vector<FrameNode>& nodes);
 // Each of the following steps leaves a frame that draws the same. They know of the frames before
 // what `frame.states` says, and say in `frame.leftOut` what they leave out.
 
-void FoldConstants(std::vector<FrameNode>& nodes, Outputs outputs, CompiledFrame& frame);
-void ForwardCopies(std::vector<FrameNode>& nodes, Outputs outputs, CompiledFrame& frame);
-void LeaveOutUnread(std::vector<FrameNode>& nodes, Outputs outputs, CompiledFrame& frame);
+void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
 /// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
 /// outputs stay, since others know them by identity.
-void LeaveOutStencil(std::vector<FrameNode>& nodes, Outputs outputs, CompiledFrame& frame);
+void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void MergeNodes(std::vector<FrameNode>& nodes);
 
-/// Whether a next frame may read what this one leaves in the texture.
-bool OutlivesFrame(const RenderTexture& texture, const TextureStates& states);
+/// Load, store and barriers.
+void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame);
 
 } // namespace limn

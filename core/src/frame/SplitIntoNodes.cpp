@@ -80,10 +80,7 @@ private:
     void Take(DrawCommand& command)
     {
         FrameNode& node = Node("a draw");
-        for (const TextureSlot& slot : command.bindings->textures)
-        {
-            AddRead(pass, slot.texture);
-        }
+        ExpectOtherTextures(node, command);
         node.commands.emplace_back(std::move(command));
         m_Started = true;
     }

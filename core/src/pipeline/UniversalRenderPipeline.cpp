@@ -1,7 +1,6 @@
 #include "pipeline/CameraUniforms.h"
 
 #include <cmath>
-#include <limn/core/FrameCompiler.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -96,8 +95,8 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
-    result.frame = CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs,
-                                request.isLastFrame);
+    result.frame =
+        CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs, request.compile);
     m_Device->Execute(result.frame);
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());

@@ -31,6 +31,7 @@ protected:
         m_Request.camera = &m_Camera;
         m_Request.width = 64;
         m_Request.height = 32;
+        m_Request.compile.leavesOut = false; // what leaving out makes of it: LeanPipelineTest.cpp
     }
 
     RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }

@@ -6,6 +6,14 @@
 namespace limn
 {
 
+struct FrameCompilerOptions
+{
+    bool isLast = false; ///< no frame comes after this one: nothing is kept for it
+    /// Off: everything recorded is run, each node as one pass, to compare with. The same for all
+    /// frames of a device.
+    bool leavesOut = true;
+};
+
 /// Turns a frame's recorded commands into passes a device can run. The only place that decides what
 /// is left out, barriers, layouts, load and store, from what the commands read and write. A pure
 /// function: it knows of earlier frames what `states` says, and says in `CompiledFrame::states`
@@ -32,11 +40,10 @@ namespace limn
 ///
 /// @param states   as the frame before left them
 /// @param outputs  textures to be readable (CopySource) after the frame
-/// @param isLast   no frame comes after this one: nothing is kept for it
 /// @throws ContractError naming pass and texture, if a draw comes before any target or samples
 ///         a texture that it draws into
 CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states,
                            std::span<const std::shared_ptr<const RenderTexture>> outputs = {},
-                           bool isLast = false);
+                           const FrameCompilerOptions& options = {});
 
 } // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/FrameCompiler.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/UniversalRenderer.h>
 
@@ -16,7 +17,7 @@ struct RenderRequest
     double time = 0.0; ///< seconds, what _Time shows; at most 1e38, since _Time.w is 3 times that
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
-    bool isLastFrame = false; ///< none comes after it: what only a next one could read is left out
+    FrameCompilerOptions compile;             ///< what may be left out
 };
 
 /// What rendering gave.
