@@ -64,4 +64,12 @@ bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color)
             LeavesComponentAsItIs(blend.srcAlpha, blend.dstAlpha, blend.alphaOp, color.a, color.a));
 }
 
+bool ReplacesTarget(const TargetBlend& blend)
+{
+    const bool isOneZero = blend.srcColor == BlendMode::One && blend.dstColor == BlendMode::Zero &&
+                           blend.srcAlpha == BlendMode::One && blend.dstAlpha == BlendMode::Zero &&
+                           blend.colorOp == BlendOp::Add && blend.alphaOp == BlendOp::Add;
+    return (!blend.enabled || isOneZero) && blend.writeMask == ColorWriteMask::All;
+}
+
 } // namespace limn

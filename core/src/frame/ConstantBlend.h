@@ -11,9 +11,6 @@ namespace limn
 bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color);
 
 /// Whether what a draw leaves in a target follows from what it draws alone.
-inline bool ReplacesTarget(const TargetBlend& blend)
-{
-    return !blend.enabled && blend.writeMask == ColorWriteMask::All;
-}
+bool ReplacesTarget(const TargetBlend& blend);
 
 } // namespace limn

@@ -111,6 +111,19 @@ TEST(ConstantBlend, KnowsNothingOfFactorsOfTheTargetAndOfOtherOperations)
     EXPECT_FALSE(LeavesTargetAsItIs(blend, Color::clear));
 }
 
+TEST(ConstantBlend, ReplacesATargetThatItDoesNotLookAt)
+{
+    TargetBlend blend;
+    EXPECT_TRUE(ReplacesTarget(blend));
+    blend.enabled = true;
+    EXPECT_TRUE(ReplacesTarget(blend)) << "One Zero";
+    blend.dstAlpha = BlendMode::One;
+    EXPECT_FALSE(ReplacesTarget(blend));
+    blend = {};
+    blend.writeMask = ColorWriteMask::Red;
+    EXPECT_FALSE(ReplacesTarget(blend));
+}
+
 TEST(ConstantBlend, LooksAtTheComponentsThatAreWrittenOnly)
 {
     TargetBlend blend;

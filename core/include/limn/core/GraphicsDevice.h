@@ -23,7 +23,7 @@ public:
     virtual void Execute(const CompiledFrame& frame) = 0;
 
     /// What the frames so far leave to the next one, for CompileFrame.
-    const TextureStates& textureStates() const { return m_TextureStates; }
+    virtual const TextureStates& textureStates() const = 0;
 
     /// The texels of a texture that was an output of the last frame; waits for it.
     /// @throws ContractError if it was not
@@ -31,13 +31,6 @@ public:
 
     /// Times of the passes of the last finished frame, in order; empty where nothing is measured.
     virtual std::vector<PassTiming> LastFrameTimings() = 0;
-
-protected:
-    /// For Execute, once the frame is sure to run.
-    void Adopt(const TextureStates& states) { m_TextureStates = states; }
-
-private:
-    TextureStates m_TextureStates;
 };
 
 } // namespace limn

@@ -12,8 +12,9 @@ public:
     void Execute(const CompiledFrame& frame) override
     {
         m_Frames.push_back(frame);
-        Adopt(frame.states);
+        m_TextureStates = frame.states;
     }
+    const TextureStates& textureStates() const override { return m_TextureStates; }
     /// @throws ContractError always: nothing was drawn
     Image ReadBack(const RenderTexture& texture) override;
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
@@ -22,6 +23,7 @@ public:
 
 private:
     std::vector<CompiledFrame> m_Frames;
+    TextureStates m_TextureStates;
 };
 
 } // namespace limn
