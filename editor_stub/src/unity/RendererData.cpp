@@ -233,7 +233,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                                                   AssetContext& assets)
 {
     assets.Reach(path);
-    assets.AddRootsAround(path); // it refers to files by guid, anywhere in its project
+    const AssetContext::RootsFor roots(assets, path);
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<UnityObject> root = asset.FindWithField("m_RendererFeatures");

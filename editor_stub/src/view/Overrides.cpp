@@ -255,7 +255,6 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
     const References references(assets, SearchFolders(asset), diagnostics);
     const std::filesystem::path path = references.Resolve(file);
     RequireKind(path, {FileKind::Profile}, "--profile");
-    assets.AddRootsAround(path);
     const VolumeProfileLoadResult& result = assets.LoadProfile(path, asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;
