@@ -117,8 +117,8 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
 /// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
 void DrawResolver::Note(const std::string& message, const Shader& shader)
 {
-    SharedNote& note = m_SharedNotes.try_emplace(message, SharedNote{m_Notes.size(), {}})
-                           .first->second;
+    SharedNote& note =
+        m_SharedNotes.try_emplace(message, SharedNote{m_Notes.size(), {}}).first->second;
     if (std::ranges::find(note.shaders, shader.name()) != note.shaders.end())
     {
         return;

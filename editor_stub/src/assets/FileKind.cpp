@@ -17,18 +17,17 @@ struct NamedKind
     const char* noun;
 };
 
-constexpr NamedKind k_NamedKinds[] = {
-    {".scene.yaml", FileKind::Scene, "scene"},
-    {".profile.yaml", FileKind::Profile, "volume profile"},
-    {".material.yaml", FileKind::Material, "material"},
-    {".shader", FileKind::Shader, "shader"},
-    {".asset", FileKind::UnityAsset, "asset of Unity's"},
-    {".unity", FileKind::UnityScene, "scene of Unity's"},
-    {".prefab", FileKind::UnityScene, "prefab of Unity's"},
-    {".mat", FileKind::UnityMaterial, "material of Unity's"},
-    {".gltf", FileKind::Mesh, "mesh"},
-    {".glb", FileKind::Mesh, "mesh"},
-    {".png", FileKind::Picture, "picture"}};
+constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
+                                      {".profile.yaml", FileKind::Profile, "volume profile"},
+                                      {".material.yaml", FileKind::Material, "material"},
+                                      {".shader", FileKind::Shader, "shader"},
+                                      {".asset", FileKind::UnityAsset, "asset of Unity's"},
+                                      {".unity", FileKind::UnityScene, "scene of Unity's"},
+                                      {".prefab", FileKind::UnityScene, "prefab of Unity's"},
+                                      {".mat", FileKind::UnityMaterial, "material of Unity's"},
+                                      {".gltf", FileKind::Mesh, "mesh"},
+                                      {".glb", FileKind::Mesh, "mesh"},
+                                      {".png", FileKind::Picture, "picture"}};
 
 bool isYaml(const std::filesystem::path& file)
 {
@@ -144,10 +143,9 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
                              (kind == FileKind::UnityAsset && isWanted(FileKind::Profile));
     if (!mayBeWanted)
     {
-        throw AssetError(
-            file.generic_string(), {},
-            "'" + verb + "' cannot take it: this is " +
-                (isKnown ? UseOf(kind, file.generic_string()) : NoneOf(kinds)));
+        throw AssetError(file.generic_string(), {},
+                         "'" + verb + "' cannot take it: this is " +
+                             (isKnown ? UseOf(kind, file.generic_string()) : NoneOf(kinds)));
     }
 }
 

@@ -164,7 +164,7 @@ void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
     {
         for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
         {
-            console.out() << written.string() << '\n';
+            console.Result(written.string());
         }
     }
     catch (const AssetError& error)
@@ -269,7 +269,8 @@ int PrintFiles(const ShaderOptions& options, Console& console)
     {
         const std::string text = CanonicalText(file, console);
         hasErrors = hasErrors || text.empty();
-        console.out() << text;
+        // A file of its own where it goes into one, and text for people on a terminal.
+        console.out() << (isTerminal(console.out()) ? SeveralLines(text) : text);
     }
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
@@ -307,19 +308,19 @@ int RunShader(const ShaderOptions& options, Console& console)
         options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front(), ignored);
     if (options.json)
     {
-        console.out() << ShadersAsJson(checks) << '\n';
+        console.Results(ShadersAsJson(checks));
     }
     else if (options.variants)
     {
-        console.out() << SeveralLines(DescribeVariants(checks));
+        console.Results(DescribeVariants(checks));
     }
     else if (isOneFile && options.emit.empty())
     {
-        console.out() << SeveralLines(DescribeShader(checks.front()));
+        console.Results(DescribeShader(checks.front()));
     }
     else if (options.emit.empty())
     {
-        console.out() << ToString(Summarize(checks)) << '\n';
+        console.Result(ToString(Summarize(checks)));
     }
     PrintUnknownKeywords(checks, options.keywords, console);
     return static_cast<int>(PrintVerdict(checks, console));

@@ -106,8 +106,10 @@ void Redrawer::Draw(Clock::time_point start)
     PrintNew(result.report);
     WritePng(m_Options.output, image);
     const std::chrono::duration<double, std::milli> duration = Clock::now() - start;
-    m_Console.out() << m_Options.output << ' ' << image.width << 'x' << image.height << ' '
-                    << std::lround(duration.count()) << " ms" << std::endl;
+    m_Console.Result(m_Options.output + " " + std::to_string(image.width) + "x" +
+                     std::to_string(image.height) + " " +
+                     std::to_string(std::lround(duration.count())) + " ms");
+    m_Console.out().flush();
 }
 
 // What was said before is not said at every save.

@@ -162,9 +162,9 @@ TEST_F(ReferenceRoots, AreNotWidenedForTheSceneByWhatAPersonTypes)
     for (const char* path : {"unity/Assets/Settings/on.profile.yaml", "on.profile.yaml"})
     {
         const std::string lines = "volumes: [{profile: ../" + std::string(path) + "}]\n";
-        EXPECT_THAT(Problems([&] { LoadScene(Scene(lines), assets); }),
-                    ElementsAre("2:21: volumes[0].profile: '../" + std::string(path) + "' " +
-                                k_Outside));
+        EXPECT_THAT(
+            Problems([&] { LoadScene(Scene(lines), assets); }),
+            ElementsAre("2:21: volumes[0].profile: '../" + std::string(path) + "' " + k_Outside));
     }
 }
 
@@ -173,10 +173,9 @@ TEST_F(ReferenceRoots, AreNotWidenedByARendererOfUnitys)
     outer.Write("unity/Assets/Settings/r.asset",
                 "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n"
                 "  m_Name: R\n  m_RendererFeatures: []\n");
-    const std::string scene =
-        Scene("renderer: {rendererData: ../unity/Assets/Settings/r.asset}\n"
-              "volumes: [{profile: ../unity/Assets/on.profile.yaml}]\n")
-            .string();
+    const std::string scene = Scene("renderer: {rendererData: ../unity/Assets/Settings/r.asset}\n"
+                                    "volumes: [{profile: ../unity/Assets/on.profile.yaml}]\n")
+                                  .string();
     const CommandRun run =
         RunCommand({"explain", scene, "--root", (outer / "unity/Assets/Settings").string()});
     EXPECT_EQ(scene + ":3:21: error: volumes[0].profile: '../unity/Assets/on.profile.yaml' " +

@@ -248,8 +248,7 @@ TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
         expectNo({"render", file, "-o", Path("out.png")}, scene);
         expectNo({"watch", file, "-o", Path("out.png")}, scene);
         expectNo({"explain", file}, scene);
-        expectNo({"inspect", file},
-                 "scene or volume profile; a *.scene.yaml or *.profile.yaml");
+        expectNo({"inspect", file}, "scene or volume profile; a *.scene.yaml or *.profile.yaml");
         expectNo({"set", file, "A.b=1"}, "volume profile; a *.profile.yaml");
         expectNo({"shader", file}, "shader; a *.shader");
     }

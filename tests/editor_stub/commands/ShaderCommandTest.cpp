@@ -353,10 +353,9 @@ TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
     }
     const CommandRun run = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(0, run.exitCode);
-    const std::string message =
-        "note: uses light maps, which limn does not have: they are white\n";
-    EXPECT_EQ((folder / "a.shader").string() + ": " + message + "note: in 2 more files: " +
-                  message.substr(6),
+    const std::string message = "note: uses light maps, which limn does not have: they are white\n";
+    EXPECT_EQ((folder / "a.shader").string() + ": " + message +
+                  "note: in 2 more files: " + message.substr(6),
               run.err);
 }
 

@@ -165,6 +165,18 @@ TEST(ATerminal, IsNotCommandedByNamesInFiles)
     EXPECT_EQ(std::string::npos, text.find('\033'));
 }
 
+TEST(ATerminal, IsNotCommandedByAShaderThatIsPrinted)
+{
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.Write("a.shader", "Shader \"\x1B[2J\" { SubShader { Pass { } } }").string();
+    EXPECT_THAT(Terminal(80).Run({"shader", "--print", file}),
+                testing::StartsWith("Shader \"\\x1B[2J\"\n"));
+    EXPECT_THAT(RunInPipe("'" + LimnExecutable() + "' shader --print '" + file + "'"),
+                testing::StartsWith("Shader \"\x1B[2J\"\n"))
+        << "a file stays what it is";
+}
+
 TEST(APipe, HasPlainTextEightyColumnsWide)
 {
     const std::string limn = "'" + LimnExecutable() + "' ";
