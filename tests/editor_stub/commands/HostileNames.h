@@ -12,7 +12,7 @@ namespace limn::test
 /// the direction of writing and more; raw, and as YAML and ShaderLab have it between quotes.
 inline const std::string k_Hostile = "a\x1B[2J\nFORGED: error: \r\x7F\xE2\x80\xAE\xC2\x85z";
 inline const std::string k_HostileYaml = R"("a\e[2J\nFORGED: error: \r\x7F\u202E\x85z")";
-inline const std::string k_HostileFile = "f\x1B[2J\nFORGED\xE2\x80\xAE\x7F";
+inline const std::string k_HostileFile = "f\x1B[2J\xE2\x80\xAE\x7F"; // no line's end: see #line
 
 /// Nothing but lines of limn's own with characters that can be seen.
 inline void ExpectHarmless(const std::string& text, const std::string& what)
@@ -56,9 +56,9 @@ inline void WriteHostileProject(const TemporaryFolder& folder)
                      "}\nrenderer:\n  features:\n    - type: ScreenSpaceOutlineRenderFeature\n"
                      "      name: " +
                      k_HostileYaml + "\n      m_LayerMask: [" + k_HostileYaml +
-                     "]\n      m_RenderingLayerMask: [" + k_HostileYaml +
-                     "]\nvolumes: [{name: " + k_HostileYaml +
-                     ", profile: \"f\\e[2J\\nFORGED\\u202E\\x7F.profile.yaml\"}]\n"
+                     "]\n      m_RenderingLayerMask: " + k_HostileYaml +
+                     "\nvolumes: [{name: " + k_HostileYaml +
+                     ", profile: \"f\\e[2J\\u202E\\x7F.profile.yaml\"}]\n"
                      "materials: {" +
                      k_HostileYaml + ": {shader: plain.shader}}\nobjects:\n  - {name: " +
                      k_HostileYaml + ", mesh: cube, material: " + k_HostileYaml +

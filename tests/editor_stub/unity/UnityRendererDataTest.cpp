@@ -131,6 +131,24 @@ TEST(UnityRendererData, ReportsASettingOutsideItsRange)
               Problems([&] { LoadUnityRendererData(path, folder.assets); }));
 }
 
+TEST(UnityRendererData, ReportsSettingsThatCannotBeDrawnWith)
+{
+    SceneFolder folder;
+    std::string names = "a";
+    for (int i = 1; i < 17; ++i)
+    {
+        names += ", a";
+    }
+    const auto path = folder.Write(
+        "r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                    "6b3d386ba5cd94485973aee1479b272e, type: 3}\n"
+                                    "  m_Name: R\n  settings: {filterSettings: {PassNames: [" +
+                                    names + "]}}\n"));
+    EXPECT_EQ((std::vector<std::string>{
+                  "4:1: R: filterSettings.PassNames has 17 names; at most 16 are drawn"}),
+              Problems([&] { LoadUnityRendererData(path, folder.assets); }));
+}
+
 TEST(UnityRendererData, RefusesAnotherKindOfAsset)
 {
     AssetContext assets;

@@ -116,6 +116,17 @@ TEST_F(Overrides, ThatAreWrongAreAllReported)
                     "My Outline.m_RenderingLayerMask=32"}));
 }
 
+TEST_F(Overrides, ThatDoNotFitEachOtherAreAnErrorOfTheirs)
+{
+    folder.Write("one.shader", "Shader \"One\" { SubShader { Pass { } } }");
+    asset = folder.Load("camera: {}\nrenderer: {features: [{type: RenderObjects, name: R, "
+                        "overrideMode: Shader, overrideShader: one.shader}]}\n");
+    EXPECT_EQ((std::vector<std::string>{"R: overrideShaderPassIndex is 9, but the shader 'One' has "
+                                        "the passes 0...0"}),
+              ProblemsOf({"R.overrideShaderPassIndex=9"}));
+    EXPECT_NO_THROW(Apply({"R.overrideShaderPassIndex=9", "R.overrideMode=None"}));
+}
+
 TEST_F(Overrides, NeedACameraThatLooksAtVolumes)
 {
     asset.camera.volumeLayerMask = LayerMask::Nothing();
