@@ -36,7 +36,7 @@ protected:
         const Image image{1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)};
         outer.Write("secret.yaml", "password: hunter2\n");
         outer.Write("on.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");
-        outer.Write("a.shader", "Shader \"A\" { SubShader { Pass { } } }\n");
+        outer.Write("a.shader", "Shader \"A\" { SubShader { Pass { } Pass { } Pass { } } }\n");
         WritePng(outer / "a.png", image);
         WritePng(outer / "unity/Assets/a.png", image);
     }

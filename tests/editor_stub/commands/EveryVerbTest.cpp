@@ -167,7 +167,7 @@ TEST_F(EveryVerb, GivesTheSameResultsToATerminalAndAPipe)
             << verb.name;
         const bool isHelp = verb.name == "help"; // which is as wide as the terminal
         const std::string shown =
-            Terminal(isHelp ? 80 : 60).With("NO_COLOR", "1").Run(With(verb, verb.good));
+            Terminal(isHelp ? 80 : 60).With("TERM", "dumb").Run(With(verb, verb.good));
         EXPECT_EQ(run.out, shown) << verb.name;
     }
 }

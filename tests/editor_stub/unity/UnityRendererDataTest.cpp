@@ -77,7 +77,7 @@ TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)
     folder.Write("Assets/Code/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
     folder.Write("Assets/Code/my.shader.meta", "fileFormatVersion: 2\nguid: bb\n");
     folder.Write("Assets/Code/my.shader",
-                 "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+                 "Shader \"Mine\" { SubShader { Pass { } Pass { } Pass { } } }");
     folder.Write("Assets/r.asset",
                  AssetWithFeature("  m_Script: {fileID: 11500000, guid: aa, type: 3}\n"
                                   "  m_Name: F\n"

@@ -96,7 +96,7 @@ TEST_F(Overrides, ByAFeaturesTypeChangeAllOfThem)
 
 TEST_F(Overrides, FindAShaderFileBesideTheScene)
 {
-    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { } Pass { } Pass { } } }");
     Apply({"Other.m_ScreenSpaceOutlineShader=my.shader"});
     EXPECT_EQ("Mine", Settings(1).m_ScreenSpaceOutlineShader->name());
 }
