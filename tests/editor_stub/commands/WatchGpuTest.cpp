@@ -210,7 +210,7 @@ TEST_F(Watch, EndsWith3WhereItsLinesDoNotGoOut)
 TEST_F(Watch, EndsWith3OnceNobodyReadsItsLines)
 {
     ASSERT_EQ(0, mkfifo((folder / "lines").c_str(), 0600));
-    const int reader = open((folder / "lines").c_str(), O_RDONLY | O_NONBLOCK);
+    const int reader = open((folder / "lines").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     const auto before = signal(SIGPIPE, SIG_IGN); // as many a program that starts others has it
     Start("'" + Path("s.scene.yaml") + "' -o '" + Path("out.png") + "'",
           "> '" + Path("lines") + "'");

@@ -3,6 +3,7 @@
 #include "view/Redrawer.h"
 #include "vulkan/GpuTestDevice.h"
 
+#include <gmock/gmock.h>
 #include <sstream>
 
 namespace limn::test
@@ -95,10 +96,9 @@ TEST_F(RedrawerTest, GoesOnWithANewDeviceWhenOneIsLost)
         std::filesystem::remove(folder / "out.png");
         faulty_loader::FailCall(1, VK_ERROR_DEVICE_LOST);
         redrawer.Redraw({profile});
-        EXPECT_EQ("warning: " + faulty_loader::FailedFunction() +
-                      ": VK_ERROR_DEVICE_LOST; drawing goes on with a new device\n",
-                  err.str())
-            << name;
+        EXPECT_THAT(err.str(), testing::StartsWith("warning: " + faulty_loader::FailedFunction() +
+                                                   ": VK_ERROR_DEVICE_LOST"));
+        EXPECT_THAT(err.str(), testing::EndsWith("; drawing goes on with a new device\n")) << name;
         faulty_loader::FailNothing();
         EXPECT_EQ("#ffffff", ColorAt(folder / "out.png")) << name;
     }
