@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <glm/gtx/component_wise.hpp>
 #include <limn/core/Inspector.h>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderer.h>
@@ -78,7 +77,8 @@ void ExpectFilterAndCamera(const std::string& feature, const RenderObjectsSettin
         throw ContractError(feature + ": filterSettings.PassNames has " + std::to_string(names) +
                             " names; at most " + std::to_string(k_MaxPassNames) + " are drawn");
     }
-    if (glm::compMax(glm::abs(settings.cameraSettings.offset)) > k_MaxOffset)
+    if (glm::any(
+            glm::greaterThan(glm::abs(settings.cameraSettings.offset), glm::vec4(k_MaxOffset))))
     {
         throw ContractError(feature + ": cameraSettings.offset is more than 1e9 m; what is so far "
                                       "away is in no picture");
