@@ -265,6 +265,8 @@ void AddShader(CLI::App& app, CommandLine& line)
         ->required();
     auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
                        ->type_name("DIR");
+    folder->check([](const std::string& text)
+                  { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
     auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
                      ->type_name("spirv|glsl|glsles|msl|hlsl")
                      ->check(CheckChoice("spirv|glsl|glsles|msl|hlsl"))

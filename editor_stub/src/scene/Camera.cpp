@@ -24,7 +24,7 @@ void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnos
     {
         camera.transform.localRotation = EulerToRotation(degrees);
     }
-    if (map.Read("lookAt", target))
+    if (map.Read("lookAt", target, k_Places))
     {
         const glm::vec3 forward = target - camera.transform.localPosition;
         const bool hasDirection = glm::dot(forward, forward) > 0.0f; // not so close that it is 0
@@ -64,7 +64,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     Camera& camera = loader.asset.camera;
     AssetDiagnostics& diagnostics = loader.diagnostics;
     YamlMapReader map(node, "camera", diagnostics);
-    map.Read("position", camera.transform.localPosition);
+    map.Read("position", camera.transform.localPosition, k_Places);
     ReadDirection(map, camera, diagnostics);
     ReadLens(map, camera, diagnostics);
     if (const YamlNode* flags = map.Find("clearFlags"))

@@ -11,6 +11,7 @@ namespace limn
 /// Metres.
 inline constexpr double k_MaxDistance = 1e9;
 inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
+inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 inline constexpr ValueRange k_OrthographicSizes{1e-4, k_MaxDistance};
 /// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.

@@ -27,9 +27,10 @@ Json LayerNamesSchema()
 Json CameraSchema()
 {
     Json schema = MapSchema({
-        {"position", VectorSchema(3)},
+        {"position", VectorSchema(3, k_Places)},
         {"rotation", Described(VectorSchema(3), "Euler angles in degrees, applied z, x, y")},
-        {"lookAt", Described(VectorSchema(3), "A point to look at, in place of a rotation")},
+        {"lookAt",
+         Described(VectorSchema(3, k_Places), "A point to look at, in place of a rotation")},
         {"orthographic", BoolSchema()},
         {"orthographicSize", NumberSchema(k_OrthographicSizes)},
         {"fieldOfView", Described(NumberSchema(k_FieldsOfView), "Vertical, in degrees")},

@@ -212,7 +212,7 @@ std::string ShadersAsJson(const std::vector<ShaderCheck>& checks)
         files.push_back(ShaderJson(check));
     }
     const Json json{{"files", std::move(files)}, {"summary", SummaryJson(Summarize(checks))}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return JsonText(json);
 }
 
 } // namespace limn

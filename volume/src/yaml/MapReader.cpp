@@ -172,10 +172,11 @@ bool YamlMapReader::Read(std::string_view key, glm::vec2& value)
     return read.has_value();
 }
 
-bool YamlMapReader::Read(std::string_view key, glm::vec3& value)
+bool YamlMapReader::Read(std::string_view key, glm::vec3& value, ValueRange range)
 {
     const YamlNode* node = Find(key);
-    const auto read = node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    const auto read =
+        node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics, range) : std::nullopt;
     value = read ? glm::vec3(read->x, read->y, read->z) : value;
     return read.has_value();
 }

@@ -36,7 +36,10 @@ std::optional<std::string> ReadString(const YamlNode& node, std::string_view sub
 
 /// `[1, 2, 3]` or `{x: 1, y: 2, z: 3}`; what is beyond `count` (2, 3 or 4) is 0.
 std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string_view subject,
-                                    AssetDiagnostics& diagnostics);
+                                    AssetDiagnostics& diagnostics, ValueRange range = {});
+
+/// What a colour's numbers may be, so that light of such colours stays within a float.
+inline constexpr ValueRange k_ColorChannels{-1e9, 1e9};
 
 /// `{r: 0, g: 1, b: 0, a: 1}`, `[0, 1, 0]`, `[0, 1, 0, 1]`, "#00FF00" or "#00FF00FF", the numbers
 /// as they stand there: no conversion between sRGB and linear. Alpha left out is 1.
