@@ -45,7 +45,8 @@ void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& 
     switch (property.type)
     {
     case ShaderPropertyType::Color:
-        material.SetColor(id, ReadColor(*node, subject, sources.diagnostics).value_or(Color{}));
+        material.SetColor(
+            id, ReadColor(*node, subject, sources.diagnostics, k_ColorChannels).value_or(Color{}));
         break;
     case ShaderPropertyType::Vector:
         material.SetVector(

@@ -159,7 +159,8 @@ bool YamlMapReader::Read(std::string_view key, std::string& value)
 bool YamlMapReader::Read(std::string_view key, Color& value)
 {
     const YamlNode* node = Find(key);
-    const auto read = node ? ReadColor(*node, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    const auto read =
+        node ? ReadColor(*node, SubjectOf(key), m_Diagnostics, k_ColorChannels) : std::nullopt;
     value = read.value_or(value);
     return read.has_value();
 }

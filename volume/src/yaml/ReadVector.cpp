@@ -111,18 +111,18 @@ std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string
 }
 
 std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
-                               AssetDiagnostics& diagnostics)
+                               AssetDiagnostics& diagnostics, ValueRange range)
 {
     Channels channels{0.0f, 0.0f, 0.0f, 1.0f};
     const std::size_t size = node.items().size();
     bool isGood = false;
     if (node.isMap())
     {
-        isGood = ReadFromMap(node, "rgba", 3, subject, diagnostics, k_ColorChannels, channels);
+        isGood = ReadFromMap(node, "rgba", 3, subject, diagnostics, range, channels);
     }
     else if (size == 3 || size == 4)
     {
-        isGood = ReadFromSequence(node, subject, diagnostics, k_ColorChannels, channels);
+        isGood = ReadFromSequence(node, subject, diagnostics, range, channels);
     }
     else
     {
