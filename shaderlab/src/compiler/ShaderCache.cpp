@@ -82,6 +82,7 @@ void TransferLayout(Stream& stream, Layout& layout)
                 });
     stream.Value(layout.colorOutputs);
     stream.Value(layout.geometryInput);
+    stream.Value(layout.pushStages);
 }
 
 template <typename Stream, typename Pass>

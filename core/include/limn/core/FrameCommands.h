@@ -97,7 +97,7 @@ struct DrawCommand
     std::uint32_t vertexCount = 0;   ///< without a mesh
     std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
     std::uint32_t instanceCount = 1;
-    // What `program` was compiled from: for reports, a device looks at neither.
+    // What `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
 };
