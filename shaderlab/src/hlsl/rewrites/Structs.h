@@ -9,4 +9,8 @@ namespace limn
 /// names A no more: glslang reads over the base. Lines stay where they are.
 std::string CopyBaseMembers(std::string text);
 
+/// Preprocessed HLSL in which the static variables of structs are variables of the file, before
+/// their struct: glslang knows no such members. Lines stay where they are.
+std::string TakeStaticMembers(std::string text);
+
 } // namespace limn
