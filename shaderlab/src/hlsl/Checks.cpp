@@ -73,8 +73,7 @@ public:
         {
             const std::size_t inner = m_Levels.back().Depth() + k_Bracket;
             m_Levels.pop_back();
-            m_Levels.back().inner = std::max(m_Levels.back().inner, inner);
-            m_Levels.back().AddPick(k_Bracket);
+            m_Levels.back().AddBracket(inner);
         }
         else if (text == ".")
         {
@@ -82,8 +81,7 @@ public:
         }
         else if (isOperator(token) || (text == "," && !m_Levels.back().isList))
         {
-            ++m_Levels.back().operators;
-            m_Levels.back().picks = 0;
+            m_Levels.back().AddOperator();
         }
         const std::size_t depth = std::max(m_Levels.back().Depth(), m_Levels.size() * k_Bracket);
         const bool isEnd = text == ";" || text == "}" || (text == "," && m_Levels.back().isList);
@@ -100,7 +98,8 @@ public:
 private:
     struct Level
     {
-        bool isList = true; ///< commas part items, they are no operators
+        bool isList = true;      ///< commas part items, they are no operators
+        bool hasBracket = false; ///< the value at hand
         std::size_t operators = 0;
         std::size_t picks = 0; ///< of the value at hand
         std::size_t mostPicks = 0;
@@ -108,12 +107,24 @@ private:
         std::size_t deepest = 0; ///< of the expressions before this one
 
         std::size_t Depth() const { return std::max(operators + mostPicks + inner, deepest); }
+        void AddOperator()
+        {
+            ++operators;
+            picks = 0;
+            hasBracket = false;
+        }
+        void AddBracket(std::size_t depth)
+        {
+            inner = std::max(inner, depth);
+            AddPick(hasBracket ? k_Bracket : 0);
+            hasBracket = true;
+        }
         void AddPick(std::size_t depth)
         {
             picks += depth;
             mostPicks = std::max(mostPicks, picks);
         }
-        void End() { *this = {isList, 0, 0, 0, 0, Depth()}; }
+        void End() { *this = {isList, false, 0, 0, 0, 0, Depth()}; }
     };
 
     static bool isStatement(std::string_view word)
