@@ -293,7 +293,7 @@ TEST_F(HlslDialectValues, StaticMembersHaveTheirValues)
         };
         struct Wide : Ring { float extra; float Sum() { return k_Two + extra; } };
         float4 Through(float x) { Ring r; r.radius = x; return float4(r.Area(), r.k_Two, Ring::k_Four, Ring::Twice(x)); }
-        float2 Calls() { Ring::s_Calls = 5; Ring::Twice(1); Ring::Twice(1); return float2(Ring::s_Calls, Ring::k_Steps[1].y); }
+        float2 Calls() { Ring r; r.radius = 1; Ring::s_Calls = 5; Ring::Twice(1); r.Twice(1); return float2(Ring::s_Calls, Ring::k_Steps[1].y); }
         float Derived() { Wide w; w.radius = 1; w.extra = 10; return w.Sum() + Wide::k_Four; }
         float Named(float k_Two) { return k_Two; })");
     grid.Add("Through(a.x)", k_Inputs,

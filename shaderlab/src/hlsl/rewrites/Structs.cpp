@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace limn
@@ -90,7 +91,9 @@ public:
     }
 
 private:
-    using Names = std::map<std::string_view, std::string>; ///< member → variable
+    /// Member → variable of the file or, of a method, its name with the struct's, without which
+    /// glslang crashes or does not find it.
+    using Names = std::map<std::string_view, std::string>;
 
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
 
@@ -99,11 +102,18 @@ private:
         const std::string type(Text(index + 1));
         const std::size_t close = m_Code.AfterBracket(index + 2) - 1;
         Names names;
+        std::set<std::size_t> declared; // methods
         std::string declarations;
         for (std::size_t begin = index + 3; begin < close;)
         {
             const std::size_t end = EndOfMember(begin, close);
-            if (isStaticVariable(begin, end))
+            const std::size_t behind = BehindStatic(begin, end);
+            if (behind != 0 && Text(behind) == "(")
+            {
+                declared.insert(behind - 1);
+                names[Text(behind - 1)] = type + "::" + std::string(Text(behind - 1));
+            }
+            else if (behind != 0)
             {
                 AddNames(begin, end, type, names);
                 for (std::size_t i = begin; i < end; ++i)
@@ -121,7 +131,8 @@ private:
         m_Code.Spelling(index).insert(0, declarations);
         for (std::size_t i = index + 3; i < close; ++i)
         {
-            m_Code.Spelling(i) = m_Code.Spelling(i).empty() ? "" : Spelt(i, names);
+            const bool isKept = m_Code.Spelling(i).empty() || declared.count(i) > 0;
+            m_Code.Spelling(i) = isKept ? m_Code.Spelling(i) : Spelt(i, names);
         }
         m_Statics[Text(index + 1)] = std::move(names);
     }
@@ -140,15 +151,15 @@ private:
         return std::min(index + 1, close);
     }
 
-    /// Whether `static` stands among the words that come first, and no bracket behind them.
-    bool isStaticVariable(std::size_t begin, std::size_t end) const
+    /// The token behind the words that come first if `static` is among them, else 0.
+    std::size_t BehindStatic(std::size_t begin, std::size_t end) const
     {
         bool isStatic = false;
         for (; begin < end && m_Code.isWord(begin); ++begin)
         {
             isStatic = isStatic || Text(begin) == "static";
         }
-        return isStatic && Text(begin) != "(";
+        return isStatic ? begin : 0;
     }
 
     /// Of `static const float a = 1, b[2] = { 1, 2 };`
@@ -168,8 +179,8 @@ private:
     std::string Spelt(std::size_t index, const Names& names) const
     {
         const auto name = names.find(Text(index));
-        return name == names.end() || Text(index - 1) == "." ? std::string(Text(index))
-                                                             : name->second;
+        const bool isOther = Text(index - 1) == "." || Text(index - 1) == "::";
+        return name == names.end() || isOther ? std::string(Text(index)) : name->second;
     }
 
     /// `Type::member`, or the declaration of a variable: `Type v`.
@@ -185,7 +196,7 @@ private:
         }
     }
 
-    /// Puts the variable in the place of the tokens from `first` to the member.
+    /// Puts what the member is now in the place of the tokens from `first` to it.
     void Spell(std::size_t first, const Names& names, std::size_t member)
     {
         if (const auto name = names.find(Text(member)); name != names.end())
