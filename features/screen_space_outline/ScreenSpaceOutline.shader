@@ -40,6 +40,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 1: the edges of the mask by a Roberts cross of the outline's width
         {
             Name "Outline Edge Detection Pass"
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture or _OutlineWidth is 0" }
 
             Blend Off
             ZWrite Off
@@ -97,6 +98,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 2: the edges in the outline's colour, added to the camera's colour; alpha is kept
         {
             Name "Outline Composite Pass"
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0" }
 
             Cull Off
             ZTest NotEqual

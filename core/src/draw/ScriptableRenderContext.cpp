@@ -46,6 +46,32 @@ PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask re
     return data;
 }
 
+std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
+{
+    const auto* texture = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture ? *texture : nullptr;
+}
+
+/// Of a number, vector or colour.
+bool isZero(const ShaderPropertyValue& value)
+{
+    return std::visit(
+        [](const auto& v)
+        {
+            using Value = std::decay_t<decltype(v)>;
+            if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec4>)
+            {
+                return v == Value(0);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return v == Color::clear;
+            }
+            return false;
+        },
+        value);
+}
+
 /// Whether draws that differ in their transform may become instances of one. Only a vertex function
 /// learns which instance it works on; and one that takes SV_InstanceID finds 0 in each draw.
 bool isInstanceable(const ShaderProgram& program)
@@ -102,6 +128,7 @@ public:
         draw.bindings =
             m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
                                m_GlobalsVersion, m_Frame.uniformData);
+        draw.fullScreen = Promise(recorded);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
@@ -149,6 +176,33 @@ private:
                             "' has the format " + ToString(m_Depth->graphicsFormat()) +
                             "; give it depthBufferBits 24 or 32");
         }
+    }
+
+    /// What the pass's LimnFullScreen tag comes to with the values of this draw.
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded) const
+    {
+        const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
+        if (recorded.mesh || tag == nullptr)
+        {
+            return nullptr;
+        }
+        const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
+        auto promise = std::make_shared<FullScreenPromise>();
+        promise->output = tag->output;
+        for (const ShaderPropertyId id : tag->zeroes)
+        {
+            const ShaderPropertyValue* value = sources.Find(id);
+            if (const auto texture = TextureIn(value))
+            {
+                promise->zeroTextures.push_back(texture);
+            }
+            else if (value && isZero(*value))
+            {
+                promise->zeroProperty = id.name();
+            }
+        }
+        promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+        return promise;
     }
 
     /// Draws that differ in their transform only become instances of one.

@@ -34,6 +34,14 @@ constexpr bool operator&(ClearFlag a, ClearFlag b)
 {
     return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
+constexpr ClearFlag Only(ClearFlag flags, ClearFlag wanted)
+{
+    return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));
+}
+constexpr ClearFlag Without(ClearFlag flags, ClearFlag unwanted)
+{
+    return static_cast<ClearFlag>(static_cast<int>(flags) & ~static_cast<int>(unwanted));
+}
 
 /// A rectangle of target texels, from the top left.
 struct ViewportRect
@@ -87,6 +95,19 @@ struct DrawBindings
     bool operator==(const DrawBindings&) const = default;
 };
 
+/// What a pass with the tag LimnFullScreen promises of its draws without a mesh: they cover their
+/// target, and no texel of it is left as it was but by blending.
+struct FullScreenPromise
+{
+    /// Where every texel of one of these is 0 in each component that it has, the fragment function
+    /// gives `output`.
+    std::vector<std::shared_ptr<const Texture>> zeroTextures;
+    std::string zeroProperty; ///< one that is 0, so that it gives `output` in any case; "" = none
+    Color output;             ///< linear
+    /// It gives the texel of this texture at its own place, with alpha 1; null = another value.
+    std::shared_ptr<const Texture> copied;
+};
+
 struct DrawCommand
 {
     std::shared_ptr<const ShaderProgram> program;
@@ -97,6 +118,7 @@ struct DrawCommand
     std::uint32_t vertexCount = 0;   ///< without a mesh
     std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
     std::uint32_t instanceCount = 1;
+    std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
     // What `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
