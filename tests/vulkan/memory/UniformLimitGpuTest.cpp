@@ -57,7 +57,7 @@ protected:
         RenderReport report;
         ScriptableRenderContext context(report);
         context.ExecuteCommandBuffer(cmd);
-        m_Device->Execute(FrameCompiler().Compile(context.TakeCommands(), std::array{target}));
+        m_Device->Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
         return Texel8(m_Device->ReadBack(*target), 0, 0);
     }
 

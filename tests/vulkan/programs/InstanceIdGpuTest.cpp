@@ -135,7 +135,7 @@ TEST_F(InstanceIds, AreZeroForEachMeshOfACommandBuffer)
         RenderReport report;
         ScriptableRenderContext context(report);
         context.ExecuteCommandBuffer(cmd);
-        SharedDevice().Execute(FrameCompiler().Compile(context.TakeCommands(), std::array{target}));
+        SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
         const Image image = SharedDevice().ReadBack(*target);
         for (int i = 0; i < k_Width; ++i)
         {
