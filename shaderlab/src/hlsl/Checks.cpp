@@ -1,6 +1,5 @@
 #include "hlsl/Checks.h"
 
-#include "hlsl/Lines.h"
 #include "hlsl/Repeats.h"
 #include "text/Text.h"
 
@@ -267,16 +266,26 @@ void RequireShallow(const std::string& hlsl)
 
 std::optional<int> FindDeepMacros(std::string_view text, int firstLine)
 {
-    HlslLines lines(text, firstLine);
-    std::string line;
-    int number = 0;
-    for (std::size_t code = 0; lines.Next(line, number);)
+    std::size_t code = 0;
+    std::size_t directive = 0;
+    bool isDirective = false;
+    bool isCondition = false;
+    bool goesOn = false; // the line before ends in a backslash
+    for (int number = firstLine; !text.empty(); ++number)
     {
-        const std::string_view trimmed = Trim(line);
-        std::size_t own = 0;
-        std::size_t& depth = trimmed.starts_with("#") ? own : code;
-        const bool isCondition = trimmed.starts_with("#if") || trimmed.starts_with("#elif");
-        for (const char c : trimmed)
+        const std::size_t size = std::min(text.find('\n'), text.size());
+        const std::string_view line = Trim(text.substr(0, size));
+        text.remove_prefix(std::min(size + 1, text.size()));
+        if (!goesOn)
+        {
+            isDirective = line.starts_with("#");
+            const std::string_view name = isDirective ? Trim(line.substr(1)) : "";
+            isCondition = name.starts_with("if") || name.starts_with("elif");
+            directive = 0;
+        }
+        goesOn = line.ends_with("\\");
+        std::size_t& depth = isDirective ? directive : code;
+        for (const char c : line)
         {
             const bool isSign = isCondition && (c == '!' || c == '~' || c == '-');
             depth += c == '(' || isSign ? 1 : 0;
