@@ -154,10 +154,9 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
     {
         objects.fetches.push_back(FetchFor(input));
     }
-    objects.pushStages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    objects.pushStages = ToVkStages(program->layout.pushStages);
     if (!program->geometrySpirv.empty())
     {
-        objects.pushStages |= VK_SHADER_STAGE_GEOMETRY_BIT;
         objects.geometry = CreateModule(program->geometrySpirv);
     }
     CreateLayouts(objects, program->layout);
@@ -223,13 +222,13 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
           "vkCreateDescriptorSetLayout");
     objects.setLayout = UniqueSetLayout{m_Context.device(), set};
 
-    const VkPushConstantRange firstInstance{objects.pushStages, 0, 4};
+    const VkPushConstantRange constants{objects.pushStages, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = 1;
     info.pSetLayouts = &set;
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &firstInstance;
+    info.pushConstantRangeCount = objects.pushStages != 0 ? 1 : 0;
+    info.pPushConstantRanges = &constants;
     VkPipelineLayout handle = VK_NULL_HANDLE;
     Check(vkCreatePipelineLayout(m_Context.device(), &info, nullptr, &handle),
           "vkCreatePipelineLayout");

@@ -52,7 +52,7 @@ struct ProgramObjects
     UniqueShaderModule fragment;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
-    VkShaderStageFlags pushStages = 0; ///< that read the draw's first instance
+    VkShaderStageFlags pushStages = 0; ///< that read the DrawConstants
     std::vector<VertexFetch> fetches;
     std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;

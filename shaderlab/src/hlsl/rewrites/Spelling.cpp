@@ -93,6 +93,12 @@ private:
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
+        else if (Text(index + 1) == "::" && Text(index + 3) == "(" && isFirst(index))
+        {
+            // What begins with a type is a declaration to glslang: `Type::Method();`
+            m_Code.Spelling(index).insert(0, "(");
+            m_Code.Spelling(m_Code.AfterBracket(index + 3) - 1) += ")";
+        }
         else if (word == "const" && isObject(index + 1))
         {
             m_Code.Spelling(index).clear(); // it says nothing; glslang crashes on it
@@ -101,6 +107,13 @@ private:
         {
             SplitTemplateEnd(index + 2);
         }
+    }
+
+    /// Whether a statement begins with the word.
+    bool isFirst(std::size_t index) const
+    {
+        const std::string_view before = Text(index - 1);
+        return before == ";" || before == "{" || before == "}" || before == ")" || before == "else";
     }
 
     /// Whether the word is a variable or a member, not a type: `v.matrix`, but not `matrix m` or
@@ -173,6 +186,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
     text = TakeOldForms(std::move(text), warnings);
     text = SpellEnums(std::move(text));
     text = CopyBaseMembers(std::move(text));
+    text = TakeStaticMembers(std::move(text));
     text = GroupInitializers(std::move(text));
     text = TakeUniformParameters(
         std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});
