@@ -14,14 +14,18 @@ std::string BlendText(const PassBlendState& target)
     {
         return "Blend Off";
     }
-    std::string text = "Blend " + StateText(target.srcColor) + " " + StateText(target.dstColor);
-    if (target.srcAlpha != target.srcColor || target.dstAlpha != target.dstColor)
+    std::string text = "Blend " + StateText(target.sourceColorBlendMode) + " " +
+                       StateText(target.destinationColorBlendMode);
+    if (target.sourceAlphaBlendMode != target.sourceColorBlendMode ||
+        target.destinationAlphaBlendMode != target.destinationColorBlendMode)
     {
-        text += ", " + StateText(target.srcAlpha) + " " + StateText(target.dstAlpha);
+        text += ", " + StateText(target.sourceAlphaBlendMode) + " " +
+                StateText(target.destinationAlphaBlendMode);
     }
-    if (target.colorOp != BlendOp::Add || target.alphaOp != BlendOp::Add)
+    if (target.colorBlendOperation != BlendOp::Add || target.alphaBlendOperation != BlendOp::Add)
     {
-        text += ", BlendOp " + StateText(target.colorOp) + ", " + StateText(target.alphaOp);
+        text += ", BlendOp " + StateText(target.colorBlendOperation) + ", " +
+                StateText(target.alphaBlendOperation);
     }
     return text;
 }

@@ -49,18 +49,23 @@ std::string BlendText(const PassBlendState& target)
     {
         return "Off";
     }
-    std::string text = StateText(target.srcColor) + " " + StateText(target.dstColor);
-    if (target.srcAlpha != target.srcColor || target.dstAlpha != target.dstColor)
+    std::string text =
+        StateText(target.sourceColorBlendMode) + " " + StateText(target.destinationColorBlendMode);
+    if (target.sourceAlphaBlendMode != target.sourceColorBlendMode ||
+        target.destinationAlphaBlendMode != target.destinationColorBlendMode)
     {
-        text += ", " + StateText(target.srcAlpha) + " " + StateText(target.dstAlpha);
+        text += ", " + StateText(target.sourceAlphaBlendMode) + " " +
+                StateText(target.destinationAlphaBlendMode);
     }
     return text;
 }
 
 std::string OperationText(const PassBlendState& target)
 {
-    const std::string color = StateText(target.colorOp);
-    return target.alphaOp == target.colorOp ? color : color + ", " + StateText(target.alphaOp);
+    const std::string color = StateText(target.colorBlendOperation);
+    return target.alphaBlendOperation == target.colorBlendOperation
+               ? color
+               : color + ", " + StateText(target.alphaBlendOperation);
 }
 
 std::string WriteMaskText(const PassBlendState& target)
