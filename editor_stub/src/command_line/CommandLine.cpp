@@ -7,7 +7,7 @@
 #include "commands/DoctorCommand.h"
 #include "commands/SchemaCommand.h"
 #include "commands/WatchCommand.h"
-#include "scene/Limits.h"
+#include "scene/Keys.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
