@@ -1,8 +1,7 @@
 #include <limn/volume/VolumeProfile.h>
 
-#include "blending/Components.h"
-
 #include <algorithm>
+#include <limn/core/TypeName.h>
 #include <limn/volume/Volume.h>
 
 namespace limn
