@@ -264,10 +264,9 @@ TEST(GeometryStage, IsReadFromItsPragmaAndKeptInTheCache)
     EXPECT_EQ(parsed.program->geometry.name, "geom");
     EXPECT_EQ(parsed.program->geometry.location, (SourceLocation{3, 2}));
 
-    const auto folder = std::filesystem::temp_directory_path() / "limn_geometry_cache";
-    std::filesystem::remove_all(folder);
+    const test::TemporaryFolder folder;
     ShaderCompilerOptions options;
-    options.cacheFolder = folder;
+    options.cacheFolder = folder.path();
     const PassProgram program =
         GeometryProgram(k_Stages + "[maxvertexcount(1)] void geom(point v2g v[1], inout "
                                    "PointStream<g2f> s) { g2f o; o.pos = v[0].pos; o.uv = 1; "
@@ -276,7 +275,6 @@ TEST(GeometryStage, IsReadFromItsPragmaAndKeptInTheCache)
     ShaderCompiler second(options);
     EXPECT_EQ(*second.Compile(program), *first);
     EXPECT_EQ(second.statistics().loadedFromCache, 1);
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace limn
