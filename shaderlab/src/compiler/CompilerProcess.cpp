@@ -3,17 +3,18 @@
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "compiler/ProgramBytes.h"
 #include "compiler/ProgramCompiler.h"
-#include "compiler/ShaderCache.h"
+#include "program/IncludeResolver.h"
 #include "spirv/GlslangSession.h"
 
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
 #include <string_view>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,7 +25,8 @@ namespace limn
 namespace
 {
 
-/// The first byte of an answer; a pass follows, of an error only its diagnostics.
+/// The first byte of an answer; the dependencies and the program follow, of an error only its
+/// diagnostics.
 enum class Outcome : char
 {
     Compiled,
@@ -38,19 +40,36 @@ AssetError ProgramError(const PassProgram& program, const std::string& reason)
     return AssetError(program.file, program.location, "program: " + reason);
 }
 
+std::string Answer(Outcome outcome, const ShaderProgram& program,
+                   const std::vector<IncludeDependency>& dependencies)
+{
+    ByteWriter writer;
+    writer.Value(outcome);
+    Transfer(writer, dependencies);
+    Transfer(writer, program);
+    return writer.bytes();
+}
+
+std::string FailedAnswer(const AssetError& error)
+{
+    ShaderProgram program;
+    program.diagnostics = error.diagnostics();
+    return Answer(Outcome::Failed, program, {});
+}
+
 std::string Compile(const PassProgram& program, std::span<const std::string> keywords,
                     IncludeResolver& resolver)
 {
-    ShaderProgram pass;
+    ShaderProgram compiled;
     Outcome outcome = Outcome::Failed;
     const auto fail = [&](Outcome kind, const AssetError& error)
     {
         outcome = kind;
-        pass.diagnostics = error.diagnostics();
+        compiled.diagnostics = error.diagnostics();
     };
     try
     {
-        pass = CompileProgram(program, keywords, resolver);
+        compiled = CompileProgram(program, keywords, resolver);
         outcome = Outcome::Compiled;
     }
     catch (const UnsupportedProgramError& error)
@@ -70,7 +89,7 @@ std::string Compile(const PassProgram& program, std::span<const std::string> key
         fail(Outcome::Failed,
              ProgramError(program, "the HLSL compiler failed: " + std::string(error.what())));
     }
-    return static_cast<char>(outcome) + WriteProgram(pass, resolver.dependencies());
+    return Answer(outcome, compiled, resolver.dependencies());
 }
 
 // The address sanitizer's shadow counts as memory, terabytes of it.
@@ -114,28 +133,29 @@ void AbortForTest(const std::string& file)
     }
 }
 
-/// The child's whole life.
-[[noreturn]] void Answer(int pipe, const std::string& answer)
+/// False where the other side is gone.
+bool SendAll(int socket, std::string_view bytes)
 {
-    for (std::string_view rest = answer; !rest.empty();)
+    while (!bytes.empty())
     {
-        const ssize_t written = write(pipe, rest.data(), rest.size());
-        if (written < 0 && errno != EINTR)
+        const ssize_t sent = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno != EINTR)
         {
-            _exit(1);
+            return false;
         }
-        rest.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+        bytes.remove_prefix(sent < 0 ? 0 : static_cast<std::size_t>(sent));
     }
-    _exit(0); // what the parent has open and registered is not the child's to finish
+    return true;
 }
 
-std::string ReadAll(int pipe)
+/// Up to where the other side stops sending.
+std::string ReceiveAll(int socket)
 {
     std::string bytes;
     char buffer[1 << 16];
     for (;;)
     {
-        const ssize_t size = read(pipe, buffer, sizeof(buffer));
+        const ssize_t size = recv(socket, buffer, sizeof(buffer), 0);
         if (size == 0 || (size < 0 && errno != EINTR))
         {
             return bytes;
@@ -144,46 +164,59 @@ std::string ReadAll(int pipe)
     }
 }
 
-struct Child
+/// The message that carries a descriptor from one process to another: one byte and the descriptor.
+struct DescriptorMessage
 {
-    pid_t id = -1;
-    int pipe = -1; ///< to read from
+    char byte = 0;
+    iovec bytes{&byte, 1};
+    alignas(cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {};
+    msghdr header{};
+
+    DescriptorMessage()
+    {
+        header.msg_iov = &bytes;
+        header.msg_iovlen = 1;
+        header.msg_control = control;
+        header.msg_controllen = sizeof(control);
+    }
+    DescriptorMessage(const DescriptorMessage&) = delete;
+    DescriptorMessage& operator=(const DescriptorMessage&) = delete;
 };
 
-/// @param run  what the child does, with the end of the pipe that it writes to
-template <typename F>
-Child Start(F&& run)
+bool SendDescriptor(int socket, int descriptor)
 {
-    // A child started meanwhile would have the end that is written to as well, and keep it open.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
-    Child child;
-    int ends[2];
-    if (pipe(ends) != 0)
+    DescriptorMessage message;
+    cmsghdr* const part = CMSG_FIRSTHDR(&message.header);
+    part->cmsg_level = SOL_SOCKET;
+    part->cmsg_type = SCM_RIGHTS;
+    part->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(part), &descriptor, sizeof(int));
+    return sendmsg(socket, &message.header, MSG_NOSIGNAL) == 1;
+}
+
+/// -1 where the other side is gone.
+int ReceiveDescriptor(int socket)
+{
+    DescriptorMessage message;
+    ssize_t size = -1;
+    do
     {
-        return child;
-    }
-    child.id = fork();
-    if (child.id == 0)
+        size = recvmsg(socket, &message.header, MSG_CMSG_CLOEXEC);
+    } while (size < 0 && errno == EINTR);
+    const cmsghdr* const part = size == 1 ? CMSG_FIRSTHDR(&message.header) : nullptr;
+    int descriptor = -1;
+    if (part)
     {
-        run(ends[1]);
+        std::memcpy(&descriptor, CMSG_DATA(part), sizeof(int));
     }
-    const int error = errno;
-    close(ends[1]);
-    if (child.id < 0)
-    {
-        close(ends[0]);
-    }
-    errno = error; // of fork
-    child.pipe = ends[0];
-    return child;
+    return descriptor;
 }
 
 /// Why the child has no answer; "" = it has one.
-std::string Wait(const Child& child, std::chrono::milliseconds limit)
+std::string Wait(pid_t child, std::chrono::milliseconds limit)
 {
     int status = 0;
-    while (waitpid(child.id, &status, 0) < 0 && errno == EINTR)
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
     {
     }
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
@@ -201,45 +234,139 @@ std::string Wait(const Child& child, std::chrono::milliseconds limit)
                : "the HLSL compiler ends with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
+/// What the children do with a program: one compiles it, the other waits for its end.
+class Request
+{
+public:
+    Request(int socket, const ShaderCompilerOptions& options) : m_Socket(socket), m_Options(options)
+    {
+        const std::string request = ReceiveAll(socket);
+        ByteReader reader(request);
+        Transfer(reader, m_Program);
+        reader.List(m_Keywords, [&](std::string& keyword) { reader.Value(keyword); });
+    }
+
+    void Serve() const
+    {
+        std::signal(SIGCHLD, SIG_DFL);
+        const pid_t child = fork();
+        if (child == 0)
+        {
+            LimitProcess(m_Options.timeLimit);
+            AbortForTest(m_Program.file);
+            IncludeResolver resolver(m_Options, m_Program.file);
+            const std::string answer = Compile(m_Program, m_Keywords, resolver);
+            alarm(0); // half an answer is none
+            _exit(SendAll(m_Socket, answer) ? 0 : 1);
+        }
+        const std::string reason = child < 0 ? "no process for the HLSL compiler can be started: " +
+                                                   std::string(std::strerror(errno))
+                                             : Wait(child, m_Options.timeLimit);
+        if (!reason.empty())
+        {
+            SendAll(m_Socket, FailedAnswer(ProgramError(m_Program, reason)));
+        }
+    }
+
+private:
+    int m_Socket;
+    const ShaderCompilerOptions& m_Options;
+    PassProgram m_Program;
+    std::vector<std::string> m_Keywords;
+};
+
+/// The whole life of the process: until the other side is gone.
+[[noreturn]] void ServeRequests(int requests, const ShaderCompilerOptions& options)
+{
+    std::signal(SIGCHLD, SIG_IGN); // children are not waited for
+    for (int socket; (socket = ReceiveDescriptor(requests)) >= 0; close(socket))
+    {
+        StartGlslang(); // once for all children
+        if (fork() == 0)
+        {
+            Request(socket, options).Serve();
+            _exit(0); // what the parent has open and registered is not the child's to finish
+        }
+    }
+    _exit(0);
+}
+
 } // namespace
 
-ShaderProgram CompileInProcess(const PassProgram& program, std::span<const std::string> keywords,
-                               IncludeResolver& resolver, std::chrono::milliseconds limit)
+CompilerProcess::CompilerProcess(const ShaderCompilerOptions& options)
 {
-    StartGlslang(); // once for all children
-    const Child child = Start(
-        [&](int pipe)
-        {
-            LimitProcess(limit);
-            AbortForTest(program.file);
-            Answer(pipe, Compile(program, keywords, resolver));
-        });
-    if (child.id < 0)
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     {
-        throw ProgramError(program, "no process for the HLSL compiler can be started: " +
+        return; // Compile says so
+    }
+    m_Process = fork();
+    if (m_Process == 0)
+    {
+        // Neither this end of other compilers' sockets nor a file that someone waits for the end of
+        // stays open here.
+        const int requests = dup2(ends[1], STDERR_FILENO + 1);
+        close_range(STDERR_FILENO + 2, ~0U, 0);
+        ServeRequests(requests, options);
+    }
+    close(ends[1]);
+    m_Requests = ends[0];
+}
+
+CompilerProcess::~CompilerProcess()
+{
+    close(m_Requests);
+    while (m_Process > 0 && waitpid(m_Process, nullptr, 0) < 0 && errno == EINTR)
+    {
+    }
+}
+
+ShaderProgram CompilerProcess::Compile(const PassProgram& program,
+                                       std::span<const std::string> keywords,
+                                       IncludeResolver& resolver) const
+{
+    ByteWriter request;
+    Transfer(request, program);
+    request.List(std::vector(keywords.begin(), keywords.end()),
+                 [&](const std::string& keyword) { request.Value(keyword); });
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    {
+        throw ProgramError(program, "no socket to the HLSL compiler can be opened: " +
                                         std::string(std::strerror(errno)));
     }
-    const std::string answer = ReadAll(child.pipe);
-    close(child.pipe);
-    if (const std::string reason = Wait(child, limit); !reason.empty() || answer.empty())
+    const bool isSent = SendDescriptor(m_Requests, ends[1]);
+    close(ends[1]);
+    if (isSent && SendAll(ends[0], request.bytes()))
     {
-        throw ProgramError(program, reason);
+        shutdown(ends[0], SHUT_WR);
     }
+    const std::string answer = ReceiveAll(ends[0]);
+    close(ends[0]);
+    if (answer.empty())
+    {
+        throw ProgramError(program, "no process for the HLSL compiler can be started");
+    }
+    Outcome outcome = Outcome::Failed;
     std::vector<IncludeDependency> dependencies;
-    ShaderProgram pass = ReadProgram(std::string_view(answer).substr(1), dependencies);
+    ShaderProgram compiled;
+    ByteReader reader(answer);
+    reader.Value(outcome);
+    Transfer(reader, dependencies);
+    Transfer(reader, compiled);
     resolver.SetDependencies(std::move(dependencies));
-    switch (static_cast<Outcome>(answer[0]))
+    switch (outcome)
     {
     case Outcome::Compiled:
-        return pass;
+        return compiled;
     case Outcome::Unsupported:
-        throw UnsupportedProgramError(pass.diagnostics.at(0));
+        throw UnsupportedProgramError(compiled.diagnostics.at(0));
     case Outcome::MissingInclude:
-        throw MissingIncludeError(std::move(pass.diagnostics));
+        throw MissingIncludeError(std::move(compiled.diagnostics));
     case Outcome::Failed:
         break;
     }
-    throw AssetError(std::move(pass.diagnostics));
+    throw AssetError(std::move(compiled.diagnostics));
 }
 
 } // namespace limn

@@ -1,6 +1,6 @@
 #include "compiler/ShaderCache.h"
 
-#include "text/ByteStream.h"
+#include "compiler/ProgramBytes.h"
 
 #include <algorithm>
 #include <limn/shaderlab/ReadFile.h>
@@ -15,107 +15,6 @@ namespace
 
 constexpr std::string_view k_Magic = "limn pass 4\n";
 constexpr const char* k_Extension = ".limnpass";
-
-// One description of the format serves both directions: Stream is ByteWriter or ByteReader, and the
-// values are const for the one and not for the other.
-template <typename Stream, typename Member>
-void Transfer(Stream& stream, Member& members)
-{
-    stream.List(members,
-                [&](auto& member)
-                {
-                    stream.Value(member.name);
-                    stream.Value(member.type);
-                    stream.Value(member.components);
-                    stream.Value(member.offset);
-                    stream.Value(member.size);
-                    stream.Value(member.arraySize);
-                    stream.Value(member.arrayStride);
-                });
-}
-
-template <typename Stream, typename Item>
-void TransferHead(Stream& stream, Item& item)
-{
-    stream.Value(item.name);
-    stream.Value(item.stages);
-    stream.Value(item.binding);
-}
-
-template <typename Stream, typename Layout>
-void TransferLayout(Stream& stream, Layout& layout)
-{
-    stream.List(layout.buffers,
-                [&](auto& buffer)
-                {
-                    TransferHead(stream, buffer);
-                    stream.Value(buffer.size);
-                    Transfer(stream, buffer.members);
-                });
-    stream.List(layout.textures,
-                [&](auto& texture)
-                {
-                    TransferHead(stream, texture);
-                    stream.Value(texture.dimension);
-                    stream.Value(texture.multisampled);
-                    stream.Value(texture.combinedSampler);
-                });
-    stream.List(layout.samplers,
-                [&](auto& sampler)
-                {
-                    TransferHead(stream, sampler);
-                    stream.Value(sampler.comparison);
-                });
-    stream.List(layout.storageBuffers,
-                [&](auto& buffer)
-                {
-                    TransferHead(stream, buffer);
-                    stream.Value(buffer.stride);
-                });
-    stream.List(layout.vertexInputs,
-                [&](auto& input)
-                {
-                    stream.Value(input.semantic);
-                    stream.Value(input.location);
-                    stream.Value(input.type);
-                    stream.Value(input.components);
-                });
-    stream.Value(layout.colorOutputs);
-    stream.Value(layout.geometryInput);
-}
-
-template <typename Stream, typename Pass>
-void TransferPass(Stream& stream, Pass& pass)
-{
-    const auto word = [&](auto& value)
-    {
-        stream.Value(value);
-    };
-    stream.List(pass.vertexSpirv, word);
-    stream.List(pass.geometrySpirv, word);
-    stream.List(pass.fragmentSpirv, word);
-    TransferLayout(stream, pass.layout);
-    stream.List(pass.diagnostics,
-                [&](auto& diagnostic)
-                {
-                    stream.Value(diagnostic.severity);
-                    stream.Value(diagnostic.file);
-                    stream.Value(diagnostic.location.line);
-                    stream.Value(diagnostic.location.column);
-                    stream.Value(diagnostic.message);
-                });
-}
-
-template <typename Stream, typename Dependencies>
-void TransferDependencies(Stream& stream, Dependencies& dependencies)
-{
-    stream.List(dependencies,
-                [&](auto& dependency)
-                {
-                    stream.Value(dependency.path);
-                    stream.Value(dependency.contentHash);
-                });
-}
 
 /// The bytes between magic and trailing hash, or nothing if the file is torn.
 std::optional<std::string_view> Payload(std::string_view file)
@@ -139,24 +38,6 @@ std::filesystem::path EntryPath(const std::filesystem::path& folder, const std::
 
 } // namespace
 
-std::string WriteProgram(const ShaderProgram& pass,
-                         const std::vector<IncludeDependency>& dependencies)
-{
-    ByteWriter writer;
-    TransferDependencies(writer, dependencies);
-    TransferPass(writer, pass);
-    return writer.bytes();
-}
-
-ShaderProgram ReadProgram(std::string_view bytes, std::vector<IncludeDependency>& dependencies)
-{
-    ByteReader reader(bytes);
-    ShaderProgram pass;
-    TransferDependencies(reader, dependencies);
-    TransferPass(reader, pass);
-    return pass;
-}
-
 std::optional<ShaderProgram> ShaderCache::Load(const std::string& key,
                                                std::vector<IncludeDependency>& dependencies) const
 {
@@ -176,13 +57,13 @@ std::optional<ShaderProgram> ShaderCache::Load(const std::string& key,
         {
             return std::nullopt; // copied or renamed: the name alone does not make it this pass
         }
-        TransferDependencies(reader, dependencies);
+        Transfer(reader, dependencies);
         const bool isCurrent =
             std::all_of(dependencies.begin(), dependencies.end(),
                         [](const IncludeDependency& dependency)
                         { return HashFile(dependency.path) == dependency.contentHash; });
         ShaderProgram pass;
-        TransferPass(reader, pass);
+        Transfer(reader, pass);
         if (!isCurrent)
         {
             return std::nullopt;
@@ -208,8 +89,8 @@ void ShaderCache::Store(const std::string& key, const ShaderProgram& pass,
     }
     ByteWriter payload;
     payload.Value(key);
-    TransferDependencies(payload, dependencies);
-    TransferPass(payload, pass);
+    Transfer(payload, dependencies);
+    Transfer(payload, pass);
     ByteWriter hash;
     hash.Value(HashContent(payload.bytes()));
 

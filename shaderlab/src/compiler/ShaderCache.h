@@ -15,12 +15,6 @@
 namespace limn
 {
 
-/// A pass and the files it was compiled from as bytes, for this version of limn on this machine.
-std::string WriteProgram(const ShaderProgram& pass,
-                         const std::vector<IncludeDependency>& dependencies);
-/// @throws std::out_of_range where the bytes are others
-ShaderProgram ReadProgram(std::string_view bytes, std::vector<IncludeDependency>& dependencies);
-
 /// A folder of compiled passes, one file each. Nothing that is wrong with it is an error: a
 /// missing, torn or foreign file counts as absent, and a folder that cannot be written keeps
 /// nothing. Any number of processes may use one folder at once.

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 
 namespace limn
 {
@@ -83,10 +84,15 @@ struct ShaderCompiler::State
     explicit State(ShaderCompilerOptions value)
         : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
     {
+        if (options.isIsolated)
+        {
+            process.emplace(options);
+        }
     }
 
     const ShaderCompilerOptions options;
     const ShaderCache cache;
+    std::optional<CompilerProcess> process; ///< where compilations are isolated
     std::atomic<int> compiled{0};
     std::atomic<int> loadedFromCache{0};
 
@@ -156,9 +162,8 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
     try
     {
         auto pass = std::make_shared<const ShaderProgram>(
-            m_State->options.isIsolated
-                ? CompileInProcess(program, keywords, resolver, m_State->options.timeLimit)
-                : CompileProgram(program, keywords, resolver));
+            m_State->process ? m_State->process->Compile(program, keywords, resolver)
+                             : CompileProgram(program, keywords, resolver));
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
         m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,

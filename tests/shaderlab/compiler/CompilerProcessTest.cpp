@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <future>
+#include <pthread.h>
 
 namespace limn
 {
@@ -28,10 +29,8 @@ ShaderCompilerOptions IsolatedOptions(std::chrono::milliseconds limit = 30s)
     return options;
 }
 
-std::vector<std::string> IsolatedMessages(const PassProgram& program,
-                                          std::chrono::milliseconds limit = 30s)
+std::vector<std::string> IsolatedMessages(ShaderCompiler& compiler, const PassProgram& program)
 {
-    ShaderCompiler compiler(IsolatedOptions(limit));
     try
     {
         compiler.Compile(program);
@@ -65,9 +64,10 @@ TEST(CompilerProcess, GivesWhatThisProcessGives)
 TEST(CompilerProcess, PassesOnWhatIsWrongWithTheProgram)
 {
     ShaderCompiler compiler(IsolatedOptions());
-    EXPECT_THAT(IsolatedMessages(
-                    test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return _A; }")),
-                ElementsAre("2:36: error: '_A': unknown variable"));
+    EXPECT_THAT(
+        IsolatedMessages(
+            compiler, test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return _A; }")),
+        ElementsAre("2:36: error: '_A': unknown variable"));
     EXPECT_THROW(compiler.Compile(test::Program("#include \"no.hlsl\"\n")), MissingIncludeError);
     EXPECT_THROW(compiler.Compile(test::Program(
                      k_IsolatedVertex + "RWTexture2D<float4> _T;\n"
@@ -82,6 +82,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     const PassProgram lives = dies;
     dies.file = "dies.shader";
     ShaderCompiler compiler(IsolatedOptions());
+    ShaderCompiler dying(IsolatedOptions());
     const auto live = [&]
     {
         return compiler.Compile(lives);
@@ -90,7 +91,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     for (int i = 0; i < 4; ++i)
     {
         others.push_back(std::async(std::launch::async, live));
-        EXPECT_THAT(IsolatedMessages(dies),
+        EXPECT_THAT(IsolatedMessages(dying, dies),
                     ElementsAre("1:1: error: program: the HLSL compiler crashes on it: Aborted "
                                 "(signal 6)"));
     }
@@ -101,11 +102,25 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     unsetenv("LIMN_TEST_ABORT");
 }
 
+TEST(CompilerProcess, IsForkedOffOnceBeforeThereAreThreads)
+{
+    static int forks = 0;
+    pthread_atfork([] { ++forks; }, nullptr, nullptr);
+    ShaderCompiler compiler(IsolatedOptions());
+    EXPECT_EQ(1, forks);
+    const PassProgram program =
+        test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }");
+    auto other = std::async(std::launch::async, [&] { return compiler.Compile(program); });
+    EXPECT_EQ(*compiler.Compile(program), *other.get());
+    EXPECT_EQ(1, forks) << "a child of a process with threads may wait for a lock of one of them";
+}
+
 TEST(CompilerProcess, EndsWhenItsTimeIsOver)
 {
+    ShaderCompiler compiler(IsolatedOptions(1ms));
     EXPECT_THAT(
         IsolatedMessages(
-            test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }"), 1ms),
+            compiler, test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }")),
         ElementsAre("1:1: error: program: compiling it takes longer than 1 ms; make it "
                     "smaller"));
 }

@@ -36,6 +36,7 @@ struct ShaderCompilerOptions
     /// when there are more. 0 = no limit.
     std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
     /// Compile each pass in a child process: a crash of the HLSL compiler is an error of the pass.
+    /// ShaderCompiler's constructor forks then: make it before other threads are at work.
     bool isIsolated = false;
     /// What an isolated compilation may take.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <limn/shaderlab/PassProgram.h>
+#include <limn/shaderlab/ShaderProgram.h>
+
+#include "program/IncludeResolver.h"
+#include "text/ByteStream.h"
+
+#include <vector>
+
+namespace limn
+{
+
+// What goes into the cache and from one process to another, as bytes for this version of limn on
+// this machine. Reading throws std::out_of_range where the bytes are others.
+
+void Transfer(ByteWriter& stream, const ShaderProgram& program);
+void Transfer(ByteReader& stream, ShaderProgram& program);
+
+void Transfer(ByteWriter& stream, const PassProgram& program);
+void Transfer(ByteReader& stream, PassProgram& program);
+
+void Transfer(ByteWriter& stream, const std::vector<IncludeDependency>& dependencies);
+void Transfer(ByteReader& stream, std::vector<IncludeDependency>& dependencies);
+
+} // namespace limn
