@@ -28,7 +28,7 @@ enum class SceneValue
     Scale,  ///< three numbers or one
     Size,   ///< of the picture
     Layer,
-    LayerMask,
+    Layers, ///< a set of them
     LayerNames,
     ClearFlags,
     Mesh,
@@ -106,8 +106,8 @@ inline constexpr SceneKey k_Camera[] = {
     {"clearFlags", ClearFlags},
     {"backgroundColor", Color},
     {"allowHDR", Bool},
-    {"cullingMask", LayerMask},
-    {"volumeLayerMask", LayerMask},
+    {"cullingMask", Layers},
+    {"volumeLayerMask", Layers},
     {"volumeTrigger", Vector}};
 
 inline constexpr SceneKey k_Light[] = {
@@ -150,7 +150,7 @@ inline constexpr SceneKey k_Object[] = {
     Required({"name", Text}),
     {"active", Bool},
     {"layer", Layer},
-    {"renderingLayerMask", LayerMask},
+    {"renderingLayerMask", Layers},
     {"material", Text},
     {"materials", Texts},
     {"bakeOutlineNormals", Bool, "Gives the mesh what TranslucentOutlineHull goes by"},

@@ -104,7 +104,7 @@ private:
             return SizeSchema();
         case SceneValue::Layer:
             return LayerIndexSchema();
-        case SceneValue::LayerMask:
+        case SceneValue::Layers:
             return LayerMaskSchema();
         case SceneValue::LayerNames:
             return LayerNamesSchema();

@@ -19,7 +19,7 @@ TEST(HoistLoopVariables, LeavesALoopAloneWhoseVariableIsDeclaredAgainBehindIt)
 
 TEST(HoistLoopVariables, SeesAUseRightBehindTheLoop)
 {
-    EXPECT_EQ("float f(float s) {\nint i; for (i = 0; i < 3; i++) s += 1;\ni += 4; return s; }",
+    EXPECT_EQ("float f(float s) {\nint i; for ( i = 0; i < 3; i++) s += 1;\ni += 4; return s; }",
               HoistLoopVariables(
                   "float f(float s) {\nfor (int i = 0; i < 3; i++) s += 1;\ni += 4; return s; }"));
 }

@@ -1,7 +1,8 @@
 #include <limn/volume/VolumeComponent.h>
 
+#include "blending/Components.h"
+
 #include <algorithm>
-#include <limn/core/TypeName.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn

@@ -1,7 +1,8 @@
 #include <limn/volume/VolumeComponentRegistry.h>
 
+#include "blending/Components.h"
+
 #include <algorithm>
-#include <limn/core/TypeName.h>
 
 namespace limn
 {

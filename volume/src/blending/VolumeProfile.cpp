@@ -1,7 +1,8 @@
 #include <limn/volume/VolumeProfile.h>
 
+#include "blending/Components.h"
+
 #include <algorithm>
-#include <limn/core/TypeName.h>
 #include <limn/volume/Volume.h>
 
 namespace limn

@@ -1,5 +1,6 @@
 #include <limn/volume/VolumeTrace.h>
 
+#include "blending/Components.h"
 #include "blending/VolumeBlending.h"
 
 #include <algorithm>
@@ -20,30 +21,6 @@ struct Contribution
     VolumeInfluence influence;
     std::shared_ptr<const VolumeComponent> target;
 };
-
-/// Copies the values and override states of all parameters; both are of one type.
-void CopyParameters(const VolumeComponent& from, VolumeComponent& to)
-{
-    const std::span<const VolumeParameter* const> parameters = from.parameters();
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-    {
-        to.parameters()[i]->SetValue(*parameters[i]);
-        to.parameters()[i]->SetOverrideState(parameters[i]->overrideState());
-    }
-}
-
-/// A component of the same type, values and override states, that shares nothing with the given
-/// one.
-/// @throws ContractError if the registry lacks the type
-std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
-                                                const VolumeComponentRegistry& registry)
-{
-    std::unique_ptr<VolumeComponent> copy = registry.Create(typeid(component));
-    copy->active = component.active;
-    copy->displayName = component.displayName;
-    CopyParameters(component, *copy);
-    return copy;
-}
 
 std::vector<std::string> TextsOf(std::span<const VolumeParameter* const> parameters)
 {

@@ -99,7 +99,7 @@ BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
     {
         return BlendOp::Add;
     }
-    const BlendOp op = std::max(found->colorOp, found->alphaOp);
+    const BlendOp op = std::max(found->colorBlendOperation, found->alphaBlendOperation);
     for (const RenderTargetBlendState& blend : used)
     {
         if (blend.colorBlendOperation != op || blend.alphaBlendOperation != op)

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <limn/core/TypeName.h>
+#include <limn/volume/VolumeComponentRegistry.h>
+#include <string>
+#include <typeindex>
+
+namespace limn
+{
+
+/// A component of the same type, values and override states, that shares nothing with the given
+/// one.
+/// @throws ContractError if the registry lacks the type
+std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
+                                                const VolumeComponentRegistry& registry);
+
+/// Copies the values and override states of all parameters; both are of one type.
+void CopyParameters(const VolumeComponent& from, VolumeComponent& to);
+
+} // namespace limn
