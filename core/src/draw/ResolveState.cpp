@@ -121,18 +121,16 @@ RenderTargetBlendState ResolveBlend(const PassBlendState& state, const StateRead
     {
         return reader.Read(value, "BlendOp", 0, static_cast<int>(BlendOp::HSLLuminosity));
     };
-    RenderTargetBlendState result;
-    result.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
-    if (state.enabled)
-    {
-        result.sourceColorBlendMode = mode(state.sourceColorBlendMode);
-        result.destinationColorBlendMode = mode(state.destinationColorBlendMode);
-        result.sourceAlphaBlendMode = mode(state.sourceAlphaBlendMode);
-        result.destinationAlphaBlendMode = mode(state.destinationAlphaBlendMode);
-        result.colorBlendOperation = operation(state.colorBlendOperation);
-        result.alphaBlendOperation = operation(state.alphaBlendOperation);
-    }
-    return result;
+    RenderTargetBlendState off;
+    off.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
+    RenderTargetBlendState result = off;
+    result.sourceColorBlendMode = mode(state.sourceColorBlendMode);
+    result.destinationColorBlendMode = mode(state.destinationColorBlendMode);
+    result.sourceAlphaBlendMode = mode(state.sourceAlphaBlendMode);
+    result.destinationAlphaBlendMode = mode(state.destinationAlphaBlendMode);
+    result.colorBlendOperation = operation(state.colorBlendOperation);
+    result.alphaBlendOperation = operation(state.alphaBlendOperation);
+    return state.enabled ? result : off;
 }
 
 StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader)
