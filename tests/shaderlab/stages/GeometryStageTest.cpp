@@ -172,6 +172,23 @@ void geom(triangle v2g v[3], inout TriangleStream<g2f> s, uint primitive : SV_Pr
     EXPECT_EQ(pass->layout.buffers[0].members.at(0).name, "_Turn");
 }
 
+TEST(GeometryStage, ChoosesTheLayerThatItDrawsInto)
+{
+    const std::string geometry = R"(
+[maxvertexcount(1)] void geom(point v2g v[1], inout PointStream<Layered> s)
+{
+    Layered o; o.pos = v[0].pos; o.uv = v[0].n; o.layer = 2; s.Append(o);
+})";
+    const std::string layered =
+        "struct Layered { float4 pos : SV_POSITION; float3 uv : TEXCOORD0; uint layer : ";
+    EXPECT_THAT(Disassembly(k_Stages + layered + "SV_RenderTargetArrayIndex; };" + geometry),
+                HasSubstr("BuiltIn Layer"));
+    EXPECT_THAT(test::CompileMessages(
+                    GeometryProgram(k_Stages + layered + "SV_GSInstanceID; };" + geometry)),
+                ElementsAre(HasSubstr("geom: 'layer': semantic 'SV_GSInstanceID' is not possible "
+                                      "at this place")));
+}
+
 TEST(GeometryStage, KnowsItsStage)
 {
     EXPECT_THAT(Disassembly(k_Stages + R"(
