@@ -10,6 +10,7 @@ Shader "Hidden/Universal/CoreBlit"
         Pass // _BlitTexture over the whole target, nearest texel
         {
             Name "Nearest"
+            Tags { "LimnFullScreen" = "True" }
 
             HLSLPROGRAM
             #pragma vertex Vert
@@ -28,6 +29,7 @@ Shader "Hidden/Universal/CoreBlit"
         Pass // the same, bilinear
         {
             Name "Bilinear"
+            Tags { "LimnFullScreen" = "True" }
 
             HLSLPROGRAM
             #pragma vertex Vert
@@ -46,6 +48,7 @@ Shader "Hidden/Universal/CoreBlit"
         Pass // to the output: the camera's alpha is no one's business there
         {
             Name "Final"
+            Tags { "LimnFullScreen" = "_BlitTexture with alpha 1" }
 
             HLSLPROGRAM
             #pragma vertex Vert

@@ -26,6 +26,7 @@ protected:
         request.camera = &camera;
         request.width = 64;
         request.height = 32;
+        request.compile.leavesOut = false; // frames as recorded
         return pipeline.RenderSingleCamera(renderer, request);
     }
 

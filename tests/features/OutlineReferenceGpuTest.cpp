@@ -50,7 +50,9 @@ public:
     {
         m_Request.volumeStack = &m_Volumes.With(enable, color, static_cast<float>(width));
         m_Request.alsoReadBack.clear();
+        m_Request.compile.leavesOut = false;
         RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        m_Request.compile.leavesOut = true;
         // The textures are known only now; the second frame keeps them readable.
         for (const CompiledRenderPass& pass : result.frame.passes)
         {

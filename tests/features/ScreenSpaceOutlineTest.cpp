@@ -20,6 +20,7 @@ struct Rendered
     UniversalRenderer renderer{Compiler()};
     OutlineScene content;
     BlendedOutline volumes;
+    bool leavesOut = false; ///< off: frames as recorded
 
     RenderResult Render(const VolumeStack* stack, int width = 64, int height = 48)
     {
@@ -29,6 +30,7 @@ struct Rendered
         request.width = width;
         request.height = height;
         request.volumeStack = stack;
+        request.compile.leavesOut = leavesOut;
         return pipeline.RenderSingleCamera(renderer, request);
     }
 };
@@ -95,6 +97,63 @@ TEST(ScreenSpaceOutlineRenderFeature, DrawsMaskEdgesAndCompositeInThatOrder)
     EXPECT_EQ(mask.colors[0].clearColor, Color::clear);
     EXPECT_FALSE(mask.depth.has_value());
     EXPECT_EQ(result.frame.passes[3].colors[0].load, LoadOp::Load);
+}
+
+struct NothingToDraw
+{
+    const char* name;
+    Color color;
+    float width;
+    std::function<void(OutlineScene&)> change;
+};
+
+//   Draw Opaque Objects ─▶ limn_Output, and nothing else
+TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereItDrawsNothing)
+{
+    const NothingToDraw cases[] = {
+        {"nothing is selected", Color::green, 4.0f,
+         [](OutlineScene& content)
+         {
+             for (const auto& object : content.scene.objects())
+             {
+                 object->renderer->renderingLayerMask = RenderingLayerMask::FromIndex(0);
+             }
+         }},
+        {"what is selected is off the screen", Color::green, 4.0f,
+         [](OutlineScene& content)
+         {
+             content.scene.Find("Torus")->transform.localPosition.x = 100.0f;
+             content.scene.Find("Cube")->transform.localPosition.x = -100.0f;
+         }},
+        {"the width is 0", Color::green, 0.0f, [](OutlineScene&) {
+         }}};
+    for (const NothingToDraw& c : cases)
+    {
+        Rendered r;
+        r.leavesOut = true;
+        AddOutline(r.renderer);
+        c.change(r.content);
+        const VolumeStack& stack = r.volumes.With(true, c.color, c.width);
+        for (int frame = 0; frame < 3; ++frame)
+        {
+            const RenderResult result = r.Render(&stack);
+            const std::size_t first = c.width == 0.0f && frame == 0 ? 1 : 0; // may be read later
+            EXPECT_EQ(1 + first, result.frame.passes.size()) << c.name << ", frame " << frame;
+            EXPECT_EQ("limn_Output", TargetNames(result).front()) << c.name;
+        }
+    }
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, IsDrawnAsBeforeWhereThereIsSomething)
+{
+    Rendered r;
+    r.leavesOut = true;
+    AddOutline(r.renderer);
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
+    EXPECT_THAT(TargetNames(result),
+                ElementsAre("_CameraColorAttachmentA", "_RendererDrawingTexture", "_OutlineTexture",
+                            "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_EQ(LoadOp::DontCare, result.frame.passes[2].colors[0].load) << "it is covered";
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, FiltersByQueueLayerAndRenderingLayer)

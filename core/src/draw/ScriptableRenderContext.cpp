@@ -1,4 +1,5 @@
 #include "draw/DrawResolver.h"
+#include "draw/ProjectedBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,32 @@ PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask re
     data.worldTransformParams[3] = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0f : 1.0f;
     data.renderingLayer[0] = renderingLayers.bits;
     return data;
+}
+
+std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
+{
+    const auto* texture = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture ? *texture : nullptr;
+}
+
+/// Of a number, vector or colour.
+bool isZero(const ShaderPropertyValue& value)
+{
+    return std::visit(
+        [](const auto& v)
+        {
+            using Value = std::decay_t<decltype(v)>;
+            if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec4>)
+            {
+                return v == Value(0);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return v == Color::clear;
+            }
+            return false;
+        },
+        value);
 }
 
 /// Only a vertex function learns which instance it works on.
@@ -100,6 +127,8 @@ public:
         draw.bindings =
             m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
                                m_GlobalsVersion, m_Frame.uniformData);
+        draw.fullScreen = Promise(recorded);
+        draw.bounds = BoundsOf(recorded);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
@@ -149,6 +178,59 @@ private:
         }
     }
 
+    /// What the pass's LimnFullScreen tag comes to with the values of this draw.
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded) const
+    {
+        const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
+        if (recorded.mesh || tag == nullptr)
+        {
+            return nullptr;
+        }
+        const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
+        auto promise = std::make_shared<FullScreenPromise>();
+        promise->output = tag->output;
+        for (const ShaderPropertyId id : tag->zeroes)
+        {
+            const ShaderPropertyValue* value = sources.Find(id);
+            if (const auto texture = TextureIn(value))
+            {
+                promise->zeroTextures.push_back(texture);
+            }
+            else if (value && isZero(*value))
+            {
+                promise->zeroProperty = id.name();
+            }
+        }
+        promise->reach = ReachOf(*tag, sources);
+        promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+        return promise;
+    }
+
+    static float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
+    {
+        if (tag.reachProperty)
+        {
+            const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
+            const auto* number = value ? std::get_if<float>(value) : nullptr;
+            return number ? std::abs(*number) : -1.0f;
+        }
+        return tag.reach.value_or(-1.0f);
+    }
+
+    /// Where it draws, if the pass promises to stay within the mesh.
+    std::optional<TargetRegion> BoundsOf(const RecordedDraw& recorded) const
+    {
+        static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+        const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
+        const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+        if (!recorded.mesh || viewProjection == nullptr ||
+            !recorded.material->shader()->staysWithinMesh(recorded.shaderPass))
+        {
+            return std::nullopt;
+        }
+        return ProjectBounds(recorded.mesh->bounds(), recorded.matrix, *viewProjection);
+    }
+
     /// Draws that differ in their transform only become instances of one. A geometry or fragment
     /// function that reads per-draw data finds it by the first instance, so those stay apart.
     bool MergeIntoLast(const DrawCommand& draw)
@@ -163,6 +245,9 @@ private:
             return false;
         }
         ++last->instanceCount;
+        last->bounds = last->bounds && draw.bounds
+                           ? std::optional(Union(*last->bounds, *draw.bounds))
+                           : std::nullopt;
         return true;
     }
 

@@ -96,6 +96,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
             pass.program = m_Compiler->ReadPragmas(*pass.program);
         }
         m_LightModes.emplace_back(pass.lightMode());
+        m_FullScreen.push_back(ReadFullScreenTag(pass, m_Document.file));
     }
     m_Initial = std::vector<Variant>(m_SubShader.passes.size());
 }
@@ -149,6 +150,13 @@ const ShaderLabPass& Shader::PassAt(int passIndex) const
                             "; it has " + std::to_string(passCount()));
     }
     return m_SubShader.passes[static_cast<std::size_t>(passIndex)];
+}
+
+const FullScreenTag* Shader::fullScreenTag(int passIndex) const
+{
+    PassAt(passIndex);
+    const auto& tag = m_FullScreen.at(static_cast<std::size_t>(passIndex));
+    return tag ? &*tag : nullptr;
 }
 
 const RenderState& Shader::passState(int passIndex) const

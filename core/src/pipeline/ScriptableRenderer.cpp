@@ -32,11 +32,6 @@ ClearFlag CameraClearFlag(const Camera& camera)
                                                           : ClearFlag::All;
 }
 
-ClearFlag Only(ClearFlag flags, ClearFlag wanted)
-{
-    return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));
-}
-
 /// Lets each of the passes clean up, also behind one that cannot.
 /// @return what was thrown first
 std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,

@@ -73,12 +73,6 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
 
 } // namespace
 
-void UniversalRenderPipeline::SetDevice(GraphicsDevice& device)
-{
-    m_Device = &device;
-    m_FrameCompiler = {};
-}
-
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
@@ -101,11 +95,11 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
-    // What the frame does to textures counts only once the device has taken it.
-    FrameCompiler afterwards = m_FrameCompiler;
-    result.frame = afterwards.Compile(context.TakeCommands(), outputs);
+    result.frame =
+        CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs, request.compile);
     m_Device->Execute(result.frame);
-    m_FrameCompiler = std::move(afterwards);
+    std::vector<std::string>& notes = result.report.notes;
+    notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());
     return result;
 }
 

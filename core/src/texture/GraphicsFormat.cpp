@@ -64,6 +64,34 @@ int BytesPerTexel(GraphicsFormat format)
                         " has no texels; a format that limn knows is needed");
 }
 
+int ChannelCount(GraphicsFormat format)
+{
+    switch (format)
+    {
+    case GraphicsFormat::R8_UNorm:
+    case GraphicsFormat::R16_SFloat:
+    case GraphicsFormat::R32_SFloat:
+    case GraphicsFormat::D32_SFloat:
+        return 1;
+    case GraphicsFormat::R16G16_SFloat:
+    case GraphicsFormat::R32G32_SFloat:
+    case GraphicsFormat::D32_SFloat_S8_UInt:
+        return 2;
+    case GraphicsFormat::B10G11R11_UFloatPack32:
+        return 3;
+    case GraphicsFormat::R8G8B8A8_SRGB:
+    case GraphicsFormat::R8G8B8A8_UNorm:
+    case GraphicsFormat::R8G8B8A8_SNorm:
+    case GraphicsFormat::R16G16B16A16_SFloat:
+    case GraphicsFormat::R32G32B32A32_SFloat:
+        return 4;
+    case GraphicsFormat::None:
+        break;
+    }
+    throw ContractError("GraphicsFormat " + std::string(ToString(format)) +
+                        " has no components; a format that limn knows is needed");
+}
+
 const char* ToString(GraphicsFormat format)
 {
     switch (format)

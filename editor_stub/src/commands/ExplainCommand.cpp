@@ -76,12 +76,18 @@ Json ToJson(const Explanation& explanation)
                             {"keywords", variant.keywords},
                             {"fullScreen", variant.isFullScreen}});
     }
+    Json leftOut = Json::array();
+    for (const LeftOut& item : explanation.leftOut)
+    {
+        leftOut.push_back({{"pass", item.pass}, {"reason", item.reason}});
+    }
     const ExplainedTrigger& trigger = explanation.trigger;
     return {{"trigger",
              {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
               {"volumeLayerMask", trigger.volumeLayerMask.bits}}},
             {"volumes", ToJson(explanation.volumes)},
             {"passes", passes},
+            {"leftOut", leftOut},
             {"textures", explanation.textures},
             {"variants", variants},
             {"objects", ToJson(explanation.objects)},

@@ -38,6 +38,7 @@ public:
         return m_Timeline.Measure("wait", [&] { return m_Device.ReadBack(texture); });
     }
     std::vector<PassTiming> LastFrameTimings() override { return m_Device.LastFrameTimings(); }
+    const TextureStates& textureStates() const override { return m_Device.textureStates(); }
 
 private:
     GraphicsDevice& m_Device;
@@ -53,8 +54,9 @@ Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice
     for (int frame = 0; frame < options.frames; ++frame)
     {
         const double time = options.time + frame / k_FramesPerSecond;
-        measurements.lastFrame =
-            measurements.timeline.Measure("frame", [&] { return view.Render(pipeline, time); });
+        const bool isLast = frame + 1 == options.frames;
+        measurements.lastFrame = measurements.timeline.Measure(
+            "frame", [&] { return view.Render(pipeline, time, isLast); });
     }
     Image image = measured.ReadBack(*measurements.lastFrame.output.rt());
     measurements.gpuPasses = device.LastFrameTimings();

@@ -167,8 +167,9 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     RecordingDevice device;
     UniversalRenderPipeline pipeline(device);
     SceneView view(std::move(asset), assets);
-    const RenderResult result = view.Render(pipeline, 0.0f);
+    const RenderResult result = view.Render(pipeline, 0.0, true);
     explanation.report = result.report;
+    explanation.leftOut = result.frame.leftOut;
     FrameReader reader(explanation);
     for (const CompiledRenderPass& pass : result.frame.passes)
     {

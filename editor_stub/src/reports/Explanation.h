@@ -52,6 +52,7 @@ struct Explanation
     ExplainedTrigger trigger;
     /// "name 640x360 R8G8B8A8_SRGB", drawn into or sampled, once each, in the order of first use
     std::vector<std::string> textures;
+    std::vector<LeftOut> leftOut;           ///< what was recorded and is not run
     std::vector<ExplainedVariant> variants; ///< once each, in the order of first use
     std::vector<ExplainedObject> objects;   ///< scene order
 };

@@ -243,12 +243,23 @@ std::string Objects(const std::vector<ExplainedObject>& objects, const std::stri
     return text;
 }
 
+ReportLines LeftOutLines(const Explanation& explanation)
+{
+    ReportLines lines;
+    for (const LeftOut& item : explanation.leftOut)
+    {
+        lines.push_back((item.pass.empty() ? "" : item.pass + ": ") + item.reason);
+    }
+    return lines;
+}
+
 } // namespace
 
 std::string ShortText(const Explanation& explanation)
 {
     return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
            Section("passes", PassLines(explanation.report), k_ListedLines) +
+           Section("left out", LeftOutLines(explanation), k_ListedLines) +
            Several(explanation.objects.size(), "object") + ", " +
            Several(explanation.textures.size(), "texture") + ", " +
            Several(explanation.variants.size(), "shader variant") +
@@ -265,6 +276,7 @@ std::string LongText(const Explanation& explanation)
     const std::string objects = Objects(explanation.objects, "  ");
     return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
            Section("passes", PassLines(explanation.report)) +
+           Section("left out", LeftOutLines(explanation)) +
            Section("textures", explanation.textures) + Section("variants", variants) +
            (objects.empty() ? "" : "objects:\n" + objects);
 }

@@ -85,7 +85,7 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
     }
 }
 
-RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time)
+RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, bool isLast)
 {
     TurnObjects(m_Asset.turns, time);
     const Camera& camera = m_Asset.camera;
@@ -98,6 +98,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time)
     request.height = m_Asset.height;
     request.time = time;
     request.volumeStack = &m_Stack;
+    request.compile.isLast = isLast;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }
 

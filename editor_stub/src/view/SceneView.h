@@ -31,8 +31,9 @@ public:
     SceneView(SceneAsset asset, const AssetContext& assets);
 
     /// Blends the volumes as they are now and draws.
-    /// @param time  seconds, what _Time shows and where turning objects are
-    RenderResult Render(UniversalRenderPipeline& pipeline, double time);
+    /// @param time    seconds, what _Time shows and where turning objects are
+    /// @param isLast  nothing is drawn after this: what only a next frame could read is left out
+    RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false);
 
 private:
     SceneAsset m_Asset;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/CompiledFrame.h>
+#include <limn/core/FrameCompiler.h>
 #include <limn/shaderlab/ShaderProgram.h>
 #include <memory>
 #include <string>
@@ -55,6 +55,48 @@ public:
         draw.firstInstance = number;
         return Add(std::move(draw));
     }
+    /// A full-screen pass. @param promise  "" = none, "True", "copy" of the first texture, or a
+    /// zero
+    ///     in any texture gives "0 0 0 1 where"
+    FrameBuilder& Blit(std::uint32_t number, const std::vector<TexturePtr>& sampled,
+                       const std::string& promise, const TargetBlend& blend = {},
+                       float reach = -1.0f)
+    {
+        Draw(number, sampled);
+        auto& draw = std::get<DrawCommand>(m_Frame.commands.back());
+        draw.state.zTest = CompareFunction::Always;
+        draw.state.zWrite = false;
+        draw.state.targets[0] = blend;
+        if (promise.empty())
+        {
+            return *this;
+        }
+        auto says = std::make_shared<FullScreenPromise>();
+        if (promise == "copy")
+        {
+            says->copied = sampled.at(0);
+        }
+        else if (promise != "True")
+        {
+            says->zeroTextures = sampled;
+            says->output = {0, 0, 0, 1};
+        }
+        says->reach = reach;
+        draw.fullScreen = std::move(says);
+        return *this;
+    }
+    /// Adds the colour, keeps the alpha: Blend One SrcAlpha, Zero One.
+    static TargetBlend Additive()
+    {
+        TargetBlend blend;
+        blend.enabled = true;
+        blend.dstColor = BlendMode::SrcAlpha;
+        blend.srcAlpha = BlendMode::Zero;
+        blend.dstAlpha = BlendMode::One;
+        return blend;
+    }
+    /// The draw that was added last.
+    DrawCommand& last() { return std::get<DrawCommand>(m_Frame.commands.back()); }
     FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
     FrameBuilder& End() { return Add(EndSampleCommand{}); }
 
@@ -69,6 +111,25 @@ private:
     }
 
     FrameCommands m_Frame;
+};
+
+/// Compiles frame after frame, each with the states that the one before left.
+class FrameCompiler
+{
+public:
+    /// @param leavesOut  off: what was recorded is seen whether anything reads it or not
+    explicit FrameCompiler(bool leavesOut = false) { m_Options.leavesOut = leavesOut; }
+
+    CompiledFrame Compile(FrameCommands commands, const std::vector<RenderTexturePtr>& outputs = {})
+    {
+        CompiledFrame frame = CompileFrame(std::move(commands), m_States, outputs, m_Options);
+        m_States = frame.states;
+        return frame;
+    }
+
+private:
+    FrameCompilerOptions m_Options;
+    TextureStates m_States;
 };
 
 inline std::string Describe(const PassCommand& command)

@@ -26,7 +26,7 @@ protected:
         return m_Compiler.Compile(builder.Take(), outputs);
     }
 
-    FrameCompiler m_Compiler;
+    test::FrameCompiler m_Compiler;
     FrameBuilder m_Frame;
     const test::RenderTexturePtr m_A = test::Target("A");
     const test::RenderTexturePtr m_B = test::Target("B");
@@ -151,7 +151,7 @@ TEST_F(FrameCompilerBarriers, AreWorkedOutAfreshByEachCompiler)
 {
     m_Frame.Bind(m_A).Draw(1);
     Compile(m_Frame);
-    FrameCompiler other;
+    test::FrameCompiler other;
     m_Frame.Bind(m_A).Draw(1);
     EXPECT_THAT(other.Compile(m_Frame.Take()).passes.at(0).barriers,
                 ElementsAre(TextureBarrier{m_A, Undefined, ColorAttachment}));

@@ -21,7 +21,7 @@ protected:
         return m_Compiler.Compile(builder.Take(), outputs);
     }
 
-    FrameCompiler m_Compiler;
+    test::FrameCompiler m_Compiler;
     FrameBuilder m_Frame;
     const test::RenderTexturePtr m_A = test::Target("A");
     const test::RenderTexturePtr m_B = test::Target("B");

@@ -26,7 +26,7 @@ protected:
         return test::ThrownMessage<ContractError>([&] { Compile(builder); });
     }
 
-    FrameCompiler m_Compiler;
+    test::FrameCompiler m_Compiler;
     FrameBuilder m_Frame;
     const test::RenderTexturePtr m_A = test::Target("A");
     const test::RenderTexturePtr m_B = test::Target("B");

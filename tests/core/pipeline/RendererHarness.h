@@ -1,6 +1,7 @@
 #pragma once
 
-#include <limn/core/FrameCompiler.h>
+#include "frame/FrameBuilder.h"
+
 #include <limn/core/ScriptableRenderer.h>
 #include <memory>
 #include <string>

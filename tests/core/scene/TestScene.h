@@ -79,12 +79,12 @@ inline GameObject& AddCube(Scene& scene, const std::string& name, const glm::vec
 }
 
 /// A target of its own contents; `transient` ones need not be kept behind the frame.
-inline std::shared_ptr<const RenderTexture> Target(const std::string& name, int width = 8,
-                                                   int height = 4, bool transient = false)
+inline std::shared_ptr<const RenderTexture>
+Target(const std::string& name, int width = 8, int height = 4, bool transient = false,
+       GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm)
 {
     return std::make_shared<const RenderTexture>(
-        name, RenderTextureDescriptor(width, height, GraphicsFormat::R8G8B8A8_UNorm),
-        SamplerState{}, transient);
+        name, RenderTextureDescriptor(width, height, format), SamplerState{}, transient);
 }
 
 inline std::shared_ptr<const RenderTexture> DepthTarget(const std::string& name, int width = 8,

@@ -63,7 +63,10 @@ TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
               "  250  Draw Opaque Objects: 1 of 1 drawn\n"
               "  450  Draw Transparent Objects: 0 of 1 drawn; left out: 1 render queue\n"
               "  1001 Final Blit\n"
-              "3 objects, 4 textures, 2 shader variants: -v lists them, --object NAME explains "
+              "left out:\n"
+              "  Final Blit: 'limn_Output' is drawn into directly: nothing else reads "
+              "'_CameraColorAttachmentA', nor blends with it\n"
+              "3 objects, 3 textures, 1 shader variant: -v lists them, --object NAME explains "
               "one\n",
               run.out);
 }
@@ -131,7 +134,7 @@ TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUs
 {
     m_Folder.Write("own.shader",
                    "Shader \"Test/Own\" { Properties { _BaseMap (\"Map\", 2D) = \"red\" {} }\n"
-                   "SubShader { Pass { Name \"Only\"\nHLSLPROGRAM\n"
+                   "SubShader { Pass { Name \"Only\" Blend One One\nHLSLPROGRAM\n"
                    "#pragma vertex V\n#pragma fragment F\n"
                    "#pragma multi_compile WARM COLD\n#pragma multi_compile _ OFF\n"
                    "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"

@@ -52,6 +52,7 @@ public:
         request.camera = &m_Camera;
         request.width = 8;
         request.height = 8;
+        request.compile.leavesOut = false; // the more calls that can fail the better
         const RenderResult result = pipeline.RenderSingleCamera(*m_Renderer, request);
         return device.ReadBack(*result.output.rt());
     }

@@ -132,7 +132,6 @@ TEST_F(Multisampling, WorksThroughTheFrameCompilerFrameAfterFrame)
     const auto depth = std::make_shared<RenderTexture>("depth", descriptor, SamplerState{}, true);
     const TargetPtr copy = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "copy");
     const TargetPtr other = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "other");
-    FrameCompiler compiler;
     for (int frameNumber = 1; frameNumber <= 2; ++frameNumber)
     {
         CompiledFrame uniforms;
@@ -152,7 +151,8 @@ TEST_F(Multisampling, WorksThroughTheFrameCompilerFrameAfterFrame)
         recorded.commands.emplace_back(MakeCopyDraw(smooth));
         recorded.uniformData = uniforms.uniformData;
         const std::shared_ptr<const RenderTexture> outputs[] = {copy, other};
-        SharedDevice().Execute(compiler.Compile(std::move(recorded), outputs));
+        SharedDevice().Execute(
+            CompileFrame(std::move(recorded), SharedDevice().textureStates(), outputs));
         const float first = 0.25f * static_cast<float>(frameNumber);
         EXPECT_EQ(first, TexelFloat(SharedDevice().ReadBack(*other), 0, 0)[0]);
         EXPECT_EQ(first + 0.25f, TexelFloat(SharedDevice().ReadBack(*copy), 0, 0)[0]);

@@ -47,9 +47,8 @@ public:
         RenderReport report;
         ScriptableRenderContext context(report);
         context.ExecuteCommandBuffer(cmd);
-        FrameCompiler compiler;
         const std::vector<std::shared_ptr<const RenderTexture>> outputs = {target.rt()};
-        SharedDevice().Execute(compiler.Compile(context.TakeCommands(), outputs));
+        SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, outputs));
         return TexelFloat(SharedDevice().ReadBack(*target.rt()), 0, 0);
     }
 

@@ -79,7 +79,7 @@ TEST_F(PerDrawLimit, IsKeptByBindingTheDataInPieces)
     RenderReport report;
     ScriptableRenderContext context(report);
     context.ExecuteCommandBuffer(cmd);
-    const CompiledFrame frame = FrameCompiler().Compile(context.TakeCommands(), std::array{target});
+    const CompiledFrame frame = CompileFrame(context.TakeCommands(), {}, std::array{target});
     ASSERT_EQ(std::size_t{2 * k_Columns}, frame.perDraw.size());
     // The draws with the first material are one of 20 instances.
     ASSERT_EQ(std::size_t{1 + k_Columns}, frame.passes.at(0).commands.size());

@@ -24,7 +24,6 @@ TEST_F(DynamicKeywords, ChangeThePictureWithoutAnotherVariant)
                          "  if (RED && !SMALL) { c.r = 1; } return c; }\nENDHLSL } } }",
                          "t.shader", compiler));
     const TargetPtr target = MakeTarget(2, 2);
-    FrameCompiler frames;
     // The texels at the top right and at the bottom left.
     const auto draw = [&]
     {
@@ -35,7 +34,8 @@ TEST_F(DynamicKeywords, ChangeThePictureWithoutAnotherVariant)
         cmd.ClearRenderTarget(ClearFlag::Color, Color::green);
         cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3, {});
         context.ExecuteCommandBuffer(cmd);
-        SharedDevice().Execute(frames.Compile(context.TakeCommands(), std::array{target}));
+        SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
+                                            std::array{target}));
         const Image image = SharedDevice().ReadBack(*target);
         return std::pair(Texel8(image, 1, 0), Texel8(image, 0, 1));
     };

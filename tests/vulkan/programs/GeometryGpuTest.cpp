@@ -171,7 +171,7 @@ TEST_F(Geometry, MovesEachMeshOfACommandBufferByItsOwnMatrix)
     RenderReport report;
     ScriptableRenderContext context(report);
     context.ExecuteCommandBuffer(cmd);
-    SharedDevice().Execute(FrameCompiler().Compile(context.TakeCommands(), std::array{target}));
+    SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
     const Image image = SharedDevice().ReadBack(*target);
     for (int i = 0; i < 4; ++i)
     {

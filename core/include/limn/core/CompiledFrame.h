@@ -1,19 +1,9 @@
 #pragma once
 
-#include <limn/core/FrameCommands.h>
+#include <limn/core/TextureStates.h>
 
 namespace limn
 {
-
-/// What a texture is being used for; the device maps it to layout, stage and access.
-enum class TextureUsage
-{
-    Undefined, ///< contents are worthless
-    ColorAttachment,
-    DepthStencilAttachment,
-    ShaderRead, ///< sampled, in whatever stage
-    CopySource
-};
 
 /// Before the pass: the texture goes from one use to another and everything written is visible.
 struct TextureBarrier
@@ -76,6 +66,15 @@ struct CompiledRenderPass
     std::vector<PassCommand> commands;
 };
 
+/// Something recorded that the frame does without.
+struct LeftOut
+{
+    std::string pass;   ///< the innermost sample it was recorded in, or ""
+    std::string reason; ///< "nothing reads 'X'"
+
+    bool operator==(const LeftOut&) const = default;
+};
+
 /// A frame ready to run: the device adds nothing to it and leaves nothing out.
 struct CompiledFrame
 {
@@ -83,6 +82,9 @@ struct CompiledFrame
     std::vector<TextureBarrier> finalBarriers; ///< after the last pass: outputs → CopySource
     std::vector<std::byte> uniformData;
     std::vector<PerDrawData> perDraw;
+    std::vector<LeftOut> leftOut;
+    std::vector<std::string> notes; ///< sentences for the user
+    TextureStates states;           ///< of the textures once it has run
 };
 
 } // namespace limn

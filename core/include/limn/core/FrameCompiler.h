@@ -2,51 +2,50 @@
 
 #include <limn/core/CompiledFrame.h>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace limn
 {
 
-/// The D32_SFloat textures that stand in for depth-stencil ones, by the original's id.
-struct DepthTwin
+struct FrameCompilerOptions
 {
-    std::weak_ptr<const RenderTexture> original;
-    std::shared_ptr<const RenderTexture> texture;
+    bool isLast = false; ///< no frame comes after this one: nothing is kept for it
+    /// Off: everything recorded is run, each node as one pass, to compare with. The same for all
+    /// frames of a device.
+    bool leavesOut = true;
+    bool limitsRegions = true; ///< full-screen passes are drawn where they can be seen only
 };
-using DepthTwins = std::unordered_map<std::uint64_t, DepthTwin>;
 
-/// Turns a frame's recorded commands into passes a device can run. The only place that decides
-/// barriers, layouts, load and store, from what the commands read and write:
-/// - commands on the same targets form one pass; a target bound and never drawn into or cleared
-///   forms none; a target bound again with nothing else in between continues its pass;
-/// - an attachment is loaded if it holds something worth keeping, cleared where the pass begins
-///   with a clear, else its contents do not matter;
-/// - it is stored if a later command of the frame reads or loads it, if it is an output, or if it
-///   is not transient (a next frame may read it);
-/// - a barrier stands before the pass that needs the other use;
-/// - transient depth that no draw uses the stencil of is drawn into a texture without one.
-/// Remembers each texture's use between frames, so keep one compiler per device.
-class FrameCompiler
-{
-public:
-    /// @param outputs  textures to be readable (CopySource) after the frame
-    /// @throws ContractError naming pass and texture, if a draw comes before any target or samples
-    ///         a texture that it draws into
-    CompiledFrame Compile(FrameCommands commands,
-                          std::span<const std::shared_ptr<const RenderTexture>> outputs = {});
-
-private:
-    class Run;
-
-    struct KnownTexture
-    {
-        std::weak_ptr<const Texture> texture;
-        TextureUsage usage = TextureUsage::Undefined;
-    };
-    std::unordered_map<std::uint64_t, KnownTexture> m_Known; ///< by Texture::id
-    std::unordered_set<std::uint64_t> m_Filled; ///< ids of textures that hold something
-    DepthTwins m_DepthTwins;
-};
+/// Turns a frame's recorded commands into passes a device can run. The only place that decides what
+/// is left out, barriers, layouts, load and store, from what the commands read and write. A pure
+/// function: it knows of earlier frames what `states` says, and says in `CompiledFrame::states`
+/// what it leaves to the next.
+///
+/// Textures outlive the frame where a next one may read them: not those made transient, nor those
+/// that every frame so far has overwritten before it read any. A frame that reads such a one after
+/// all gets a note, and it is kept from then on.
+///
+/// Its steps, each in a file of core/src/frame:
+/// - SplitIntoNodes: commands on the same targets form a node; a target bound and never drawn into
+///   or cleared forms none;
+/// - FindAccess: what each node reads, and whether it covers what its target held;
+/// - FoldConstants: a draw that is known to change nothing goes; a node without draws only says
+///   what its targets hold from now on, and is run where something reads that; depth is attached
+///   where a draw uses it;
+/// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
+///   draws into the copy;
+/// - LeaveOutUnread: a node whose targets nothing reads goes;
+/// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
+/// - LeaveOutStencil: depth has a stencil where a draw uses it;
+/// - MergeNodes: neighbours on the same colours become one;
+/// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,
+///   and stored if it is read later, is an output, or may be read by a next frame.
+///
+/// @param states   as the frame before left them
+/// @param outputs  textures to be readable (CopySource) after the frame
+/// @throws ContractError naming pass and texture, if a draw comes before any target or samples
+///         a texture that it draws into
+CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states,
+                           std::span<const std::shared_ptr<const RenderTexture>> outputs = {},
+                           const FrameCompilerOptions& options = {});
 
 } // namespace limn

@@ -22,6 +22,9 @@ public:
     /// Starts the frame; returns without waiting for it. Frames run in the order given.
     virtual void Execute(const CompiledFrame& frame) = 0;
 
+    /// What the frames so far leave to the next one, for CompileFrame.
+    virtual const TextureStates& textureStates() const = 0;
+
     /// The texels of a texture that was an output of the last frame; waits for it.
     /// @throws ContractError if it was not
     virtual Image ReadBack(const RenderTexture& texture) = 0;

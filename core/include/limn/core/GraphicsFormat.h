@@ -60,6 +60,10 @@ GraphicsFormat ToGraphicsFormat(RenderTextureFormat format, bool sRGB = false);
 /// @throws ContractError for None
 int BytesPerTexel(GraphicsFormat format);
 
+/// How many components a texel has, 1...4; depth and stencil are one each.
+/// @throws ContractError for None
+int ChannelCount(GraphicsFormat format);
+
 constexpr bool IsDepthFormat(GraphicsFormat format)
 {
     return format == GraphicsFormat::D32_SFloat || format == GraphicsFormat::D32_SFloat_S8_UInt;

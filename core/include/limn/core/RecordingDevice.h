@@ -10,7 +10,12 @@ namespace limn
 class RecordingDevice final : public GraphicsDevice
 {
 public:
-    void Execute(const CompiledFrame& frame) override { m_Frames.push_back(frame); }
+    void Execute(const CompiledFrame& frame) override
+    {
+        m_Frames.push_back(frame);
+        m_TextureStates = frame.states;
+    }
+    const TextureStates& textureStates() const override { return m_TextureStates; }
     /// @throws ContractError always: nothing was drawn
     Image ReadBack(const RenderTexture& texture) override
     {
@@ -23,6 +28,7 @@ public:
 
 private:
     std::vector<CompiledFrame> m_Frames;
+    TextureStates m_TextureStates;
 };
 
 } // namespace limn

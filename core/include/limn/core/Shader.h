@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/core/FullScreenTag.h>
 #include <limn/core/ShaderId.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderDatabase.h>
@@ -24,7 +25,9 @@ class Shader
 public:
     /// @param database  where UsePass and Fallback look, needed no longer than the call; may be
     /// null
-    /// @throws AssetError if the document has no SubShader to draw with, or a UsePass leads nowhere
+    /// @throws AssetError if the document has no SubShader to draw with, a UsePass leads nowhere,
+    /// or
+    ///         a LimnFullScreen tag is wrong
     Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
            const ShaderDatabase* database = nullptr);
 
@@ -62,6 +65,11 @@ public:
     const std::string& passName(int passIndex) const;
     /// The pass's LightMode; "SRPDefaultUnlit" where it has none.
     std::string_view passLightMode(int passIndex) const;
+
+    /// What the pass promises by the tag LimnFullScreen; null = nothing. As long as the shader.
+    const FullScreenTag* fullScreenTag(int passIndex) const;
+    /// Whether the pass has the tag LimnWithinMesh.
+    bool staysWithinMesh(int passIndex) const { return StaysWithinMesh(PassAt(passIndex)); }
 
     /// What compiles the passes; other shaders may be made with it.
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
@@ -106,7 +114,8 @@ private:
     std::shared_ptr<ShaderCompiler> m_Compiler;
     std::vector<std::string> m_InitialKeywords;
     ShaderLabSubShader m_SubShader;
-    std::vector<ShaderTagId> m_LightModes; ///< by pass
+    std::vector<ShaderTagId> m_LightModes;                  ///< by pass
+    std::vector<std::optional<FullScreenTag>> m_FullScreen; ///< by pass
     int m_RenderQueue = 2000;
     mutable std::vector<Variant> m_Initial; ///< by pass
     mutable std::mutex m_Mutex;             ///< guards the map, not what is in it

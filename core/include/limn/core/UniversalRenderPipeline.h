@@ -17,6 +17,7 @@ struct RenderRequest
     double time = 0.0; ///< seconds, what _Time shows; at most 1e38, since _Time.w is 3 times that
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
+    FrameCompilerOptions compile;             ///< what may be left out
 };
 
 /// What rendering gave.
@@ -27,8 +28,8 @@ struct RenderResult
     CompiledFrame frame; ///< as the device ran it
 };
 
-/// Renders cameras on a device. Keep one for as long as its device: textures and their state stay
-/// between frames. Unity: UnityEngine.Rendering.Universal.UniversalRenderPipeline (URP 14).
+/// Renders cameras on a device. Keep one for as long as its device: its textures stay between
+/// frames. Unity: UnityEngine.Rendering.Universal.UniversalRenderPipeline (URP 14).
 class UniversalRenderPipeline
 {
 public:
@@ -37,7 +38,7 @@ public:
 
     /// Goes on with another device, as after the first was lost: what textures held is gone.
     /// @param device  must outlive this
-    void SetDevice(GraphicsDevice& device);
+    void SetDevice(GraphicsDevice& device) { m_Device = &device; }
 
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
@@ -45,7 +46,6 @@ public:
 
 private:
     GraphicsDevice* m_Device; ///< never null
-    FrameCompiler m_FrameCompiler;
     RTHandle m_Output;
 };
 

@@ -33,6 +33,7 @@ public:
     std::size_t nextSlot = 0;
     std::uint64_t timedFrame = 0;
     std::vector<PassTiming> timings;
+    TextureStates textureStates; ///< after the last frame submitted
     vulkan::SubmitQueue queue;
 };
 
@@ -88,6 +89,7 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->resources.programs.Sweep(finished);
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
+    m_Impl->textureStates = frame.states;
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 
@@ -140,6 +142,11 @@ std::vector<PassTiming> VulkanDevice::LastFrameTimings()
         }
     }
     return m_Impl->timings;
+}
+
+const TextureStates& VulkanDevice::textureStates() const
+{
+    return m_Impl->textureStates;
 }
 
 const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const

@@ -70,6 +70,7 @@ public:
     /// @throws ContractError as ReadBack, or if the texture has no stencil
     Image ReadBackStencil(const RenderTexture& texture);
 
+    const TextureStates& textureStates() const override;
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;

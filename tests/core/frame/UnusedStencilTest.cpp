@@ -31,7 +31,7 @@ protected:
         return frame.passes.at(0).depth->texture->graphicsFormat();
     }
 
-    FrameCompiler m_Compiler;
+    test::FrameCompiler m_Compiler;
     test::FrameBuilder m_Frame;
     const test::RenderTexturePtr m_Color = test::Target("Color");
     const test::RenderTexturePtr m_Transient = test::DepthTarget("Depth", 8, 4, true);

@@ -1,4 +1,4 @@
-#include "draw/UnusedStencil.h"
+#include "frame/FrameNode.h"
 
 #include <unordered_set>
 
@@ -8,9 +8,9 @@ namespace limn
 namespace
 {
 
-bool UsesStencil(const OpenPass& pass)
+bool UsesStencil(const FrameNode& node)
 {
-    for (const PassCommand& command : pass.commands)
+    for (const PassCommand& command : node.commands)
     {
         const auto* draw = std::get_if<DrawCommand>(&command);
         if (draw != nullptr && draw->state.stencilEnabled)
@@ -22,48 +22,41 @@ bool UsesStencil(const OpenPass& pass)
 }
 
 /// The ids of textures that have to stay as they are.
-std::unordered_set<std::uint64_t>
-Kept(const std::vector<OpenPass>& passes,
-     std::span<const std::shared_ptr<const RenderTexture>> outputs)
+std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, OutputSpan outputs)
 {
     std::unordered_set<std::uint64_t> kept;
     for (const auto& output : outputs)
     {
         kept.insert(output->id());
     }
-    for (const OpenPass& pass : passes)
+    for (const FrameNode& node : nodes)
     {
-        for (const auto& texture : pass.reads)
+        for (const auto& texture : node.reads)
         {
             kept.insert(texture->id());
         }
-        if (pass.targets.depth && UsesStencil(pass))
+        if (node.targets.depth && UsesStencil(node))
         {
-            kept.insert(pass.targets.depth->id());
+            kept.insert(node.targets.depth->id());
         }
     }
     return kept;
 }
 
-ClearFlag WithoutStencil(ClearFlag flags)
+void LeaveOutClears(FrameNode& node)
 {
-    return static_cast<ClearFlag>(static_cast<int>(flags) & ~static_cast<int>(ClearFlag::Stencil));
-}
-
-void LeaveOutClears(OpenPass& pass)
-{
-    if (pass.clear)
+    if (node.clear)
     {
-        pass.clear->flags = WithoutStencil(pass.clear->flags);
+        node.clear->flags = Without(node.clear->flags, ClearFlag::Stencil);
     }
-    for (PassCommand& command : pass.commands)
+    for (PassCommand& command : node.commands)
     {
         if (auto* clear = std::get_if<ClearCommand>(&command))
         {
-            clear->flags = WithoutStencil(clear->flags);
+            clear->flags = Without(clear->flags, ClearFlag::Stencil);
         }
     }
-    std::erase_if(pass.commands,
+    std::erase_if(node.commands,
                   [](const PassCommand& command)
                   {
                       const auto* clear = std::get_if<ClearCommand>(&command);
@@ -72,9 +65,10 @@ void LeaveOutClears(OpenPass& pass)
 }
 
 const std::shared_ptr<const RenderTexture>&
-TwinOf(const std::shared_ptr<const RenderTexture>& original, DepthTwins& twins)
+TwinOf(const std::shared_ptr<const RenderTexture>& original,
+       std::unordered_map<std::uint64_t, TextureStates::DepthTwin>& twins)
 {
-    DepthTwin& twin = twins[original->id()];
+    TextureStates::DepthTwin& twin = twins[original->id()];
     if (!twin.texture)
     {
         RenderTextureDescriptor descriptor = original->descriptor();
@@ -88,20 +82,19 @@ TwinOf(const std::shared_ptr<const RenderTexture>& original, DepthTwins& twins)
 
 } // namespace
 
-void LeaveOutUnusedStencil(std::vector<OpenPass>& passes,
-                           std::span<const std::shared_ptr<const RenderTexture>> outputs,
-                           DepthTwins& twins)
+void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
+    auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });
-    const std::unordered_set<std::uint64_t> kept = Kept(passes, outputs);
-    for (OpenPass& pass : passes)
+    const std::unordered_set<std::uint64_t> kept = Kept(nodes, outputs);
+    for (FrameNode& node : nodes)
     {
-        std::shared_ptr<const RenderTexture>& depth = pass.targets.depth;
+        std::shared_ptr<const RenderTexture>& depth = node.targets.depth;
         if (depth && depth->isTransient() && HasStencil(depth->graphicsFormat()) &&
             !kept.contains(depth->id()))
         {
             depth = TwinOf(depth, twins);
-            LeaveOutClears(pass);
+            LeaveOutClears(node);
         }
     }
 }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <limn/core/FrameCommands.h>
+#include <unordered_map>
+
+namespace limn
+{
+
+/// What a texture is being used for; the device maps it to layout, stage and access.
+enum class TextureUsage
+{
+    Undefined, ///< contents are worthless
+    ColorAttachment,
+    DepthStencilAttachment,
+    ShaderRead, ///< sampled, in whatever stage
+    CopySource
+};
+
+/// What the frames so far did with a texture that outlives them.
+enum class TextureHistory
+{
+    Unknown,     ///< no frame has used it
+    Overwritten, ///< every frame wrote the whole of it before it read any: nothing of it is kept
+    Read         ///< a frame read what one before it left: it is kept
+};
+
+/// A texture as a frame leaves it.
+struct TextureState
+{
+    std::weak_ptr<const Texture> texture;
+    TextureUsage usage = TextureUsage::Undefined;
+    bool isFilled = false; ///< it holds something
+    /// What every texel of it is, of the aspects that `flags` names; what nobody has read may not
+    /// be in the image yet.
+    ClearCommand constant;
+    bool isPending = false; ///< `constant` is not in the image
+    TextureHistory history = TextureHistory::Unknown;
+};
+
+/// What a device knows of the textures that frames drew into: all that one frame leaves to the
+/// next.
+struct TextureStates
+{
+    std::unordered_map<std::uint64_t, TextureState> textures; ///< by Texture::id
+
+    /// The D32_SFloat texture that stands in for a depth-stencil one.
+    struct DepthTwin
+    {
+        std::weak_ptr<const RenderTexture> original;
+        std::shared_ptr<const RenderTexture> texture;
+    };
+    std::unordered_map<std::uint64_t, DepthTwin> depthTwins; ///< by the original's id
+};
+
+} // namespace limn

@@ -1,0 +1,75 @@
+#include "frame/ConstantBlend.h"
+
+#include <optional>
+
+namespace limn
+{
+
+namespace
+{
+
+/// What a colour's component is multiplied by; nothing where that takes what the target holds.
+std::optional<float> Factor(BlendMode mode, float component, float alpha)
+{
+    switch (mode)
+    {
+    case BlendMode::Zero:
+        return 0.0f;
+    case BlendMode::One:
+        return 1.0f;
+    case BlendMode::SrcColor:
+        return component;
+    case BlendMode::OneMinusSrcColor:
+        return 1.0f - component;
+    case BlendMode::SrcAlpha:
+        return alpha;
+    case BlendMode::OneMinusSrcAlpha:
+        return 1.0f - alpha;
+    case BlendMode::DstColor:
+    case BlendMode::OneMinusDstColor:
+    case BlendMode::DstAlpha:
+    case BlendMode::OneMinusDstAlpha:
+    case BlendMode::SrcAlphaSaturate:
+        break;
+    }
+    return std::nullopt;
+}
+
+bool LeavesComponentAsItIs(BlendMode source, BlendMode destination, BlendOp op, float component,
+                           float alpha)
+{
+    const std::optional<float> kept = Factor(destination, component, alpha);
+    const std::optional<float> added = Factor(source, component, alpha);
+    return op == BlendOp::Add && kept == 1.0f && added && component * *added == 0.0f;
+}
+
+} // namespace
+
+bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color)
+{
+    if (!blend.enabled)
+    {
+        return blend.writeMask == 0;
+    }
+    const auto leavesColor = [&](int bit, float component)
+    {
+        return (blend.writeMask & bit) == 0 ||
+               LeavesComponentAsItIs(blend.srcColor, blend.dstColor, blend.colorOp, component,
+                                     color.a);
+    };
+    return leavesColor(ColorWriteMask::Red, color.r) &&
+           leavesColor(ColorWriteMask::Green, color.g) &&
+           leavesColor(ColorWriteMask::Blue, color.b) &&
+           ((blend.writeMask & ColorWriteMask::Alpha) == 0 ||
+            LeavesComponentAsItIs(blend.srcAlpha, blend.dstAlpha, blend.alphaOp, color.a, color.a));
+}
+
+bool ReplacesTarget(const TargetBlend& blend)
+{
+    const bool isOneZero = blend.srcColor == BlendMode::One && blend.dstColor == BlendMode::Zero &&
+                           blend.srcAlpha == BlendMode::One && blend.dstAlpha == BlendMode::Zero &&
+                           blend.colorOp == BlendOp::Add && blend.alphaOp == BlendOp::Add;
+    return (!blend.enabled || isOneZero) && blend.writeMask == ColorWriteMask::All;
+}
+
+} // namespace limn

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <limn/core/Color.h>
+#include <limn/core/PipelineState.h>
+
+namespace limn
+{
+
+/// Whether blending this colour in leaves every texel as it is, whatever it holds.
+/// @param color  linear, what the fragment function gives
+bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color);
+
+/// Whether what a draw leaves in a target follows from what it draws alone.
+bool ReplacesTarget(const TargetBlend& blend);
+
+} // namespace limn

@@ -1,0 +1,85 @@
+#include "frame/ConstantBlend.h"
+#include "frame/FrameNode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Whether nothing of the colour from before the draw is left.
+bool Covers(const FrameNode& node, const DrawCommand& draw)
+{
+    const bool hasViewport =
+        std::any_of(node.commands.begin(), node.commands.end(),
+                    [](const PassCommand& command)
+                    { return std::holds_alternative<SetViewportCommand>(command); });
+    return draw.fullScreen && node.targets.colors.size() == 1 && !hasViewport &&
+           !(node.targets.depth && UsesDepth(draw.state)) && !draw.state.alphaToMask &&
+           ReplacesTarget(draw.state.targets.at(0));
+}
+
+/// Of what comes before a draw that covers the colour, only depth and stencil are of use.
+void DropWhatIsCovered(FrameNode& node, std::size_t& covering)
+{
+    std::vector<PassCommand> kept;
+    for (std::size_t i = 0; i < covering; ++i)
+    {
+        PassCommand& command = node.commands[i];
+        const auto* draw = std::get_if<DrawCommand>(&command);
+        auto* clear = std::get_if<ClearCommand>(&command);
+        if (clear)
+        {
+            clear->flags = Without(clear->flags, ClearFlag::Color);
+        }
+        const bool isOfUse = draw    ? node.targets.depth && UsesDepth(draw->state)
+                             : clear ? clear->flags != ClearFlag::None
+                                     : true;
+        if (isOfUse)
+        {
+            kept.push_back(std::move(command));
+        }
+    }
+    const std::size_t count = kept.size();
+    kept.insert(
+        kept.end(),
+        std::make_move_iterator(node.commands.begin() + static_cast<std::ptrdiff_t>(covering)),
+        std::make_move_iterator(node.commands.end()));
+    node.commands = std::move(kept);
+    covering = count;
+    if (node.clear)
+    {
+        node.clear->flags = Without(node.clear->flags, ClearFlag::Color);
+    }
+}
+
+} // namespace
+
+bool UsesDepth(const PipelineState& state)
+{
+    const bool isTested =
+        state.zTest != CompareFunction::Disabled && state.zTest != CompareFunction::Always;
+    const bool isWritten = state.zTest != CompareFunction::Disabled && state.zWrite;
+    return isTested || isWritten || state.stencilEnabled;
+}
+
+void FindAccess(std::vector<FrameNode>& nodes)
+{
+    for (FrameNode& node : nodes)
+    {
+        for (std::size_t i = 0; i < node.commands.size(); ++i)
+        {
+            const auto* draw = std::get_if<DrawCommand>(&node.commands[i]);
+            if (draw && Covers(node, *draw))
+            {
+                DropWhatIsCovered(node, i);
+                node.coversColor = true;
+            }
+        }
+        CollectReads(node);
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,241 @@
+#include "frame/ConstantBlend.h"
+#include "frame/FrameNode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+bool UsesDepth(const FrameNode& node)
+{
+    return std::any_of(node.commands.begin(), node.commands.end(),
+                       [](const PassCommand& command)
+                       {
+                           const auto* draw = std::get_if<DrawCommand>(&command);
+                           const auto* clear = std::get_if<ClearCommand>(&command);
+                           return (draw && UsesDepth(draw->state)) ||
+                                  (clear && (clear->flags & ClearFlag::DepthStencil));
+                       });
+}
+
+/// Goes through a frame in its order and knows of each texture what every texel of it is, if that
+/// is known.
+class ConstantFolder
+{
+public:
+    explicit ConstantFolder(TextureStates& states) : m_States(states) {}
+
+    void Fold(std::vector<FrameNode>& nodes, OutputSpan outputs)
+    {
+        for (FrameNode& node : nodes)
+        {
+            Fold(node);
+        }
+        for (const auto& output : outputs)
+        {
+            WriteWhatIsPending(output);
+        }
+        nodes = std::move(m_Nodes);
+    }
+
+private:
+    void Fold(FrameNode& node)
+    {
+        FoldDraws(node);
+        LeaveOutDepth(node);
+        CollectReads(node);
+        const bool draws = HasDraws(node);
+        const bool clearsParts =
+            std::any_of(node.commands.begin(), node.commands.end(),
+                        [](const PassCommand& command)
+                        { return std::holds_alternative<ClearCommand>(command); });
+        if (!draws && !clearsParts)
+        {
+            RememberClear(node);
+            node.whyLeftOut = m_Why.empty() ? "nothing is drawn; what it clears is cleared where "
+                                              "something reads it"
+                                            : m_Why;
+        }
+        else
+        {
+            for (const auto& texture : node.reads)
+            {
+                WriteWhatIsPending(std::static_pointer_cast<const RenderTexture>(texture));
+            }
+            BeginWithWhatIsPending(node);
+        }
+        m_Nodes.push_back(std::move(node));
+    }
+
+    TextureState& StateOf(const std::shared_ptr<const RenderTexture>& texture)
+    {
+        TextureState& state = m_States.textures[texture->id()];
+        state.texture = texture;
+        return state;
+    }
+
+    /// Draws that change nothing go; a first one that makes its target a constant is a clear.
+    void FoldDraws(FrameNode& node)
+    {
+        m_Why.clear();
+        bool isFirst = true;
+        std::erase_if(node.commands,
+                      [&](const PassCommand& command)
+                      {
+                          const auto* draw = std::get_if<DrawCommand>(&command);
+                          const bool folds = draw && draw->fullScreen && Fold(node, *draw, isFirst);
+                          isFirst = isFirst && (draw == nullptr || folds);
+                          return folds;
+                      });
+    }
+
+    /// @return whether the draw can go
+    bool Fold(FrameNode& node, const DrawCommand& draw, bool isFirst)
+    {
+        const std::string zero = WhyConstant(*draw.fullScreen);
+        if (zero.empty() || (node.targets.depth && UsesDepth(draw.state)))
+        {
+            return false;
+        }
+        if (ChangesNothing(node, draw))
+        {
+            m_Why = "it changes nothing: " + zero;
+            return true;
+        }
+        if (isFirst && node.coversColor)
+        {
+            m_Why = "it makes every texel the same: " + zero;
+            node.coversColor = false;
+            node.clear = node.clear ? *node.clear : ClearCommand{};
+            Merge(*node.clear, {ClearFlag::Color, draw.fullScreen->output});
+            return true;
+        }
+        return false;
+    }
+
+    /// Why the fragment function gives the output that is promised; "" = it need not.
+    std::string WhyConstant(const FullScreenPromise& promise)
+    {
+        if (!promise.zeroProperty.empty())
+        {
+            return promise.zeroProperty + " is 0";
+        }
+        for (const auto& texture : promise.zeroTextures)
+        {
+            const auto found = m_States.textures.find(texture->id());
+            if (found != m_States.textures.end() &&
+                (found->second.constant.flags & ClearFlag::Color) &&
+                IsZero(found->second.constant.color, texture->graphicsFormat()))
+            {
+                return "'" + texture->name() + "' is 0 all over";
+            }
+        }
+        return {};
+    }
+
+    static bool ChangesNothing(const FrameNode& node, const DrawCommand& draw)
+    {
+        return node.targets.colors.size() == 1 &&
+               LeavesTargetAsItIs(draw.state.targets.at(0), draw.fullScreen->output);
+    }
+
+    /// Depth that no draw uses is not attached.
+    void LeaveOutDepth(FrameNode& node)
+    {
+        if (!node.targets.depth || node.targets.colors.empty() || UsesDepth(node))
+        {
+            return;
+        }
+        if (node.clear)
+        {
+            FrameNode depthOnly;
+            depthOnly.targets.depth = node.targets.depth;
+            depthOnly.clear = node.clear;
+            RememberClear(depthOnly);
+            node.clear->flags = Only(node.clear->flags, ClearFlag::Color);
+        }
+        node.targets.depth = nullptr;
+    }
+
+    void RememberClear(const FrameNode& node)
+    {
+        for (const auto& target : TargetsOf(node))
+        {
+            TextureState& state = StateOf(target);
+            ClearCommand clear = node.clear ? *node.clear : ClearCommand{};
+            clear.flags = Only(clear.flags, AspectsOf(*target));
+            if (clear.flags != ClearFlag::None)
+            {
+                Merge(state.constant, clear);
+                state.isPending = true;
+            }
+        }
+    }
+
+    /// A node that writes what is known of the texture and not in its image yet.
+    void WriteWhatIsPending(const std::shared_ptr<const RenderTexture>& texture)
+    {
+        TextureState& state = StateOf(texture);
+        if (!state.isPending)
+        {
+            return;
+        }
+        state.isPending = false;
+        FrameNode node;
+        node.name = "Clear " + texture->name();
+        node.clear = state.constant;
+        if (IsDepthFormat(texture->graphicsFormat()))
+        {
+            node.targets.depth = texture;
+        }
+        else
+        {
+            node.targets.colors = {texture};
+        }
+        m_Nodes.push_back(std::move(node));
+    }
+
+    void BeginWithWhatIsPending(FrameNode& node)
+    {
+        for (const auto& target : TargetsOf(node))
+        {
+            TextureState& state = StateOf(target);
+            const bool isDepth = IsDepthFormat(target->graphicsFormat());
+            ClearCommand clear = state.constant;
+            clear.flags = Without(clear.flags, node.clear ? node.clear->flags : ClearFlag::None);
+            if (!state.isPending || clear.flags == ClearFlag::None ||
+                (!isDepth && node.coversColor))
+            {
+                // It is written anew, or holds what it should.
+            }
+            else if (isDepth || node.targets.colors.size() == 1)
+            {
+                node.clear = node.clear ? *node.clear : ClearCommand{};
+                Merge(*node.clear, clear);
+            }
+            else
+            {
+                WriteWhatIsPending(target);
+            }
+            state.isPending = false;
+            state.constant.flags = ClearFlag::None;
+        }
+    }
+
+    TextureStates& m_States;
+    std::vector<FrameNode> m_Nodes;
+    std::string m_Why; ///< draws of the node went; "" = none
+};
+
+} // namespace
+
+void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+{
+    ConstantFolder(frame.states).Fold(nodes, outputs);
+    EraseLeftOut(nodes, frame);
+}
+
+} // namespace limn

@@ -1,0 +1,150 @@
+#include "frame/ConstantBlend.h"
+#include "frame/TextureHistory.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+using TexturePtr = std::shared_ptr<const RenderTexture>;
+
+/// The only draw of a node; null where there are others, or clears.
+const DrawCommand* OnlyDraw(const FrameNode& node)
+{
+    const DrawCommand* only = nullptr;
+    for (const PassCommand& command : node.commands)
+    {
+        const auto* draw = std::get_if<DrawCommand>(&command);
+        if (std::holds_alternative<ClearCommand>(command) || (draw && only))
+        {
+            return nullptr;
+        }
+        only = draw ? draw : only;
+    }
+    return only;
+}
+
+/// What the node is a copy of; null if it is none, or more than one.
+TexturePtr CopiedBy(const FrameNode& node)
+{
+    const DrawCommand* draw = OnlyDraw(node);
+    if (draw == nullptr || !node.coversColor || node.targets.depth || node.reads.size() != 1)
+    {
+        return nullptr;
+    }
+    const auto& copied = draw->fullScreen->copied;
+    return copied == node.reads.front() ? std::static_pointer_cast<const RenderTexture>(copied)
+                                        : nullptr;
+}
+
+bool SameShape(const RenderTexture& a, const RenderTexture& b)
+{
+    return a.width() == b.width() && a.height() == b.height() && a.descriptor().msaaSamples == 1 &&
+           b.descriptor().msaaSamples == 1;
+}
+
+bool Uses(const FrameNode& node, const Texture& texture)
+{
+    const auto is = [&](const auto& other)
+    {
+        return other.get() == &texture;
+    };
+    const auto targets = TargetsOf(node);
+    return std::any_of(targets.begin(), targets.end(), is) ||
+           std::any_of(node.reads.begin(), node.reads.end(), is);
+}
+
+/// Whether all that the node draws is what it would be in another format, but for rounding.
+bool ReplacesAll(const FrameNode& node)
+{
+    return node.targets.colors.size() == 1 &&
+           std::all_of(node.commands.begin(), node.commands.end(),
+                       [](const PassCommand& command)
+                       {
+                           const auto* draw = std::get_if<DrawCommand>(&command);
+                           return !draw || ReplacesTarget(draw->state.targets.at(0));
+                       });
+}
+
+/// What goes through `from` alone to the copy, node `copy`.
+bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const RenderTexture& from)
+{
+    const RenderTexture& to = *nodes[copy].targets.colors.front();
+    bool isBegun = false;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        const FrameNode& node = nodes[i];
+        const bool usesFrom = Uses(node, from);
+        if (i == copy)
+        {
+            continue;
+        }
+        if ((i < copy && Uses(node, to)) || (i > copy && usesFrom) ||
+            (usesFrom && (node.targets.colors.empty() ||
+                          node.targets.colors.front().get() != &from || !ReplacesAll(node))))
+        {
+            return false;
+        }
+        if (usesFrom && !isBegun && !Overwrites(node, from))
+        {
+            return false;
+        }
+        isBegun = isBegun || usesFrom;
+    }
+    return isBegun;
+}
+
+/// The copy has alpha 1, so that is what draws leave there.
+void DrawInto(FrameNode& node, const TexturePtr& to)
+{
+    node.targets.colors.front() = to;
+    if (node.clear)
+    {
+        node.clear->color.a = 1.0f;
+    }
+    for (PassCommand& command : node.commands)
+    {
+        if (auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            draw->state.targets.at(0).writeMask &= ~ColorWriteMask::Alpha;
+        }
+        else if (auto* clear = std::get_if<ClearCommand>(&command))
+        {
+            clear->color.a = 1.0f;
+        }
+    }
+}
+
+} // namespace
+
+void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+{
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        const TexturePtr from = CopiedBy(nodes[i]);
+        const bool isKept = !from || OutlivesFrame(*from, frame.states) ||
+                            std::find(outputs.begin(), outputs.end(), from) != outputs.end() ||
+                            !SameShape(*from, *nodes[i].targets.colors.front()) ||
+                            !CanForward(nodes, i, *from);
+        if (isKept)
+        {
+            continue;
+        }
+        const TexturePtr to = nodes[i].targets.colors.front();
+        for (FrameNode& node : nodes)
+        {
+            if (Uses(node, *from) && node.whyLeftOut.empty() && &node != &nodes[i])
+            {
+                DrawInto(node, to);
+            }
+        }
+        nodes[i].whyLeftOut = "'" + to->name() + "' is drawn into directly: nothing else reads '" +
+                              from->name() + "', nor blends with it";
+    }
+    EraseLeftOut(nodes, frame);
+}
+
+} // namespace limn

@@ -1,0 +1,148 @@
+#include "frame/FrameNode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+bool isSample(const PassCommand& command)
+{
+    return std::holds_alternative<BeginSampleCommand>(command) ||
+           std::holds_alternative<EndSampleCommand>(command);
+}
+
+} // namespace
+
+ClearFlag AspectsOf(const RenderTexture& texture)
+{
+    const GraphicsFormat format = texture.graphicsFormat();
+    return !IsDepthFormat(format) ? ClearFlag::Color
+           : HasStencil(format)   ? ClearFlag::DepthStencil
+                                  : ClearFlag::Depth;
+}
+
+bool Clears(const FrameNode& node, ClearFlag aspects)
+{
+    return node.clear && Only(node.clear->flags, aspects) == aspects;
+}
+
+bool IsZero(const Color& color, GraphicsFormat format)
+{
+    const float values[] = {color.r, color.g, color.b, color.a};
+    return std::all_of(values, values + ChannelCount(format),
+                       [](float value) { return value == 0.0f; });
+}
+
+bool HasDraws(const FrameNode& node)
+{
+    return std::any_of(node.commands.begin(), node.commands.end(),
+                       [](const PassCommand& command)
+                       { return std::holds_alternative<DrawCommand>(command); });
+}
+
+bool Overwrites(const FrameNode& node, const RenderTexture& target)
+{
+    const ClearFlag aspects = AspectsOf(target);
+    return Clears(node, aspects) || (aspects == ClearFlag::Color && node.coversColor);
+}
+
+std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node)
+{
+    std::vector<std::shared_ptr<const RenderTexture>> targets = node.targets.colors;
+    if (node.targets.depth)
+    {
+        targets.push_back(node.targets.depth);
+    }
+    return targets;
+}
+
+void CollectReads(FrameNode& node)
+{
+    node.reads.clear();
+    for (const PassCommand& command : node.commands)
+    {
+        const auto* draw = std::get_if<DrawCommand>(&command);
+        for (const TextureSlot& slot : draw ? draw->bindings->textures : std::vector<TextureSlot>())
+        {
+            // What comes from the CPU is there: nothing to wait for.
+            const bool isDrawn = dynamic_cast<const RenderTexture*>(slot.texture.get()) != nullptr;
+            if (isDrawn &&
+                std::find(node.reads.begin(), node.reads.end(), slot.texture) == node.reads.end())
+            {
+                node.reads.push_back(slot.texture);
+            }
+        }
+    }
+}
+
+void Merge(ClearCommand& clear, const ClearCommand& other)
+{
+    if (other.flags & ClearFlag::Color)
+    {
+        clear.color = other.color;
+    }
+    if (other.flags & ClearFlag::Depth)
+    {
+        clear.depth = other.depth;
+    }
+    if (other.flags & ClearFlag::Stencil)
+    {
+        clear.stencil = other.stencil;
+    }
+    clear.flags = clear.flags | other.flags;
+}
+
+void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
+{
+    std::vector<PassCommand> samples;
+    std::vector<FrameNode> kept;
+    for (FrameNode& node : nodes)
+    {
+        if (node.whyLeftOut.empty())
+        {
+            node.commands.insert(node.commands.begin(), samples.begin(), samples.end());
+            samples.clear();
+            kept.push_back(std::move(node));
+            continue;
+        }
+        frame.leftOut.push_back({node.name, std::move(node.whyLeftOut)});
+        for (PassCommand& command : node.commands)
+        {
+            if (isSample(command))
+            {
+                samples.push_back(std::move(command));
+            }
+        }
+    }
+    if (!kept.empty())
+    {
+        auto& last = kept.back().commands;
+        last.insert(last.end(), samples.begin(), samples.end());
+    }
+    nodes = std::move(kept);
+}
+
+void EraseEmptySamples(FrameNode& node)
+{
+    std::vector<PassCommand> kept;
+    for (PassCommand& command : node.commands)
+    {
+        const bool endsAnEmptyOne = std::holds_alternative<EndSampleCommand>(command) &&
+                                    !kept.empty() &&
+                                    std::holds_alternative<BeginSampleCommand>(kept.back());
+        if (endsAnEmptyOne)
+        {
+            kept.pop_back();
+        }
+        else
+        {
+            kept.push_back(std::move(command));
+        }
+    }
+    node.commands = std::move(kept);
+}
+
+} // namespace limn

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <limn/core/CompiledFrame.h>
+#include <span>
+
+namespace limn
+{
+
+using OutputSpan = std::span<const std::shared_ptr<const RenderTexture>>;
+
+/// Commands on one set of targets, before load, store and barriers are decided.
+struct FrameNode
+{
+    std::string name;
+    SetRenderTargetCommand targets;
+    std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
+    /// A draw covers the colour, so that what was there before the node does not matter.
+    bool coversColor = false;
+    std::vector<PassCommand> commands;
+    std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
+    std::string whyLeftOut;                            ///< "" = it is not
+};
+
+/// What an attachment or a clear is about.
+ClearFlag AspectsOf(const RenderTexture& texture);
+bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
+bool HasDraws(const FrameNode& node);
+/// Whether each component that the format has is 0.
+bool IsZero(const Color& color, GraphicsFormat format);
+/// Whether a draw tests or writes depth or stencil where they are attached.
+bool UsesDepth(const PipelineState& state);
+/// Whether it does not matter what the target holds before the node.
+bool Overwrites(const FrameNode& node, const RenderTexture& target);
+std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
+/// Works FrameNode::reads out from the draws.
+void CollectReads(FrameNode& node);
+
+/// Takes over what `other` clears, in place of what `clear` says about the same.
+void Merge(ClearCommand& clear, const ClearCommand& other);
+
+/// Takes the nodes out that have a reason for it: to CompiledFrame::leftOut. The samples that begin
+/// or end in them stay.
+void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame);
+
+/// Erases samples that begin and end with nothing in between.
+void EraseEmptySamples(FrameNode& node);
+
+/// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
+/// or cleared, so binding alone makes no node and ends none. Samples left open end with the frame.
+/// @throws ContractError as CompileFrame
+std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands);
+
+/// Works out what each node reads, and which draws cover their target: what they cover is dropped.
+void FindAccess(std::vector<FrameNode>& nodes);
+
+// Each of the following steps leaves a frame that draws the same. They know of the frames before
+// what `frame.states` says, and say in `frame.leftOut` what they leave out.
+
+void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+/// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
+/// before and the passes' promises tell.
+void LimitRegions(std::vector<FrameNode>& nodes);
+/// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
+/// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
+/// outputs stay, since others know them by identity.
+void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void MergeNodes(std::vector<FrameNode>& nodes);
+
+/// Load, store and barriers.
+void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame);
+
+} // namespace limn

@@ -1,0 +1,189 @@
+#include "frame/TextureHistory.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// How a texture's next appearance treats what is in it.
+enum class NextUse
+{
+    None,
+    Needs,
+    Overwrites
+};
+
+NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from, const Texture& texture,
+                    ClearFlag aspect)
+{
+    for (std::size_t i = from; i < nodes.size(); ++i)
+    {
+        const FrameNode& node = nodes[i];
+        const auto is = [&](const auto& other)
+        {
+            return other.get() == &texture;
+        };
+        if (std::any_of(node.reads.begin(), node.reads.end(), is))
+        {
+            return NextUse::Needs;
+        }
+        const auto& colors = node.targets.colors;
+        if (is(node.targets.depth) || std::any_of(colors.begin(), colors.end(), is))
+        {
+            return Clears(node, aspect) || (aspect == ClearFlag::Color && node.coversColor)
+                       ? NextUse::Overwrites
+                       : NextUse::Needs;
+        }
+    }
+    return NextUse::None;
+}
+
+/// Load, store and barriers of the nodes that are left.
+class PassMaker
+{
+public:
+    PassMaker(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+        : m_Nodes(nodes), m_Outputs(outputs), m_Frame(frame)
+    {
+    }
+
+    void Make()
+    {
+        for (std::size_t i = 0; i < m_Nodes.size(); ++i)
+        {
+            m_Frame.passes.push_back(Pass(i));
+        }
+        for (const auto& output : m_Outputs)
+        {
+            Transition(output, TextureUsage::CopySource, m_Frame.finalBarriers);
+        }
+    }
+
+private:
+    CompiledRenderPass Pass(std::size_t index)
+    {
+        FrameNode& node = m_Nodes[index];
+        CompiledRenderPass result;
+        result.name = node.name;
+        for (const auto& texture : node.reads)
+        {
+            Transition(texture, TextureUsage::ShaderRead, result.barriers);
+        }
+        for (const auto& texture : node.targets.colors)
+        {
+            result.colors.push_back(Color(index, texture, result.barriers));
+            result.width = texture->width();
+            result.height = texture->height();
+        }
+        if (const auto& depth = node.targets.depth)
+        {
+            result.depth = Depth(index, depth, result.barriers);
+            result.width = depth->width();
+            result.height = depth->height();
+        }
+        result.commands = std::move(node.commands);
+        return result;
+    }
+
+    ColorAttachment Color(std::size_t index, const std::shared_ptr<const RenderTexture>& texture,
+                          std::vector<TextureBarrier>& barriers)
+    {
+        ColorAttachment attachment;
+        attachment.texture = texture;
+        attachment.load = Load(m_Nodes[index], *texture, ClearFlag::Color);
+        attachment.store = Store(index, *texture, ClearFlag::Color);
+        if (attachment.load == LoadOp::Clear)
+        {
+            attachment.clearColor = m_Nodes[index].clear->color;
+        }
+        Transition(texture, TextureUsage::ColorAttachment, barriers);
+        StateOf(texture).isFilled = true;
+        return attachment;
+    }
+
+    DepthAttachment Depth(std::size_t index, const std::shared_ptr<const RenderTexture>& texture,
+                          std::vector<TextureBarrier>& barriers)
+    {
+        const FrameNode& node = m_Nodes[index];
+        DepthAttachment attachment;
+        attachment.texture = texture;
+        attachment.load = Load(node, *texture, ClearFlag::Depth);
+        attachment.store = Store(index, *texture, ClearFlag::Depth);
+        attachment.stencilLoad = Load(node, *texture, ClearFlag::Stencil);
+        attachment.stencilStore = Store(index, *texture, ClearFlag::Stencil);
+        if (node.clear)
+        {
+            attachment.clearDepth = node.clear->depth;
+            attachment.clearStencil = node.clear->stencil;
+        }
+        Transition(texture, TextureUsage::DepthStencilAttachment, barriers);
+        StateOf(texture).isFilled = true;
+        return attachment;
+    }
+
+    TextureState& StateOf(const std::shared_ptr<const Texture>& texture)
+    {
+        TextureState& state = m_Frame.states.textures[texture->id()];
+        state.texture = texture;
+        return state;
+    }
+
+    LoadOp Load(const FrameNode& node, const RenderTexture& texture, ClearFlag aspect) const
+    {
+        if (Clears(node, aspect))
+        {
+            return LoadOp::Clear;
+        }
+        const auto state = m_Frame.states.textures.find(texture.id());
+        const bool isFilled = state != m_Frame.states.textures.end() && state->second.isFilled;
+        return isFilled && !Overwrites(node, texture) ? LoadOp::Load : LoadOp::DontCare;
+    }
+
+    StoreOp Store(std::size_t index, const RenderTexture& texture, ClearFlag aspect) const
+    {
+        switch (FindNextUse(m_Nodes, index + 1, texture, aspect))
+        {
+        case NextUse::Needs:
+            return StoreOp::Store;
+        case NextUse::Overwrites:
+            return StoreOp::DontCare;
+        case NextUse::None:
+            break;
+        }
+        const bool isOutput =
+            std::any_of(m_Outputs.begin(), m_Outputs.end(),
+                        [&](const auto& output) { return output.get() == &texture; });
+        return isOutput || OutlivesFrame(texture, m_Frame.states) ? StoreOp::Store
+                                                                  : StoreOp::DontCare;
+    }
+
+    void Transition(const std::shared_ptr<const Texture>& texture, TextureUsage usage,
+                    std::vector<TextureBarrier>& barriers)
+    {
+        TextureState& state = StateOf(texture);
+        const bool onlyReads =
+            usage == TextureUsage::ShaderRead || usage == TextureUsage::CopySource;
+        if (state.usage == usage && onlyReads)
+        {
+            return;
+        }
+        barriers.push_back({texture, state.usage, usage});
+        state.usage = usage;
+    }
+
+    std::vector<FrameNode>& m_Nodes;
+    OutputSpan m_Outputs;
+    CompiledFrame& m_Frame;
+};
+
+} // namespace
+
+void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame)
+{
+    PassMaker(nodes, outputs, frame).Make();
+}
+
+} // namespace limn

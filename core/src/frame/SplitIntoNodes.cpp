@@ -1,0 +1,171 @@
+#include "frame/FrameNode.h"
+
+#include <algorithm>
+#include <limn/core/DrawError.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+namespace
+{
+
+ViewportRect WholeOf(const SetRenderTargetCommand& target)
+{
+    const RenderTexture& any = target.colors.empty() ? *target.depth : *target.colors.front();
+    return {0, 0, any.width(), any.height()};
+}
+
+/// @throws DrawError if the draw samples what it draws into
+void ExpectOtherTextures(const FrameNode& node, const DrawCommand& draw)
+{
+    const auto& colors = node.targets.colors;
+    for (const TextureSlot& slot : draw.bindings->textures)
+    {
+        if (slot.texture == node.targets.depth ||
+            std::find(colors.begin(), colors.end(), slot.texture) != colors.end())
+        {
+            throw DrawError("pass '" + node.name + "' samples '" + slot.texture->name() +
+                            "' while drawing into it; draw into another texture and copy");
+        }
+    }
+}
+
+class NodeSplitter
+{
+public:
+    std::vector<FrameNode> Split(std::vector<FrameCommand> commands)
+    {
+        for (FrameCommand& command : commands)
+        {
+            std::visit([&](auto& c) { Take(c); }, command);
+        }
+        for (; !m_Samples.empty(); m_Samples.pop_back())
+        {
+            m_Pending.emplace_back(EndSampleCommand{});
+        }
+        if (!m_Nodes.empty())
+        {
+            FlushPending();
+        }
+        return std::move(m_Nodes);
+    }
+
+private:
+    void Take(SetRenderTargetCommand& command)
+    {
+        m_Target = std::move(command);
+        m_Viewport.reset();
+    }
+
+    void Take(const SetViewportCommand& command) { m_Viewport = command.rect; }
+
+    void Take(const ClearCommand& command)
+    {
+        if (command.flags == ClearFlag::None)
+        {
+            return;
+        }
+        FrameNode& node = Node("a clear");
+        if (!m_Started && !m_Viewport)
+        {
+            node.clear = node.clear ? *node.clear : ClearCommand{};
+            Merge(*node.clear, command);
+            return;
+        }
+        node.commands.emplace_back(command);
+        m_Started = true;
+    }
+
+    void Take(DrawCommand& command)
+    {
+        FrameNode& node = Node("a draw");
+        ExpectOtherTextures(node, command);
+        node.commands.emplace_back(std::move(command));
+        m_Started = true;
+    }
+
+    void Take(const BeginSampleCommand& command)
+    {
+        m_Samples.push_back(command.name);
+        Place(command);
+    }
+
+    void Take(const EndSampleCommand& command)
+    {
+        if (m_Samples.empty())
+        {
+            throw ContractError("EndSample without a BeginSample before it");
+        }
+        m_Samples.pop_back();
+        Place(command);
+    }
+
+    void Place(const PassCommand& sample)
+    {
+        m_Pending.push_back(sample);
+        if (IsOnTarget())
+        {
+            FlushPending();
+        }
+    }
+
+    /// The node that a draw or clear goes into, begun if need be, with the viewport in effect.
+    FrameNode& Node(const char* what)
+    {
+        if (!m_Target)
+        {
+            throw ContractError(std::string(what) + " was recorded " +
+                                (m_Samples.empty() ? "" : "in '" + m_Samples.back() + "' ") +
+                                "before any render target was set");
+        }
+        if (!IsOnTarget())
+        {
+            FrameNode& node = m_Nodes.emplace_back();
+            node.name = m_Samples.empty() ? std::string() : m_Samples.back();
+            node.targets = *m_Target;
+            m_NodeViewport.reset();
+            m_Started = false;
+        }
+        FlushPending();
+        if (m_Viewport != m_NodeViewport)
+        {
+            m_Nodes.back().commands.emplace_back(
+                SetViewportCommand{m_Viewport ? *m_Viewport : WholeOf(*m_Target)});
+            m_NodeViewport = m_Viewport;
+        }
+        return m_Nodes.back();
+    }
+
+    /// Whether the last node draws into what is bound.
+    bool IsOnTarget() const
+    {
+        return m_Target && !m_Nodes.empty() && m_Nodes.back().targets.colors == m_Target->colors &&
+               m_Nodes.back().targets.depth == m_Target->depth;
+    }
+
+    void FlushPending()
+    {
+        auto& commands = m_Nodes.back().commands;
+        commands.insert(commands.end(), std::make_move_iterator(m_Pending.begin()),
+                        std::make_move_iterator(m_Pending.end()));
+        m_Pending.clear();
+    }
+
+    std::vector<FrameNode> m_Nodes;
+    std::optional<SetRenderTargetCommand> m_Target;
+    bool m_Started = false;                     ///< the last node holds a draw or a clear
+    std::optional<ViewportRect> m_Viewport;     ///< as recorded; none = the whole target
+    std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
+    std::vector<PassCommand> m_Pending;         ///< samples begun or ended between nodes
+    std::vector<std::string> m_Samples;         ///< open ones, outermost first
+};
+
+} // namespace
+
+std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands)
+{
+    return NodeSplitter().Split(std::move(commands));
+}
+
+} // namespace limn

@@ -1,0 +1,297 @@
+#include "frame/FrameBuilder.h"
+#include "scene/TestScene.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using test::FrameBuilder;
+using test::RenderTexturePtr;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// What of a frame is not run, and why.
+class LeftOutOfAFrame : public testing::Test
+{
+protected:
+    /// The passes as "name: commands", and LeftOut's reasons in m_LeftOut.
+    std::vector<std::string> Compile(const std::vector<RenderTexturePtr>& outputs)
+    {
+        m_Last = m_Compiler.Compile(m_Frame.Take(), outputs);
+        std::vector<std::string> passes;
+        for (const CompiledRenderPass& pass : m_Last.passes)
+        {
+            std::string text = pass.name + ":";
+            for (const std::string& command : test::CommandsOf(pass))
+            {
+                text += " " + command;
+            }
+            passes.push_back(text);
+        }
+        return passes;
+    }
+
+    /// "pass: reason"
+    std::vector<std::string> Reasons() const
+    {
+        std::vector<std::string> reasons;
+        for (const LeftOut& item : m_Last.leftOut)
+        {
+            reasons.push_back(item.pass + ": " + item.reason);
+        }
+        return reasons;
+    }
+
+    /// The outline of the article as it is recorded: mask → edges → camera.
+    void RecordOutline(bool isSelected)
+    {
+        m_Frame.Begin("Scene").Bind(m_Camera, m_Depth).Clear(ClearFlag::All).Draw(1).End();
+        m_Frame.Begin("Outline").Bind(m_Mask).Clear(ClearFlag::Color);
+        if (isSelected)
+        {
+            m_Frame.Draw(2);
+        }
+        m_Frame.Bind(m_Edges).Blit(3, {m_Mask}, "0 0 0 1 where");
+        m_Frame.Bind(m_Camera).Blit(4, {m_Edges}, "0 0 0 1 where", FrameBuilder::Additive());
+        m_Frame.End().Begin("Transparents").Bind(m_Camera, m_Depth).Draw(5).End();
+    }
+
+    test::FrameCompiler m_Compiler{true};
+    FrameBuilder m_Frame;
+    CompiledFrame m_Last;
+    const RenderTexturePtr m_Camera = test::Target("Camera");
+    const RenderTexturePtr m_Depth = test::DepthTarget("Depth", 8, 4, true);
+    const RenderTexturePtr m_Mask = test::Target("Mask", 8, 4, false, GraphicsFormat::R8_UNorm);
+    const RenderTexturePtr m_Edges = test::Target("Edges", 8, 4, false, GraphicsFormat::R8_UNorm);
+};
+
+TEST_F(LeftOutOfAFrame, IsTheWholeOutlineWhereNothingIsSelected)
+{
+    RecordOutline(false);
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre("Scene: begin Scene draw 1 end begin Transparents "
+                                                 "draw 5 end"));
+    EXPECT_THAT(Reasons(),
+                ElementsAre("Outline: nothing is drawn; what it clears is cleared where something "
+                            "reads it",
+                            "Outline: it makes every texel the same: 'Mask' is 0 all over",
+                            "Outline: it changes nothing: 'Edges' is 0 all over"));
+}
+
+TEST_F(LeftOutOfAFrame, IsNothingOfTheOutlineWhereSomethingIsSelected)
+{
+    RecordOutline(true);
+    EXPECT_THAT(Compile({m_Camera}),
+                ElementsAre("Scene: begin Scene draw 1 end begin Outline", "Outline: draw 2",
+                            "Outline: draw 3",
+                            "Outline: draw 4 end begin Transparents draw 5 end"));
+    EXPECT_THAT(Reasons(), IsEmpty());
+}
+
+TEST_F(LeftOutOfAFrame, IsAClearUntilSomethingReadsIt)
+{
+    m_Frame.Begin("Fill").Bind(m_Mask).Clear(ClearFlag::Color, Color::red).End();
+    EXPECT_THAT(Compile({}), IsEmpty());
+    m_Frame.Begin("Use").Bind(m_Camera).Draw(1, {m_Mask}).End();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre("Clear Mask:", "Use: begin Use draw 1 end"));
+    EXPECT_EQ(m_Last.passes[0].colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, Color::red);
+    m_Frame.Bind(m_Camera).Draw(1, {m_Mask});
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1")) << "it is in the image by now";
+}
+
+TEST_F(LeftOutOfAFrame, BeginsTheNextPassOnATargetThatWasCleared)
+{
+    m_Frame.Bind(m_Camera, m_Depth).Clear(ClearFlag::All, Color::green, 0.25f, 3);
+    m_Frame.Bind(m_Mask).Draw(1).Bind(m_Camera, m_Depth).Draw(2);
+    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre(": draw 1", ": draw 2"));
+    const CompiledRenderPass& pass = m_Last.passes[1];
+    EXPECT_EQ(pass.colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(pass.colors[0].clearColor, Color::green);
+    ASSERT_TRUE(pass.depth);
+    EXPECT_EQ(pass.depth->load, LoadOp::Clear);
+    EXPECT_EQ(pass.depth->clearDepth, 0.25f);
+}
+
+TEST_F(LeftOutOfAFrame, IsNoClearOfAnOutput)
+{
+    m_Frame.Bind(m_Camera).Clear(ClearFlag::Color, Color::green);
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre("Clear Camera:"));
+    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, Color::green);
+}
+
+TEST_F(LeftOutOfAFrame, AreSeveralClearedTargetsOfOnePassOnlyOneByOne)
+{
+    m_Frame.Bind(m_Mask).Clear(ClearFlag::Color, Color::red);
+    m_Frame.Bind({m_Camera, m_Mask}, nullptr).Draw(1);
+    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre("Clear Mask:", ": draw 1"));
+    EXPECT_EQ(m_Last.passes[1].colors[1].load, LoadOp::Load);
+}
+
+TEST_F(LeftOutOfAFrame, IsATransientTextureThatNothingReads)
+{
+    const RenderTexturePtr transient = test::Target("Unread", 8, 4, true);
+    m_Frame.Begin("For nothing").Bind(transient).Draw(1, {m_Mask}).End().Bind(m_Camera).Draw(2);
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 2"));
+    EXPECT_THAT(Reasons(), ElementsAre("For nothing: nothing reads 'Unread'"));
+}
+
+TEST_F(LeftOutOfAFrame, IsWhatOnlyAPassReadsThatIsLeftOut)
+{
+    const RenderTexturePtr first = test::Target("First", 8, 4, true);
+    const RenderTexturePtr second = test::Target("Second", 8, 4, true);
+    m_Frame.Bind(first).Draw(1).Bind(second).Draw(2, {first}).Bind(m_Camera).Draw(3);
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 3"));
+}
+
+//   frames 1…n: clear, draw, never read        ⇒ frame 1 runs it, frame 2 no longer does
+TEST_F(LeftOutOfAFrame, IsATextureThatEveryFrameOverwritesAndNoneReads)
+{
+    const auto record = [&]
+    {
+        m_Frame.Bind(m_Mask).Clear(ClearFlag::Color).Draw(1).Bind(m_Camera).Draw(2);
+    };
+    record();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"))
+        << "a second frame may read it";
+    record();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 2"));
+    m_Frame.Bind(m_Camera).Draw(3, {m_Mask});
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 3"));
+    EXPECT_THAT(m_Last.notes,
+                ElementsAre("what the frame before left in 'Mask' is read, but was not kept, "
+                            "because the frames before that had overwritten it first; it is kept "
+                            "from now on"));
+    record();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
+    record();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
+    EXPECT_THAT(m_Last.notes, IsEmpty());
+}
+
+//   frame n: history ─▶ camera, then camera ─▶ history
+TEST_F(LeftOutOfAFrame, IsNoTextureThatEachFrameHandsToTheNext)
+{
+    const RenderTexturePtr history = test::Target("History");
+    m_Frame.Bind(history).Clear(ClearFlag::Color, Color::red);
+    for (int i = 0; i < 4; ++i)
+    {
+        m_Frame.Bind(m_Camera).Clear(ClearFlag::Color).Draw(1, {history});
+        m_Frame.Bind(history).Blit(2, {m_Camera}, "True");
+        const std::vector<std::string> first{"Clear History:", ": draw 1", ": draw 2"};
+        const std::vector<std::string> later{": draw 1", ": draw 2"};
+        EXPECT_EQ(i == 0 ? first : later, Compile({m_Camera})) << "frame " << i;
+        EXPECT_EQ(m_Last.passes.back().colors[0].store, StoreOp::Store);
+        EXPECT_THAT(m_Last.notes, IsEmpty());
+    }
+}
+
+TEST_F(LeftOutOfAFrame, IsWhatIsCoveredByAFullScreenPass)
+{
+    m_Frame.Bind(m_Camera).Clear(ClearFlag::Color).Draw(1).Blit(2, {m_Mask}, "True");
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 2"));
+    EXPECT_EQ(m_Last.passes[0].colors[0].load, LoadOp::DontCare);
+}
+
+TEST_F(LeftOutOfAFrame, IsAClearBetweenDrawsThatAFullScreenPassCovers)
+{
+    m_Frame.Bind(m_Mask).Clear(ClearFlag::Color).Bind(m_Edges).Draw(1);
+    m_Frame.Clear(ClearFlag::Color, Color::red).Blit(2, {m_Mask}, "0 0 0 1 where");
+    EXPECT_THAT(Compile({m_Edges}), ElementsAre("Clear Edges:"));
+    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, Color::black);
+}
+
+TEST_F(LeftOutOfAFrame, IsNothingUnderAFullScreenPassInAViewport)
+{
+    m_Frame.Bind(m_Camera).Viewport(0, 0, 4, 4).Draw(1).Blit(2, {m_Mask}, "True");
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": viewport 0 0 4 4 draw 1 draw 2"));
+}
+
+TEST_F(LeftOutOfAFrame, IsDepthThatNoDrawUses)
+{
+    m_Frame.Bind(m_Camera, m_Depth).Clear(ClearFlag::All).Blit(1, {m_Mask}, "True");
+    Compile({m_Camera});
+    EXPECT_FALSE(m_Last.passes.at(0).depth);
+    m_Frame.Bind(m_Camera, m_Depth).Draw(2);
+    Compile({m_Camera});
+    EXPECT_TRUE(m_Last.passes.at(0).depth);
+}
+
+TEST_F(LeftOutOfAFrame, IsACopyThatCanBeDrawnIntoDirectly)
+{
+    const RenderTexturePtr scene =
+        test::Target("Scene", 8, 4, true, GraphicsFormat::R16G16B16A16_SFloat);
+    m_Frame.Begin("Scene").Bind(scene, m_Depth).Clear(ClearFlag::All, {1, 0, 0, 0.5f}).Draw(1);
+    m_Frame.End().Begin("Final Blit").Bind(m_Camera).Blit(2, {scene}, "copy").End();
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre("Scene: begin Scene draw 1 end"));
+    EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Camera);
+    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0, 0, 1}));
+    const auto& draw = std::get<DrawCommand>(m_Last.passes[0].commands.at(1));
+    EXPECT_EQ(draw.state.targets[0].writeMask, ColorWriteMask::All & ~ColorWriteMask::Alpha);
+    EXPECT_THAT(Reasons(), ElementsAre("Final Blit: 'Camera' is drawn into directly: nothing else "
+                                       "reads 'Scene', nor blends with it"));
+}
+
+struct CopyCase
+{
+    const char* name;
+    std::function<void(FrameBuilder&, const RenderTexturePtr& scene, const RenderTexturePtr& other)>
+        between; ///< before the copy
+    std::function<void(FrameBuilder&, const RenderTexturePtr& scene, const RenderTexturePtr& other)>
+        after;
+};
+
+TEST_F(LeftOutOfAFrame, IsNoCopyOfWhatIsNeededOtherwise)
+{
+    const auto nothing = [](FrameBuilder&, const RenderTexturePtr&, const RenderTexturePtr&) {
+    };
+    const CopyCase cases[] = {
+        {"blending",
+         [](FrameBuilder& f, const RenderTexturePtr& scene, const RenderTexturePtr&)
+         { f.Bind(scene).Blit(7, {}, "", FrameBuilder::Additive()); },
+         nothing},
+        {"another reader",
+         [](FrameBuilder& f, const RenderTexturePtr& scene, const RenderTexturePtr& other)
+         { f.Bind(other).Draw(7, {scene}); },
+         nothing},
+        {"a later reader", nothing,
+         [](FrameBuilder& f, const RenderTexturePtr& scene, const RenderTexturePtr& other)
+         {
+             f.Bind(other).Draw(7, {scene});
+         }},
+        {"beside another colour",
+         [](FrameBuilder& f, const RenderTexturePtr& scene, const RenderTexturePtr& other) {
+             f.Bind({scene, other}, nullptr).Draw(7);
+         },
+         nothing}};
+    for (const CopyCase& c : cases)
+    {
+        const RenderTexturePtr scene = test::Target("Scene", 8, 4, true);
+        const RenderTexturePtr other = test::Target("Other");
+        m_Frame.Bind(scene).Clear(ClearFlag::Color).Draw(1);
+        c.between(m_Frame, scene, other);
+        m_Frame.Bind(m_Camera).Blit(2, {scene}, "copy");
+        c.after(m_Frame, scene, other);
+        EXPECT_THAT(Compile({m_Camera, other}), testing::Contains(": draw 2")) << c.name;
+    }
+}
+
+TEST_F(LeftOutOfAFrame, IsNoCopyOfAnotherSize)
+{
+    const RenderTexturePtr scene = test::Target("Scene", 4, 4, true);
+    m_Frame.Bind(scene).Clear(ClearFlag::Color).Draw(1).Bind(m_Camera).Blit(2, {scene}, "copy");
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
+}
+
+TEST_F(LeftOutOfAFrame, IsAllThatANextFrameWouldReadOfTheLast)
+{
+    m_Frame.Bind(m_Mask).Draw(1).Bind(m_Camera).Draw(2);
+    const CompiledFrame last =
+        CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true});
+    EXPECT_EQ(last.passes.size(), 1u);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,307 @@
+#include "frame/FrameBuilder.h"
+#include "frame/FrameNode.h"
+#include "frame/ImageInterpreter.h"
+#include "frame/TextureHistory.h"
+#include "scene/TestScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace limn
+{
+namespace
+{
+
+using test::FrameBuilder;
+using test::ImageInterpreter;
+using test::RenderTexturePtr;
+
+constexpr unsigned k_Seed = 20'261'122;
+
+/// Records frames that read nothing undefined: of each texture something is known before it is
+/// read, of a transient one in the same frame.
+class RandomFrames
+{
+public:
+    explicit RandomFrames(unsigned seed) : m_Random(seed)
+    {
+        for (int i = 0; i < 4; ++i)
+        {
+            m_Colors.push_back(Color("kept" + std::to_string(i), false));
+            m_Colors.push_back(Color("transient" + std::to_string(i), true));
+        }
+    }
+
+    FrameCommands Record()
+    {
+        std::erase_if(m_Known, [](const RenderTexturePtr& t) { return t->isTransient(); });
+        const int count = Pick(3, 10);
+        for (int i = 0; i < count; ++i)
+        {
+            RecordNode();
+        }
+        return m_Frame.Take();
+    }
+
+    /// Some of what is known and outlives a frame.
+    std::vector<RenderTexturePtr> Outputs()
+    {
+        std::vector<RenderTexturePtr> outputs;
+        for (const RenderTexturePtr& texture : m_Known)
+        {
+            if (!IsDepthFormat(texture->graphicsFormat()) && Pick(0, 2) == 0)
+            {
+                outputs.push_back(texture);
+            }
+        }
+        return outputs;
+    }
+
+private:
+    static RenderTexturePtr Color(const std::string& name, bool isTransient)
+    {
+        return test::Target(name, 2, 2, isTransient, GraphicsFormat::R8_UNorm);
+    }
+
+    int Pick(int least, int most) { return std::uniform_int_distribution(least, most)(m_Random); }
+
+    bool IsKnown(const RenderTexturePtr& texture) const
+    {
+        return std::find(m_Known.begin(), m_Known.end(), texture) != m_Known.end();
+    }
+
+    void Know(const RenderTexturePtr& texture)
+    {
+        if (!IsKnown(texture))
+        {
+            m_Known.push_back(texture);
+        }
+    }
+
+    void RecordNode()
+    {
+        const RenderTexturePtr color = m_Colors[static_cast<std::size_t>(Pick(0, 7))];
+        const RenderTexturePtr depth = Pick(0, 2) == 0 ? m_Depth : nullptr;
+        const bool copies = depth == nullptr && Pick(0, 3) == 0 && RecordCopy(color);
+        if (copies)
+        {
+            return;
+        }
+        m_Frame.Bind(color, depth);
+        const bool clears = !IsKnown(color) || Pick(0, 3) == 0;
+        const bool clearsDepth = depth && (!IsKnown(depth) || Pick(0, 3) == 0);
+        m_Frame.Clear((clears ? ClearFlag::Color : ClearFlag::None) |
+                          (clearsDepth ? ClearFlag::DepthStencil : ClearFlag::None),
+                      {static_cast<float>(Pick(0, 1) * Pick(0, 3)), 0, 0, 0},
+                      static_cast<float>(Pick(0, 8)) / 8.0f);
+        Know(color);
+        if (depth)
+        {
+            Know(depth);
+        }
+        const int draws = Pick(0, 2);
+        for (int i = 0; i < draws; ++i)
+        {
+            RecordDraw(color);
+        }
+    }
+
+    /// What can be sampled beside drawing into `target`.
+    std::vector<test::TexturePtr> Sampled(const RenderTexturePtr& target, int most)
+    {
+        std::vector<test::TexturePtr> result;
+        for (const RenderTexturePtr& texture : m_Known)
+        {
+            if (texture != target && !IsDepthFormat(texture->graphicsFormat()) &&
+                static_cast<int>(result.size()) < most && Pick(0, 2) == 0)
+            {
+                result.push_back(texture);
+            }
+        }
+        return result;
+    }
+
+    bool RecordCopy(const RenderTexturePtr& color)
+    {
+        const std::vector<test::TexturePtr> from = Sampled(color, 1);
+        if (from.empty())
+        {
+            return false;
+        }
+        m_Frame.Bind(color).Blit(m_Number++, from, Pick(0, 1) == 0 ? "copy" : "where");
+        Know(color);
+        return true;
+    }
+
+    void RecordDraw(const RenderTexturePtr& color)
+    {
+        const TargetBlend blend = Pick(0, 1) == 0 ? TargetBlend{} : FrameBuilder::Additive();
+        const std::vector<test::TexturePtr> sampled = Sampled(color, 2);
+        const int kind = Pick(0, 3);
+        if (kind == 0 && sampled.size() == 1)
+        {
+            m_Frame.Blit(m_Number++, sampled, "where", blend);
+        }
+        else if (kind == 1)
+        {
+            m_Frame.Blit(m_Number++, sampled, "", blend); // no promise, no depth
+        }
+        else
+        {
+            m_Frame.Draw(m_Number++, sampled);
+        }
+    }
+
+    std::mt19937 m_Random;
+    std::vector<RenderTexturePtr> m_Colors;
+    RenderTexturePtr m_Depth = test::DepthTarget("depth", 2, 2, true);
+    std::vector<RenderTexturePtr> m_Known; ///< what holds something
+    FrameBuilder m_Frame;
+    std::uint32_t m_Number = 1;
+};
+
+/// The frame with the first steps only.
+CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates& before,
+                          OutputSpan outputs)
+{
+    CompiledFrame frame;
+    frame.states = before;
+    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands));
+    std::for_each(nodes.begin(), nodes.end(), CollectReads);
+    if (steps > 0)
+    {
+        FindAccess(nodes);
+        LearnHistory(nodes, outputs, frame);
+    }
+    using Step = void (*)(std::vector<FrameNode>&, OutputSpan, CompiledFrame&);
+    const Step k_Steps[] = {FoldConstants, ForwardCopies, LeaveOutUnread, LeaveOutStencil};
+    for (int i = 1; i < std::min(steps, 5); ++i)
+    {
+        k_Steps[i - 1](nodes, outputs, frame);
+    }
+    if (steps == 5)
+    {
+        MergeNodes(nodes);
+    }
+    MakePasses(std::move(nodes), outputs, frame);
+    return frame;
+}
+
+bool HasPending(const TextureStates& states)
+{
+    return std::any_of(states.textures.begin(), states.textures.end(),
+                       [](const auto& entry) { return entry.second.isPending; });
+}
+
+/// For a person who has to find out why a frame went wrong.
+std::string Describe(const FrameCommands& frame)
+{
+    std::string text;
+    for (const FrameCommand& command : frame.commands)
+    {
+        if (const auto* bind = std::get_if<SetRenderTargetCommand>(&command))
+        {
+            text += "\n  " + bind->colors.at(0)->name() + (bind->depth ? "+depth:" : ":");
+        }
+        else if (const auto* clear = std::get_if<ClearCommand>(&command))
+        {
+            text += " clear " + std::to_string(static_cast<int>(clear->flags)) + " to " +
+                    std::to_string(std::lround(clear->color.r));
+        }
+        else if (const auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            text += draw->state.targets[0].enabled ? " add" : " draw";
+            text += !draw->fullScreen ? "" : draw->fullScreen->copied ? " copy" : " where";
+            for (const TextureSlot& slot : draw->bindings->textures)
+            {
+                text += " " + slot.texture->name();
+            }
+        }
+    }
+    return text;
+}
+
+std::string NamesOf(const std::vector<RenderTexturePtr>& textures)
+{
+    std::string names;
+    for (const RenderTexturePtr& texture : textures)
+    {
+        names += " " + texture->name();
+    }
+    return names;
+}
+
+/// What the frames of one sequence came to.
+struct Tally
+{
+    int frames = 0;
+    int surprises = 0;
+    std::size_t leftOut = 0;
+};
+
+void RunSequence(unsigned seed, Tally& tally)
+{
+    RandomFrames random(seed);
+    ImageInterpreter naive;
+    ImageInterpreter device;
+    TextureStates states;
+    std::string frames;
+    for (int i = 0; i < 5; ++i)
+    {
+        const FrameCommands recorded = random.Record();
+        const std::vector<RenderTexturePtr> outputs = random.Outputs();
+        naive.Run(recorded);
+        frames += "\nframe " + std::to_string(i) + " gives" + NamesOf(outputs) + Describe(recorded);
+        const CompiledFrame frame = CompileFrame(recorded, states, outputs);
+        ++tally.frames;
+        tally.leftOut += frame.leftOut.size();
+        if (!frame.notes.empty())
+        {
+            ++tally.surprises;
+            return; // what was not kept is said to be lost
+        }
+        // One by one takes its time: every fifth frame.
+        for (int steps = HasPending(states) ? 2 : 0; steps <= 5 && tally.frames % 5 == 0; ++steps)
+        {
+            ImageInterpreter copy = device;
+            copy.Run(CompileWith(steps, recorded, states, outputs));
+            for (const RenderTexturePtr& output : outputs)
+            {
+                ASSERT_EQ(naive.texels(*output), copy.texels(*output))
+                    << output->name() << " of frame " << i << " after step " << steps << frames;
+            }
+        }
+        device.Run(frame);
+        for (const RenderTexturePtr& output : outputs)
+        {
+            ASSERT_EQ(naive.texels(*output), device.texels(*output))
+                << output->name() << " of frame " << i << frames;
+        }
+        states = frame.states;
+    }
+}
+
+} // namespace
+
+TEST(RandomFrame, GivesWhatItsCommandsGiveOneByOneAfterEveryStep)
+{
+    Tally tally;
+    for (unsigned seed = k_Seed; seed < k_Seed + 1000; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ASSERT_NO_THROW(RunSequence(seed, tally));
+        if (HasFatalFailure())
+        {
+            return;
+        }
+    }
+    EXPECT_GT(tally.frames, 2000) << "most are not cut short by a surprise";
+    EXPECT_GT(tally.leftOut, 2000u) << "there is something to leave out";
+    RecordProperty("frames", tally.frames);
+    RecordProperty("surprises", tally.surprises);
+}
+
+} // namespace limn
