@@ -1,5 +1,7 @@
 #include "schema/ValueSchema.h"
 
+#include "scene/Keys.h"
+
 #include <charconv>
 #include <cmath>
 #include <limn/volume/YamlMapReader.h>
@@ -98,12 +100,12 @@ Json VectorSchema(int count, ValueRange range)
 
 Json LayerIndexSchema()
 {
-    return AnyOf({IntegerSchema({0.0, 31.0}), {{"type", "string"}}});
+    return AnyOf({IntegerSchema(k_LayerIndices), {{"type", "string"}}});
 }
 
 Json LayerMaskSchema()
 {
-    const Json bits = IntegerSchema({0.0, 4294967295.0});
+    const Json bits = IntegerSchema(k_LayerBits);
     Json unity = MapSchema({{"serializedVersion", IntegerSchema()}, {"m_Bits", bits}});
     unity["required"] = {"m_Bits"};
     return AnyOf({{{"enum", {"Everything", "Nothing"}}},

@@ -1,7 +1,5 @@
 #include "shaders/ShaderDescription.h"
 
-#include "shaders/StateText.h"
-
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/TerminalText.h>
 

@@ -1,7 +1,6 @@
 #include "reports/Json.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderSummary.h"
-#include "shaders/StateText.h"
 
 namespace limn
 {

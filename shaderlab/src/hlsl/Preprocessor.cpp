@@ -5,7 +5,7 @@
 
 #include "hlsl/Checks.h"
 #include "hlsl/Tokens.h"
-#include "hlsl/rewrites/Spelling.h"
+#include "hlsl/rewrites/Rewrites.h"
 #include "program/DirectiveConditions.h"
 #include "program/DynamicKeywords.h"
 #include "spirv/GlslangIncluder.h"

@@ -270,8 +270,9 @@ std::string GlslangIncluder::ReasonToStop(std::size_t depth)
                    : "a circle, " + circle + "; write '#pragma once' at the top of these files";
     }
     m_HasStopped = m_Loaded.size() >= k_MaximumCount || m_TotalSize > k_MaximumTotal;
-    return m_HasStopped ? "more included than 10000 files or 256 MB; write '#pragma once' at the "
-                          "top of included files"
+    return m_HasStopped ? "more included than " + std::to_string(k_MaximumCount) + " files or " +
+                              std::to_string(k_MaximumTotal >> 20) +
+                              " MB; write '#pragma once' at the top of included files"
                         : "";
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Paths.h"
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 
 #include <cstdio>
 #include <fstream>

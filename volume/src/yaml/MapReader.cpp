@@ -1,7 +1,7 @@
 #include <limn/volume/YamlMapReader.h>
 
 #include <algorithm>
-#include <cctype>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
@@ -23,7 +23,7 @@ std::string PlainSpelling(std::string_view serializedName)
         return std::string(serializedName);
     }
     std::string plain(serializedName.substr(2));
-    plain.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(plain.front())));
+    plain.front() = ToLower(plain.front());
     return plain;
 }
 

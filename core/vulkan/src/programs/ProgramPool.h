@@ -30,7 +30,7 @@ struct PipelineKey
     bool conservative = false;
     std::optional<VkLogicOp> logicOp;
     bool dynamicBlend = false;
-    std::array<TargetBlend, 8> blend; ///< as made where blending is dynamic
+    std::array<RenderTargetBlendState, 8> blend; ///< as made where blending is dynamic
 
     bool operator==(const PipelineKey&) const = default;
 };

@@ -1,4 +1,4 @@
-#include "hlsl/rewrites/Matrices.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 #include "text/Text.h"
@@ -282,7 +282,7 @@ private:
 /// "_m03_m13" is {"_m03", "_m13"}, "_11" is {"_11"}; empty for everything else.
 std::vector<std::string_view> MatrixElements(std::string_view word)
 {
-    const std::size_t size = word.substr(0, 2) == "_m" ? 4 : 3;
+    const std::size_t size = word.starts_with("_m") ? 4 : 3;
     std::vector<std::string_view> elements;
     for (; !word.empty(); word.remove_prefix(size))
     {

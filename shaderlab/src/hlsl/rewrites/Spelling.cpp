@@ -1,13 +1,6 @@
-#include "hlsl/rewrites/Spelling.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
-#include "hlsl/rewrites/Enums.h"
-#include "hlsl/rewrites/Initializers.h"
-#include "hlsl/rewrites/Loops.h"
-#include "hlsl/rewrites/Matrices.h"
-#include "hlsl/rewrites/OldForms.h"
-#include "hlsl/rewrites/Structs.h"
-#include "hlsl/rewrites/UniformParameters.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -130,8 +123,8 @@ private:
     {
         const std::string_view word = Text(index);
         const std::string_view next = Text(index + 1);
-        const bool isType = Contains(k_TypeNames, word) || word.substr(0, 5) == "float" ||
-                            word.substr(0, 3) == "int" || word.substr(0, 4) == "uint";
+        const bool isType = Contains(k_TypeNames, word) || word.starts_with("float") ||
+                            word.starts_with("int") || word.starts_with("uint");
         return isType && Text(index - 1) == ":" && isWord(index - 2) &&
                (next == ";" || next == "," || next == ")" || next == "{");
     }
@@ -166,7 +159,7 @@ private:
         for (std::size_t i = 3; i < m_Code.size() && !name.empty(); ++i)
         {
             if (Text(i) == name && Text(i - 1) == "(" && Text(i - 3) == "." &&
-                (Text(i - 2).substr(0, 6) == "Sample" || Text(i - 2).substr(0, 6) == "Gather" ||
+                (Text(i - 2).starts_with("Sample") || Text(i - 2).starts_with("Gather") ||
                  Text(i - 2) == "CalculateLevelOfDetail"))
             {
                 return true;

@@ -67,7 +67,7 @@ void ReadRendererData(const YamlNode& node, SceneLoader& loader)
 
 void ReadRenderer(const YamlNode& node, SceneLoader& loader)
 {
-    YamlMapReader map(node, "renderer", loader.diagnostics);
+    SceneMapReader map(node, "renderer", scene_keys::k_Renderer, loader.diagnostics);
     const YamlNode* data = map.Find("rendererData");
     const YamlNode* features = map.Find("features");
     map.Finish();
