@@ -198,8 +198,8 @@ TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
          {std::pair(shaderOf(buffers, sum), "error: a function of the shader reads 40 uniform "
                                             "buffers; the device binds at most [0-9]+\n"),
           {shaderOf("cbuffer B { float4 _A[70000]; };", "_A[5]"),
-           "error: buffer 'B' of the shader has 1120000 bytes; the device binds at most "
-           "[0-9]+\n"}})
+           "error: shader 'S', pass 0: constant buffer 'B' has 1120000 bytes; the device binds at "
+           "most [0-9]+, so make it smaller or use a texture\n"}})
     {
         folder.Write("s.shader", shader);
         const CommandRun run = Draw({});
