@@ -74,6 +74,51 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
 }
 
 /// Drivers that are given more than they bind may crash.
+void RequireRoom(const std::vector<VkDescriptorSetLayoutBinding>& bindings,
+                 const VkPhysicalDeviceLimits& limits)
+{
+    struct Kind
+    {
+        const char* noun;
+        std::uint32_t most; ///< of a stage
+        std::initializer_list<VkDescriptorType> types;
+    };
+    const Kind kinds[] = {
+        {"uniform buffers",
+         limits.maxPerStageDescriptorUniformBuffers,
+         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}},
+        {"textures",
+         limits.maxPerStageDescriptorSampledImages,
+         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
+        {"samplers",
+         limits.maxPerStageDescriptorSamplers,
+         {VK_DESCRIPTOR_TYPE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
+        {"structured buffers",
+         limits.maxPerStageDescriptorStorageBuffers,
+         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}}};
+    for (const VkShaderStageFlagBits stage :
+         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT})
+    {
+        for (const Kind& kind : kinds)
+        {
+            const auto count = std::ranges::count_if(
+                bindings,
+                [&](const VkDescriptorSetLayoutBinding& binding)
+                {
+                    const auto& types = kind.types;
+                    return (binding.stageFlags & stage) != 0 &&
+                           std::ranges::find(types, binding.descriptorType) != types.end();
+                });
+            if (count > std::int64_t{kind.most})
+            {
+                throw DrawError("a function of the shader reads " + std::to_string(count) + " " +
+                                kind.noun + "; the device binds at most " +
+                                std::to_string(kind.most));
+            }
+        }
+    }
+}
+
 } // namespace
 
 ProgramPool::ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
@@ -153,7 +198,7 @@ UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& s
 void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const
 {
     const std::vector<VkDescriptorSetLayoutBinding> bindings = Bindings(layout);
-    RequireRoom(layout.buffers, m_Context.capabilities().limits);
+    RequireRoom(bindings, m_Context.capabilities().limits);
     VkDescriptorSetLayoutCreateInfo setInfo{};
     setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
