@@ -17,8 +17,9 @@ inline const std::string k_HostileFile = "f\x1B[2J\xE2\x80\xAE\x7F"; // no line'
 /// Nothing but lines of limn's own with characters that can be seen.
 inline void ExpectHarmless(const std::string& text, const std::string& what)
 {
-    for (const unsigned char c : text)
+    for (const char character : text)
     {
+        const auto c = static_cast<unsigned char>(character);
         EXPECT_TRUE((c >= 0x20 && c != 0x7F) || c == '\n' || c == '\t') << what << ": " << int{c};
     }
     for (const char* code : {"\xE2\x80\xAE", "\xC2\x85"})
