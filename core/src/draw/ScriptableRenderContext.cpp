@@ -1,4 +1,5 @@
 #include "draw/DrawResolver.h"
+#include "draw/ProjectedBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,7 @@ public:
             m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
                                m_GlobalsVersion, m_Frame.uniformData);
         draw.fullScreen = Promise(recorded);
+        draw.bounds = BoundsOf(recorded);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
@@ -237,8 +239,34 @@ private:
                 promise->zeroProperty = id.name();
             }
         }
+        promise->reach = ReachOf(*tag, sources);
         promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
         return promise;
+    }
+
+    static float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
+    {
+        if (tag.reachProperty)
+        {
+            const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
+            const auto* number = value ? std::get_if<float>(value) : nullptr;
+            return number ? std::abs(*number) : -1.0f;
+        }
+        return tag.reach.value_or(-1.0f);
+    }
+
+    /// Where it draws, if the pass promises to stay within the mesh.
+    std::optional<TargetRegion> BoundsOf(const RecordedDraw& recorded) const
+    {
+        static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+        const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
+        const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+        if (!recorded.mesh || viewProjection == nullptr ||
+            !recorded.material->shader()->staysWithinMesh(recorded.shaderPass))
+        {
+            return std::nullopt;
+        }
+        return ProjectBounds(recorded.mesh->bounds(), recorded.matrix, *viewProjection);
     }
 
     /// Draws that differ in their transform only become instances of one. A geometry or fragment
@@ -255,6 +283,9 @@ private:
             return false;
         }
         ++last->instanceCount;
+        last->bounds = last->bounds && draw.bounds
+                           ? std::optional(Union(*last->bounds, *draw.bounds))
+                           : std::nullopt;
         return true;
     }
 

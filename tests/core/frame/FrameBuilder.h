@@ -59,7 +59,8 @@ public:
     /// zero
     ///     in any texture gives "0 0 0 1 where"
     FrameBuilder& Blit(std::uint32_t number, const std::vector<TexturePtr>& sampled,
-                       const std::string& promise, const TargetBlend& blend = {})
+                       const std::string& promise, const TargetBlend& blend = {},
+                       float reach = -1.0f)
     {
         Draw(number, sampled);
         auto& draw = std::get<DrawCommand>(m_Frame.commands.back());
@@ -80,6 +81,7 @@ public:
             says->zeroTextures = sampled;
             says->output = {0, 0, 0, 1};
         }
+        says->reach = reach;
         draw.fullScreen = std::move(says);
         return *this;
     }
@@ -93,6 +95,8 @@ public:
         blend.dstAlpha = BlendMode::One;
         return blend;
     }
+    /// The draw that was added last.
+    DrawCommand& last() { return std::get<DrawCommand>(m_Frame.commands.back()); }
     FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
     FrameBuilder& End() { return Add(EndSampleCommand{}); }
 

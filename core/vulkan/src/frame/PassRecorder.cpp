@@ -117,14 +117,27 @@ void PassRecorder::Run(const SetViewportCommand& viewport)
 {
     RequireViewport(viewport.rect, m_Pass, m_Context.capabilities().limits);
     m_Scissor = ClipToPass(viewport.rect, m_Pass);
+    m_Limit.reset();
     const VkViewport area = ToVkViewport(viewport.rect);
     vkCmdSetViewport(m_Commands, 0, 1, &area);
     vkCmdSetScissor(m_Commands, 0, 1, &m_Scissor);
 }
 
+/// @param part  texels of the viewport that are drawn; none = all
+void PassRecorder::LimitTo(const std::optional<ViewportRect>& part)
+{
+    if (part != m_Limit)
+    {
+        m_Limit = part;
+        const VkRect2D rect = part ? ClipToPass(*part, m_Pass) : m_Scissor;
+        vkCmdSetScissor(m_Commands, 0, 1, &rect);
+    }
+}
+
 void PassRecorder::Run(const DrawCommand& draw)
 {
     RequirePerDraw(draw, m_PerDrawCount);
+    LimitTo(draw.scissor);
     ProgramObjects& objects = m_Resources.programs.Use(draw.program, m_Number);
     BindState(draw, objects);
     const PooledMesh* mesh = draw.mesh ? &m_Resources.meshes.Use(draw.mesh, m_Number) : nullptr;
