@@ -73,13 +73,15 @@ bool isZero(const ShaderPropertyValue& value)
         value);
 }
 
-/// Only a vertex function learns which instance it works on.
-bool ReadsPerDrawBehindVertices(const ShaderProgram& pass)
+/// Whether draws that differ in their transform may become instances of one. Only a vertex function
+/// learns which instance it works on; and one that takes SV_InstanceID finds 0 in each draw.
+bool isInstanceable(const ShaderProgram& program)
 {
-    const auto& buffers = pass.layout.storageBuffers;
-    return std::any_of(buffers.begin(), buffers.end(),
+    const auto& buffers = program.layout.storageBuffers;
+    return !(program.layout.pushStages & ShaderStage::Vertex) &&
+           std::all_of(buffers.begin(), buffers.end(),
                        [](const StorageBufferBinding& buffer)
-                       { return buffer.stages != ShaderStage::Vertex; });
+                       { return buffer.stages == ShaderStage::Vertex; });
 }
 
 bool Compiles(const Material& material, int pass)
@@ -269,8 +271,7 @@ private:
         return ProjectBounds(recorded.mesh->bounds(), recorded.matrix, *viewProjection);
     }
 
-    /// Draws that differ in their transform only become instances of one. A geometry or fragment
-    /// function that reads per-draw data finds it by the first instance, so those stay apart.
+    /// Draws that differ in their transform only become instances of one.
     bool MergeIntoLast(const DrawCommand& draw)
     {
         auto* last =
@@ -278,7 +279,7 @@ private:
         if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
             last->subMesh != draw.subMesh || last->program != draw.program ||
             last->bindings != draw.bindings || last->state != draw.state ||
-            ReadsPerDrawBehindVertices(*draw.program))
+            !isInstanceable(*draw.program))
         {
             return false;
         }

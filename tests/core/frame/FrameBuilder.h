@@ -59,7 +59,7 @@ public:
     /// zero
     ///     in any texture gives "0 0 0 1 where"
     FrameBuilder& Blit(std::uint32_t number, const std::vector<TexturePtr>& sampled,
-                       const std::string& promise, const TargetBlend& blend = {},
+                       const std::string& promise, const RenderTargetBlendState& blend = {},
                        float reach = -1.0f)
     {
         Draw(number, sampled);
@@ -86,13 +86,12 @@ public:
         return *this;
     }
     /// Adds the colour, keeps the alpha: Blend One SrcAlpha, Zero One.
-    static TargetBlend Additive()
+    static RenderTargetBlendState Additive()
     {
-        TargetBlend blend;
-        blend.enabled = true;
-        blend.dstColor = BlendMode::SrcAlpha;
-        blend.srcAlpha = BlendMode::Zero;
-        blend.dstAlpha = BlendMode::One;
+        RenderTargetBlendState blend;
+        blend.destinationColorBlendMode = BlendMode::SrcAlpha;
+        blend.sourceAlphaBlendMode = BlendMode::Zero;
+        blend.destinationAlphaBlendMode = BlendMode::One;
         return blend;
     }
     /// The draw that was added last.

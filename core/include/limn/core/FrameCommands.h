@@ -136,7 +136,7 @@ struct DrawCommand
     std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
     std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
     std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
-    // What `program` was compiled from: for reports, a device looks at neither.
+    // What `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
 };
