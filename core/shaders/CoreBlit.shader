@@ -64,5 +64,24 @@ Shader "Hidden/Universal/CoreBlit"
             }
             ENDHLSL
         }
+
+        Pass // a depth texture to a colour texture of one channel
+        {
+            Name "Depth"
+            Tags { "LimnFullScreen" = "True" }
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyDepth
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            float4 CopyDepth(Varyings input) : SV_Target
+            {
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0).r;
+            }
+            ENDHLSL
+        }
     }
 }

@@ -69,6 +69,18 @@ SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sou
     return state;
 }
 
+/// What a renderer makes for shaders, and what they see before that.
+struct CameraTexture
+{
+    const char* name;
+    const char* color; ///< Unity's, where nothing was written yet: 0 is far with reversed Z
+    const char* look;
+    const char* event;
+};
+constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150"},
+                                              {"_CameraNormalsTexture", "gray", "gray", "150"},
+                                              {"_CameraOpaqueTexture", "gray", "gray", "400"}};
+
 /// Meshes are made of triangles, and so are procedural draws.
 void RequireTriangles(const PropertyLayout& layout, const PropertySources& sources)
 {
@@ -220,6 +232,7 @@ std::vector<TextureSlot> DrawResolver::TextureSlots(const ProgramIds& ids,
         const TextureBinding& binding = layout.textures[i];
         TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
                          std::nullopt};
+        m_Bound.insert(slot.texture->id());
         if (binding.combinedSampler)
         {
             slot.sampler = slot.texture->sampler();
@@ -266,13 +279,24 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
             return DefaultTexture(property.defaultTexture, dimension);
         }
     }
+    const auto* made = std::find_if(std::begin(k_CameraTextures), std::end(k_CameraTextures),
+                                    [&](const CameraTexture& t) { return t.name == id.name(); });
+    const bool isMade = made != std::end(k_CameraTextures);
     if (m_Noted.insert({shader.id(), id}).second)
     {
-        m_Notes.push_back("shader '" + shader.name() + "': texture '" + id.name() +
-                          "' is gray: it is no property of the shader, and neither material '" +
-                          sources.material->name() + "' nor anything global sets it");
+        const std::string subject = "shader '" + shader.name() + "'" +
+                                    (m_PassName.empty() ? "" : " in pass '" + m_PassName + "'") +
+                                    ": texture '" + id.name() + "' is ";
+        m_Notes.push_back(
+            subject + (isMade ? std::string(made->look) +
+                                    " everywhere: nothing has written it yet; "
+                                    "UniversalRenderer has it made for passes behind event " +
+                                    made->event
+                              : "gray: it is no property of the shader, and neither material "
+                                "'" +
+                                    sources.material->name() + "' nor anything global sets it"));
     }
-    return DefaultTexture("gray", dimension);
+    return DefaultTexture(isMade ? made->color : "gray", dimension);
 }
 
 } // namespace limn

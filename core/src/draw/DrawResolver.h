@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace limn
 {
@@ -23,9 +24,13 @@ struct PropertySources
 class DrawResolver
 {
 public:
-    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value, and
-    ///               those of the passes themselves
-    explicit DrawResolver(std::vector<std::string>& notes) : m_Notes(notes) {}
+    /// @param notes     gets a sentence for each texture of a shader that nothing gives a value,
+    ///                  and those of the passes themselves
+    /// @param passName  whose draws these are at the time, for the notes
+    DrawResolver(std::vector<std::string>& notes, const std::string& passName)
+        : m_Notes(notes), m_PassName(passName)
+    {
+    }
 
     /// The bindings of a draw; equal ones of draws without a block of their own are shared.
     /// @param globalsVersion  changes whenever `sources.globals` does
@@ -33,6 +38,9 @@ public:
                                                 const PropertySources& sources,
                                                 std::uint64_t globalsVersion,
                                                 std::vector<std::byte>& uniformData);
+
+    /// Whether a draw so far has the texture bound.
+    bool HasBound(const Texture& texture) const { return m_Bound.contains(texture.id()); }
 
 private:
     /// The names of a layout as ids, worked out once a pass.
@@ -62,12 +70,14 @@ private:
     };
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
     std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
+    std::unordered_set<std::uint64_t> m_Bound; ///< ids of textures
     struct SharedNote
     {
         std::size_t index; ///< in m_Notes
         std::vector<std::string> shaders;
     };
     std::vector<std::string>& m_Notes;
+    const std::string& m_PassName;
     std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
     std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
 };

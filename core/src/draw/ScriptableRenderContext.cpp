@@ -103,16 +103,54 @@ bool Compiles(const Material& material, int pass)
 class ScriptableRenderContext::Resolver
 {
 public:
-    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report)
-        : m_Frame(frame), m_Globals(globals), m_Resolver(report.notes)
+    Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report,
+             const std::string& passName)
+        : m_Frame(frame), m_Globals(globals), m_Resolver(report.notes, passName)
     {
     }
 
     void SetGlobal(const SetGlobalCommand& command)
     {
+        if (m_KeepsChanges)
+        {
+            const ShaderPropertyValue* before = m_Globals.Find(command.id);
+            m_Changes.push_back({command.id, before ? std::optional(*before) : std::nullopt});
+        }
         m_Globals.Set(command.id, command.value);
         ++m_GlobalsVersion;
     }
+
+    Place MarkPlace()
+    {
+        m_KeepsChanges = true;
+        return {m_Frame.commands.size(), m_Changes.size()};
+    }
+
+    /// Runs `record` with what was global at that place.
+    void WithGlobalsOf(const Place& place, const std::function<void()>& record)
+    {
+        MaterialPropertyBlock now = m_Globals;
+        const std::size_t count = m_Changes.size();
+        for (std::size_t i = count; i-- > place.globalChange;)
+        {
+            const GlobalChange& change = m_Changes[i];
+            if (change.before)
+            {
+                m_Globals.Set(change.id, *change.before);
+            }
+            else
+            {
+                m_Globals.Remove(change.id);
+            }
+        }
+        ++m_GlobalsVersion;
+        record();
+        m_Changes.resize(count);
+        m_Globals = std::move(now);
+        ++m_GlobalsVersion;
+    }
+
+    bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
     void Draw(const RecordedDraw& recorded, RenderingLayerMask renderingLayers,
               const RenderStateBlock& stateBlock = RenderStateBlock())
@@ -252,8 +290,16 @@ private:
         return true;
     }
 
+    struct GlobalChange
+    {
+        ShaderPropertyId id;
+        std::optional<ShaderPropertyValue> before; ///< nothing: it was not set
+    };
+
     FrameCommands& m_Frame;
     MaterialPropertyBlock& m_Globals;
+    std::vector<GlobalChange> m_Changes; ///< since the first place was marked
+    bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
@@ -264,7 +310,8 @@ private:
 };
 
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
-    : m_Report(report), m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report))
+    : m_Report(report),
+      m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName))
 {
 }
 
@@ -363,12 +410,31 @@ void ScriptableRenderContext::DrawItem(const RendererItem& item, const DrawingSe
     }
 }
 
+ScriptableRenderContext::Place ScriptableRenderContext::MarkPlace()
+{
+    return m_Resolver->MarkPlace();
+}
+
+void ScriptableRenderContext::RecordAt(const Place& place, const std::function<void()>& record)
+{
+    std::vector<FrameCommand>& commands = m_Frame.commands;
+    const auto count = static_cast<std::ptrdiff_t>(commands.size());
+    m_Resolver->WithGlobalsOf(place, record);
+    std::rotate(commands.begin() + static_cast<std::ptrdiff_t>(place.command),
+                commands.begin() + count, commands.end());
+}
+
+bool ScriptableRenderContext::Reads(const Texture& texture) const
+{
+    return m_Resolver->Reads(texture);
+}
+
 FrameCommands ScriptableRenderContext::TakeCommands()
 {
     m_Resolver = nullptr;
     FrameCommands result = std::move(m_Frame);
     m_Frame = {};
-    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report);
+    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName);
     return result;
 }
 

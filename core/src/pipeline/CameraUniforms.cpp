@@ -90,8 +90,6 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     // Row 0 is the top of the picture in every target, so nothing has to be turned.
     Vector(cmd, "_ScaleBiasRt", {-1.0f, 1.0f, -1.0f, 1.0f});
     Vector(cmd, "_GlobalMipBias", {0.0f, 1.0f, 0.0f, 0.0f});
-    // Until something writes a depth texture, all is far away: 0 with reversed Z.
-    cmd.SetGlobalTexture(ShaderPropertyId("_CameraDepthTexture"), DefaultTexture("black"));
     // No reflection probe sees anything.
     for (const char* probe : {"unity_SpecCube0", "unity_SpecCube1"})
     {

@@ -211,6 +211,8 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
             cmd.Clear();
             cameraIsSet = true;
         }
+        BeforePass(context, renderingData, pass,
+                   {context.MarkPlace(), renderingData.report->passes.size()});
         const std::size_t drawsBefore = renderingData.report->draws.size();
         ExecuteRenderPass(context, *pass, renderingData);
         if (std::find(featurePasses.begin(), featurePasses.end(), pass) != featurePasses.end())
@@ -218,6 +220,22 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
             NoteEmptyDraws(*renderingData.report, drawsBefore);
         }
     }
+    BeforePass(context, renderingData, nullptr,
+               {context.MarkPlace(), renderingData.report->passes.size()});
+}
+
+void ScriptableRenderer::BeforePass(ScriptableRenderContext&, RenderingData&,
+                                    const ScriptableRenderPass*, const PassPlace&)
+{
+}
+
+void ScriptableRenderer::ExecuteAt(const PassPlace& place, ScriptableRenderContext& context,
+                                   ScriptableRenderPass& pass, RenderingData& renderingData)
+{
+    context.RecordAt(place.commands, [&] { ExecuteRenderPass(context, pass, renderingData); });
+    auto& passes = renderingData.report->passes;
+    std::rotate(passes.begin() + static_cast<std::ptrdiff_t>(place.pass), passes.end() - 1,
+                passes.end());
 }
 
 void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,

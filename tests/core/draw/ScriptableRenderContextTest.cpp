@@ -55,6 +55,61 @@ TEST_F(Contexts, AppendABufferAsOftenAsItIsExecuted)
     EXPECT_EQ(test::DrawsOf(m_Context.TakeCommands()).size(), 2u);
 }
 
+TEST_F(Contexts, RecordAtAnEarlierPlaceWithTheGlobalsOfThen)
+{
+    const auto other = std::make_shared<Material>(
+        test::ShaderWithProgram("", "float _Value; float _Unset;", "_Value + _Unset"), "Late");
+    const auto set = [&](const char* name, float value)
+    {
+        m_Cmd.SetGlobalFloat(ShaderPropertyId(name), value);
+        m_Context.ExecuteCommandBuffer(m_Cmd);
+        m_Cmd.Clear();
+    };
+    const auto draw = [&](const std::shared_ptr<const Material>& material)
+    {
+        m_Cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3);
+        m_Context.ExecuteCommandBuffer(m_Cmd);
+        m_Cmd.Clear();
+    };
+    set("_Value", 1.0f);
+    draw(m_Material);
+    const ScriptableRenderContext::Place place = m_Context.MarkPlace();
+    set("_Value", 2.0f);
+    set("_Unset", 8.0f);
+    set("_Value", 3.0f);
+    draw(m_Material);
+    m_Context.RecordAt(place,
+                       [&]
+                       {
+                           draw(other);
+                           set("_Value", 5.0f);
+                       });
+    draw(m_Material);
+    const FrameCommands frame = m_Context.TakeCommands();
+    ASSERT_EQ(test::DrawsOf(frame).size(), 4u);
+    EXPECT_EQ(test::DrawsOf(frame)[1].program, other->Compile(0));
+    EXPECT_EQ(ValueOf(frame, 0), 1.0f);
+    EXPECT_EQ(ValueOf(frame, 1), 1.0f);
+    EXPECT_EQ(test::ReadUniform<float>(frame, test::DrawsOf(frame)[1], "_Unset", 1)[0], 0.0f);
+    EXPECT_EQ(ValueOf(frame, 2), 3.0f);
+    EXPECT_EQ(ValueOf(frame, 3), 3.0f);
+}
+
+TEST_F(Contexts, KnowWhichTexturesDrawsRead)
+{
+    const auto read = test::Target("Read");
+    const auto unread = test::Target("Unread");
+    const auto material = std::make_shared<Material>(
+        test::ShaderWithProgram("", "Texture2D _Map;", "_Map.Load(int3(0, 0, 0))"));
+    material->SetTexture(ShaderPropertyId("_Map"), read);
+    material->SetTexture(ShaderPropertyId("_Other"), unread);
+    EXPECT_FALSE(m_Context.Reads(*read));
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    EXPECT_TRUE(m_Context.Reads(*read));
+    EXPECT_FALSE(m_Context.Reads(*unread));
+}
+
 TEST_F(Contexts, AreEmptyOnceTheCommandsAreTaken)
 {
     Triangle();

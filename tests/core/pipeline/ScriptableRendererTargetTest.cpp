@@ -231,15 +231,6 @@ TEST(ScriptableRenderPass, BeginsWithUnitysDefaults)
     EXPECT_EQ(pass.clearColor(), (Color{0, 0, 0, 1}));
 }
 
-TEST(ScriptableRenderPass, OverwritesTheInputItAskedForBefore)
-{
-    Log log;
-    LoggingPass pass("pass", RenderPassEvent::AfterRenderingOpaques, log);
-    pass.ConfigureInput(ScriptableRenderPassInput::Depth);
-    pass.ConfigureInput(ScriptableRenderPassInput::Normal);
-    EXPECT_EQ(pass.input(), ScriptableRenderPassInput::Normal);
-}
-
 TEST(ScriptableRenderPass, SortsByTheCurrentCamera)
 {
     Log log;

@@ -435,21 +435,6 @@ TEST_F(Pipeline, CountsOnNoContentsOfAnotherDevice)
     EXPECT_TRUE(seen.contains(kept.rt()));
 }
 
-TEST_F(Pipeline, ShowsTheFarPlaneInTheDepthTextureThatNobodyWrote)
-{
-    Scene scene;
-    test::AddCube(
-        scene, "reader", {0, 0, 10},
-        {std::make_shared<Material>(test::ShaderWithProgram(
-            "", "Texture2D _CameraDepthTexture;", "_CameraDepthTexture.Load(int3(0, 0, 0))"))});
-    m_Request.scene = &scene;
-    const RenderResult result = Render();
-    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
-    ASSERT_EQ(draws.size(), 1u);
-    ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
-    EXPECT_EQ(draws[0].bindings->textures[0].texture, DefaultTexture("black"));
-}
-
 TEST_F(Pipeline, ReflectsNothingWithoutAReflectionProbe)
 {
     Scene scene;

@@ -167,7 +167,8 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
     const CommandRun run = Draw({"--frames", "2"});
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_EQ("note: shader 'My/Baked': uses light maps, which limn does not have: they are white\n"
-              "note: shader 'My/Baked': texture '_Map' is gray: it is no property of the shader, "
+              "note: shader 'My/Baked' in pass 'Draw Opaque Objects': texture '_Map' is gray: it "
+              "is no property of the shader, "
               "and neither material 'm' nor anything global sets it\n",
               run.err);
 }

@@ -49,6 +49,7 @@ public:
         return it == m_Values.end() ? nullptr : &it->second;
     }
 
+    void Remove(ShaderPropertyId id) { m_Values.erase(id); }
     void Clear() { m_Values.clear(); }
     bool isEmpty() const { return m_Values.empty(); }
 

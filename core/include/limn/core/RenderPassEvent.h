@@ -62,5 +62,14 @@ enum class ScriptableRenderPassInput
     Color = 4,
     Motion = 8
 };
+constexpr ScriptableRenderPassInput operator|(ScriptableRenderPassInput a,
+                                              ScriptableRenderPassInput b)
+{
+    return static_cast<ScriptableRenderPassInput>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator&(ScriptableRenderPassInput a, ScriptableRenderPassInput b)
+{
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
 
 } // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/Culling.h>
 #include <limn/core/RenderReport.h>
@@ -34,6 +35,21 @@ public:
 
     /// Whose calls these are, for the report.
     void SetPassName(std::string name) { m_PassName = std::move(name); }
+
+    /// A place between two commands of the frame, and what was global there.
+    struct Place
+    {
+        std::size_t command = 0;
+        std::size_t globalChange = 0;
+    };
+    /// Here and now, for RecordAt.
+    Place MarkPlace();
+    /// Puts what `record` records at an earlier place; draws see the globals of then, and what it
+    /// makes global ends with it. No place behind it may be used any more.
+    void RecordAt(const Place& place, const std::function<void()>& record);
+
+    /// Whether a draw so far has the texture bound.
+    bool Reads(const Texture& texture) const;
 
     /// Everything so far; the context is empty afterwards.
     FrameCommands TakeCommands();

@@ -42,10 +42,28 @@ public:
     /// If something throws, passes that were set up are cleaned up and the queue is empty as well.
     void RenderCamera(ScriptableRenderContext& context, RenderingData& renderingData);
 
+    /// A place between two passes of a frame.
+    struct PassPlace
+    {
+        ScriptableRenderContext::Place commands;
+        std::size_t pass = 0; ///< of RenderReport::passes, the one that follows
+    };
+
 protected:
     /// Makes the camera's targets (ConfigureCameraTarget) and enqueues built-in passes.
     virtual void Setup(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
     void ConfigureCameraTarget(RTHandle color, RTHandle depth);
+    /// The passes enqueued so far.
+    std::span<ScriptableRenderPass* const> activeRenderPassQueue() const { return m_Queue; }
+
+    /// Called before each pass is executed, in their order, and once behind the last.
+    /// @param next  null behind the last
+    virtual void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
+                            const ScriptableRenderPass* next, const PassPlace& place);
+    /// Executes a pass at an earlier place, with the globals of then. No place behind it may be
+    /// used any more.
+    void ExecuteAt(const PassPlace& place, ScriptableRenderContext& context,
+                   ScriptableRenderPass& pass, RenderingData& renderingData);
 
 private:
     void AddRenderPasses(RenderingData& renderingData);

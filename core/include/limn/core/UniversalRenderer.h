@@ -6,8 +6,14 @@
 namespace limn
 {
 
+class BlitPass;
+class CameraTextures;
+class DrawObjectsPass;
+
 /// URP's forward renderer in small: opaque objects (event 250), transparent objects (450), final
-/// copy to the output (1001). Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
+/// copy to the output (1001); and before them what makes the camera's depth, normals and opaque
+/// colour, in frames that draw with a shader that reads these.
+/// Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
 public:
@@ -22,17 +28,17 @@ public:
 
 protected:
     void Setup(ScriptableRenderContext& context, RenderingData& renderingData) override;
+    void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
+                    const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
-    class DrawObjectsPass;
-    class FinalBlitPass;
-
     RTHandle m_Output;
     RTHandle m_Color;
     RTHandle m_Depth;
     std::unique_ptr<DrawObjectsPass> m_OpaquePass;
     std::unique_ptr<DrawObjectsPass> m_TransparentPass;
-    std::unique_ptr<FinalBlitPass> m_FinalBlitPass;
+    std::unique_ptr<BlitPass> m_FinalBlitPass;
+    std::unique_ptr<CameraTextures> m_CameraTextures;
 };
 
 } // namespace limn

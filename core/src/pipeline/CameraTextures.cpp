@@ -1,0 +1,166 @@
+#include "pipeline/CameraTextures.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+using enum RenderPassEvent;
+
+constexpr int k_NearestBlit = 0; // "Nearest" of CoreBlit.shader
+constexpr int k_DepthBlit = 3;   // "Depth"
+
+void Set(ScriptableRenderContext& context, const char* name, const RTHandle& texture)
+{
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    cmd->SetGlobalTexture(ShaderPropertyId(name), texture);
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+} // namespace
+
+CameraTextures::CameraTextures(const std::shared_ptr<const Material>& blit)
+    : m_DepthPrepass("DepthPrepass", BeforeRenderingPrePasses, {ShaderTagId("DepthOnly")},
+                     RenderQueueRange::opaque, SortingCriteria::CommonOpaque),
+      m_DepthNormalPrepass("DepthNormalPrepass", BeforeRenderingPrePasses,
+                           {ShaderTagId("DepthNormals"), ShaderTagId("DepthNormalsOnly")},
+                           RenderQueueRange::opaque, SortingCriteria::CommonOpaque),
+      m_CopyDepth("CopyDepth", AfterRenderingTransparents, blit, k_DepthBlit),
+      m_CopyColor("CopyColor", AfterRenderingSkybox, blit, k_NearestBlit)
+{
+    m_DepthPrepass.ConfigureClear(ClearFlag::All, Color::black);
+    m_DepthNormalPrepass.ConfigureClear(ClearFlag::All, Color::black);
+}
+
+void CameraTextures::Setup(std::span<ScriptableRenderPass* const> queue, LayerMask opaqueLayers,
+                           const RenderTextureDescriptor& camera, std::vector<std::string>& notes)
+{
+    using Input = ScriptableRenderPassInput;
+    m_AsksForNormals = false;
+    m_FirstDepthEvent = BeforeRenderingPostProcessing;
+    m_IsDepthChosen = false;
+    m_LastEvent = BeforeRendering;
+    m_Places.clear();
+    m_PrepassPlace.reset();
+    m_ColorPlace.reset();
+    for (const ScriptableRenderPass* pass : queue)
+    {
+        m_AsksForNormals = m_AsksForNormals || (pass->input() & Input::Normal);
+        if (pass->input() & Input::Depth)
+        {
+            m_FirstDepthEvent = std::min(m_FirstDepthEvent, pass->renderPassEvent);
+        }
+        if (pass->input() & Input::Motion)
+        {
+            notes.push_back(pass->profilingSampler.name() +
+                            ": motion vectors are asked for, which limn does not make; "
+                            "_MotionVectorTexture is gray");
+        }
+    }
+    Allocate(camera);
+    m_DepthPrepass.SetLayerMask(opaqueLayers);
+    m_DepthNormalPrepass.SetLayerMask(opaqueLayers);
+    m_DepthPrepass.ConfigureTarget(m_PrepassDepth);
+    m_DepthNormalPrepass.ConfigureTarget(m_Normals, m_PrepassDepth);
+}
+
+void CameraTextures::Allocate(const RenderTextureDescriptor& camera)
+{
+    const auto allocate =
+        [&](RTHandle& handle, const char* name, GraphicsFormat format, int depthBits = 0)
+    {
+        const RenderTextureDescriptor descriptor(camera.width, camera.height, format, depthBits);
+        if (!handle || handle.rt()->descriptor() != descriptor)
+        {
+            const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
+                                       TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
+            handle =
+                RTHandle(std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
+        }
+    };
+    allocate(m_PrepassDepth, "_CameraDepthTexture", GraphicsFormat::None, camera.depthBufferBits);
+    allocate(m_CopiedDepth, "_CameraDepthTexture", GraphicsFormat::R32_SFloat);
+    allocate(m_Normals, "_CameraNormalsTexture", GraphicsFormat::R8G8B8A8_SNorm);
+    allocate(m_OpaqueColor, "_CameraOpaqueTexture", camera.graphicsFormat);
+}
+
+void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
+                                const ScriptableRenderer::PassPlace& place)
+{
+    if (context.Reads(*m_CopiedDepth.rt()))
+    {
+        m_FirstDepthEvent = std::min(m_FirstDepthEvent, m_LastEvent);
+    }
+    m_LastEvent = next;
+    m_Places.push_back({next, place});
+    if (!m_PrepassPlace && next > BeforeRenderingPrePasses)
+    {
+        m_PrepassPlace = place;
+        Set(context, "_CameraDepthTexture", m_PrepassDepth);
+        Set(context, "_CameraNormalsTexture", m_Normals);
+    }
+    // What reads the depth up to here reads that of the prepass; all that follows does so then.
+    if (!m_IsDepthChosen && next > BeforeRenderingOpaques)
+    {
+        m_IsDepthChosen = true;
+        if (!TakesDepthFromPrepass(context))
+        {
+            Set(context, "_CameraDepthTexture", m_CopiedDepth);
+        }
+    }
+    if (!m_ColorPlace && next > AfterRenderingSkybox)
+    {
+        m_ColorPlace = place;
+        Set(context, "_CameraOpaqueTexture", m_OpaqueColor);
+    }
+}
+
+bool CameraTextures::TakesDepthFromPrepass(const ScriptableRenderContext& context) const
+{
+    return m_AsksForNormals || m_FirstDepthEvent <= BeforeRenderingOpaques ||
+           context.Reads(*m_PrepassDepth.rt()) || context.Reads(*m_Normals.rt());
+}
+
+std::vector<CameraTextures::LatePass> CameraTextures::Needed(const ScriptableRenderContext& context,
+                                                             const RTHandle& color,
+                                                             const RTHandle& depth)
+{
+    std::vector<LatePass> passes;
+    if (context.Reads(*m_OpaqueColor.rt()))
+    {
+        m_CopyColor.SetTargets(color, m_OpaqueColor);
+        passes.push_back({m_ColorPlace.value(), &m_CopyColor});
+    }
+    if (context.Reads(*m_CopiedDepth.rt()))
+    {
+        passes.push_back(CopyDepth(depth));
+    }
+    const bool readsDepth = context.Reads(*m_PrepassDepth.rt());
+    if (context.Reads(*m_Normals.rt()) || (readsDepth && m_AsksForNormals))
+    {
+        passes.push_back({m_PrepassPlace.value(), &m_DepthNormalPrepass});
+    }
+    else if (readsDepth)
+    {
+        passes.push_back({m_PrepassPlace.value(), &m_DepthPrepass});
+    }
+    std::stable_sort(passes.begin(), passes.end(),
+                     [](const LatePass& a, const LatePass& b)
+                     { return a.place.pass > b.place.pass; });
+    return passes;
+}
+
+CameraTextures::LatePass CameraTextures::CopyDepth(const RTHandle& depth)
+{
+    m_CopyDepth.renderPassEvent = std::min(AfterRenderingTransparents, m_FirstDepthEvent - 1);
+    m_CopyDepth.SetTargets(depth, m_CopiedDepth);
+    const auto place = std::find_if(m_Places.begin(), m_Places.end(),
+                                    [&](const PlaceOfEvent& candidate)
+                                    { return candidate.next > m_CopyDepth.renderPassEvent; });
+    return {place->place, &m_CopyDepth};
+}
+
+} // namespace limn

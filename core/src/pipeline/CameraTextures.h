@@ -1,0 +1,80 @@
+#pragma once
+
+#include "pipeline/BlitPass.h"
+#include "pipeline/DrawObjectsPass.h"
+
+#include <limn/core/ScriptableRenderer.h>
+#include <optional>
+
+namespace limn
+{
+
+/// What shaders read of the camera: _CameraDepthTexture, _CameraNormalsTexture and
+/// _CameraOpaqueTexture. Whether one is made shows only when all passes are recorded: then the pass
+/// that makes it is run at the place where it belongs, which is by what passes asked for
+/// (ConfigureInput), and by the first pass that read the depth as if it had asked.
+///
+///     150  DepthPrepass or DepthNormalPrepass: depth, if normals were asked for or depth by a pass
+///          of event <= 250; normals
+///          CopyDepth before the first pass that asked for depth, at 500 at the latest: depth
+///     400  CopyColor: opaque colour
+///
+/// @source Unity: UniversalRenderer.GetRenderPassInputs and Setup (URP 14), but that textures
+/// nobody
+///         reads are not made, and those that shaders read without a pass asking are.
+class CameraTextures
+{
+public:
+    /// @param blit  of CoreBlit.shader
+    explicit CameraTextures(const std::shared_ptr<const Material>& blit);
+
+    /// Begins a frame. Notes what was asked for and cannot be made.
+    void Setup(std::span<ScriptableRenderPass* const> queue, LayerMask opaqueLayers,
+               const RenderTextureDescriptor& camera, std::vector<std::string>& notes);
+
+    /// Gives draws that follow what is made at this place.
+    /// @param next  the event of the next pass, or one behind all
+    void BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
+                    const ScriptableRenderer::PassPlace& place);
+
+    struct LatePass
+    {
+        ScriptableRenderer::PassPlace place;
+        ScriptableRenderPass* pass = nullptr; ///< never null
+    };
+    /// The passes that make what was read, the last first.
+    std::vector<LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& color,
+                                 const RTHandle& depth);
+
+private:
+    struct PlaceOfEvent
+    {
+        RenderPassEvent next;
+        ScriptableRenderer::PassPlace place;
+    };
+    using OptionalPlace = std::optional<ScriptableRenderer::PassPlace>;
+
+    void Allocate(const RenderTextureDescriptor& camera);
+    bool TakesDepthFromPrepass(const ScriptableRenderContext& context) const;
+    LatePass CopyDepth(const RTHandle& depth);
+
+    DrawObjectsPass m_DepthPrepass;
+    DrawObjectsPass m_DepthNormalPrepass;
+    BlitPass m_CopyDepth;
+    BlitPass m_CopyColor;
+    RTHandle m_PrepassDepth;
+    RTHandle m_CopiedDepth;
+    RTHandle m_Normals;
+    RTHandle m_OpaqueColor;
+
+    // Of the frame:
+    bool m_AsksForNormals = false;
+    RenderPassEvent m_FirstDepthEvent{}; ///< of the passes that asked or read
+    bool m_IsDepthChosen = false;        ///< from prepass or copy
+    RenderPassEvent m_LastEvent{};
+    std::vector<PlaceOfEvent> m_Places;
+    OptionalPlace m_PrepassPlace;
+    OptionalPlace m_ColorPlace;
+};
+
+} // namespace limn
