@@ -103,7 +103,7 @@ TEST(RenderObjectsInAScene, ReportsAPassIndexThatTheMaterialDoesNotHave)
 {
     SceneFolder folder;
     EXPECT_EQ((Lines{"3:23: renderer.features[0]: RenderObjects: overrideMaterialPassIndex is 3, "
-                     "but the shader 'Universal Render Pipeline/Unlit' has the passes 0...0"}),
+                     "but the shader 'Universal Render Pipeline/Unlit' has the passes 0...2"}),
               folder.ProblemsOf("camera: {}\n"
                                 "materials: {flat: {shader: Universal Render Pipeline/Unlit}}\n"
                                 "renderer: {features: [{type: RenderObjects, overrideMaterial: "
