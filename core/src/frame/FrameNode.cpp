@@ -14,6 +14,17 @@ bool isSample(const PassCommand& command)
            std::holds_alternative<EndSampleCommand>(command);
 }
 
+/// What comes from the CPU is there: nothing to wait for.
+void AddRead(std::vector<std::shared_ptr<const Texture>>& reads,
+             const std::shared_ptr<const Texture>& texture)
+{
+    const bool isDrawn = dynamic_cast<const RenderTexture*>(texture.get()) != nullptr;
+    if (isDrawn && std::find(reads.begin(), reads.end(), texture) == reads.end())
+    {
+        reads.push_back(texture);
+    }
+}
+
 } // namespace
 
 ClearFlag AspectsOf(const RenderTexture& texture)
@@ -64,15 +75,11 @@ void CollectReads(FrameNode& node)
     node.reads.clear();
     for (const PassCommand& command : node.commands)
     {
-        const auto* draw = std::get_if<DrawCommand>(&command);
-        for (const TextureSlot& slot : draw ? draw->bindings->textures : std::vector<TextureSlot>())
+        if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            // What comes from the CPU is there: nothing to wait for.
-            const bool isDrawn = dynamic_cast<const RenderTexture*>(slot.texture.get()) != nullptr;
-            if (isDrawn &&
-                std::find(node.reads.begin(), node.reads.end(), slot.texture) == node.reads.end())
+            for (const TextureSlot& slot : draw->bindings->textures)
             {
-                node.reads.push_back(slot.texture);
+                AddRead(node.reads, slot.texture);
             }
         }
     }
