@@ -2,6 +2,7 @@
 
 #include <limn/core/Judge.h>
 #include <limn/core/Scene.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <vector>
 
 namespace limn
@@ -17,8 +18,8 @@ struct RendererItem
     int materialIndex = 0; ///< among the renderer's materials
     int subMesh = 0;
     FilterItem filter;
-    glm::mat4 localToWorld{1.0f};
-    glm::vec3 boundsCenter{0.0f}; ///< world
+    std::size_t perDraw = 0;      ///< index into CullingResults::perDraw
+    glm::dvec3 boundsCenter{0.0}; ///< world
 };
 
 /// What culling found. Valid as long as the scene is neither changed nor destroyed.
@@ -26,6 +27,11 @@ struct RendererItem
 struct CullingResults
 {
     std::vector<RendererItem> items; ///< scene order
+    std::vector<PerDrawData> perDraw; ///< of the visible objects, relative to the camera's
+                                      ///< renderOrigin(), whatever the number of draws
+    /// Of the visible objects those whose world matrix has an infinity or NaN once it is rounded to
+    /// float: nothing of them can be seen.
+    std::vector<const GameObject*> beyondFloat;
     int rendererCount = 0;           ///< enabled renderers of active objects, visible or not
     int outsideFrustum = 0;          ///< of these, how many lie outside the frustum
     int outsideCullingMask = 0;      ///< and how many the camera's cullingMask leaves out
