@@ -1,9 +1,30 @@
+#include <fcntl.h>
 #include <iostream>
 #include <limn/editor_stub/RunLimn.h>
+#include <unistd.h>
 #include <vector>
+
+namespace
+{
+
+/// Takes the numbers of standard streams that are closed, or the next files to be opened would have
+/// them and get what is printed. Opened the wrong way round, they fail as closed ones do.
+void TakeClosedStreams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    {
+        if (fcntl(stream, F_GETFD) < 0)
+        {
+            static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        }
+    }
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
+    TakeClosedStreams();
     const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);
     return limn::RunLimn(args, std::cout, std::cerr);
 }

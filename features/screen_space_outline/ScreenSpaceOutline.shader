@@ -13,6 +13,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 0: the objects as a white mask, whatever stands in front of them
         {
             Name "Renderer Drawing Pass"
+            Tags { "LimnWithinMesh" = "True" }
 
             Blend Off
             ZWrite Off
@@ -40,7 +41,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 1: the edges of the mask by a Roberts cross of the outline's width
         {
             Name "Outline Edge Detection Pass"
-            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture or _OutlineWidth is 0" }
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture or _OutlineWidth is 0 within _OutlineWidth texels" }
 
             Blend Off
             ZWrite Off
@@ -98,7 +99,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 2: the edges in the outline's colour, added to the camera's colour; alpha is kept
         {
             Name "Outline Composite Pass"
-            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0" }
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0 within 0 texels" }
 
             Cull Off
             ZTest NotEqual

@@ -1,6 +1,7 @@
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
+#include "TemporaryFolder.h"
 #include "hlsl/Preprocessor.h"
 #include "hlsl/Rewriter.h"
 #include "spirv/GlslangSession.h"
@@ -19,38 +20,12 @@
 #include <map>
 #include <stdexcept>
 #include <thread>
-#include <unistd.h>
 
 namespace limn
 {
 
 namespace
 {
-
-/// A folder that is gone when the benchmark ends.
-class BenchmarkFolder
-{
-public:
-    BenchmarkFolder()
-        : m_Path(std::filesystem::temp_directory_path() /
-                 ("limn_import_benchmark_" + std::to_string(getpid())))
-    {
-        std::filesystem::remove_all(m_Path);
-        std::filesystem::create_directories(m_Path);
-    }
-    ~BenchmarkFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_Path, ignored);
-    }
-    BenchmarkFolder(const BenchmarkFolder&) = delete;
-    BenchmarkFolder& operator=(const BenchmarkFolder&) = delete;
-
-    const std::filesystem::path& path() const { return m_Path; }
-
-private:
-    std::filesystem::path m_Path;
-};
 
 constexpr const char* k_UnlitBody = R"(
             half4 frag(Varyings input) : SV_Target
@@ -296,7 +271,7 @@ BENCHMARK_CAPTURE(ImportAgainstGlslang, lit, k_LitBody)
 /// The same import with an empty cache folder and with one that has the pass.
 void ImportColdAgainstWarm(benchmark::State& state, const char* body)
 {
-    const BenchmarkFolder folder;
+    const test::TemporaryFolder folder;
     const PassProgram program = OnlyProgram(body);
     StepTimes times;
     ShaderCompiler().Compile(program);
@@ -370,7 +345,7 @@ double ProcessorTime()
 /// something else as well, processor times say more of what threads cost than the speedup does.
 void ImportFolder(benchmark::State& state)
 {
-    const BenchmarkFolder folder;
+    const test::TemporaryFolder folder;
     const std::vector<std::filesystem::path> files =
         WriteShaders(folder.path(), static_cast<int>(state.range(0)));
     StepTimes times;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 #include "volume/Problems.h"
 
 #include <limn/editor_stub/SceneFile.h>

@@ -3,7 +3,7 @@
 #include <limn/shaderlab/VariantCount.h>
 
 #include "hlsl/Rewriter.h"
-#include "hlsl/rewrites/Spelling.h"
+#include "hlsl/rewrites/Rewrites.h"
 #include "program/IncludeResolver.h"
 #include "program/PragmaScanner.h"
 #include "spirv/GlslangIncluder.h"

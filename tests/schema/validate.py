@@ -23,7 +23,7 @@ GOOD = {
         "_Other: [1, 0, 0]\n_Offset: {x: 1, y: 2, z: 3, w: 4}\n_Bump: bump",
         "{_Sky: {faces: [a.png, b.png, c.png, d.png, e.png, f.png]}, _Fog: {slices: [a.png]}}",
         "shader: Universal Render Pipeline/Lit",
-        "renderQueue: -1",
+        "{renderQueue: -1, _Map: green}",
         "{}",
     ],
     "scene": [

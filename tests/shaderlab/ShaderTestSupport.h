@@ -1,12 +1,12 @@
 #pragma once
 
+#include "TemporaryFolder.h"
+
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -100,39 +100,5 @@ inline std::vector<std::string> CompileMessages(const PassProgram& program)
     ADD_FAILURE() << "compiling was expected to fail";
     return {};
 }
-
-/// A folder that is gone when the test ends.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        m_Path = std::filesystem::path(testing::TempDir()) /
-                 ("limn_" + std::string(test->test_suite_name()) + "_" + test->name());
-        std::filesystem::remove_all(m_Path);
-        std::filesystem::create_directories(m_Path);
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code error;
-        std::filesystem::remove_all(m_Path, error);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return m_Path; }
-
-    std::filesystem::path Write(const std::string& name, std::string_view content) const
-    {
-        const std::filesystem::path path = m_Path / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << content;
-        return path;
-    }
-
-private:
-    std::filesystem::path m_Path;
-};
 
 } // namespace limn::test

@@ -114,12 +114,25 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
     return shared;
 }
 
-void DrawResolver::Note(std::string note)
+/// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
+void DrawResolver::Note(const std::string& message, const Shader& shader)
 {
-    if (std::find(m_Notes.begin(), m_Notes.end(), note) == m_Notes.end())
+    SharedNote& note =
+        m_SharedNotes.try_emplace(message, SharedNote{m_Notes.size(), {}}).first->second;
+    if (std::ranges::find(note.shaders, shader.name()) != note.shaders.end())
     {
-        m_Notes.push_back(std::move(note));
+        return;
     }
+    note.shaders.push_back(shader.name());
+    m_Notes.resize(std::max(m_Notes.size(), note.index + 1));
+    constexpr std::size_t k_Listed = 4;
+    std::string others;
+    for (std::size_t i = 1; i < std::min(note.shaders.size(), k_Listed); ++i)
+    {
+        others += (i == 1 ? " (and '" : ", '") + note.shaders[i] + "'";
+    }
+    others += note.shaders.size() > k_Listed ? ", …)" : note.shaders.size() > 1 ? ")" : "";
+    m_Notes[note.index] = "shader '" + note.shaders[0] + "'" + others + ": " + message;
 }
 
 const DrawResolver::ProgramIds&
@@ -133,7 +146,7 @@ DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shad
         {
             if (diagnostic.severity == Severity::Note)
             {
-                Note("shader '" + shader.name() + "': " + diagnostic.message);
+                Note(diagnostic.message, shader);
             }
         }
         for (const UniformBuffer& buffer : pass->layout.buffers)

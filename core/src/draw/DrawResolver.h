@@ -42,7 +42,7 @@ private:
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
         std::vector<ShaderPropertyId> textures;
     };
-    void Note(std::string note); ///< once
+    void Note(const std::string& message, const Shader& shader);
     const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader);
     std::shared_ptr<const DrawBindings> Build(const ProgramIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
@@ -62,7 +62,13 @@ private:
     };
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
     std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
+    struct SharedNote
+    {
+        std::size_t index; ///< in m_Notes
+        std::vector<std::string> shaders;
+    };
     std::vector<std::string>& m_Notes;
+    std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
     std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
 };
 

@@ -1,12 +1,12 @@
 #include <limn/core/DrawingSettings.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/ShaderLabDocument.h>
 
 namespace limn
 {
 
 const std::vector<ShaderTagId>& ForwardShaderTags()
 {
-    static const std::vector<ShaderTagId> tags{ShaderTagId("SRPDefaultUnlit"),
+    static const std::vector<ShaderTagId> tags{ShaderTagId(k_DefaultLightMode),
                                                ShaderTagId("UniversalForward"),
                                                ShaderTagId("UniversalForwardOnly")};
     return tags;

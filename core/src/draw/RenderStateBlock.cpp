@@ -18,29 +18,14 @@ void ExpectWithin(const char* what, int value, int highest)
     }
 }
 
-TargetBlend ToTargetBlend(const RenderTargetBlendState& state)
-{
-    ExpectWithin("a blend state's writeMask", state.writeMask, ColorWriteMask::All);
-    RenderTargetBlendState off;
-    off.writeMask = state.writeMask;
-    TargetBlend result;
-    result.enabled = state != off;
-    result.srcColor = state.sourceColorBlendMode;
-    result.dstColor = state.destinationColorBlendMode;
-    result.srcAlpha = state.sourceAlphaBlendMode;
-    result.dstAlpha = state.destinationAlphaBlendMode;
-    result.colorOp = state.colorBlendOperation;
-    result.alphaOp = state.alphaBlendOperation;
-    result.writeMask = state.writeMask;
-    return result;
-}
-
 void OverrideBlend(PipelineState& state, const BlendState& blend)
 {
     state.alphaToMask = blend.alphaToMask;
     for (std::size_t i = 0; i < state.targets.size(); ++i)
     {
-        state.targets[i] = ToTargetBlend(blend.blendStates[blend.separateMRTBlendStates ? i : 0]);
+        const auto& target = blend.blendStates[blend.separateMRTBlendStates ? i : 0];
+        ExpectWithin("a blend state's writeMask", target.writeMask, ColorWriteMask::All);
+        state.targets[i] = target;
     }
 }
 

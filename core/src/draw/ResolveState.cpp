@@ -108,23 +108,29 @@ private:
     const MaterialPropertyBlock& m_Globals;
 };
 
-constexpr int k_MaxBlendMode = static_cast<int>(BlendMode::OneMinusSrcAlpha);
-constexpr int k_MaxBlendOp = static_cast<int>(BlendOp::HSLLuminosity);
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
 constexpr int k_MaxStencilOp = static_cast<int>(StencilOp::DecrementWrap);
 
-TargetBlend ResolveBlend(const PassBlendState& state, const StateReader& reader)
+RenderTargetBlendState ResolveBlend(const PassBlendState& state, const StateReader& reader)
 {
-    TargetBlend result;
-    result.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
-    result.srcColor = reader.Read(state.srcColor, "Blend", 0, k_MaxBlendMode);
-    result.dstColor = reader.Read(state.dstColor, "Blend", 0, k_MaxBlendMode);
-    result.srcAlpha = reader.Read(state.srcAlpha, "Blend", 0, k_MaxBlendMode);
-    result.dstAlpha = reader.Read(state.dstAlpha, "Blend", 0, k_MaxBlendMode);
-    result.colorOp = reader.Read(state.colorOp, "BlendOp", 0, k_MaxBlendOp);
-    result.alphaOp = reader.Read(state.alphaOp, "BlendOp", 0, k_MaxBlendOp);
-    result.enabled = state.enabled;
-    return result;
+    const auto mode = [&](const StateValue<BlendMode>& value)
+    {
+        return reader.Read(value, "Blend", 0, static_cast<int>(BlendMode::OneMinusSrcAlpha));
+    };
+    const auto operation = [&](const StateValue<BlendOp>& value)
+    {
+        return reader.Read(value, "BlendOp", 0, static_cast<int>(BlendOp::HSLLuminosity));
+    };
+    RenderTargetBlendState off;
+    off.writeMask = reader.Read(state.writeMask, "ColorMask", 0, ColorWriteMask::All);
+    RenderTargetBlendState result = off;
+    result.sourceColorBlendMode = mode(state.sourceColorBlendMode);
+    result.destinationColorBlendMode = mode(state.destinationColorBlendMode);
+    result.sourceAlphaBlendMode = mode(state.sourceAlphaBlendMode);
+    result.destinationAlphaBlendMode = mode(state.destinationAlphaBlendMode);
+    result.colorBlendOperation = operation(state.colorBlendOperation);
+    result.alphaBlendOperation = operation(state.alphaBlendOperation);
+    return state.enabled ? result : off;
 }
 
 StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader)

@@ -1,7 +1,9 @@
 #include "draw/DrawResolver.h"
 #include "draw/PerDraw.h"
+#include "draw/ProjectedBounds.h"
 
 #include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <limn/core/DrawError.h>
 #include <limn/core/ScriptableRenderContext.h>
@@ -40,13 +42,15 @@ bool isZero(const ShaderPropertyValue& value)
         value);
 }
 
-/// Only a vertex function learns which instance it works on.
-bool ReadsPerDrawBehindVertices(const ShaderProgram& pass)
+/// Whether draws that differ in their transform may become instances of one. Only a vertex function
+/// learns which instance it works on; and one that takes SV_InstanceID finds 0 in each draw.
+bool isInstanceable(const ShaderProgram& program)
 {
-    const auto& buffers = pass.layout.storageBuffers;
-    return std::any_of(buffers.begin(), buffers.end(),
+    const auto& buffers = program.layout.storageBuffers;
+    return !(program.layout.pushStages & ShaderStage::Vertex) &&
+           std::all_of(buffers.begin(), buffers.end(),
                        [](const StorageBufferBinding& buffer)
-                       { return buffer.stages != ShaderStage::Vertex; });
+                       { return buffer.stages == ShaderStage::Vertex; });
 }
 
 bool Compiles(const Material& material, int pass)
@@ -126,6 +130,7 @@ public:
             m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
                                m_GlobalsVersion, m_Frame.uniformData);
         draw.fullScreen = Promise(recorded);
+        draw.bounds = BoundsOf(recorded, perDraw);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
@@ -198,12 +203,48 @@ private:
                 promise->zeroProperty = id.name();
             }
         }
+        promise->reach = ReachOf(*tag, sources);
         promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
         return promise;
     }
 
-    /// Draws that differ in their transform only become instances of one. A geometry or fragment
-    /// function that reads per-draw data finds it by the first instance, so those stay apart.
+    static float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
+    {
+        if (tag.reachProperty)
+        {
+            const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
+            const auto* number = value ? std::get_if<float>(value) : nullptr;
+            return number ? std::abs(*number) : -1.0f;
+        }
+        return tag.reach.value_or(-1.0f);
+    }
+
+    /// Where it draws, if the pass promises to stay within the mesh.
+    std::optional<TargetRegion> BoundsOf(const RecordedDraw& recorded,
+                                         const PerDrawData& perDraw) const
+    {
+        static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+        const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
+        const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+        if (!recorded.mesh || viewProjection == nullptr ||
+            !recorded.material->shader()->staysWithinMesh(recorded.shaderPass))
+        {
+            return std::nullopt;
+        }
+        // As shaders do it: relative to the origin where that is not the world's.
+        glm::mat4 relative = glm::make_mat4(perDraw.objectToWorld);
+        glm::mat4 toClip = *viewProjection;
+        static const ShaderPropertyId limn_OriginCS{"limn_OriginCS"};
+        const ShaderPropertyValue* originCS = m_Globals.Find(limn_OriginCS);
+        if (m_Origin != glm::dvec3(0.0) && originCS != nullptr)
+        {
+            relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
+            toClip[3] = std::get<glm::vec4>(*originCS);
+        }
+        return ProjectBounds(recorded.mesh->bounds(), relative, toClip);
+    }
+
+    /// Draws that differ in their transform only become instances of one.
     bool MergeIntoLast(const DrawCommand& draw)
     {
         auto* last =
@@ -211,11 +252,14 @@ private:
         if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
             last->subMesh != draw.subMesh || last->program != draw.program ||
             last->bindings != draw.bindings || last->state != draw.state ||
-            ReadsPerDrawBehindVertices(*draw.program))
+            !isInstanceable(*draw.program))
         {
             return false;
         }
         ++last->instanceCount;
+        last->bounds = last->bounds && draw.bounds
+                           ? std::optional(Union(*last->bounds, *draw.bounds))
+                           : std::nullopt;
         return true;
     }
 

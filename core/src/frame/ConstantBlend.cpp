@@ -45,31 +45,25 @@ bool LeavesComponentAsItIs(BlendMode source, BlendMode destination, BlendOp op, 
 
 } // namespace
 
-bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color)
+bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color)
 {
-    if (!blend.enabled)
-    {
-        return blend.writeMask == 0;
-    }
     const auto leavesColor = [&](int bit, float component)
     {
         return (blend.writeMask & bit) == 0 ||
-               LeavesComponentAsItIs(blend.srcColor, blend.dstColor, blend.colorOp, component,
-                                     color.a);
+               LeavesComponentAsItIs(blend.sourceColorBlendMode, blend.destinationColorBlendMode,
+                                     blend.colorBlendOperation, component, color.a);
     };
     return leavesColor(ColorWriteMask::Red, color.r) &&
            leavesColor(ColorWriteMask::Green, color.g) &&
            leavesColor(ColorWriteMask::Blue, color.b) &&
            ((blend.writeMask & ColorWriteMask::Alpha) == 0 ||
-            LeavesComponentAsItIs(blend.srcAlpha, blend.dstAlpha, blend.alphaOp, color.a, color.a));
+            LeavesComponentAsItIs(blend.sourceAlphaBlendMode, blend.destinationAlphaBlendMode,
+                                  blend.alphaBlendOperation, color.a, color.a));
 }
 
-bool ReplacesTarget(const TargetBlend& blend)
+bool ReplacesTarget(const RenderTargetBlendState& blend)
 {
-    const bool isOneZero = blend.srcColor == BlendMode::One && blend.dstColor == BlendMode::Zero &&
-                           blend.srcAlpha == BlendMode::One && blend.dstAlpha == BlendMode::Zero &&
-                           blend.colorOp == BlendOp::Add && blend.alphaOp == BlendOp::Add;
-    return (!blend.enabled || isOneZero) && blend.writeMask == ColorWriteMask::All;
+    return blend == RenderTargetBlendState();
 }
 
 } // namespace limn

@@ -8,9 +8,9 @@ namespace limn
 
 /// Whether blending this colour in leaves every texel as it is, whatever it holds.
 /// @param color  linear, what the fragment function gives
-bool LeavesTargetAsItIs(const TargetBlend& blend, const Color& color);
+bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color);
 
 /// Whether what a draw leaves in a target follows from what it draws alone.
-bool ReplacesTarget(const TargetBlend& blend);
+bool ReplacesTarget(const RenderTargetBlendState& blend);
 
 } // namespace limn

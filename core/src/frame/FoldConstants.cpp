@@ -21,13 +21,6 @@ bool UsesDepth(const FrameNode& node)
                        });
 }
 
-bool IsZero(const Color& color, GraphicsFormat format)
-{
-    const int channels = ChannelCount(format);
-    const float values[] = {color.r, color.g, color.b, color.a};
-    return std::all_of(values, values + channels, [](float value) { return value == 0.0f; });
-}
-
 /// Goes through a frame in its order and knows of each texture what every texel of it is, if that
 /// is known.
 class ConstantFolder

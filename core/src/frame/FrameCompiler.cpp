@@ -26,6 +26,10 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
         FoldConstants(nodes, outputs, frame);
         ForwardCopies(nodes, outputs, frame);
         LeaveOutUnread(nodes, outputs, frame);
+        if (options.limitsRegions)
+        {
+            LimitRegions(nodes);
+        }
         MergeNodes(nodes);
         std::for_each(nodes.begin(), nodes.end(), EraseEmptySamples);
     }

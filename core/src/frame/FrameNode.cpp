@@ -29,6 +29,13 @@ bool Clears(const FrameNode& node, ClearFlag aspects)
     return node.clear && Only(node.clear->flags, aspects) == aspects;
 }
 
+bool IsZero(const Color& color, GraphicsFormat format)
+{
+    const float values[] = {color.r, color.g, color.b, color.a};
+    return std::all_of(values, values + ChannelCount(format),
+                       [](float value) { return value == 0.0f; });
+}
+
 bool HasDraws(const FrameNode& node)
 {
     return std::any_of(node.commands.begin(), node.commands.end(),

@@ -25,6 +25,8 @@ struct FrameNode
 ClearFlag AspectsOf(const RenderTexture& texture);
 bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
 bool HasDraws(const FrameNode& node);
+/// Whether each component that the format has is 0.
+bool IsZero(const Color& color, GraphicsFormat format);
 /// Whether a draw tests or writes depth or stencil where they are attached.
 bool UsesDepth(const PipelineState& state);
 /// Whether it does not matter what the target holds before the node.
@@ -57,6 +59,9 @@ void FindAccess(std::vector<FrameNode>& nodes);
 void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+/// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
+/// before and the passes' promises tell.
+void LimitRegions(std::vector<FrameNode>& nodes);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
 /// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
 /// outputs stay, since others know them by identity.

@@ -166,7 +166,7 @@ tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& ro
     }
     const char* text = bytes.data();
     const auto length = static_cast<unsigned int>(bytes.size());
-    const bool isBinary = std::string_view(text, bytes.size()).substr(0, 4) == "glTF";
+    const bool isBinary = std::string_view(text, bytes.size()).starts_with("glTF");
 
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(SkipImage, nullptr);
@@ -195,7 +195,7 @@ tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& ro
 std::vector<std::string> FileProblems(const tinygltf::Model& model)
 {
     std::vector<std::string> problems;
-    if (model.asset.version.rfind("2.", 0) != 0)
+    if (!model.asset.version.starts_with("2."))
     {
         problems.push_back("asset: version " + model.asset.version + "; 2.0 is read");
     }

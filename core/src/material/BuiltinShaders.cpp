@@ -21,9 +21,9 @@ struct SolidColor
 };
 
 constexpr SolidColor k_SolidColors[] = {
-    {"gray", {128, 128, 128, 128}}, {"white", {255, 255, 255, 255}}, {"black", {0, 0, 0, 255}},
-    {"bump", {128, 128, 255, 128}}, {"red", {255, 0, 0, 255}},       {"green", {0, 255, 0, 255}},
-    {"blue", {0, 0, 255, 255}},     {"clear", {0, 0, 0, 0}}};
+    {"white", {255, 255, 255, 255}}, {"black", {0, 0, 0, 255}}, {"gray", {128, 128, 128, 128}},
+    {"bump", {128, 128, 255, 128}},  {"red", {255, 0, 0, 255}}, {"green", {0, 255, 0, 255}},
+    {"blue", {0, 0, 255, 255}},      {"clear", {0, 0, 0, 0}}};
 
 std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDimension dimension)
 {
@@ -77,6 +77,13 @@ const ShaderDatabase& BuiltinShaders()
         return database;
     }();
     return shaders;
+}
+
+std::vector<std::string_view> DefaultTextureNames()
+{
+    std::vector<std::string_view> names;
+    std::ranges::transform(k_SolidColors, std::back_inserter(names), &SolidColor::name);
+    return names;
 }
 
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDimension dimension)

@@ -14,7 +14,7 @@ std::string TypeName(std::type_index type)
         abi::__cxa_demangle(type.name(), nullptr, nullptr, &status), std::free);
     std::string name = demangled ? demangled.get() : type.name();
     constexpr std::string_view prefix = "limn::";
-    return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
+    return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 } // namespace limn

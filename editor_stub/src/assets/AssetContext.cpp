@@ -89,6 +89,20 @@ void AssetContext::AddRootsAround(const std::filesystem::path& file)
     }
 }
 
+AssetContext::RootsFor::RootsFor(AssetContext& assets, const std::filesystem::path& file)
+    : m_Assets(assets), m_Before(assets.m_Roots)
+{
+    if (!m_Before.Contains(file))
+    {
+        m_Assets.AddRootsAround(file);
+    }
+}
+
+AssetContext::RootsFor::~RootsFor()
+{
+    std::swap(m_Assets.m_Roots, m_Before);
+}
+
 std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)
 {
     return Cached(m_ShippedShaders, name, [&] { return FindShippedShader(name, m_Compiler); });
@@ -162,9 +176,11 @@ std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem
 AssetContext::Profile AssetContext::ReadProfile(const std::filesystem::path& path,
                                                 const LayerNames& layers)
 {
+    const bool isInside = m_Roots.Contains(path);
+    const RootsFor roots(*this, path);
     const SceneProfileContext context(*this, path, layers);
     VolumeProfileLoadResult result = LoadVolumeProfile(path, m_VolumeComponents, context);
-    return {std::move(result), layers, context.hasLoaded()};
+    return {std::move(result), layers, context.hasLoaded(), isInside};
 }
 
 const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::path& path,
@@ -190,7 +206,7 @@ std::set<std::filesystem::path> AssetContext::reachedFiles() const
 const VolumeProfileLoadResult* AssetContext::ReloadProfile(const std::filesystem::path& path)
 {
     const auto found = m_Profiles.find(path.lexically_normal());
-    if (found == m_Profiles.end())
+    if (found == m_Profiles.end() || (found->second.isInside && !m_Roots.Contains(path)))
     {
         return nullptr;
     }

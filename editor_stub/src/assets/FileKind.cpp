@@ -14,25 +14,36 @@ struct NamedKind
 {
     const char* ending;
     FileKind kind;
+    const char* noun;
 };
 
-constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene},
-                                      {".profile.yaml", FileKind::Profile},
-                                      {".material.yaml", FileKind::Material},
-                                      {".shader", FileKind::Shader},
-                                      {".asset", FileKind::UnityAsset},
-                                      {".unity", FileKind::UnityScene},
-                                      {".prefab", FileKind::UnityScene},
-                                      {".mat", FileKind::UnityMaterial},
-                                      {".gltf", FileKind::Mesh},
-                                      {".glb", FileKind::Mesh},
-                                      {".png", FileKind::Picture}};
+constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
+                                      {".profile.yaml", FileKind::Profile, "volume profile"},
+                                      {".material.yaml", FileKind::Material, "material"},
+                                      {".shader", FileKind::Shader, "shader"},
+                                      {".asset", FileKind::UnityAsset, "asset of Unity's"},
+                                      {".unity", FileKind::UnityScene, "scene of Unity's"},
+                                      {".prefab", FileKind::UnityScene, "prefab of Unity's"},
+                                      {".mat", FileKind::UnityMaterial, "material of Unity's"},
+                                      {".gltf", FileKind::Mesh, "mesh"},
+                                      {".glb", FileKind::Mesh, "mesh"},
+                                      {".png", FileKind::Picture, "picture"}};
+
+bool isYaml(const std::filesystem::path& file)
+{
+    return file.extension() == ".yaml" || file.extension() == ".yml";
+}
 
 FileKind KindOfContent(const std::filesystem::path& file)
 {
     try
     {
-        const std::vector<YamlNode> documents = LoadYamlFile(file);
+        const std::string text = ReadYamlText(file);
+        if (!isYaml(file) && text.find("Shader \"") != std::string::npos)
+        {
+            return FileKind::Shader;
+        }
+        const std::vector<YamlNode> documents = ParseYaml(text, file.generic_string());
         VolumeComponentRegistry components;
         RegisterVolumeComponents(components);
         for (const YamlEntry& entry : documents.front().entries())
@@ -84,6 +95,21 @@ std::string UseOf(FileKind kind, const std::string& file)
     throw ContractError("UseOf: unknown kind of file");
 }
 
+/// "no scene or volume profile; a *.scene.yaml or *.profile.yaml file is expected"
+std::string NoneOf(std::initializer_list<FileKind> kinds)
+{
+    std::string nouns;
+    std::string endings;
+    for (const FileKind kind : kinds)
+    {
+        const NamedKind& named =
+            *std::ranges::find_if(k_NamedKinds, [kind](const auto& k) { return k.kind == kind; });
+        nouns += (nouns.empty() ? "" : " or ") + std::string(named.noun);
+        endings += (endings.empty() ? "*" : " or *") + std::string(named.ending);
+    }
+    return "no " + nouns + "; a " + endings + " file is expected";
+}
+
 } // namespace
 
 FileKind FileKindOf(const std::filesystem::path& file)
@@ -96,8 +122,7 @@ FileKind FileKindOf(const std::filesystem::path& file)
             return named.kind;
         }
     }
-    return name.ends_with(".yaml") || name.ends_with(".yml") ? KindOfContent(file)
-                                                             : FileKind::Unknown;
+    return KindOfContent(file);
 }
 
 void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKind> kinds,
@@ -108,18 +133,19 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
         return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
     };
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
+    if (!std::filesystem::is_regular_file(file, ignored))
     {
-        return;
+        return; // who reads it says why it cannot
     }
     const FileKind kind = FileKindOf(file);
-    const bool mayBeWanted = kind == FileKind::Unknown || isWanted(kind) ||
+    const bool isKnown = kind != FileKind::Unknown;
+    const bool mayBeWanted = (!isKnown && isYaml(file)) || isWanted(kind) ||
                              (kind == FileKind::UnityAsset && isWanted(FileKind::Profile));
     if (!mayBeWanted)
     {
         throw AssetError(file.generic_string(), {},
                          "'" + verb + "' cannot take it: this is " +
-                             UseOf(kind, file.generic_string()));
+                             (isKnown ? UseOf(kind, file.generic_string()) : NoneOf(kinds)));
     }
 }
 

@@ -22,12 +22,14 @@ enum class FileKind
     Picture
 };
 
-/// Told by the name; the kind of another YAML file by the keys it begins with, if it can be read.
+/// Told by the name; if that says nothing, by the content: a shader's first words, or the keys that
+/// a YAML file begins with.
 FileKind FileKindOf(const std::filesystem::path& file);
 
 /// @param verb  "render", "inspect": who wants to read the file
 /// @throws AssetError that says what the file is and which verb takes it, if it is known to be of
-///     none of these kinds. Unity's assets pass for profiles.
+///     none of these kinds, or neither its name nor its content says of which. Unity's assets pass
+///     for profiles, and every other *.yaml file: who reads it knows what is wrong in which line.
 void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKind> kinds,
                  const std::string& verb);
 

@@ -43,7 +43,7 @@ std::set<std::filesystem::path> GltfBufferFiles(const std::filesystem::path& pat
         const bool hasUri =
             buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string();
         const std::string uri = hasUri ? buffer["uri"].get<std::string>() : std::string();
-        if (!uri.empty() && uri.compare(0, 5, "data:") != 0)
+        if (!uri.empty() && !uri.starts_with("data:"))
         {
             files.insert((path.parent_path() / DecodeUri(uri)).lexically_normal());
         }

@@ -32,12 +32,8 @@ std::filesystem::path References::Resolve(const std::string& text) const
 bool References::isAllowed(const std::filesystem::path& path, const YamlNode& node,
                            std::string_view subject)
 {
-    if (m_Scope == ReferenceScope::Anywhere)
-    {
-        m_Assets.AddRootsAround(path);
-        return true;
-    }
-    const bool isInside = m_OwnRoots.Contains(path) || m_Assets.roots().Contains(path);
+    const bool isInside = m_Scope == ReferenceScope::Anywhere || m_OwnRoots.Contains(path) ||
+                          m_Assets.roots().Contains(path);
     if (!isInside)
     {
         const std::string which = node.isScalar() ? "'" + node.scalar() + "'" : "the file";

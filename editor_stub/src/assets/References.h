@@ -12,7 +12,7 @@ namespace limn
 enum class ReferenceScope
 {
     Roots,   ///< into the roots of the AssetContext and the file's own folder: those of files
-    Anywhere ///< and what they lead to makes roots: those that a person typed
+    Anywhere ///< those that a person typed
 };
 
 /// What to do about a reference that leads out of the roots.

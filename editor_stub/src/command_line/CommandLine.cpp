@@ -7,13 +7,14 @@
 #include "commands/DoctorCommand.h"
 #include "commands/SchemaCommand.h"
 #include "commands/WatchCommand.h"
-#include "scene/Limits.h"
+#include "scene/Keys.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <limn/editor_stub/Overrides.h>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/Case.h>
 #include <limn/volume/ProfileEdit.h>
 #include <limn/volume/YamlRead.h>
 #include <optional>
@@ -106,8 +107,7 @@ std::function<std::string(const std::string&)> CheckChoice(const std::string& wo
 /// Devices and pipes have no ending, which is why a name without one will do.
 std::string CheckPicture(const std::string& text)
 {
-    const std::string ending =
-        CLI::detail::to_lower(std::filesystem::path(text).extension().string());
+    const std::string ending = ToLower(std::filesystem::path(text).extension().string());
     return ending.empty() || ending == ".png"
                ? std::string()
                : "'" + text +
@@ -265,6 +265,8 @@ void AddShader(CLI::App& app, CommandLine& line)
         ->required();
     auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
                        ->type_name("DIR");
+    folder->check([](const std::string& text)
+                  { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
     auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
                      ->type_name("spirv|glsl|glsles|msl|hlsl")
                      ->check(CheckChoice("spirv|glsl|glsles|msl|hlsl"))

@@ -17,7 +17,7 @@ void Row(Console& console, const std::string& key, const std::string& value)
 {
     constexpr std::size_t k_ValueColumn = 20;
     const std::size_t gap = key.size() < k_ValueColumn ? k_ValueColumn - key.size() : 1;
-    console.out() << key << std::string(gap, ' ') << value << '\n';
+    console.Result(key + std::string(gap, ' ') + value);
 }
 
 void PrintDevices(Console& console)

@@ -137,14 +137,13 @@ int RunExplain(const ExplainOptions& options, Console& console)
     }
     if (options.json)
     {
-        console.out() << ToJson(explanation).dump(2, ' ', false, Json::error_handler_t::replace)
-                      << '\n';
+        console.Results(JsonText(ToJson(explanation)));
         return static_cast<int>(ExitCode::Done);
     }
-    console.out() << (!options.object.empty()
-                          ? ObjectText(explanation, options.object, console.isVerbose())
-                      : console.isVerbose() ? LongText(explanation)
-                                            : ShortText(explanation));
+    console.Results(!options.object.empty()
+                        ? ObjectText(explanation, options.object, console.isVerbose())
+                    : console.isVerbose() ? LongText(explanation)
+                                          : ShortText(explanation));
     return static_cast<int>(ExitCode::Done);
 }
 

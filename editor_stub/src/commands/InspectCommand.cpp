@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/editor_stub/UnityRendererData.h>
-#include <limn/shaderlab/TerminalText.h>
 #include <limn/volume/UnityAsset.h>
 
 namespace limn
@@ -83,7 +82,7 @@ int RunInspect(const InspectOptions& options, Console& console)
 {
     RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
     const InspectReport report = Inspect(options, console);
-    console.out() << (options.json ? ToJson(report) + "\n" : SeveralLines(ToText(report)));
+    console.Results(options.json ? ToJson(report) : ToText(report));
     return static_cast<int>(ExitCode::Done);
 }
 

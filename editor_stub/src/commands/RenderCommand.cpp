@@ -7,7 +7,6 @@
 #include "view/SceneView.h"
 
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/shaderlab/TerminalText.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
 
@@ -92,8 +91,8 @@ void WritePicture(const RenderOptions& options, const Image& image, Console& con
     if (options.output != k_Stdout)
     {
         WritePng(options.output, image);
-        console.out() << OneLine(options.output) << ' ' << image.width << 'x' << image.height
-                      << '\n';
+        console.Result(options.output + " " + std::to_string(image.width) + "x" +
+                       std::to_string(image.height));
         return;
     }
     const std::vector<std::byte> bytes = EncodePng(image);

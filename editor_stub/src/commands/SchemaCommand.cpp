@@ -31,7 +31,7 @@ Json SchemaOf(const std::string& kind)
 
 int RunSchema(const std::string& kind, Console& console)
 {
-    console.out() << SchemaOf(kind).dump(2) << '\n';
+    console.Results(JsonText(SchemaOf(kind)));
     return static_cast<int>(ExitCode::Done);
 }
 

@@ -4,7 +4,6 @@
 
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
-#include <limn/shaderlab/TerminalText.h>
 #include <limn/volume/ProfileEdit.h>
 
 namespace limn
@@ -22,10 +21,8 @@ int RunSet(const SetOptions& options, Console& console)
     RequireKind(options.file, {FileKind::Profile}, "set");
     for (const ScalarChange& change : SetScalars(options.file, edits, registry))
     {
-        console.out() << OneLine(
-                             change.subject + ": " + change.before +
-                             (change.before == change.after ? ", as it was" : " → " + change.after))
-                      << '\n';
+        console.Result(change.subject + ": " + change.before +
+                       (change.before == change.after ? ", as it was" : " → " + change.after));
     }
     return static_cast<int>(ExitCode::Done);
 }

@@ -16,6 +16,7 @@
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 #include <limn/shaderlab/TerminalText.h>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -163,7 +164,7 @@ void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
     {
         for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
         {
-            console.out() << written.string() << '\n';
+            console.Result(written.string());
         }
     }
     catch (const AssetError& error)
@@ -174,16 +175,56 @@ void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
     }
 }
 
+/// Prints what is found in the files. A note on a whole file, without a place, which other files
+/// have as well, is said of the first one; then, how many there are.
+class FindingsPrinter
+{
+public:
+    explicit FindingsPrinter(Console& console) : m_Console(console) {}
+
+    void Print(const std::vector<Diagnostic>& diagnostics)
+    {
+        std::vector<Diagnostic> fresh;
+        for (const Diagnostic& diagnostic : diagnostics)
+        {
+            const bool isOfFile =
+                diagnostic.severity == Severity::Note && diagnostic.location.line == 0;
+            if (!isOfFile || ++m_Files[diagnostic.message] == 1)
+            {
+                fresh.push_back(diagnostic);
+            }
+        }
+        m_Console.PrintWithSource(fresh);
+    }
+
+    void Finish()
+    {
+        for (const auto& [message, count] : m_Files)
+        {
+            if (count > 1)
+            {
+                m_Console.Note("in " + std::to_string(count - 1) + " more file" +
+                               (count == 2 ? ": " : "s: ") + message);
+            }
+        }
+    }
+
+private:
+    Console& m_Console;
+    std::map<std::string, int> m_Files; ///< how many have a note
+};
+
 std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
                                   Console& console)
 {
     std::vector<ShaderCheck> checks;
+    FindingsPrinter findings(console);
     for (std::size_t i = 0; i < running.size(); ++i)
     {
         console.Progress(std::to_string(i + 1) + " of " + std::to_string(running.size()) + ": " +
                          running.file(i).string());
         ShaderCheck check = running.Take(i);
-        console.PrintWithSource(check.diagnostics);
+        findings.Print(check.diagnostics);
         if (!options.emit.empty())
         {
             Emit(check, options, console);
@@ -191,6 +232,7 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
         checks.push_back(std::move(check));
     }
     console.Progress("");
+    findings.Finish();
     return checks;
 }
 
@@ -227,7 +269,8 @@ int PrintFiles(const ShaderOptions& options, Console& console)
     {
         const std::string text = CanonicalText(file, console);
         hasErrors = hasErrors || text.empty();
-        console.out() << text;
+        // A file of its own where it goes into one, and text for people on a terminal.
+        console.out() << (isTerminal(console.out()) ? SeveralLines(text) : text);
     }
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
@@ -265,19 +308,19 @@ int RunShader(const ShaderOptions& options, Console& console)
         options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front(), ignored);
     if (options.json)
     {
-        console.out() << ShadersAsJson(checks) << '\n';
+        console.Results(ShadersAsJson(checks));
     }
     else if (options.variants)
     {
-        console.out() << SeveralLines(DescribeVariants(checks));
+        console.Results(DescribeVariants(checks));
     }
     else if (isOneFile && options.emit.empty())
     {
-        console.out() << SeveralLines(DescribeShader(checks.front()));
+        console.Results(DescribeShader(checks.front()));
     }
     else if (options.emit.empty())
     {
-        console.out() << ToString(Summarize(checks)) << '\n';
+        console.Result(ToString(Summarize(checks)));
     }
     PrintUnknownKeywords(checks, options.keywords, console);
     return static_cast<int>(PrintVerdict(checks, console));

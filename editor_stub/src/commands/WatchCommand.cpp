@@ -60,15 +60,16 @@ int RunWatch(const RenderOptions& options, Console& console)
     const StopSignals signals;
     Redrawer redrawer(options, console);
     redrawer.Redraw({});
-    for (;;)
+    while (console.out()) // else nobody sees what is drawn, which RunLimn says
     {
         const auto changes = WaitForChanges(redrawer.watcher(), signals);
         if (changes.empty())
         {
-            return static_cast<int>(ExitCode::Done);
+            break;
         }
         redrawer.Redraw(changes);
     }
+    return static_cast<int>(ExitCode::Done);
 }
 
 } // namespace limn

@@ -68,6 +68,16 @@ bool Console::isShown(Severity severity) const
     return severity == Severity::Error || !m_Options.isQuiet;
 }
 
+void Console::Result(std::string_view line)
+{
+    m_Out << OneLine(line) << '\n';
+}
+
+void Console::Results(std::string_view lines)
+{
+    m_Out << SeveralLines(lines);
+}
+
 void Console::Print(const Diagnostic& diagnostic)
 {
     Print(diagnostic, ToString(diagnostic));

@@ -19,8 +19,8 @@ struct ConsoleOptions
     bool isVerbose = false;
 };
 
-/// Where a verb prints: results to `out`, all else through the members, which write nothing that
-/// would command a terminal but their own colours.
+/// Where a verb prints: results to `out`, all else to `err`. The members write nothing that would
+/// command a terminal but their own colours.
 class Console
 {
 public:
@@ -30,7 +30,9 @@ public:
     void Configure(const ConsoleOptions& options);
     bool isVerbose() const { return m_Options.isVerbose; }
 
-    std::ostream& out() { return m_Out; }
+    void Result(std::string_view line);   ///< one line, which gets its end
+    void Results(std::string_view lines); ///< several, the last with its end; OneLine each name
+    std::ostream& out() { return m_Out; } ///< what no file has a word in, and bytes
 
     void Print(const Diagnostic& diagnostic);
     void Print(const std::vector<Diagnostic>& diagnostics);

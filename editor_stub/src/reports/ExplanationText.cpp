@@ -223,7 +223,8 @@ std::string VariantText(const ExplainedVariant& variant)
 std::string OneObject(const ExplainedObject& object, const std::string& indent)
 {
     std::string text = indent + OneLine(object.name) +
-                       (object.absence.empty() ? "" : ": not drawn, ") + object.absence + "\n";
+                       (object.absence.empty() ? "" : ": not drawn, ") + OneLine(object.absence) +
+                       "\n";
     for (const ExplainedDraw& draw : object.draws)
     {
         const bool isDrawn = draw.verdict == FilterVerdict::Drawn;

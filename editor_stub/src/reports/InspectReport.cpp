@@ -24,8 +24,8 @@ std::string RangeText(const std::optional<ValueRange>& range)
 std::vector<std::string> Columns(const InspectedValue& value)
 {
     return {value.name,
-            value.value,
-            "default " + value.defaultValue,
+            OneLine(value.value),
+            OneLine("default " + value.defaultValue),
             RangeText(value.range),
             value.unit,
             value.isOverridden ? "set" : "",
@@ -34,7 +34,7 @@ std::vector<std::string> Columns(const InspectedValue& value)
 
 void AppendLine(std::string& text, const std::string& line)
 {
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    text += OneLine(line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";
 }
 
 void AppendValues(std::string& text, const std::vector<InspectedValue>& values)
@@ -230,7 +230,7 @@ std::string ToJson(const InspectReport& report)
     if (report.kind == "profile")
     {
         json["components"] = ComponentsAsJson(report.volumes.at(0));
-        return json.dump(2, ' ', false, Json::error_handler_t::replace);
+        return JsonText(json);
     }
     if (report.kind == "scene")
     {
@@ -245,7 +245,7 @@ std::string ToJson(const InspectReport& report)
     {
         json["features"].push_back(AsJson(feature, "settings"));
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return JsonText(json);
 }
 
 } // namespace limn

@@ -107,11 +107,6 @@ Json ThreadName(const char* name, int thread)
             {"args", {{"name", name}}}};
 }
 
-std::string Text(const Json& json)
-{
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 } // namespace
 
 void WriteStats(const std::filesystem::path& path, const RenderMeasurements& measurements)
@@ -136,7 +131,7 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
                      {"drawRenderers", Draws(frame.report)},
                      {"attachments", Attachments(frame.frame)},
                      {"notes", frame.report.notes}};
-    WriteFile(path, Text(stats));
+    WriteFile(path, JsonText(stats));
 }
 
 void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& measurements)
@@ -155,7 +150,7 @@ void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& mea
         events.push_back(TraceEvent(timing.name, k_Gpu, gpuStart, timing.milliseconds));
         gpuStart += timing.milliseconds;
     }
-    WriteFile(path, Text({{"displayTimeUnit", "ms"}, {"traceEvents", std::move(events)}}));
+    WriteFile(path, JsonText({{"displayTimeUnit", "ms"}, {"traceEvents", std::move(events)}}));
 }
 
 } // namespace limn

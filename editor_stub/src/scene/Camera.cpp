@@ -1,4 +1,3 @@
-#include "scene/Limits.h"
 #include "scene/Loader.h"
 #include "scene/ReadEnum.h"
 
@@ -8,7 +7,7 @@ namespace limn
 namespace
 {
 
-void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
+void ReadDirection(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
     glm::vec3 degrees(0.0f);
     glm::vec3 target(0.0f);
@@ -39,14 +38,14 @@ void ReadDirection(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnos
     }
 }
 
-void ReadLens(YamlMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
+void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
     map.Read("orthographic", camera.orthographic);
-    map.Read("orthographicSize", camera.orthographicSize, k_OrthographicSizes);
-    map.Read("fieldOfView", camera.fieldOfView, k_FieldsOfView);
-    const double nearest = camera.orthographic ? k_ClipPlanes.min : 1e-4;
-    map.Read("nearClipPlane", camera.nearClipPlane, {nearest, k_ClipPlanes.max});
-    const bool hasFar = map.Read("farClipPlane", camera.farClipPlane, {nearest, k_ClipPlanes.max});
+    map.Read("orthographicSize", camera.orthographicSize);
+    map.Read("fieldOfView", camera.fieldOfView);
+    const double nearest = camera.orthographic ? scene_keys::k_ClipPlanes.min : 1e-4;
+    map.ReadFrom(nearest, "nearClipPlane", camera.nearClipPlane);
+    const bool hasFar = map.ReadFrom(nearest, "farClipPlane", camera.farClipPlane);
     if (camera.farClipPlane <= camera.nearClipPlane)
     {
         const YamlNode* node = map.Find(hasFar ? "farClipPlane" : "nearClipPlane");
@@ -63,7 +62,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
 {
     Camera& camera = loader.asset.camera;
     AssetDiagnostics& diagnostics = loader.diagnostics;
-    YamlMapReader map(node, "camera", diagnostics);
+    SceneMapReader map(node, "camera", scene_keys::k_Camera, diagnostics);
     map.Read("position", camera.transform.localPosition);
     ReadDirection(map, camera, diagnostics);
     ReadLens(map, camera, diagnostics);
@@ -95,14 +94,14 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
 void ReadLight(const YamlNode& node, SceneLoader& loader)
 {
     DirectionalLight& light = loader.asset.scene.mainLight;
-    YamlMapReader map(node, "light", loader.diagnostics);
+    SceneMapReader map(node, "light", scene_keys::k_Light, loader.diagnostics);
     glm::vec3 degrees(0.0f);
     if (map.Read("rotation", degrees))
     {
         light.direction = EulerToRotation(degrees) * glm::vec3(0.0f, 0.0f, 1.0f);
     }
     map.Read("color", light.color);
-    map.Read("intensity", light.intensity, k_Intensities);
+    map.Read("intensity", light.intensity);
     map.Finish();
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "assets/References.h"
+#include "scene/MapReader.h"
 #include "scene/ReadLayers.h"
 
 #include <limn/editor_stub/SceneFile.h>
-#include <limn/volume/YamlMapReader.h>
 #include <map>
 
 namespace limn
@@ -52,6 +52,6 @@ std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subje
                                     AssetDiagnostics& diagnostics);
 
 /// `position`, `rotation` (Euler degrees) and `scale` (three numbers or one).
-void ReadTransform(YamlMapReader& map, Transform& transform, AssetDiagnostics& diagnostics);
+void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics);
 
 } // namespace limn

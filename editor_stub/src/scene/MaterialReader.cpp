@@ -1,7 +1,6 @@
 #include "scene/MaterialReader.h"
 
 #include "scene/Loader.h"
-#include "scene/TexturePropertyReader.h"
 
 namespace limn
 {
@@ -45,7 +44,8 @@ void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& 
     switch (property.type)
     {
     case ShaderPropertyType::Color:
-        material.SetColor(id, ReadColor(*node, subject, sources.diagnostics).value_or(Color{}));
+        material.SetColor(
+            id, ReadColor(*node, subject, sources.diagnostics, k_ColorChannels).value_or(Color{}));
         break;
     case ShaderPropertyType::Vector:
         material.SetVector(
@@ -81,7 +81,7 @@ std::shared_ptr<const Material> ReadMaterial(const std::string& name, const Yaml
     }
     auto material = std::make_shared<Material>(shader, name);
     int queue = -1;
-    if (map.Read("renderQueue", queue, {-1.0, 5000.0}))
+    if (map.Read("renderQueue", queue, k_RenderQueues))
     {
         material->SetRenderQueue(queue);
     }
@@ -104,6 +104,44 @@ std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& pa
         ReadMaterial(name, documents.front(), references, diagnostics);
     references.ThrowIfErrors();
     return material;
+}
+
+void ReadMaterials(const YamlNode& node, SceneLoader& loader)
+{
+    if (!node.isMap() && !node.isNull())
+    {
+        loader.diagnostics.Error(node.location(),
+                                 "materials: found " + node.Describe() +
+                                     "; names with their properties are expected: {wood: "
+                                     "{_BaseColor: \"#a9743f\"}}");
+    }
+    for (const YamlEntry& entry : node.entries())
+    {
+        loader.materials.emplace(
+            entry.key, ReadMaterial(entry.key, entry.value, loader.references, loader.diagnostics));
+    }
+}
+
+std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
+                                                 SceneLoader& loader)
+{
+    const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
+    const auto found = name ? loader.materials.find(*name) : loader.materials.end();
+    if (found != loader.materials.end())
+    {
+        return found->second;
+    }
+    if (name)
+    {
+        std::vector<std::string_view> names;
+        for (const auto& [known, material] : loader.materials)
+        {
+            names.push_back(known);
+        }
+        loader.diagnostics.Error(node.location(),
+                                 subject + ": unknown material " + UnknownName(*name, names));
+    }
+    return nullptr;
 }
 
 } // namespace limn

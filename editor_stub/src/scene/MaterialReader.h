@@ -17,4 +17,12 @@ std::shared_ptr<const Material> ReadMaterial(const std::string& name, const Yaml
 std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& path,
                                                  AssetContext& assets);
 
+/// Sets a material's texture property to what a file says: the name of a default texture; for a 2D
+/// property a .png file; for a 3D one or an array {slices: [.png files]}; for a cube or an array of
+/// cubes {faces: [.png files]}, six a cube in the order +X -X +Y -Y +Z -Z, each as one sees it from
+/// the centre. What is wrong is an error at its place, and the property stays as it was.
+void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
+                         const std::string& subject, Material& material, References& references,
+                         AssetDiagnostics& diagnostics);
+
 } // namespace limn

@@ -23,7 +23,7 @@ struct Inherited
     bool bakeOutlineNormals = false;
 };
 
-void ReadMaterialNames(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
+void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
 {
     const YamlNode* one = map.Find("material");
     const YamlNode* many = map.Find("materials");
@@ -83,7 +83,7 @@ MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& set
     return renderer;
 }
 
-void ReadLayersOf(YamlMapReader& map, Inherited& settings, SceneLoader& loader)
+void ReadLayersOf(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
 {
     if (const YamlNode* layer = map.Find("layer"))
     {
@@ -106,9 +106,8 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     const YamlNode* name = node.Find("name");
     const bool hasName = name && name->isScalar();
     const std::string subject = hasName ? "object '" + name->scalar() + "'" : place;
-    YamlMapReader map(node, subject, loader.diagnostics);
+    SceneMapReader map(node, subject, scene_keys::k_Object, loader.diagnostics);
     GameObject& object = loader.asset.scene.Add(hasName ? name->scalar() : place);
-    map.Require("name");
     map.Read("name", object.name);
 
     bool active = true;

@@ -1,5 +1,7 @@
 #include "scene/ReadLayers.h"
 
+#include "scene/Keys.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -8,8 +10,6 @@ namespace limn
 
 namespace
 {
-
-constexpr double k_AllBits = 4294967295.0;
 
 bool LooksLikeNumber(const YamlNode& node)
 {
@@ -67,7 +67,7 @@ std::optional<std::uint32_t> ReadListOfLayers(const YamlNode& node, std::string_
 std::optional<std::uint32_t> ReadBits(const YamlNode& node, std::string_view subject,
                                       AssetDiagnostics& diagnostics)
 {
-    const auto bits = ReadInteger(node, subject, diagnostics, {0.0, k_AllBits});
+    const auto bits = ReadInteger(node, subject, diagnostics, k_LayerBits);
     return bits ? std::optional(static_cast<std::uint32_t>(*bits)) : std::nullopt;
 }
 
@@ -110,7 +110,7 @@ std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject
 {
     if (LooksLikeNumber(node))
     {
-        return ReadInt(node, subject, diagnostics, {0.0, 31.0});
+        return ReadInt(node, subject, diagnostics, k_LayerIndices);
     }
     const std::optional<std::string> name = ReadString(node, subject, diagnostics);
     if (!name)
@@ -143,7 +143,7 @@ std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_vie
     }
     if (node.scalar() == "Everything")
     {
-        return static_cast<std::uint32_t>(k_AllBits);
+        return static_cast<std::uint32_t>(k_LayerBits.max);
     }
     if (node.scalar() == "Nothing")
     {
@@ -151,6 +151,31 @@ std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_vie
     }
     const std::optional<int> index = ReadLayerIndex(node, subject, kind, diagnostics);
     return index ? std::optional(std::uint32_t{1} << *index) : std::nullopt;
+}
+
+std::optional<int> LayerNames::Find(std::string_view name) const
+{
+    for (std::size_t i = 0; i < m_Names.size(); ++i)
+    {
+        if (!name.empty() && m_Names[i] == name)
+        {
+            return static_cast<int>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string_view> LayerNames::names() const
+{
+    std::vector<std::string_view> names;
+    for (const std::string& name : m_Names)
+    {
+        if (!name.empty())
+        {
+            names.push_back(name);
+        }
+    }
+    return names;
 }
 
 } // namespace limn

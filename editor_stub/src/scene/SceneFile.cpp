@@ -1,4 +1,3 @@
-#include "scene/Limits.h"
 #include "scene/Loader.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ void ReadSize(const YamlNode& node, SceneLoader& loader)
 
 /// Calls `read` with the value of a key that may be absent.
 template <typename Read>
-void ReadPart(YamlMapReader& map, std::string_view key, SceneLoader& loader, Read&& read)
+void ReadPart(SceneMapReader& map, std::string_view key, SceneLoader& loader, Read&& read)
 {
     if (const YamlNode* node = map.Find(key))
     {
@@ -38,7 +37,7 @@ void ReadPart(YamlMapReader& map, std::string_view key, SceneLoader& loader, Rea
 
 void ReadScene(const YamlNode& root, SceneLoader& loader)
 {
-    YamlMapReader map(root, "scene", loader.diagnostics);
+    SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
     SceneAsset& asset = loader.asset;
     ReadPart(map, "size", loader, ReadSize);
     if (const YamlNode* node = map.Find("layers"))
@@ -49,17 +48,10 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     {
         ReadLayerNames(*node, "renderingLayers", asset.renderingLayers, loader.diagnostics);
     }
-    if (const YamlNode* node = map.Require("camera"))
-    {
-        ReadCamera(*node, loader);
-    }
+    ReadPart(map, "camera", loader, ReadCamera);
     ReadPart(map, "light", loader, ReadLight);
     map.Read("ambientLight", asset.scene.ambientLight);
-    for (const char* key : {"renderer", "volumes"})
-    {
-        map.Find(key); // messages list the keys in this order, though features need the materials
-    }
-    ReadPart(map, "materials", loader, ReadMaterials);
+    ReadPart(map, "materials", loader, ReadMaterials); // which features may name
     ReadPart(map, "renderer", loader, ReadRenderer);
     ReadPart(map, "volumes", loader, ReadVolumes);
     ReadPart(map, "objects", loader, ReadObjects);
@@ -104,7 +96,7 @@ std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subje
     return node.items();
 }
 
-void ReadTransform(YamlMapReader& map, Transform& transform, AssetDiagnostics& diagnostics)
+void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics)
 {
     map.Read("position", transform.localPosition);
     glm::vec3 degrees(0.0f);

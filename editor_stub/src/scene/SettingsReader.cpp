@@ -120,4 +120,17 @@ void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
     feature.Describe(reader);
 }
 
+void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
+               std::string_view subject, AssetDiagnostics& diagnostics)
+{
+    try
+    {
+        feature.Create();
+    }
+    catch (const ContractError& error)
+    {
+        diagnostics.Error(location, std::string(subject) + error.what());
+    }
+}
+
 } // namespace limn

@@ -70,4 +70,10 @@ private:
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
                          const SettingsContext& context, AssetDiagnostics& diagnostics);
 
+/// Settings that are good one by one may not fit each other: better said where they stand than when
+/// the feature is used. An error at `location` if it cannot be created.
+/// @param subject  stands before what the feature says, which begins with its name
+void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
+               std::string_view subject, AssetDiagnostics& diagnostics);
+
 } // namespace limn

@@ -1,4 +1,4 @@
-#include "scene/TexturePropertyReader.h"
+#include "scene/MaterialReader.h"
 
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
@@ -198,9 +198,14 @@ void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
     }
     else if (texture->name() != node.scalar())
     {
+        std::string names;
+        for (const std::string_view name : DefaultTextureNames())
+        {
+            names += (names.empty() ? "" : ", ") + std::string(name);
+        }
         diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
-                                               ExpectedFor(dimension) +
-                                               ", or white, black, gray, bump or red is expected");
+                                               ExpectedFor(dimension) + ", or one of " + names +
+                                               " is expected");
         return;
     }
     if (texture)

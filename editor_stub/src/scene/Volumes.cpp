@@ -1,4 +1,3 @@
-#include "scene/Limits.h"
 #include "scene/Loader.h"
 
 #include <algorithm>
@@ -9,7 +8,7 @@ namespace limn
 namespace
 {
 
-void ReadDirection(YamlMapReader& map, int& direction, AssetDiagnostics& diagnostics)
+void ReadDirection(SceneMapReader& map, int& direction, AssetDiagnostics& diagnostics)
 {
     const YamlNode* node = map.Find("direction");
     const auto name = node ? ReadString(*node, map.SubjectOf("direction"), diagnostics)
@@ -28,13 +27,13 @@ void ReadDirection(YamlMapReader& map, int& direction, AssetDiagnostics& diagnos
     direction = static_cast<int>(axis);
 }
 
-void ReadMeshCollider(YamlMapReader& map, bool enabled, Volume& volume, SceneLoader& loader)
+void ReadMeshCollider(SceneMapReader& map, bool enabled, Volume& volume, SceneLoader& loader)
 {
-    const YamlNode* node = map.Require("mesh");
+    const YamlNode* node = map.Find("mesh");
     const auto mesh = node ? ReadMesh(*node, map.SubjectOf("mesh"), loader) : nullptr;
     if (!mesh)
     {
-        return; // reported already
+        return; // reported elsewhere
     }
     try
     {
@@ -48,7 +47,7 @@ void ReadMeshCollider(YamlMapReader& map, bool enabled, Volume& volume, SceneLoa
     }
 }
 
-void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume& volume,
+void ReadShape(SceneMapReader& map, std::string_view type, bool enabled, Volume& volume,
                SceneLoader& loader)
 {
     if (type == "mesh")
@@ -59,15 +58,15 @@ void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume
     {
         SphereCollider sphere{enabled};
         map.Read("center", sphere.center);
-        map.Read("radius", sphere.radius, k_Lengths);
+        map.Read("radius", sphere.radius);
         volume.colliders.push_back(sphere);
     }
     else if (type == "capsule")
     {
         CapsuleCollider capsule{enabled};
         map.Read("center", capsule.center);
-        map.Read("radius", capsule.radius, k_Lengths);
-        map.Read("height", capsule.height, k_Lengths);
+        map.Read("radius", capsule.radius);
+        map.Read("height", capsule.height);
         ReadDirection(map, capsule.direction, loader.diagnostics);
         volume.colliders.push_back(capsule);
     }
@@ -80,27 +79,46 @@ void ReadShape(YamlMapReader& map, const std::string& type, bool enabled, Volume
     }
 }
 
+/// A box unless the collider says otherwise; null, with an error, if there is no such shape.
+const ColliderShape* ReadColliderType(const YamlNode& collider, const std::string& subject,
+                                      AssetDiagnostics& diagnostics)
+{
+    const auto& shapes = scene_keys::k_ColliderShapes;
+    const YamlNode* node = collider.Find("type");
+    const auto type = node ? ReadString(*node, subject, diagnostics) : std::nullopt;
+    if (!type)
+    {
+        return &shapes[0];
+    }
+    const auto found = std::ranges::find(shapes, *type, &ColliderShape::type);
+    if (found == shapes.end())
+    {
+        std::vector<std::string_view> types;
+        std::ranges::transform(shapes, std::back_inserter(types), &ColliderShape::type);
+        diagnostics.Error(node->location(),
+                          subject + ": unknown shape " + UnknownName(*type, types));
+        return nullptr;
+    }
+    return &*found;
+}
+
 void ReadCollider(const YamlNode& node, const std::string& subject, Volume& volume,
                   SceneLoader& loader)
 {
-    YamlMapReader map(node, subject, loader.diagnostics);
-    std::string type = "box";
-    map.Read("type", type);
-    if (std::find(k_ColliderTypes.begin(), k_ColliderTypes.end(), type) == k_ColliderTypes.end())
+    const ColliderShape* shape = ReadColliderType(node, subject + ".type", loader.diagnostics);
+    if (!shape)
     {
-        const YamlNode* named = map.Find("type");
-        loader.diagnostics.Error(named->location(), map.SubjectOf("type") + ": unknown shape " +
-                                                        UnknownName(type, {k_ColliderTypes.begin(),
-                                                                           k_ColliderTypes.end()}));
         return;
     }
+    SceneMapReader map(node, subject, shape->keys, loader.diagnostics);
+    map.Find("type");
     bool enabled = true;
     map.Read("enabled", enabled);
-    ReadShape(map, type, enabled, volume, loader);
+    ReadShape(map, shape->type, enabled, volume, loader);
     map.Finish();
 }
 
-void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject, SceneLoader& loader)
+void ReadPlace(SceneMapReader& map, Volume& volume, const std::string& subject, SceneLoader& loader)
 {
     AssetDiagnostics& diagnostics = loader.diagnostics;
     Transform transform;
@@ -124,9 +142,9 @@ void ReadPlace(YamlMapReader& map, Volume& volume, const std::string& subject, S
     }
 }
 
-void ReadProfile(YamlMapReader& map, Volume& volume, SceneLoader& loader)
+void ReadProfile(SceneMapReader& map, Volume& volume, SceneLoader& loader)
 {
-    const YamlNode* node = map.Require("profile");
+    const YamlNode* node = map.Find("profile");
     if (!node)
     {
         return;
@@ -157,13 +175,13 @@ void ReadVolume(const YamlNode& node, const std::string& place, SceneLoader& loa
     const YamlNode* name = node.Find("name");
     volume.name = name && name->isScalar() ? name->scalar() : place;
     const std::string subject = name ? "volume '" + volume.name + "'" : place;
-    YamlMapReader map(node, subject, loader.diagnostics);
+    SceneMapReader map(node, subject, scene_keys::k_Volume, loader.diagnostics);
     map.Read("name", volume.name);
     map.Read("enabled", volume.enabled);
     map.Read("isGlobal", volume.isGlobal);
     map.Read("priority", volume.priority);
-    map.Read("weight", volume.weight, k_Weights);
-    map.Read("blendDistance", volume.blendDistance, k_Lengths);
+    map.Read("weight", volume.weight);
+    map.Read("blendDistance", volume.blendDistance);
     if (const YamlNode* layer = map.Find("layer"))
     {
         volume.layer =

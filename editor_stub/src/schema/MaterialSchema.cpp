@@ -1,5 +1,9 @@
 #include "schema/Schemas.h"
 
+#include "scene/Keys.h"
+
+#include <limn/core/BuiltinShaders.h>
+
 namespace limn
 {
 
@@ -22,7 +26,12 @@ Json SlicesSchema(const char* key, int least, const char* description)
 Json MaterialSchema()
 {
     // Which properties there are is up to the shader, a file of its own; what one can be is not.
-    const Json texture{{"type", "string"}, {"pattern", "^(white|black|gray|bump|red)$|\\.png$"}};
+    std::string names;
+    for (const std::string_view name : DefaultTextureNames())
+    {
+        names += (names.empty() ? "" : "|") + std::string(name);
+    }
+    const Json texture{{"type", "string"}, {"pattern", "^(" + names + ")$|\\.png$"}};
     Json property{{"anyOf",
                    {NumberSchema(), ColorSchema(), VectorSchema(4), texture,
                     SlicesSchema("faces", 6, "The faces of a cube in the order +X -X +Y -Y +Z -Z"),
@@ -33,7 +42,7 @@ Json MaterialSchema()
     shader["description"] = "A shader's name or a .shader file";
     return {{"type", {"object", "null"}},
             {"properties",
-             {{"shader", std::move(shader)}, {"renderQueue", IntegerSchema({-1.0, 5000.0})}}},
+             {{"shader", std::move(shader)}, {"renderQueue", IntegerSchema(k_RenderQueues)}}},
             {"additionalProperties", std::move(property)}};
 }
 

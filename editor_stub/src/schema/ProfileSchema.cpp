@@ -14,7 +14,7 @@ Json ObjectSchema(const VolumeParameter& parameter);
 Json TypeSchema(const VolumeParameter& parameter)
 {
     std::string type(parameter.typeName());
-    type = type.compare(0, 8, "NoInterp") == 0 ? type.substr(8) : type;
+    type = type.starts_with("NoInterp") ? type.substr(8) : type;
     const ValueRange range = parameter.range().value_or(ValueRange{});
     const auto isOneOf = [&type](std::initializer_list<std::string_view> names)
     {

@@ -1,6 +1,6 @@
 #include "schema/Schemas.h"
 
-#include "scene/Limits.h"
+#include "scene/Keys.h"
 
 #include <limn/core/PrimitiveMesh.h>
 
@@ -10,13 +10,6 @@ namespace limn
 namespace
 {
 
-/// A key whose value begins with it.
-Json Described(Json schema, const char* description)
-{
-    schema["description"] = description;
-    return schema;
-}
-
 Json LayerNamesSchema()
 {
     return {{"type", "object"},
@@ -24,42 +17,19 @@ Json LayerNamesSchema()
             {"additionalProperties", TextSchema()}};
 }
 
-Json CameraSchema()
+Json ScaleSchema()
 {
-    Json schema = MapSchema({
-        {"position", VectorSchema(3)},
-        {"rotation", Described(VectorSchema(3), "Euler angles in degrees, applied z, x, y")},
-        {"lookAt", Described(VectorSchema(3), "A point to look at, in place of a rotation")},
-        {"orthographic", BoolSchema()},
-        {"orthographicSize", NumberSchema(k_OrthographicSizes)},
-        {"fieldOfView", Described(NumberSchema(k_FieldsOfView), "Vertical, in degrees")},
-        {"nearClipPlane", NumberSchema(k_ClipPlanes)},
-        {"farClipPlane", NumberSchema(k_ClipPlanes)},
-        {"clearFlags", EnumSchema(k_ClearFlags)},
-        {"backgroundColor", ColorSchema()},
-        {"allowHDR", BoolSchema()},
-        {"cullingMask", LayerMaskSchema()},
-        {"volumeLayerMask", LayerMaskSchema()},
-        {"volumeTrigger", VectorSchema(3)},
-    });
-    schema["type"] = {"object", "null"};
+    Json schema = VectorSchema(3);
+    schema["anyOf"].push_back(NumberSchema());
     return schema;
 }
 
-Json LightSchema()
+Json SizeSchema()
 {
-    return MapSchema({{"rotation", VectorSchema(3)},
-                      {"color", ColorSchema()},
-                      {"intensity", NumberSchema(k_Intensities)}});
-}
-
-void AddTransform(Json& schema)
-{
-    Json& properties = schema["properties"];
-    properties["position"] = VectorSchema(3);
-    properties["rotation"] = Described(VectorSchema(3), "Euler angles in degrees");
-    properties["scale"] = VectorSchema(3);
-    properties["scale"]["anyOf"].push_back(NumberSchema());
+    return {{"type", "array"},
+            {"items", IntegerSchema(k_PictureSizes)},
+            {"minItems", 2},
+            {"maxItems", 2}};
 }
 
 Json MeshSchema()
@@ -75,119 +45,139 @@ Json MeshSchema()
     return schema;
 }
 
-/// What one type of collider holds besides `type` and `enabled`.
-Json ShapeSchema(std::string_view name)
+Json ColliderTypeSchema()
 {
-    const Json length = NumberSchema(k_Lengths);
-    Json shape = MapSchema({{"type", Json::object()}, {"enabled", Json::object()}});
-    Json& properties = shape["properties"];
-    if (name == "mesh")
+    Json types = Json::array();
+    for (const ColliderShape& shape : scene_keys::k_ColliderShapes)
     {
-        properties["mesh"] = MeshSchema();
-        shape["required"] = {"mesh"};
-        return shape;
+        types.push_back(std::string(shape.type));
     }
-    properties["center"] = VectorSchema(3);
-    if (name == "box")
-    {
-        properties["size"] = VectorSchema(3);
-        return shape;
-    }
-    properties["radius"] = length;
-    if (name == "capsule")
-    {
-        properties["height"] = length;
-        properties["direction"] = {{"enum", {"x", "y", "z"}}};
-    }
-    return shape;
+    return {{"enum", std::move(types)}};
 }
 
-Json ColliderSchema()
+/// Makes the schema of a map from its keys.
+class SceneSchemaWriter
 {
-    Json schema{{"type", "object"},
-                {"properties", {{"type", {{"enum", k_ColliderTypes}}}, {"enabled", BoolSchema()}}},
-                {"allOf", Json::array()}};
-    for (const std::string_view type : k_ColliderTypes)
+public:
+    explicit SceneSchemaWriter(const FeatureRegistry& features) : m_Features(features) {}
+
+    Json Map(SceneKeys keys) const
     {
-        // Without a type it is a box: a condition on a key that is not there holds.
-        Json isThis{{"properties", {{"type", {{"const", type}}}}}};
-        if (type != "box")
+        Json schema = MapSchema(Json::object());
+        for (const SceneKey& key : keys)
         {
-            isThis["required"] = {"type"};
+            const std::string name(key.name);
+            Json value = Value(key);
+            if (!key.description.empty())
+            {
+                value["description"] = std::string(key.description);
+            }
+            schema["properties"][name] = std::move(value);
+            if (key.isRequired)
+            {
+                schema["required"].push_back(name);
+            }
         }
-        schema["allOf"].push_back({{"if", std::move(isThis)}, {"then", ShapeSchema(type)}});
+        return schema;
     }
-    return schema;
-}
 
-Json VolumeSchema()
-{
-    Json schema = MapSchema({
-        {"name", TextSchema()},
-        {"profile", Described(TextSchema(), "A *.profile.yaml or a Unity .asset file")},
-        {"enabled", BoolSchema()},
-        {"isGlobal", BoolSchema()},
-        {"priority", Described(NumberSchema(), "The higher one wins")},
-        {"weight", NumberSchema(k_Weights)},
-        {"blendDistance", Described(NumberSchema(k_Lengths), "Metres")},
-        {"layer", LayerIndexSchema()},
-        {"colliders", ListSchema(ColliderSchema())},
-    });
-    AddTransform(schema);
-    schema["required"] = {"profile"};
-    return schema;
-}
+private:
+    Json Value(const SceneKey& key) const
+    {
+        switch (key.value)
+        {
+        case SceneValue::Bool:
+            return BoolSchema();
+        case SceneValue::Number:
+            return NumberSchema(key.range);
+        case SceneValue::Text:
+            return TextSchema();
+        case SceneValue::Texts:
+            return ListSchema(TextSchema());
+        case SceneValue::Color:
+            return ColorSchema();
+        case SceneValue::Vector:
+            return VectorSchema(3, key.range);
+        case SceneValue::Scale:
+            return ScaleSchema();
+        case SceneValue::Size:
+            return SizeSchema();
+        case SceneValue::Layer:
+            return LayerIndexSchema();
+        case SceneValue::Layers:
+            return LayerMaskSchema();
+        case SceneValue::LayerNames:
+            return LayerNamesSchema();
+        case SceneValue::ClearFlags:
+            return EnumSchema(k_ClearFlags);
+        case SceneValue::Mesh:
+            return MeshSchema();
+        case SceneValue::ColliderType:
+            return ColliderTypeSchema();
+        case SceneValue::Axis:
+            return {{"enum", {"x", "y", "z"}}};
+        case SceneValue::Camera:
+            return Camera();
+        case SceneValue::Light:
+            return Map(scene_keys::k_Light);
+        case SceneValue::Renderer:
+            return Renderer();
+        case SceneValue::Features:
+            return ListSchema(FeatureSchema(m_Features));
+        case SceneValue::Volumes:
+            return ListSchema(Map(scene_keys::k_Volume));
+        case SceneValue::Colliders:
+            return ListSchema(Collider());
+        case SceneValue::Materials:
+            return {{"type", "object"}, {"additionalProperties", MaterialSchema()}};
+        case SceneValue::Objects:
+            return ListSchema({{"$ref", "#/$defs/object"}});
+        }
+        return {};
+    }
 
-Json ObjectSchema()
-{
-    Json schema = MapSchema({
-        {"name", TextSchema()},
-        {"active", BoolSchema()},
-        {"layer", LayerIndexSchema()},
-        {"renderingLayerMask", LayerMaskSchema()},
-        {"mesh", MeshSchema()},
-        {"material", TextSchema()},
-        {"materials", ListSchema(TextSchema())},
-        {"bakeOutlineNormals",
-         Described(BoolSchema(), "Gives the mesh what TranslucentOutlineHull goes by")},
-        {"turn", Described(VectorSchema(3), "Euler degrees a second on top of the rotation")},
-        {"children", ListSchema({{"$ref", "#/$defs/object"}})},
-    });
-    AddTransform(schema);
-    schema["required"] = {"name"};
-    return schema;
-}
+    Json Camera() const
+    {
+        Json schema = Map(scene_keys::k_Camera);
+        schema["type"] = {"object", "null"};
+        return schema;
+    }
 
-Json SizeSchema()
-{
-    return {{"type", "array"},
-            {"items", IntegerSchema(k_PictureSizes)},
-            {"minItems", 2},
-            {"maxItems", 2},
-            {"description", "Width and height in pixels"}};
-}
+    Json Renderer() const
+    {
+        Json schema = Map(scene_keys::k_Renderer);
+        for (const SceneKey& key : scene_keys::k_Renderer)
+        {
+            schema["not"]["required"].push_back(std::string(key.name));
+        }
+        return schema;
+    }
+
+    Json Collider() const
+    {
+        Json schema{{"type", "object"}, {"properties", {{"type", ColliderTypeSchema()}}}};
+        for (const ColliderShape& shape : scene_keys::k_ColliderShapes)
+        {
+            Json isThis{{"properties", {{"type", {{"const", std::string(shape.type)}}}}}};
+            if (&shape != scene_keys::k_ColliderShapes.begin())
+            {
+                isThis["required"] = {"type"}; // a condition on a key that is not there holds
+            }
+            schema["allOf"].push_back({{"if", std::move(isThis)}, {"then", Map(shape.keys)}});
+        }
+        return schema;
+    }
+
+    const FeatureRegistry& m_Features;
+};
 
 } // namespace
 
 Json SceneSchema(const FeatureRegistry& features)
 {
-    Json renderer = MapSchema(
-        {{"rendererData", TextSchema()}, {"features", ListSchema(FeatureSchema(features))}});
-    renderer["not"] = {{"required", {"rendererData", "features"}}};
-    Json schema = MapSchema({
-        {"size", SizeSchema()},
-        {"layers", LayerNamesSchema()},
-        {"renderingLayers", LayerNamesSchema()},
-        {"camera", CameraSchema()},
-        {"light", LightSchema()},
-        {"ambientLight", ColorSchema()},
-        {"renderer", std::move(renderer)},
-        {"volumes", ListSchema(VolumeSchema())},
-        {"materials", {{"type", "object"}, {"additionalProperties", MaterialSchema()}}},
-        {"objects", ListSchema({{"$ref", "#/$defs/object"}})},
-    });
-    schema["required"] = {"camera"};
-    schema["$defs"] = {{"object", ObjectSchema()}};
+    const SceneSchemaWriter writer(features);
+    Json schema = writer.Map(scene_keys::k_Scene);
+    schema["$defs"] = {{"object", writer.Map(scene_keys::k_Object)}};
     return RootSchema("limn scene", schema);
 }
 

@@ -1,8 +1,11 @@
 #include "schema/ValueSchema.h"
 
+#include "scene/Keys.h"
+
 #include <charconv>
 #include <cmath>
 #include <limn/volume/YamlMapReader.h>
+#include <limn/volume/YamlRead.h>
 
 namespace limn
 {
@@ -35,20 +38,21 @@ Json AnyOf(std::initializer_list<Json> schemas)
 }
 
 /// So many numbers in a list.
-Json NumbersSchema(int least, int most)
+Json NumbersSchema(int least, int most, ValueRange range)
 {
-    return {{"type", "array"}, {"items", NumberSchema()}, {"minItems", least}, {"maxItems", most}};
+    return {
+        {"type", "array"}, {"items", NumberSchema(range)}, {"minItems", least}, {"maxItems", most}};
 }
 
 /// Numbers by one-letter names, of which the first `required` must be there.
-Json FieldsSchema(std::string_view names, std::size_t required)
+Json FieldsSchema(std::string_view names, std::size_t required, ValueRange range)
 {
     Json schema = MapSchema(Json::object());
     schema["required"] = Json::array();
     for (std::size_t i = 0; i < names.size(); ++i)
     {
         const std::string name(names.substr(i, 1));
-        schema["properties"][name] = NumberSchema();
+        schema["properties"][name] = NumberSchema(range);
         if (i < required)
         {
             schema["required"].push_back(name);
@@ -83,24 +87,25 @@ Json TextSchema()
 Json ColorSchema()
 {
     const Json hex{{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})$"}};
-    return AnyOf({FieldsSchema("rgba", 3), NumbersSchema(3, 4), hex});
+    return AnyOf(
+        {FieldsSchema("rgba", 3, k_ColorChannels), NumbersSchema(3, 4, k_ColorChannels), hex});
 }
 
-Json VectorSchema(int count)
+Json VectorSchema(int count, ValueRange range)
 {
     const auto size = static_cast<std::size_t>(count);
-    return AnyOf({NumbersSchema(count, count),
-                  FieldsSchema(std::string_view("xyzw").substr(0, size), size)});
+    return AnyOf({NumbersSchema(count, count, range),
+                  FieldsSchema(std::string_view("xyzw").substr(0, size), size, range)});
 }
 
 Json LayerIndexSchema()
 {
-    return AnyOf({IntegerSchema({0.0, 31.0}), {{"type", "string"}}});
+    return AnyOf({IntegerSchema(k_LayerIndices), {{"type", "string"}}});
 }
 
 Json LayerMaskSchema()
 {
-    const Json bits = IntegerSchema({0.0, 4294967295.0});
+    const Json bits = IntegerSchema(k_LayerBits);
     Json unity = MapSchema({{"serializedVersion", IntegerSchema()}, {"m_Bits", bits}});
     unity["required"] = {"m_Bits"};
     return AnyOf({{{"enum", {"Everything", "Nothing"}}},

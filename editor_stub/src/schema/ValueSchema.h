@@ -19,7 +19,7 @@ Json IntegerSchema(ValueRange range = {});
 Json TextSchema();
 Json ColorSchema();
 /// @param count  2, 3 or 4
-Json VectorSchema(int count);
+Json VectorSchema(int count, ValueRange range = {});
 Json LayerMaskSchema();
 Json LayerIndexSchema();
 /// A path, nothing, or Unity's {fileID, guid, type}.

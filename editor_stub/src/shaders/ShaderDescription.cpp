@@ -1,14 +1,19 @@
 #include "shaders/ShaderDescription.h"
 
-#include "shaders/StateText.h"
-
 #include <limn/shaderlab/PrintShaderLab.h>
+#include <limn/shaderlab/TerminalText.h>
 
 namespace limn
 {
 
 namespace
 {
+
+/// A line of its own, whatever the names in it.
+std::string Line(std::string_view text)
+{
+    return OneLine(text) + "\n";
+}
 
 std::string TagsText(const ShaderTags& tags)
 {
@@ -42,26 +47,27 @@ std::string LayoutText(const PropertyLayout& layout, const std::string& indent)
     std::string text;
     for (const UniformBuffer& buffer : layout.buffers)
     {
-        text += indent + "buffer " + buffer.name + Place(buffer.binding, buffer.stages) + ", " +
-                std::to_string(buffer.size) + " bytes: " + MembersText(buffer) + "\n";
+        text += Line(indent + "buffer " + buffer.name + Place(buffer.binding, buffer.stages) +
+                     ", " + std::to_string(buffer.size) + " bytes: " + MembersText(buffer));
     }
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
-        text += indent + "structured buffer " + buffer.name + Place(buffer.binding, buffer.stages) +
-                ", " + std::to_string(buffer.stride) + " bytes an element\n";
+        text += Line(indent + "structured buffer " + buffer.name +
+                     Place(buffer.binding, buffer.stages) + ", " + std::to_string(buffer.stride) +
+                     " bytes an element");
     }
     for (const TextureBinding& texture : layout.textures)
     {
-        text += indent + "texture " + texture.name + Place(texture.binding, texture.stages) + "\n";
+        text += Line(indent + "texture " + texture.name + Place(texture.binding, texture.stages));
     }
     for (const SamplerBinding& sampler : layout.samplers)
     {
-        text += indent + "sampler " + sampler.name + Place(sampler.binding, sampler.stages) + "\n";
+        text += Line(indent + "sampler " + sampler.name + Place(sampler.binding, sampler.stages));
     }
     for (const VertexInput& input : layout.vertexInputs)
     {
-        text += indent + "vertex input " + TypeText(input.type, input.components) + " " +
-                input.semantic + ", location " + std::to_string(input.location) + "\n";
+        text += Line(indent + "vertex input " + TypeText(input.type, input.components) + " " +
+                     input.semantic + ", location " + std::to_string(input.location));
     }
     return text;
 }
@@ -89,43 +95,46 @@ std::string UseText(const CheckedUse& use)
            (use.pass.program ? ToString(use.check.outcome) : "no program");
 }
 
+std::string SizesText(const ShaderProgram& program, const std::string& indent)
+{
+    const std::size_t geometry = program.geometrySpirv.size();
+    return Line(indent + "SPIR-V: vertex " + std::to_string(program.vertexSpirv.size()) +
+                " words, " +
+                (geometry == 0 ? "" : "geometry " + std::to_string(geometry) + " words, ") +
+                "fragment " + std::to_string(program.fragmentSpirv.size()) + " words, " +
+                std::to_string(program.layout.colorOutputs) + " colour output(s)");
+}
+
 std::string PassText(const CheckedPass& checked, std::size_t index)
 {
     const ShaderLabPass& pass = *checked.pass;
     const std::string indent = "      ";
-    std::string text = "    pass " + std::to_string(index) + " '" + pass.name + "', LightMode " +
-                       std::string(pass.lightMode()) + "\n" + indent + StateText(pass.state) + "\n";
+    std::string text = Line("    pass " + std::to_string(index) + " '" + pass.name +
+                            "', LightMode " + std::string(pass.lightMode())) +
+                       Line(indent + StateText(pass.state));
     if (!pass.program)
     {
-        return text + indent + KindText(pass) + (checked.use ? UseText(*checked.use) : "") + "\n";
+        return text + Line(indent + KindText(pass) + (checked.use ? UseText(*checked.use) : ""));
     }
     for (const KeywordSet& set : pass.program->keywordSets)
     {
-        text += indent + KeywordsText(set) + "\n";
+        text += Line(indent + KeywordsText(set));
     }
     if (pass.program->keywordSets.size() > 0)
     {
-        text += indent + checked.variants.ToString() + " variants\n";
+        text += Line(indent + checked.variants.ToString() + " variants");
     }
     if (!checked.reason.empty())
     {
-        text += indent + ToString(checked.outcome) + ": " + checked.reason + "\n";
+        text += Line(indent + ToString(checked.outcome) + ": " + checked.reason);
     }
     if (checked.compiled)
     {
-        text += indent + "SPIR-V: vertex " + std::to_string(checked.compiled->vertexSpirv.size()) +
-                " words, " +
-                (checked.compiled->geometrySpirv.empty()
-                     ? ""
-                     : "geometry " + std::to_string(checked.compiled->geometrySpirv.size()) +
-                           " words, ") +
-                "fragment " + std::to_string(checked.compiled->fragmentSpirv.size()) + " words, " +
-                std::to_string(checked.compiled->layout.colorOutputs) + " colour output(s)\n" +
-                LayoutText(checked.compiled->layout, indent) + indent +
-                (checked.srpBatcherProblem.empty()
-                     ? "SRP Batcher: compatible"
-                     : "SRP Batcher: not compatible, " + checked.srpBatcherProblem) +
-                "\n";
+        text += SizesText(*checked.compiled, indent) +
+                LayoutText(checked.compiled->layout, indent) +
+                Line(indent + (checked.srpBatcherProblem.empty()
+                                   ? "SRP Batcher: compatible"
+                                   : "SRP Batcher: not compatible, " + checked.srpBatcherProblem));
     }
     return text;
 }
@@ -208,8 +217,9 @@ std::string DescribeVariants(const std::vector<ShaderCheck>& checks)
                 total += pass.variants;
                 if (pass.pass->program)
                 {
-                    text += check.file.string() + ":" + std::to_string(pass.pass->location.line) +
-                            ": pass '" + pass.pass->name + "': " + pass.variants.ToString() + "\n";
+                    text +=
+                        Line(check.file.string() + ":" + std::to_string(pass.pass->location.line) +
+                             ": pass '" + pass.pass->name + "': " + pass.variants.ToString());
                 }
             }
         }
@@ -223,22 +233,23 @@ std::string DescribeShader(const ShaderCheck& check)
     {
         return {};
     }
-    std::string text = "Shader \"" + check.document->name + "\" (" + check.file.string() + ")\n";
+    std::string text =
+        Line("Shader \"" + check.document->name + "\" (" + check.file.string() + ")");
     for (const ShaderProperty& property : check.document->properties)
     {
-        text += "  property " + property.name + " " + TypeText(property) + " = " +
-                DefaultText(property) + "\n";
+        text += Line("  property " + property.name + " " + TypeText(property) + " = " +
+                     DefaultText(property));
     }
     if (!check.drawnFallback.empty())
     {
-        text += "  drawn with its Fallback \"" + check.drawnFallback + "\"\n";
+        text += Line("  drawn with its Fallback \"" + check.drawnFallback + "\"");
     }
     for (std::size_t i = 0; i < check.subShaders.size(); ++i)
     {
         const CheckedSubShader& subShader = check.subShaders[i];
         const std::string tags = TagsText(subShader.subShader->tags);
-        text += "  SubShader " + std::to_string(i) + (subShader.isUsed ? ", used" : "") +
-                (tags.empty() ? "" : ": " + tags) + "\n";
+        text += Line("  SubShader " + std::to_string(i) + (subShader.isUsed ? ", used" : "") +
+                     (tags.empty() ? "" : ": " + tags));
         for (std::size_t pass = 0; pass < subShader.passes.size(); ++pass)
         {
             text += PassText(subShader.passes[pass], pass);

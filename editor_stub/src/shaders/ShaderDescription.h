@@ -23,6 +23,9 @@ std::string DefaultText(const ShaderProperty& property);
 std::string TypeText(UniformType type, int components, int arraySize = 0); ///< "float4[8]"
 std::string StagesText(ShaderStage stages);      ///< "vertex and fragment"
 std::string KeywordsText(const KeywordSet& set); ///< "multi_compile: (none) A B"
-const char* ToString(PassOutcome outcome);       ///< "compiled", "missing include"
+/// A pass's fixed state as ShaderLab would have it, on one line: "Cull Back, ZTest LEqual, ...".
+/// Depth test and write and culling always, the rest where it is not the default.
+std::string StateText(const RenderState& state);
+const char* ToString(PassOutcome outcome); ///< "compiled", "missing include"
 
 } // namespace limn

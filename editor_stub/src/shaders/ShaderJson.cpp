@@ -1,7 +1,6 @@
 #include "reports/Json.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderSummary.h"
-#include "shaders/StateText.h"
 
 namespace limn
 {
@@ -212,7 +211,7 @@ std::string ShadersAsJson(const std::vector<ShaderCheck>& checks)
         files.push_back(ShaderJson(check));
     }
     const Json json{{"files", std::move(files)}, {"summary", SummaryJson(Summarize(checks))}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+    return JsonText(json);
 }
 
 } // namespace limn

@@ -1,4 +1,4 @@
-#include "shaders/StateText.h"
+#include "shaders/ShaderDescription.h"
 
 #include <limn/shaderlab/PrintShaderLab.h>
 
@@ -8,31 +8,19 @@ namespace limn
 namespace
 {
 
-std::string BlendText(const PassBlendState& target)
+std::string TargetText(const PassBlendState& target)
 {
-    if (!target.enabled)
+    const PassBlendState plain;
+    std::string text = "Blend " + BlendText(target);
+    if (target.enabled && BlendOpText(target) != BlendOpText(plain))
     {
-        return "Blend Off";
+        text += ", BlendOp " + BlendOpText(target);
     }
-    std::string text = "Blend " + StateText(target.srcColor) + " " + StateText(target.dstColor);
-    if (target.srcAlpha != target.srcColor || target.dstAlpha != target.dstColor)
+    if (target.writeMask != plain.writeMask)
     {
-        text += ", " + StateText(target.srcAlpha) + " " + StateText(target.dstAlpha);
-    }
-    if (target.colorOp != BlendOp::Add || target.alphaOp != BlendOp::Add)
-    {
-        text += ", BlendOp " + StateText(target.colorOp) + ", " + StateText(target.alphaOp);
+        text += ", ColorMask " + ColorMaskText(target.writeMask);
     }
     return text;
-}
-
-std::string MaskText(const PassBlendState& target)
-{
-    if (target.writeMask == StateValue<int>(ColorWriteMask::All))
-    {
-        return {};
-    }
-    return ", ColorMask " + ColorMaskText(target.writeMask);
 }
 
 std::string FaceText(const StencilFaceState& face)
@@ -65,7 +53,7 @@ std::string StateText(const RenderState& state)
     for (std::size_t i = 0; i < targets; ++i)
     {
         const std::string index = targets > 1 ? "target " + std::to_string(i) + ": " : "";
-        text += ", " + index + BlendText(state.targets[i]) + MaskText(state.targets[i]);
+        text += ", " + index + TargetText(state.targets[i]);
     }
     if (state.zClip != StateValue<bool>(true))
     {

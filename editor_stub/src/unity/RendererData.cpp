@@ -188,6 +188,7 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
             ReadBool(*active, object.name + ".m_Active", loading.diagnostics).value_or(true));
     }
     ReadSettings(object, type, *feature, loading);
+    TryCreate(*feature, object.location, "", loading.diagnostics);
     renderer.features.push_back(std::move(feature));
     renderer.featureTypes.push_back(type);
 }
@@ -233,7 +234,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                                                   AssetContext& assets)
 {
     assets.Reach(path);
-    assets.AddRootsAround(path); // it refers to files by guid, anywhere in its project
+    const AssetContext::RootsFor roots(assets, path);
     const UnityAsset asset = LoadUnityAsset(path);
     AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<UnityObject> root = asset.FindWithField("m_RendererFeatures");

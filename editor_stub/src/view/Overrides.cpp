@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <limn/editor_stub/Overrides.h>
+#include <set>
 
 namespace limn
 {
@@ -102,8 +103,15 @@ public:
     }
 
     /// Adds a volume above all others for the parameters that were set.
+    /// @throws AssetError where features cannot be as they are set
     void Finish()
     {
+        AssetDiagnostics diagnostics("--set");
+        for (ScriptableRendererFeature* feature : m_Changed)
+        {
+            TryCreate(*feature, {}, "", diagnostics);
+        }
+        diagnostics.ThrowIfErrors();
         if (m_Profile)
         {
             Volume& volume = AddGlobalVolume(m_Asset, "--set", "--set");
@@ -192,6 +200,7 @@ private:
                 YamlMapReader map(AsMap(change), change.name, diagnostics, "setting");
                 ReadFeatureSettings(map, feature, ContextOf(references, diagnostics), diagnostics);
                 map.Finish();
+                m_Changed.insert(&feature);
                 isFound = true;
             }
         }
@@ -202,6 +211,7 @@ private:
     AssetContext& m_Assets;
     std::shared_ptr<VolumeProfile> m_Profile;
     std::map<std::string, VolumeComponent*> m_Components; ///< of m_Profile, by type
+    std::set<ScriptableRendererFeature*> m_Changed;
 };
 
 /// Places in a value typed on a command line say nothing; those in files stay.
@@ -255,7 +265,6 @@ void ReplaceProfile(SceneAsset& asset, const std::string& file, AssetContext& as
     const References references(assets, SearchFolders(asset), diagnostics);
     const std::filesystem::path path = references.Resolve(file);
     RequireKind(path, {FileKind::Profile}, "--profile");
-    assets.AddRootsAround(path);
     const VolumeProfileLoadResult& result = assets.LoadProfile(path, asset.layers);
     asset.notes.insert(asset.notes.end(), result.notes.begin(), result.notes.end());
     bool isAnyGlobal = false;

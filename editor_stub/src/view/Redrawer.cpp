@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limn/core/DrawError.h>
+#include <limn/vulkan/VulkanError.h>
 
 namespace limn
 {
@@ -18,36 +19,65 @@ ShaderCompilerOptions ForDevice(ShaderCompilerOptions options, const VulkanDevic
     return options;
 }
 
+constexpr int k_MaxLost = 3; ///< devices in a row
+
 } // namespace
+
+Redrawer::Drawing::Drawing(const RenderOptions& options,
+                           const ShaderCompilerOptions& compilerOptions)
+    : device({options.device, options.validate, compilerOptions.cacheFolder}),
+      assets(ForDevice(compilerOptions, device)),
+      pipeline(device)
+{
+}
 
 Redrawer::Redrawer(const RenderOptions& options, Console& console)
     : m_Options(options),
       m_Console(console),
-      m_CompilerOptions(ChooseCompilerOptions(options, console)),
-      m_Device({options.device, options.validate, m_CompilerOptions.cacheFolder}),
-      m_Assets(ForDevice(m_CompilerOptions, m_Device)),
-      m_Pipeline(m_Device)
+      m_CompilerOptions(ChooseCompilerOptions(options, console))
 {
-    m_Console.Verbose(m_Device.ChoiceSentence());
+    m_Drawing.emplace(options, m_CompilerOptions);
+    m_Console.Verbose(device().ChoiceSentence());
     m_Watcher.Watch({options.scene});
 }
 
 void Redrawer::Redraw(const std::set<std::filesystem::path>& changes)
 {
+    for (int lost = 0;; ++lost)
+    {
+        try
+        {
+            RedrawOnce(changes);
+            return;
+        }
+        catch (const VulkanError& error)
+        {
+            if (!error.isDeviceLost() || lost == k_MaxLost)
+            {
+                throw;
+            }
+            m_Console.Warning(std::string(error.what()) + "; drawing goes on with a new device");
+        }
+        m_Drawing.emplace(m_Options, m_CompilerOptions);
+    }
+}
+
+void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
+{
     const Clock::time_point start = Clock::now();
     const auto readSince = std::chrono::system_clock::now();
-    bool isSceneStale = !m_View;
+    bool isSceneStale = !m_Drawing->view;
     bool isProfileNew = false;
     for (const std::filesystem::path& path : changes)
     {
         Guard([&] { (ReadAgain(path) ? isProfileNew : isSceneStale) = true; });
     }
     const bool isSceneNew = isSceneStale && Guard([&] { LoadScene(); });
-    if (m_View && (isSceneNew || isProfileNew))
+    if (m_Drawing->view && (isSceneNew || isProfileNew))
     {
         Guard([&] { Draw(start); });
     }
-    m_Watcher.Watch(m_Assets.reachedFiles(), readSince);
+    m_Watcher.Watch(m_Drawing->assets.reachedFiles(), readSince);
 }
 
 /// Whether the work was done; an error is printed. The driver's failures go on.
@@ -79,35 +109,37 @@ bool Redrawer::Guard(Work&& work)
 /// @return whether it was a profile
 bool Redrawer::ReadAgain(const std::filesystem::path& path)
 {
-    const VolumeProfileLoadResult* profile = m_Assets.ReloadProfile(path);
+    const VolumeProfileLoadResult* profile = m_Drawing->assets.ReloadProfile(path);
     if (profile)
     {
         PrintNew(profile->notes);
         return true;
     }
-    m_Assets.Forget(path);
+    m_Drawing->assets.Forget(path);
     return false;
 }
 
 void Redrawer::LoadScene()
 {
-    SceneAsset asset = LoadForRendering(m_Options, m_Assets);
-    m_Console.Print(CompileOrReplaceShaders(asset, m_Assets.compiler()));
+    SceneAsset asset = LoadForRendering(m_Options, m_Drawing->assets);
+    m_Console.Print(CompileOrReplaceShaders(asset, m_Drawing->assets.compiler()));
     PrintNew(asset.notes);
-    m_View = std::make_unique<SceneView>(std::move(asset), m_Assets);
+    m_Drawing->view = std::make_unique<SceneView>(std::move(asset), m_Drawing->assets);
 }
 
 void Redrawer::Draw(Clock::time_point start)
 {
-    RequireOwnFiles({&m_Options.output, 1}, m_Assets.reachedFiles());
-    const RenderResult result = m_View->Render(m_Pipeline, m_Options.time);
-    Image image = m_Device.ReadBack(*result.output.rt());
+    RequireOwnFiles({&m_Options.output, 1}, m_Drawing->assets.reachedFiles());
+    const RenderResult result = m_Drawing->view->Render(m_Drawing->pipeline, m_Options.time);
+    Image image = m_Drawing->device.ReadBack(*result.output.rt());
     MakeOpaque(image);
     PrintNew(result.report);
     WritePng(m_Options.output, image);
     const std::chrono::duration<double, std::milli> duration = Clock::now() - start;
-    m_Console.out() << m_Options.output << ' ' << image.width << 'x' << image.height << ' '
-                    << std::lround(duration.count()) << " ms" << std::endl;
+    m_Console.Result(m_Options.output + " " + std::to_string(image.width) + "x" +
+                     std::to_string(image.height) + " " +
+                     std::to_string(std::lround(duration.count())) + " ms");
+    m_Console.out().flush();
 }
 
 // What was said before is not said at every save.

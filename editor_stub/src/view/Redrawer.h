@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <limn/vulkan/VulkanDevice.h>
+#include <optional>
 
 namespace limn
 {
@@ -21,17 +22,30 @@ public:
     Redrawer(const RenderOptions& options, Console& console);
 
     /// Reads what changed again and draws, if any of it is usable. The first call loads the scene.
-    /// @throws VulkanError
+    /// A device that is lost is replaced, and all is read and drawn again on the new one.
+    /// @throws VulkanError for any other failure of the driver, and if no device stays
     void Redraw(const std::set<std::filesystem::path>& changes);
 
     /// Watches every file that the scene reached so far.
     FileWatcher& watcher() { return m_Watcher; }
-    const AssetContext& assets() const { return m_Assets; }
-    const VulkanDevice& device() const { return m_Device; }
+    const AssetContext& assets() const { return m_Drawing->assets; }
+    const VulkanDevice& device() const { return m_Drawing->device; }
 
 private:
     using Clock = std::chrono::steady_clock;
 
+    /// A device and all that hangs on it or on what it can do.
+    struct Drawing
+    {
+        Drawing(const RenderOptions& options, const ShaderCompilerOptions& compilerOptions);
+
+        VulkanDevice device;
+        AssetContext assets;
+        UniversalRenderPipeline pipeline;
+        std::unique_ptr<SceneView> view; ///< the last that could be loaded; null before the first
+    };
+
+    void RedrawOnce(const std::set<std::filesystem::path>& changes);
     template <typename Work>
     bool Guard(Work&& work);
     bool ReadAgain(const std::filesystem::path& path);
@@ -43,11 +57,8 @@ private:
     const RenderOptions& m_Options;
     Console& m_Console;
     const ShaderCompilerOptions m_CompilerOptions;
-    VulkanDevice m_Device;
-    AssetContext m_Assets;
-    UniversalRenderPipeline m_Pipeline;
+    std::optional<Drawing> m_Drawing; ///< always, but where no device could be made
     FileWatcher m_Watcher;
-    std::unique_ptr<SceneView> m_View; ///< the last that could be loaded; null before the first
     std::set<std::string> m_LoadNotes;
     std::set<std::string> m_RenderNotes; ///< of the last frame
 };

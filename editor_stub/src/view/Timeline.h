@@ -28,7 +28,15 @@ public:
     }
 
     /// The milliseconds of all spans of that name together.
-    double Total(const std::string& name) const;
+    double Total(const std::string& name) const
+    {
+        double total = 0.0;
+        for (const Span& span : m_Spans)
+        {
+            total += span.name == name ? span.duration : 0.0;
+        }
+        return total;
+    }
     const std::vector<Span>& spans() const { return m_Spans; } ///< in the order they ended
 
 private:
@@ -43,7 +51,11 @@ private:
         }
     };
 
-    double now() const;
+    double now() const
+    {
+        using Milliseconds = std::chrono::duration<double, std::milli>;
+        return Milliseconds(std::chrono::steady_clock::now() - m_Begin).count();
+    }
 
     std::chrono::steady_clock::time_point m_Begin = std::chrono::steady_clock::now();
     std::vector<Span> m_Spans;

@@ -14,6 +14,8 @@ namespace
 constexpr EnumEntry k_RenderQueueTypes[] = {{"Opaque", 0}, {"Transparent", 1}};
 constexpr EnumEntry k_OverrideModes[] = {{"None", 0}, {"Material", 1}, {"Shader", 2}};
 constexpr ValueRange k_PassIndices{0, 255};
+constexpr std::size_t k_MaxPassNames = 16; ///< of DrawingSettings
+constexpr float k_MaxOffset = 1e9f;        ///< metres; as far as scenes go
 
 void DescribeOverrides(RenderObjectsSettings& settings, Inspector& inspector)
 {
@@ -67,6 +69,22 @@ void DescribeCamera(RenderObjectsSettings::CustomCameraSettings& camera, Inspect
     inspector.EndGroup();
 }
 
+void ExpectFilterAndCamera(const std::string& feature, const RenderObjectsSettings& settings)
+{
+    const std::size_t names = settings.filterSettings.PassNames.size();
+    if (names > k_MaxPassNames)
+    {
+        throw ContractError(feature + ": filterSettings.PassNames has " + std::to_string(names) +
+                            " names; at most " + std::to_string(k_MaxPassNames) + " are drawn");
+    }
+    if (glm::any(
+            glm::greaterThan(glm::abs(settings.cameraSettings.offset), glm::vec4(k_MaxOffset))))
+    {
+        throw ContractError(feature + ": cameraSettings.offset is more than 1e9 m; what is so far "
+                                      "away is in no picture");
+    }
+}
+
 void ExpectPass(const std::string& feature, const char* setting, int index, const Shader& shader)
 {
     if (index < 0 || index >= shader.passCount())
@@ -115,6 +133,7 @@ void RenderObjects::Create()
     using Mode = RenderObjectsSettings::OverrideMaterialMode;
     settings.Event = std::max(settings.Event, RenderPassEvent::BeforeRenderingPrePasses);
     const RenderObjectsSettings::FilterSettings& filter = settings.filterSettings;
+    ExpectFilterAndCamera(name, settings);
     m_RenderObjectsPass = std::make_unique<RenderObjectsPass>(
         settings.passTag, settings.Event, filter.PassNames, filter.RenderQueueType,
         filter.LayerMask, settings.cameraSettings);

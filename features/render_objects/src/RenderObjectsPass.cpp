@@ -1,4 +1,5 @@
 #include <limn/core/CoreUtils.h>
+#include <limn/core/DrawError.h>
 #include <limn/features/RenderObjectsPass.h>
 #include <set>
 
@@ -100,6 +101,13 @@ void RenderObjectsPass::SetCamera(CommandBuffer& cmd, const CameraData& cameraDa
     const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);
     glm::dmat4 view = cameraData.viewMatrix;
     view[3] += glm::dvec4(m_CameraSettings.offset);
+    if (camera.nearClipPlane <= 0.0f)
+    {
+        throw DrawError(profilingSampler.name() +
+                        ": cameraSettings.overrideCamera: its own camera has perspective, but the "
+                        "scene's has the nearClipPlane " +
+                        std::to_string(camera.nearClipPlane) + "; more than 0 is needed");
+    }
     RenderingUtils::SetViewAndProjectionMatrices(cmd, view, camera.gpuProjectionMatrix(aspect),
                                                  false);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
@@ -47,6 +48,15 @@ OutlineDrawingRenderPass::OutlineDrawingRenderPass(const std::string& featureNam
     renderPassEvent = settings.m_RenderPassEvent;
     mPassMaterial = CoreUtils::CreateEngineMaterial(settings.m_ScreenSpaceOutlineShader);
 
+    if (mPassMaterial->passCount() <= kCompositePassIndex)
+    {
+        throw ContractError(featureName + ": m_ScreenSpaceOutlineShader: the shader '" +
+                            mPassMaterial->shader()->name() + "' has " +
+                            std::to_string(mPassMaterial->passCount()) +
+                            " of the three passes for mask, edge and composite; "
+                            "Hidden/ScreenSpaceOutline has them");
+    }
+
     // create FilteringSettings
     const RenderQueueRange renderQueueRange = ToRenderQueueRange(settings.m_RenderQueueRange);
     const auto renderingLayerMask = RenderingLayerMask::FromIndex(settings.m_RenderingLayerMask);
@@ -65,8 +75,8 @@ void OutlineDrawingRenderPass::OnCameraSetup(CommandBuffer&, RenderingData& rend
 {
     // setup temporary render texture
     RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
-    descriptor.width /= 2;
-    descriptor.height /= 2;
+    descriptor.width = std::max(descriptor.width / 2, 1);
+    descriptor.height = std::max(descriptor.height / 2, 1);
     descriptor.SetColorFormat(RenderTextureFormat::R8);
     descriptor.depthBufferBits = 0;
     RenderingUtils::ReAllocateIfNeeded(mRendererDrawingTexture, descriptor, FilterMode::Bilinear,

@@ -51,7 +51,9 @@ UnityGI UnityGI_Base(UnityGIInput data, half occlusion, half3 normalWorld)
     return gi;
 }
 
+#if !defined(_GLOSSYREFLECTIONS_OFF) // without probes it is this colour anywhere
 [limn_Lacks("reflection probes", "unity_IndirectSpecColor is what is reflected")]
+#endif
 half3 UnityGI_IndirectSpecular(UnityGIInput data, half occlusion,
                                Unity_GlossyEnvironmentData glossIn)
 {

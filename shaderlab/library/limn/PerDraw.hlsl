@@ -13,13 +13,8 @@ struct limn_PerDrawData
 
 StructuredBuffer<limn_PerDrawData> limn_PerDraw;
 
-[[vk::push_constant]] cbuffer limn_PushConstants
-{
-    uint limn_FirstInstance;
-};
-
-// Set by the generated entry function: SV_InstanceID in the vertex stage, limn_FirstInstance in the
-// fragment stage.
+// Set by the generated entry function: the instance's index in the vertex stage, limn_FirstInstance
+// in the others.
 static uint limn_DrawIndex;
 
 #define unity_ObjectToWorld (limn_PerDraw[limn_DrawIndex].objectToWorld)

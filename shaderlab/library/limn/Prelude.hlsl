@@ -14,3 +14,10 @@
 #define half3x4 float3x4
 #define half4x3 float4x3
 #define half4x4 float4x4
+
+// limn::DrawConstants; the generated entry functions read them.
+[[vk::push_constant]] cbuffer limn_PushConstants
+{
+    uint limn_FirstInstance;
+    uint limn_InstanceBase;
+};

@@ -72,6 +72,7 @@ void TransferLayout(Stream& stream, Layout& layout)
                 });
     stream.Value(layout.colorOutputs);
     stream.Value(layout.geometryInput);
+    stream.Value(layout.pushStages);
 }
 
 template <typename Stream, typename Pass>

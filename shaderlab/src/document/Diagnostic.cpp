@@ -147,7 +147,7 @@ std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view te
         return shown;
     }
     // A byte order mark does not count as columns.
-    const std::size_t mark = line.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+    const std::size_t mark = line.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     const std::size_t column =
         static_cast<std::size_t>(std::max(diagnostic.location.column, 1)) - 1 + mark;
     const std::size_t begin = column > k_MaxLine / 2 && line.size() > k_MaxLine

@@ -43,26 +43,6 @@ void Add(Lines& lines, const char* command, const StateValue<T>& value, const St
     }
 }
 
-std::string BlendText(const PassBlendState& target)
-{
-    if (!target.enabled)
-    {
-        return "Off";
-    }
-    std::string text = StateText(target.srcColor) + " " + StateText(target.dstColor);
-    if (target.srcAlpha != target.srcColor || target.dstAlpha != target.dstColor)
-    {
-        text += ", " + StateText(target.srcAlpha) + " " + StateText(target.dstAlpha);
-    }
-    return text;
-}
-
-std::string OperationText(const PassBlendState& target)
-{
-    const std::string color = StateText(target.colorOp);
-    return target.alphaOp == target.colorOp ? color : color + ", " + StateText(target.alphaOp);
-}
-
 std::string WriteMaskText(const PassBlendState& target)
 {
     return ColorMaskText(target.writeMask);
@@ -122,8 +102,7 @@ void AddBlend(Lines& lines, const RenderState& state, const RenderState& base)
         };
     };
     AddTargets(lines, TextsOf(state, BlendText), TextsOf(base, BlendText), lineOf("Blend"));
-    AddTargets(lines, TextsOf(state, OperationText), TextsOf(base, OperationText),
-               lineOf("BlendOp"));
+    AddTargets(lines, TextsOf(state, BlendOpText), TextsOf(base, BlendOpText), lineOf("BlendOp"));
     // Of these three only ColorMask names its target last.
     AddTargets(lines, TextsOf(state, WriteMaskText), TextsOf(base, WriteMaskText),
                [](const std::string& text, const std::string& target)
@@ -209,6 +188,31 @@ std::string ColorMaskText(const StateValue<int>& mask)
 std::string StateText(const StateValue<float>& value)
 {
     return value.property.empty() ? NumberToShaderLab(value.value) : "[" + value.property + "]";
+}
+
+std::string BlendText(const PassBlendState& target)
+{
+    if (!target.enabled)
+    {
+        return "Off";
+    }
+    std::string text =
+        StateText(target.sourceColorBlendMode) + " " + StateText(target.destinationColorBlendMode);
+    if (target.sourceAlphaBlendMode != target.sourceColorBlendMode ||
+        target.destinationAlphaBlendMode != target.destinationColorBlendMode)
+    {
+        text += ", " + StateText(target.sourceAlphaBlendMode) + " " +
+                StateText(target.destinationAlphaBlendMode);
+    }
+    return text;
+}
+
+std::string BlendOpText(const PassBlendState& target)
+{
+    const std::string color = StateText(target.colorBlendOperation);
+    return target.alphaBlendOperation == target.colorBlendOperation
+               ? color
+               : color + ", " + StateText(target.alphaBlendOperation);
 }
 
 std::string NumberToShaderLab(float number)

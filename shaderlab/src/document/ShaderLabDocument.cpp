@@ -51,7 +51,7 @@ std::string_view ShaderLabPass::lightMode() const
         return "ForwardBase";
     }
     const std::string* tag = tags.Find("LightMode");
-    return tag ? std::string_view(*tag) : std::string_view("SRPDefaultUnlit");
+    return tag ? std::string_view(*tag) : k_DefaultLightMode;
 }
 
 } // namespace limn

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace limn
@@ -27,13 +29,19 @@ std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
     {
         return source.tokens[index].text == text;
     };
-    const std::vector<std::string_view>& methods = source.declarations.methods;
+    std::set<std::string_view> methods;
+    for (const HlslStruct& type : source.declarations.structs)
+    {
+        for (const HlslFunction& method : type.methods)
+        {
+            methods.insert(method.name);
+        }
+    }
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i + 3 < source.tokens.size() && !methods.empty(); ++i)
     {
         const std::string_view name = source.tokens[i + 2].text;
-        if (isText(i, ")") && isText(i + 1, ".") && isText(i + 3, "(") &&
-            std::find(methods.begin(), methods.end(), name) != methods.end())
+        if (isText(i, ")") && isText(i + 1, ".") && isText(i + 3, "(") && methods.count(name) > 0)
         {
             found.push_back(i + 2);
         }
@@ -43,40 +51,44 @@ std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
 
 constexpr std::size_t k_DeepestBrackets = 500;
 constexpr std::size_t k_DeepestOperators = 2000;
+constexpr std::size_t k_DeepestStructs = 100;
 
-/// Adds up how deep the tree of an expression is: a chain of operators goes down by one with each,
-/// and so does a chain of `else if`; brackets cost a compiler more.
+/// Adds up how deep the tree of an expression is at most: a chain of operators goes down by one
+/// with each, and so do a chain of `else if` and what is called, indexed or picked of one value
+/// (`a.b[0].c`); brackets cost a compiler more, and a cast is one.
 class DepthCounter
 {
 public:
-    /// The depth that the tree has at least.
+    /// The depth that the tree may have.
     std::size_t Take(const HlslToken& token, std::string_view next)
     {
-        constexpr std::string_view k_Statements[] = {"if", "else", "for", "while", "switch"};
-        constexpr std::string_view k_NoOperators = ".,;:(){}[]\"";
         const std::string_view text = token.text;
         if (text == "(" || text == "[" || text == "{")
         {
             m_Levels.emplace_back();
+            m_Levels.back().isList = isList(text);
         }
         else if ((text == ")" || text == "]" || text == "}") && m_Levels.size() > 1)
         {
             const std::size_t inner = m_Levels.back().Depth() + k_Bracket;
             m_Levels.pop_back();
-            m_Levels.back().inner = std::max(m_Levels.back().inner, inner);
+            m_Levels.back().AddBracket(inner);
         }
-        else if (token.isWord ? std::find(std::begin(k_Statements), std::end(k_Statements), text) !=
-                                    std::end(k_Statements)
-                              : !isDigit(text[0]) && k_NoOperators.find(text[0]) == text.npos)
+        else if (text == ".")
         {
-            ++m_Levels.back().operators;
+            m_Levels.back().AddPick(1);
+        }
+        else if (isOperator(token) || (text == "," && !m_Levels.back().isList))
+        {
+            m_Levels.back().AddOperator();
         }
         const std::size_t depth = std::max(m_Levels.back().Depth(), m_Levels.size() * k_Bracket);
-        const bool isEnd = text == ";" || text == "," || text == "}";
+        const bool isEnd = text == ";" || text == "}" || (text == "," && m_Levels.back().isList);
         if (isEnd && next != "else" && next != ";")
         {
             m_Levels.back().End();
         }
+        m_Previous = token;
         return depth;
     }
 
@@ -85,44 +97,223 @@ public:
 private:
     struct Level
     {
+        bool isList = true;      ///< commas part items, they are no operators
+        bool hasBracket = false; ///< the value at hand
         std::size_t operators = 0;
+        std::size_t picks = 0; ///< of the value at hand
+        std::size_t mostPicks = 0;
         std::size_t inner = 0;   ///< deepest of its brackets
         std::size_t deepest = 0; ///< of the expressions before this one
 
-        std::size_t Depth() const { return std::max(operators + inner, deepest); }
-        void End()
+        std::size_t Depth() const { return std::max(operators + mostPicks + inner, deepest); }
+        void AddOperator()
         {
-            deepest = Depth();
-            operators = 0;
-            inner = 0;
+            ++operators;
+            picks = 0;
+            hasBracket = false;
         }
+        void AddBracket(std::size_t depth)
+        {
+            inner = std::max(inner, depth);
+            AddPick(hasBracket ? k_Bracket : 0);
+            hasBracket = true;
+        }
+        void AddPick(std::size_t depth)
+        {
+            picks += depth;
+            mostPicks = std::max(mostPicks, picks);
+        }
+        void End() { *this = {isList, false, 0, 0, 0, 0, Depth()}; }
     };
+
+    static bool isStatement(std::string_view word)
+    {
+        constexpr std::string_view k_Statements[] = {"if", "else", "for", "while", "do", "switch"};
+        return std::find(std::begin(k_Statements), std::end(k_Statements), word) !=
+               std::end(k_Statements);
+    }
+
+    static bool isOperator(const HlslToken& token)
+    {
+        constexpr std::string_view k_NoOperators = ".,;:(){}[]\"";
+        const char first = token.text[0];
+        return token.isWord ? isStatement(token.text)
+                            : !isDigit(first) && k_NoOperators.find(first) == k_NoOperators.npos;
+    }
+
+    /// Of arguments, parameters or initial values, in brackets that open behind m_Previous.
+    bool isList(std::string_view bracket) const
+    {
+        return bracket == "(" ? m_Previous.isWord && m_Previous.text != "return" &&
+                                    !isStatement(m_Previous.text)
+               : bracket == "{"
+                   ? m_Previous.text == "=" || m_Previous.text == "," || m_Previous.text == "{"
+                   : true;
+    }
+
     std::vector<Level> m_Levels{1};
+    HlslToken m_Previous;
 };
+
+/// Counts how deep structs hold structs, as members or bases.
+class StructCounter
+{
+public:
+    /// How deep the type does that whose declaration is at hand.
+    std::size_t Take(const std::vector<HlslToken>& tokens, std::size_t index)
+    {
+        const auto text = [&](std::size_t ahead)
+        {
+            return index + ahead < tokens.size() ? tokens[index + ahead].text : std::string_view();
+        };
+        if (text(0) == "struct")
+        {
+            m_Next = {tokens[std::min(index + 1, tokens.size() - 1)].text, true, 1};
+        }
+        else if (text(0) == "typedef" && text(3) == ";")
+        {
+            m_Depths[text(2)] = DepthOf(text(1));
+        }
+        else if (text(0) == "{")
+        {
+            m_Open.push_back(m_Next);
+            m_Next = {};
+        }
+        else if (text(0) == "}" && !m_Open.empty())
+        {
+            Close(text(1));
+        }
+        else if (text(0) == ";" || text(0) == "(" || text(0) == ")" || text(0) == "=")
+        {
+            m_Next = {};
+        }
+        else if (tokens[index].isWord && (m_Next.isStruct || !m_Open.empty()))
+        {
+            Type& holder = m_Next.isStruct ? m_Next : m_Open.back();
+            holder.depth = std::max(holder.depth, DepthOf(text(0)) + 1);
+            return holder.depth;
+        }
+        return 0;
+    }
+
+private:
+    struct Type
+    {
+        std::string_view name;
+        bool isStruct = false; ///< or whatever else has braces
+        std::size_t depth = 0;
+    };
+
+    std::size_t DepthOf(std::string_view type) const
+    {
+        const auto found = m_Depths.find(type);
+        return found == m_Depths.end() ? 0 : found->second;
+    }
+
+    /// @param next  a name for the struct or a variable where it is one
+    void Close(std::string_view next)
+    {
+        const Type type = m_Open.back();
+        m_Open.pop_back();
+        if (type.isStruct)
+        {
+            m_Depths[type.name] = type.depth;
+            m_Depths[next] = type.depth;
+        }
+        if (!m_Open.empty())
+        {
+            m_Open.back().depth = std::max(m_Open.back().depth, type.depth + 1);
+        }
+    }
+
+    std::unordered_map<std::string_view, std::size_t> m_Depths;
+    Type m_Next; ///< its `{` is still to come
+    std::vector<Type> m_Open;
+};
+
+std::string DescribeDepth(const std::string& most)
+{
+    return "nested more than " + most + " deep";
+}
 
 } // namespace
 
 void RequireShallow(const std::string& hlsl)
 {
     const std::vector<HlslToken> tokens = TokenizeHlsl(hlsl);
+    const auto fail = [&](std::size_t token, const std::string& most)
+    {
+        const HlslPlace place = PlaceOf(hlsl, tokens[token].Begin(hlsl));
+        throw AssetError(place.file, place.location,
+                         "HLSL: this is " + DescribeDepth(most) + "; take it apart");
+    };
+    StructCounter structs;
     DepthCounter counter;
     for (std::size_t i = 0; i < tokens.size(); ++i)
     {
         const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1].text : "";
         if (counter.Take(tokens[i], next) > k_DeepestOperators)
         {
-            const HlslPlace place = PlaceOf(hlsl, tokens[i].Begin(hlsl));
-            throw AssetError(place.file, place.location,
-                             "HLSL: this is nested more than " + std::to_string(k_DeepestBrackets) +
-                                 " brackets or " + std::to_string(k_DeepestOperators) +
-                                 " operators deep; take it apart");
+            fail(i, std::to_string(k_DeepestBrackets) + " brackets or " +
+                        std::to_string(k_DeepestOperators) + " operators");
+        }
+        if (structs.Take(tokens, i) > k_DeepestStructs)
+        {
+            fail(i, std::to_string(k_DeepestStructs) + " structs");
         }
     }
+}
+
+std::optional<int> FindDeepMacros(std::string_view text, int firstLine)
+{
+    std::size_t code = 0;
+    std::size_t directive = 0;
+    bool isDirective = false;
+    bool isCondition = false;
+    bool goesOn = false; // the line before ends in a backslash
+    for (int number = firstLine; !text.empty(); ++number)
+    {
+        const std::size_t size = std::min(text.find('\n'), text.size());
+        const std::string_view line = Trim(text.substr(0, size));
+        text.remove_prefix(std::min(size + 1, text.size()));
+        if (!goesOn)
+        {
+            isDirective = line.starts_with("#");
+            const std::string_view name = isDirective ? Trim(line.substr(1)) : "";
+            isCondition = name.starts_with("if") || name.starts_with("elif");
+            directive = 0;
+        }
+        goesOn = line.ends_with("\\");
+        std::size_t& depth = isDirective ? directive : code;
+        for (const char c : line)
+        {
+            const bool isSign = isCondition && (c == '!' || c == '~' || c == '-');
+            depth += c == '(' || isSign ? 1 : 0;
+            depth -= c == ')' && depth > 0 ? 1 : 0;
+            depth = c == ';' || c == '{' || c == '}' ? 0 : depth;
+            if (depth > k_DeepestBrackets)
+            {
+                return number;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::string DescribeDeepMacros()
+{
+    return DescribeDepth(std::to_string(k_DeepestBrackets) + " brackets");
 }
 
 void RequireSound(const HlslSource& source)
 {
     std::vector<Diagnostic> diagnostics;
+    for (const std::size_t token : source.declarations.templates)
+    {
+        diagnostics.push_back(ErrorAt(source, token,
+                                      "limn reads no templates of HLSL 2021; write the function or "
+                                      "struct once for each type"));
+    }
     for (const std::size_t token : source.declarations.unknownMacros)
     {
         diagnostics.push_back(ErrorAt(source, token,
@@ -131,7 +322,7 @@ void RequireSound(const HlslSource& source)
     }
     if (!diagnostics.empty())
     {
-        throw AssetError(std::move(diagnostics)); // the rest may be what the macro does not declare
+        throw AssetError(std::move(diagnostics)); // the rest may be what is not declared by these
     }
     for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
     {

@@ -2,16 +2,24 @@
 
 #include "hlsl/Rewriter.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace limn
 {
 
-/// Refuses expressions and blocks that are nested so deeply that compilers, which call themselves
-/// for each level, run out of stack.
+/// Refuses expressions, blocks and structs that are nested so deeply that compilers, which call
+/// themselves for each level, run out of stack.
 ///
 /// @throws AssetError where the text goes too deep
 void RequireShallow(const std::string& hlsl);
+
+/// Text before it is preprocessed: the line where brackets, around the arguments of macros or in an
+/// `#if`, are nested too deeply for a preprocessor.
+std::optional<int> FindDeepMacros(std::string_view text, int firstLine);
+/// What is wrong there: "nested …".
+std::string DescribeDeepMacros();
 
 /// Refuses what glslang 12 crashes on instead of complaining, uniforms whose name is taken and
 /// methods called on what a function returns, and what it complains of elsewhere: unknown macros

@@ -120,7 +120,13 @@ private:
             SkipBalanced("[", "]");
             attributes.push_back(Span(first));
         }
-        if (Text() == "struct" && Text(2) == "{")
+        if (Text() == "template" && Text(1) == "<")
+        {
+            m_Result.templates.push_back(m_Index);
+            SkipTo("{");
+            SkipBalanced("{", "}");
+        }
+        else if (Text() == "struct" && Text(2) == "{")
         {
             ReadStruct();
         }
@@ -155,7 +161,7 @@ private:
         HlslStruct result;
         result.name = Text(1);
         m_Index += 2;
-        result.members = ReadMembers();
+        result.members = ReadMembers(&result.methods);
         m_Result.structs.push_back(std::move(result));
         SkipTo(";");
         Accept(";");
@@ -167,7 +173,7 @@ private:
         {
             ++m_Index;
         }
-        std::vector<HlslVariable> members = ReadMembers();
+        std::vector<HlslVariable> members = ReadMembers(nullptr);
         for (HlslVariable& member : members)
         {
             member.endToken = m_Index - 1;
@@ -177,8 +183,8 @@ private:
         }
     }
 
-    /// `{ float4 a : X; float b[2], c; }`; methods are passed over.
-    std::vector<HlslVariable> ReadMembers()
+    /// `{ float4 a : X; float b[2], c; float Sum() { … } }`
+    std::vector<HlslVariable> ReadMembers(std::vector<HlslFunction>* methods)
     {
         std::vector<HlslVariable> members;
         Accept("{");
@@ -197,23 +203,15 @@ private:
             {
                 continue;
             }
+            const std::size_t begin = m_Index;
             HlslVariable head = ReadHead();
-            if (Text() == "(")
+            if (Text() != "(" || !methods)
             {
-                m_Result.methods.push_back(head.name);
-                SkipBalanced("(", ")");
-                while (!isEnd() && Text() != "{" && Text() != ";" && Text() != "}")
-                {
-                    ++m_Index;
-                }
-                if (Text() == "{")
-                {
-                    SkipBalanced("{", "}");
-                }
-                Accept(";");
+                ReadDeclarators(head, members);
                 continue;
             }
-            ReadDeclarators(head, members);
+            methods->push_back(ReadFunction(begin, head));
+            Accept(";");
         }
         return members;
     }
@@ -361,7 +359,7 @@ private:
         HlslVariable head = ReadHead();
         if (Text() == "(" && !head.name.empty())
         {
-            ReadFunction(begin, head);
+            m_Result.functions.push_back(ReadFunction(begin, head));
             m_Result.functions.back().attributes = std::move(attributes);
             return;
         }
@@ -386,7 +384,7 @@ private:
         }
     }
 
-    void ReadFunction(std::size_t begin, const HlslVariable& head)
+    HlslFunction ReadFunction(std::size_t begin, const HlslVariable& head)
     {
         HlslFunction function;
         function.begin = begin;
@@ -421,7 +419,7 @@ private:
             Accept(";");
         }
         function.end = std::min(m_Index, m_Tokens.size());
-        m_Result.functions.push_back(std::move(function));
+        return function;
     }
 
     const std::vector<HlslToken>& m_Tokens;

@@ -30,19 +30,6 @@ struct HlslVariable
     bool Has(std::string_view modifier) const;
 };
 
-struct HlslStruct
-{
-    std::string_view name;
-    std::vector<HlslVariable> members;
-};
-
-/// `typedef type name;`
-struct HlslAlias
-{
-    std::string_view name;
-    std::string_view type;
-};
-
 struct HlslFunction
 {
     std::string_view returnType;
@@ -53,6 +40,20 @@ struct HlslFunction
     std::size_t begin = 0;                    ///< first token, attributes included
     std::size_t end = 0;                      ///< one behind the last token
     bool hasBody = false;
+};
+
+struct HlslStruct
+{
+    std::string_view name;
+    std::vector<HlslVariable> members;
+    std::vector<HlslFunction> methods;
+};
+
+/// `typedef type name;`
+struct HlslAlias
+{
+    std::string_view name;
+    std::string_view type;
 };
 
 /// What preprocessed HLSL declares at file scope. All views point into the source.
@@ -67,8 +68,8 @@ struct HlslDeclarations
     std::vector<std::size_t> unknownMacros;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
-    std::vector<std::string_view> methods; ///< names, of all structs
     IntegerNames constants;                ///< `static const` scalars
+    std::vector<std::size_t> templates;    ///< tokens: each `template`
 
     /// The type behind a typedef; other names stay as they are.
     std::string_view ResolveAlias(std::string_view type) const;

@@ -5,7 +5,7 @@
 
 #include "hlsl/Checks.h"
 #include "hlsl/Tokens.h"
-#include "hlsl/rewrites/Spelling.h"
+#include "hlsl/rewrites/Rewrites.h"
 #include "program/DirectiveConditions.h"
 #include "program/DynamicKeywords.h"
 #include "spirv/GlslangIncluder.h"
@@ -57,6 +57,11 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
     }
     for (const SourceChunk& chunk : program.chunks)
     {
+        if (const auto line = FindDeepMacros(chunk.text, chunk.firstLine))
+        {
+            throw AssetError(program.file, {*line, 0},
+                             "HLSL: this is " + DescribeDeepMacros() + "; take it apart");
+        }
         source += "#line " + std::to_string(chunk.firstLine) + " \"" + program.file + "\"\n";
         source += TranslateDirectives(chunk.text);
     }

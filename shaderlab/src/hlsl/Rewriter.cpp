@@ -64,6 +64,25 @@ public:
         }
     }
 
+    /// glslang crashes on them.
+    void RefuseBoolMatrices() const
+    {
+        ForEachToken(
+            [&](std::size_t i, const HlslStruct*)
+            {
+                const std::string_view word = Text(i);
+                if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x')
+                {
+                    const HlslPlace place =
+                        PlaceOf(m_Source.text, m_Tokens[i].Begin(m_Source.text));
+                    throw AssetError(place.file, place.location,
+                                     "'" + std::string(word) +
+                                         "': limn has no matrices of bool; use 'float" +
+                                         std::string(word.substr(4)) + "'");
+                }
+            });
+    }
+
     void CopyAssignedUniforms()
     {
         std::map<std::string_view, const HlslVariable*> uniforms;
@@ -71,17 +90,16 @@ public:
         {
             uniforms[uniform.name] = &uniform;
         }
-        for (const HlslFunction* function : m_Reachable)
-        {
-            for (std::size_t i = function->begin; i < function->end; ++i)
+        ForEachToken(
+            [&](std::size_t i, const HlslStruct* owner)
             {
                 const auto uniform = uniforms.find(m_Tokens[i].text);
-                if (uniform != uniforms.end() && (isAssigned(i) || isOutArgument(i)))
+                if (uniform != uniforms.end() && !hasMember(owner, uniform->first) &&
+                    (isAssigned(i) || isOutArgument(i)))
                 {
                     m_Copied.insert(uniform->second);
                 }
-            }
-        }
+            });
         for (const HlslVariable* uniform : m_Copied)
         {
             Copy(*uniform);
@@ -224,6 +242,38 @@ private:
                type == "AppendStructuredBuffer" || type == "ConsumeStructuredBuffer";
     }
 
+    /// Calls a function with each token of reached functions and, with their struct, of methods.
+    template <typename F>
+    void ForEachToken(F&& each) const
+    {
+        const auto visit = [&](const HlslFunction& function, const HlslStruct* owner)
+        {
+            for (std::size_t i = function.begin; i < function.end; ++i)
+            {
+                each(i, owner);
+            }
+        };
+        for (const HlslFunction* function : m_Reachable)
+        {
+            visit(*function, nullptr);
+        }
+        for (const HlslStruct& owner : m_Source.declarations.structs)
+        {
+            for (const HlslFunction& method : owner.methods)
+            {
+                visit(method, &owner);
+            }
+        }
+    }
+
+    /// In methods, members hide uniforms.
+    static bool hasMember(const HlslStruct* owner, std::string_view name)
+    {
+        return owner &&
+               std::any_of(owner->members.begin(), owner->members.end(),
+                           [&](const HlslVariable& member) { return member.name == name; });
+    }
+
     static std::ptrdiff_t Offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
     void MarkFunctions()
@@ -239,8 +289,16 @@ private:
         for (const HlslFunction& function : m_Source.declarations.functions)
         {
             m_ByName[function.name].push_back(&function);
+            m_Called[function.name].push_back(&function);
             std::fill(m_FunctionOf.begin() + Offset(function.begin),
                       m_FunctionOf.begin() + Offset(function.end), &function);
+        }
+        for (const HlslStruct& type : m_Source.declarations.structs)
+        {
+            for (const HlslFunction& method : type.methods)
+            {
+                m_Called[method.name].push_back(&method);
+            }
         }
     }
 
@@ -348,8 +406,8 @@ private:
             depth += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
             position += text == "," && depth == 0 ? 1 : 0;
         }
-        const auto functions = open > 0 ? m_ByName.find(Text(open - 1)) : m_ByName.end();
-        return functions != m_ByName.end() &&
+        const auto functions = open > 0 ? m_Called.find(Text(open - 1)) : m_Called.end();
+        return functions != m_Called.end() &&
                std::any_of(functions->second.begin(), functions->second.end(),
                            [&](const HlslFunction* function)
                            {
@@ -384,22 +442,22 @@ private:
         }
         inserted += ";";
         m_Prologue += copy + " = " + std::string(uniform.name) + ";\n";
-        for (const HlslFunction* function : m_Reachable)
-        {
-            for (std::size_t i = function->begin; i < function->end; ++i)
+        ForEachToken(
+            [&](std::size_t i, const HlslStruct* owner)
             {
-                if (Text(i) == uniform.name && Text(i - 1) != ".")
+                if (Text(i) == uniform.name && Text(i - 1) != "." &&
+                    !hasMember(owner, uniform.name))
                 {
                     m_Renamed[i] = copy;
                 }
-            }
-        }
+            });
     }
 
     const HlslSource& m_Source;
     const std::vector<HlslToken>& m_Tokens;
     std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
+    std::map<std::string_view, std::vector<const HlslFunction*>> m_Called; ///< methods as well
     std::set<const HlslFunction*> m_Reachable;
     std::set<const HlslVariable*> m_Copied;
     std::map<std::size_t, std::string> m_Renamed;       ///< token index → new text
@@ -423,6 +481,7 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
     Rewriter rewriter(source, interface.function->name);
     rewriter.TakeStandIns(standIns);
     rewriter.RefuseWritable();
+    rewriter.RefuseBoolMatrices();
     rewriter.RemoveEmptyMembers();
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();

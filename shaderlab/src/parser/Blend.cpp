@@ -82,13 +82,15 @@ void Parser::ParseBlend()
     else
     {
         blend.enabled = true;
-        if (!ParseBlendFactor(blend.srcColor) || !ParseBlendFactor(blend.dstColor))
+        if (!ParseBlendFactor(blend.sourceColorBlendMode) ||
+            !ParseBlendFactor(blend.destinationColorBlendMode))
         {
             return;
         }
-        blend.srcAlpha = blend.srcColor;
-        blend.dstAlpha = blend.dstColor;
-        if (Accept(',') && (!ParseBlendFactor(blend.srcAlpha) || !ParseBlendFactor(blend.dstAlpha)))
+        blend.sourceAlphaBlendMode = blend.sourceColorBlendMode;
+        blend.destinationAlphaBlendMode = blend.destinationColorBlendMode;
+        if (Accept(',') && (!ParseBlendFactor(blend.sourceAlphaBlendMode) ||
+                            !ParseBlendFactor(blend.destinationAlphaBlendMode)))
         {
             return;
         }
@@ -96,10 +98,10 @@ void Parser::ParseBlend()
     for (PassBlendState& target : TargetsOf(index))
     {
         target.enabled = blend.enabled;
-        target.srcColor = blend.srcColor;
-        target.dstColor = blend.dstColor;
-        target.srcAlpha = blend.srcAlpha;
-        target.dstAlpha = blend.dstAlpha;
+        target.sourceColorBlendMode = blend.sourceColorBlendMode;
+        target.destinationColorBlendMode = blend.destinationColorBlendMode;
+        target.sourceAlphaBlendMode = blend.sourceAlphaBlendMode;
+        target.destinationAlphaBlendMode = blend.destinationAlphaBlendMode;
     }
 }
 
@@ -123,8 +125,8 @@ void Parser::ParseBlendOp()
     }
     for (PassBlendState& target : TargetsOf(index))
     {
-        target.colorOp = color;
-        target.alphaOp = alpha;
+        target.colorBlendOperation = color;
+        target.alphaBlendOperation = alpha;
     }
 }
 

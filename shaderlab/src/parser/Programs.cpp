@@ -13,9 +13,9 @@ namespace
 /// Of the block that `word` opens.
 ProgramLanguage LanguageOf(std::string_view word)
 {
-    return word.substr(0, 2) == "CG"     ? ProgramLanguage::Cg
-           : word.substr(0, 4) == "HLSL" ? ProgramLanguage::Hlsl
-                                         : ProgramLanguage::Glsl;
+    return word.starts_with("CG")     ? ProgramLanguage::Cg
+           : word.starts_with("HLSL") ? ProgramLanguage::Hlsl
+                                      : ProgramLanguage::Glsl;
 }
 
 std::string_view EndWordOf(ProgramLanguage language)

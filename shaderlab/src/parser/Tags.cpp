@@ -36,7 +36,7 @@ const std::vector<std::string_view> k_LightModes = {
     "UniversalGBuffer",
     "Universal2D",
     "NormalsRendering",
-    "SRPDefaultUnlit",
+    k_DefaultLightMode,
     "ShadowCaster",
     "DepthOnly",
     "DepthNormals",

@@ -78,7 +78,7 @@ std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path&
 bool isAbsolute(std::string_view path)
 {
     const bool hasDrive = path.size() > 1 && isLetter(path[0]) && path[1] == ':';
-    return hasDrive || path.substr(0, 1) == "/";
+    return hasDrive || path.starts_with("/");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "spirv/GlslangIncluder.h"
 
+#include "hlsl/Checks.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -204,6 +205,11 @@ GlslangIncluder::Include(const std::string& header, const char* includer, std::s
     m_Chain.resize(std::min(depth - 1, m_Chain.size()));
     std::string problem = ReasonToStop(depth);
     auto file = problem.empty() ? m_Resolver.Find(header, includer) : std::nullopt;
+    if (const auto line = file ? FindDeepMacros(file->text, 1) : std::nullopt)
+    {
+        return Keep("", DescribeDeepMacros() + " in its line " + std::to_string(*line) +
+                            "; take it apart");
+    }
     if (!file)
     {
         problem = problem.empty() ? m_Resolver.refusal() : problem;
@@ -264,8 +270,9 @@ std::string GlslangIncluder::ReasonToStop(std::size_t depth)
                    : "a circle, " + circle + "; write '#pragma once' at the top of these files";
     }
     m_HasStopped = m_Loaded.size() >= k_MaximumCount || m_TotalSize > k_MaximumTotal;
-    return m_HasStopped ? "more included than 10000 files or 256 MB; write '#pragma once' at the "
-                          "top of included files"
+    return m_HasStopped ? "more included than " + std::to_string(k_MaximumCount) + " files or " +
+                              std::to_string(k_MaximumTotal >> 20) +
+                              " MB; write '#pragma once' at the top of included files"
                         : "";
 }
 

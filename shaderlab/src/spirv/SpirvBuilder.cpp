@@ -2,7 +2,7 @@
 
 #include "hlsl/Declarations.h"
 #include "hlsl/Tokens.h"
-#include "hlsl/rewrites/Conversions.h"
+#include "hlsl/rewrites/Rewrites.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
 #include "stages/EntryPointWriter.h"

@@ -65,6 +65,10 @@ public:
         {
             Bind(resource.id, m_Layout.storageBuffers, ReadStorageBuffer(resource), nextBinding);
         }
+        if (!resources.push_constant_buffers.empty())
+        {
+            m_Layout.pushStages = m_Layout.pushStages | m_Stage;
+        }
         WriteBindings();
     }
 

@@ -53,21 +53,21 @@ private:
         m_Parameters += (m_Parameters.empty() ? "" : ", ") + text;
     }
 
-    /// One parameter per semantic: two members may ask for the same system value.
-    const std::string& InstanceId()
+    /// On the device. One parameter per semantic: two members may ask for the same system value.
+    const std::string& InstanceIndex()
     {
-        if (m_InstanceId.empty())
+        if (m_InstanceIndex.empty())
         {
-            m_InstanceId = NextName();
-            AddParameter("uint " + m_InstanceId + " : SV_InstanceID");
+            m_InstanceIndex = NextName();
+            AddParameter("uint " + m_InstanceIndex + " : SV_InstanceID");
         }
-        return m_InstanceId;
+        return m_InstanceIndex;
     }
 
     void AddDrawIndex()
     {
         m_DrawIndex =
-            DrawIndexText(m_Stage == ShaderStage::Vertex ? InstanceId() : k_FirstInstance);
+            DrawIndexText(m_Stage == ShaderStage::Vertex ? InstanceIndex() : k_FirstInstance);
     }
 
     void AddInput(const StageValue& value)
@@ -75,7 +75,7 @@ private:
         const bool isVertex = m_Stage == ShaderStage::Vertex;
         if (isVertex && value.semantic == "SV_INSTANCEID")
         {
-            Read(value, InstanceId(), 1);
+            Read(value, "(" + InstanceIndex() + " - limn_InstanceBase)", 1);
         }
         else if (value.isSystemValue)
         {
@@ -182,7 +182,7 @@ private:
     const StageLinkage& m_Linkage;
     ShaderStage m_Stage;
     int m_Count = 0;
-    std::string m_InstanceId;
+    std::string m_InstanceIndex;
     std::string m_Parameters;
     std::string m_DrawIndex;
     std::string m_Before;

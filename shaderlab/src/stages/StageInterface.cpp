@@ -299,7 +299,7 @@ private:
     {
         // An instance id that travels to the fragment function is a varying like any other.
         const bool isReserved =
-            value.semantic.substr(0, 3) == "SV_" && value.semantic != "SV_INSTANCEID";
+            value.semantic.starts_with("SV_") && value.semantic != "SV_INSTANCEID";
         const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
         if (!value.isSystemValue && !isFree)
         {

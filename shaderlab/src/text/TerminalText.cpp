@@ -65,7 +65,7 @@ std::string EscapeCharacter(char byte, const DecodedCharacter& character)
         break;
     }
     char text[8];
-    const bool isByte = character.size < 2;
+    const bool isByte = character.size == 0 || character.code < 0x20;
     std::snprintf(text, sizeof(text), isByte ? "\\x%02X" : "\\u%04X",
                   isByte ? static_cast<unsigned char>(byte) : character.code);
     return text;

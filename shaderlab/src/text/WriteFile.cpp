@@ -4,12 +4,15 @@
 
 #include <limn/shaderlab/Diagnostic.h>
 
+#include <algorithm>
 #include <fcntl.h>
+#include <optional>
 #include <poll.h>
 #include <random>
 #include <string>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 
 namespace limn
 {
@@ -128,14 +131,84 @@ std::error_code Overwrite(const Writing& writing, const struct stat& old)
     return ftruncate(file.get(), size) == 0 ? writing.Finish(file) : LastError();
 }
 
-/// Whether the new file could be given owner and permissions of the old one.
-bool TakeOver(const FileDescriptor& file, const struct stat& old)
+/// What a call gives that tells its size if it is given no room; nothing if it fails.
+template <typename Call>
+std::optional<std::string> BytesOf(Call&& call)
+{
+    std::string bytes;
+    ssize_t size = call(nullptr, 0);
+    if (size > 0)
+    {
+        bytes.resize(static_cast<std::size_t>(size));
+        size = call(bytes.data(), bytes.size());
+    }
+    bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    return size < 0 ? std::nullopt : std::optional(std::move(bytes));
+}
+
+/// The names of the attributes of an open file, each with its end; none where there can be none.
+std::string AttributesOf(const FileDescriptor& file)
+{
+    return BytesOf([&](char* bytes, std::size_t room)
+                   { return flistxattr(file.get(), bytes, room); })
+        .value_or("");
+}
+
+std::optional<std::string> AttributeOf(const FileDescriptor& file, const char* name)
+{
+    return BytesOf([&](char* bytes, std::size_t room)
+                   { return fgetxattr(file.get(), name, bytes, room); });
+}
+
+/// Whether the new file could be given the extended attributes of the old one, access control lists
+/// among them, and no others.
+bool TakeOverAttributes(const FileDescriptor& file, const std::filesystem::path& path)
+{
+    const FileDescriptor old(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const std::string names = AttributesOf(old);
+    const auto next = [](const std::string& list, std::size_t at)
+    {
+        return list.find('\0', at) + 1;
+    };
+    for (std::size_t at = 0; at < names.size(); at = next(names, at))
+    {
+        const char* name = names.c_str() + at;
+        const std::optional<std::string> value = AttributeOf(old, name);
+        if (!value || (AttributeOf(file, name) != value &&
+                       fsetxattr(file.get(), name, value->data(), value->size(), 0) != 0))
+        {
+            return false;
+        }
+    }
+    const std::string fresh = AttributesOf(file); // from its folder
+    for (std::size_t at = 0; at < fresh.size(); at = next(fresh, at))
+    {
+        const char* name = fresh.c_str() + at;
+        if (!AttributeOf(old, name) && fremovexattr(file.get(), name) != 0)
+        {
+            return false;
+        }
+    }
+    return old.isOpen();
+}
+
+/// Whether the new file could be given owner, permissions and extended attributes of the old one.
+bool TakeOver(const FileDescriptor& file, const std::filesystem::path& path, const struct stat& old)
 {
     struct stat fresh = {};
     const bool isOwner =
         fstat(file.get(), &fresh) == 0 && fresh.st_uid == old.st_uid && fresh.st_gid == old.st_gid;
     return (isOwner || fchown(file.get(), old.st_uid, old.st_gid) == 0) &&
-           fchmod(file.get(), old.st_mode & 07777) == 0;
+           fchmod(file.get(), old.st_mode & 07777) == 0 && TakeOverAttributes(file, path);
+}
+
+/// Puts a new name of a file onto the disk; nothing where the file system cannot.
+std::error_code SyncFolder(const std::filesystem::path& path)
+{
+    const FileDescriptor folder(
+        open((path.parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const bool isDone = !folder.isOpen() || fsync(folder.get()) == 0 || errno == EINVAL;
+    return isDone ? std::error_code() : LastError();
 }
 
 /// @param old  null if there is no such file yet
@@ -148,7 +221,7 @@ std::error_code Replace(const Writing& writing, const struct stat* old)
     {
         return LastError();
     }
-    if (old && !TakeOver(file, *old))
+    if (old && !TakeOver(file, writing.path, *old))
     {
         return Overwrite(writing, *old);
     }
@@ -159,7 +232,11 @@ std::error_code Replace(const Writing& writing, const struct stat* old)
         return failure;
     }
     writing.CallBeforeReplace();
-    return rename(temporary.path.c_str(), writing.path.c_str()) == 0 ? failure : LastError();
+    if (rename(temporary.path.c_str(), writing.path.c_str()) != 0)
+    {
+        return LastError();
+    }
+    return writing.isDurable ? SyncFolder(writing.path) : failure;
 }
 
 std::error_code Write(const std::filesystem::path& path, std::string_view bytes,

@@ -135,6 +135,20 @@ TEST_F(DrawRenderersCalls, MergeObjectsOfAGeometryFunctionThatReadsNoPerDrawData
     EXPECT_EQ(Draw().size(), 1u);
 }
 
+TEST_F(DrawRenderersCalls, KeepObjectsApartWhoseVertexFunctionTakesTheInstanceId)
+{
+    const auto material = std::make_shared<Material>(
+        test::ShaderOf("Shader \"Test/Instance\" { SubShader { Pass {"
+                       " Tags { \"LightMode\" = \"UniversalForward\" }\nHLSLPROGRAM\n"
+                       "#pragma vertex Vert\n#pragma fragment Frag\n"
+                       "float4 Vert(float4 p : POSITION, uint id : SV_InstanceID) : SV_POSITION\n"
+                       "{ return p + id; }\n"
+                       "float4 Frag() : SV_Target { return 1; }\nENDHLSL } } }"));
+    test::AddCube(m_Scene, "a", {0, 0, 0}, {material});
+    test::AddCube(m_Scene, "b", {0, 0, 0}, {material});
+    EXPECT_EQ(Draw().size(), 2u);
+}
+
 TEST_F(DrawRenderersCalls, KeepObjectsApartWhoseFragmentsReadPerDrawData)
 {
     const auto reading = std::make_shared<Material>(

@@ -21,10 +21,10 @@ PipelineState Authored()
     state.offsetUnits = 3.0f;
     state.alphaToMask = true;
     state.conservative = true;
-    for (TargetBlend& target : state.targets)
+    for (RenderTargetBlendState& target : state.targets)
     {
-        target = {true,           BlendMode::SrcAlpha, BlendMode::One, BlendMode::Zero,
-                  BlendMode::One, BlendOp::Max,        BlendOp::Min,   ColorWriteMask::Red};
+        target = {ColorWriteMask::Red, BlendMode::SrcAlpha, BlendMode::One, BlendMode::Zero,
+                  BlendMode::One,      BlendOp::Max,        BlendOp::Min};
     }
     state.stencilEnabled = true;
     state.stencilReference = 7;
@@ -115,11 +115,9 @@ TEST(RenderStateBlock, ReplacesBlendingOfAllTargetsByTheFirst)
     block.blendState.blendStates[3].writeMask = 0;
     const PipelineState result = Override(Authored(), block);
     EXPECT_FALSE(result.alphaToMask);
-    for (const TargetBlend& target : result.targets)
+    for (const RenderTargetBlendState& target : result.targets)
     {
-        EXPECT_EQ(target, (TargetBlend{true, BlendMode::SrcAlpha, BlendMode::OneMinusSrcAlpha,
-                                       BlendMode::One, BlendMode::Zero, BlendOp::Add, BlendOp::Add,
-                                       ColorWriteMask::All}));
+        EXPECT_EQ(target, block.blendState.blendStates[0]);
     }
 }
 
@@ -129,9 +127,8 @@ TEST(RenderStateBlock, ReplacesBlendingTargetByTargetWhereAsked)
     block.blendState.separateMRTBlendStates = true;
     block.blendState.blendStates[3].writeMask = ColorWriteMask::Alpha;
     const PipelineState result = Override(Authored(), block);
-    EXPECT_EQ(result.targets[0], TargetBlend());
-    EXPECT_EQ(result.targets[3].writeMask, ColorWriteMask::Alpha);
-    EXPECT_FALSE(result.targets[3].enabled);
+    EXPECT_EQ(result.targets[0], RenderTargetBlendState());
+    EXPECT_EQ(result.targets[3], (RenderTargetBlendState{ColorWriteMask::Alpha}));
 }
 
 TEST(RenderStateBlock, RefusesNumbersThatNoStencilHas)

@@ -45,7 +45,7 @@ TEST_F(ResolvedState, IsShaderLabsDefaultWithoutCommands)
     EXPECT_EQ(state.cull, CullMode::Back);
     EXPECT_EQ(state.zTest, CompareFunction::LessEqual);
     EXPECT_TRUE(state.zWrite);
-    EXPECT_FALSE(state.targets[0].enabled);
+    EXPECT_EQ(state.targets[0], RenderTargetBlendState());
     EXPECT_EQ(state.targets[0].writeMask, 15);
     EXPECT_FALSE(state.stencilEnabled);
     EXPECT_FALSE(state.frontFaceFlipped);
@@ -61,9 +61,8 @@ TEST_F(ResolvedState, HoldsWhatTheCommandsSay)
     EXPECT_FALSE(state.zWrite);
     EXPECT_EQ(state.offsetFactor, -1.0f);
     EXPECT_EQ(state.offsetUnits, -2.0f);
-    EXPECT_TRUE(state.targets[0].enabled);
-    EXPECT_EQ(state.targets[0].srcColor, BlendMode::SrcAlpha);
-    EXPECT_EQ(state.targets[0].dstAlpha, BlendMode::OneMinusSrcAlpha);
+    EXPECT_EQ(state.targets[0].sourceColorBlendMode, BlendMode::SrcAlpha);
+    EXPECT_EQ(state.targets[0].destinationAlphaBlendMode, BlendMode::OneMinusSrcAlpha);
     EXPECT_EQ(state.targets[7].writeMask, 12);
     EXPECT_TRUE(state.stencilEnabled);
     EXPECT_EQ(state.stencilReference, 2);
@@ -84,8 +83,8 @@ TEST_F(ResolvedState, TakesReferencesFromTheMaterial)
     EXPECT_EQ(state.cull, CullMode::Front);
     EXPECT_EQ(state.zTest, CompareFunction::Always);
     EXPECT_FALSE(state.zWrite);
-    EXPECT_EQ(state.targets[0].srcColor, BlendMode::SrcAlpha);
-    EXPECT_EQ(state.targets[0].dstColor, BlendMode::OneMinusSrcAlpha);
+    EXPECT_EQ(state.targets[0].sourceColorBlendMode, BlendMode::SrcAlpha);
+    EXPECT_EQ(state.targets[0].destinationColorBlendMode, BlendMode::OneMinusSrcAlpha);
     EXPECT_EQ(state.targets[0].writeMask, ColorWriteMask::Red);
     EXPECT_EQ(state.stencilReference, 255);
     EXPECT_EQ(state.stencilFront.compare, CompareFunction::NotEqual);

@@ -41,7 +41,7 @@ float Blended(BlendMode mode, float source, float sourceAlpha, float target, flo
 }
 
 /// Whether all of some texels come out of blending as they went in.
-bool KeepsTexels(const TargetBlend& blend, const Color& c)
+bool KeepsTexels(const RenderTargetBlendState& blend, const Color& c)
 {
     for (const float t : {0.0f, 0.25f, 1.0f, 3.0f})
     {
@@ -49,15 +49,15 @@ bool KeepsTexels(const TargetBlend& blend, const Color& c)
         {
             for (const float s : {c.r, c.g, c.b})
             {
-                const float color = s * Blended(blend.srcColor, s, c.a, t, ta) +
-                                    t * Blended(blend.dstColor, s, c.a, t, ta);
+                const float color = s * Blended(blend.sourceColorBlendMode, s, c.a, t, ta) +
+                                    t * Blended(blend.destinationColorBlendMode, s, c.a, t, ta);
                 if (color != t)
                 {
                     return false;
                 }
             }
-            const float alpha = c.a * Blended(blend.srcAlpha, c.a, c.a, ta, ta) +
-                                ta * Blended(blend.dstAlpha, c.a, c.a, ta, ta);
+            const float alpha = c.a * Blended(blend.sourceAlphaBlendMode, c.a, c.a, ta, ta) +
+                                ta * Blended(blend.destinationAlphaBlendMode, c.a, c.a, ta, ta);
             if (alpha != ta)
             {
                 return false;
@@ -76,18 +76,17 @@ constexpr BlendMode k_Modes[] = {BlendMode::Zero,     BlendMode::One,
 
 TEST(ConstantBlend, LeavesATargetAsItIsWhereBlendingGivesEveryTexelBack)
 {
-    TargetBlend blend;
-    blend.enabled = true;
+    RenderTargetBlendState blend;
     int left = 0;
     for (const Color& color : {Color{0, 0, 0, 0}, Color{0, 0, 0, 1}, Color{1, 1, 1, 0},
                                Color{0, 0.5f, 0, 1}, Color{1, 1, 1, 1}})
     {
         for (int i = 0; i < 6 * 6 * 6 * 6; ++i)
         {
-            blend.srcColor = k_Modes[i % 6];
-            blend.dstColor = k_Modes[i / 6 % 6];
-            blend.srcAlpha = k_Modes[i / 36 % 6];
-            blend.dstAlpha = k_Modes[i / 216];
+            blend.sourceColorBlendMode = k_Modes[i % 6];
+            blend.destinationColorBlendMode = k_Modes[i / 6 % 6];
+            blend.sourceAlphaBlendMode = k_Modes[i / 36 % 6];
+            blend.destinationAlphaBlendMode = k_Modes[i / 216];
             const bool keeps = KeepsTexels(blend, color);
             left += keeps ? 1 : 0;
             ASSERT_EQ(keeps, LeavesTargetAsItIs(blend, color))
@@ -100,24 +99,21 @@ TEST(ConstantBlend, LeavesATargetAsItIsWhereBlendingGivesEveryTexelBack)
 
 TEST(ConstantBlend, KnowsNothingOfFactorsOfTheTargetAndOfOtherOperations)
 {
-    TargetBlend blend;
-    blend.enabled = true;
-    blend.dstColor = BlendMode::DstColor;
+    RenderTargetBlendState blend;
+    blend.destinationColorBlendMode = BlendMode::DstColor;
     EXPECT_FALSE(LeavesTargetAsItIs(blend, Color::clear));
-    blend.dstColor = BlendMode::One;
-    blend.dstAlpha = BlendMode::One;
+    blend.destinationColorBlendMode = BlendMode::One;
+    blend.destinationAlphaBlendMode = BlendMode::One;
     EXPECT_TRUE(LeavesTargetAsItIs(blend, Color::clear));
-    blend.colorOp = BlendOp::ReverseSubtract;
+    blend.colorBlendOperation = BlendOp::ReverseSubtract;
     EXPECT_FALSE(LeavesTargetAsItIs(blend, Color::clear));
 }
 
 TEST(ConstantBlend, ReplacesATargetThatItDoesNotLookAt)
 {
-    TargetBlend blend;
+    RenderTargetBlendState blend;
     EXPECT_TRUE(ReplacesTarget(blend));
-    blend.enabled = true;
-    EXPECT_TRUE(ReplacesTarget(blend)) << "One Zero";
-    blend.dstAlpha = BlendMode::One;
+    blend.destinationAlphaBlendMode = BlendMode::One;
     EXPECT_FALSE(ReplacesTarget(blend));
     blend = {};
     blend.writeMask = ColorWriteMask::Red;
@@ -126,12 +122,11 @@ TEST(ConstantBlend, ReplacesATargetThatItDoesNotLookAt)
 
 TEST(ConstantBlend, LooksAtTheComponentsThatAreWrittenOnly)
 {
-    TargetBlend blend;
+    RenderTargetBlendState blend;
     EXPECT_FALSE(LeavesTargetAsItIs(blend, Color::clear)) << "it is replaced";
     blend.writeMask = 0;
     EXPECT_TRUE(LeavesTargetAsItIs(blend, Color::white));
-    blend.enabled = true;
-    blend.dstColor = BlendMode::One;
+    blend.destinationColorBlendMode = BlendMode::One;
     blend.writeMask = ColorWriteMask::Red | ColorWriteMask::Blue;
     EXPECT_TRUE(LeavesTargetAsItIs(blend, {0, 1, 0, 1}));
     EXPECT_FALSE(LeavesTargetAsItIs(blend, {0, 0, 1, 1}));

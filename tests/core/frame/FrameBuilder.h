@@ -59,7 +59,8 @@ public:
     /// zero
     ///     in any texture gives "0 0 0 1 where"
     FrameBuilder& Blit(std::uint32_t number, const std::vector<TexturePtr>& sampled,
-                       const std::string& promise, const TargetBlend& blend = {})
+                       const std::string& promise, const RenderTargetBlendState& blend = {},
+                       float reach = -1.0f)
     {
         Draw(number, sampled);
         auto& draw = std::get<DrawCommand>(m_Frame.commands.back());
@@ -80,19 +81,21 @@ public:
             says->zeroTextures = sampled;
             says->output = {0, 0, 0, 1};
         }
+        says->reach = reach;
         draw.fullScreen = std::move(says);
         return *this;
     }
     /// Adds the colour, keeps the alpha: Blend One SrcAlpha, Zero One.
-    static TargetBlend Additive()
+    static RenderTargetBlendState Additive()
     {
-        TargetBlend blend;
-        blend.enabled = true;
-        blend.dstColor = BlendMode::SrcAlpha;
-        blend.srcAlpha = BlendMode::Zero;
-        blend.dstAlpha = BlendMode::One;
+        RenderTargetBlendState blend;
+        blend.destinationColorBlendMode = BlendMode::SrcAlpha;
+        blend.sourceAlphaBlendMode = BlendMode::Zero;
+        blend.destinationAlphaBlendMode = BlendMode::One;
         return blend;
     }
+    /// The draw that was added last.
+    DrawCommand& last() { return std::get<DrawCommand>(m_Frame.commands.back()); }
     FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
     FrameBuilder& End() { return Add(EndSampleCommand{}); }
 

@@ -157,11 +157,12 @@ private:
                 continue;
             }
             const long value = Fragment(draw, i);
-            const TargetBlend& blend = draw.state.targets[0];
+            const RenderTargetBlendState& blend = draw.state.targets[0];
             for (const auto& color : targets.colors)
             {
                 long& texel = Of(*color)[i];
-                texel = ((blend.enabled ? texel : 0) + value) % k_Modulus;
+                texel = ((blend.destinationColorBlendMode != BlendMode::Zero ? texel : 0) + value) %
+                        k_Modulus;
             }
         }
     }

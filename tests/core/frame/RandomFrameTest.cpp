@@ -138,7 +138,8 @@ private:
 
     void RecordDraw(const RenderTexturePtr& color)
     {
-        const TargetBlend blend = Pick(0, 1) == 0 ? TargetBlend{} : FrameBuilder::Additive();
+        const RenderTargetBlendState blend =
+            Pick(0, 1) == 0 ? RenderTargetBlendState{} : FrameBuilder::Additive();
         const std::vector<test::TexturePtr> sampled = Sampled(color, 2);
         const int kind = Pick(0, 3);
         if (kind == 0 && sampled.size() == 1)
@@ -213,7 +214,7 @@ std::string Describe(const FrameCommands& frame)
         }
         else if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            text += draw->state.targets[0].enabled ? " add" : " draw";
+            text += draw->state.targets[0] == FrameBuilder::Additive() ? " add" : " draw";
             text += !draw->fullScreen ? "" : draw->fullScreen->copied ? " copy" : " where";
             for (const TextureSlot& slot : draw->bindings->textures)
             {

@@ -219,19 +219,31 @@ TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
     EXPECT_THAT(mask(), ElementsAre(0x80000004u));
 }
 
-TEST_F(Pipeline, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
+TEST_F(Pipeline, NotesOnceWhatShadersUseThatLimnDoesNotHave)
 {
-    const auto shader = test::ShaderOf(
-        "Shader \"Test/Baked\" { SubShader { Pass {\n" +
-        test::Program("#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
-                      "Lighting.hlsl\"\n",
-                      "float4(SampleLightmap(float2(0, 0), float3(0, 1, 0)), 1)") +
-        "} } }");
-    test::AddCube(m_Scene, "a", {0, 0, 10}, {std::make_shared<Material>(shader)});
-    test::AddCube(m_Scene, "b", {0, 1, 10}, {std::make_shared<Material>(shader)});
+    const auto add = [&](const std::string& name)
+    {
+        const auto shader = test::ShaderOf(
+            "Shader \"" + name + "\" { SubShader { Pass {\n" +
+            test::Program("#include \"Packages/com.unity.render-pipelines.universal/"
+                          "ShaderLibrary/Lighting.hlsl\"\n",
+                          "float4(SampleLightmap(float2(0, 0), float3(0, 1, 0)), 1)") +
+            "} } }");
+        test::AddCube(m_Scene, name, {0, 0, 10}, {std::make_shared<Material>(shader)});
+        test::AddCube(m_Scene, name, {0, 1, 10}, {std::make_shared<Material>(shader)});
+    };
+    const std::string message = ": uses light maps, which limn does not have: they are white";
+    add("Test/Baked");
+    EXPECT_THAT(Render().report.notes, ElementsAre("shader 'Test/Baked'" + message));
+    for (const char* name : {"B", "C", "D"})
+    {
+        add(name);
+    }
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("shader 'Test/Baked': uses light maps, which limn does not have: they "
-                            "are white"));
+                ElementsAre("shader 'Test/Baked' (and 'B', 'C', 'D')" + message));
+    add("E");
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre("shader 'Test/Baked' (and 'B', 'C', 'D', …)" + message));
 }
 
 TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)

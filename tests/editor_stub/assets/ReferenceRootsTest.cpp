@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/editor_stub/Overrides.h>
+#include <limn/volume/TextureParameter.h>
 #include <sys/stat.h>
 
 namespace limn::test
@@ -19,6 +20,11 @@ constexpr const char* k_Outside =
     "lies outside the folders that references may lead into; move it below the scene's folder, or "
     "name its folder by --root DIR";
 
+struct Picture : VolumeComponent
+{
+    Texture2DParameter ramp{this, "m_Ramp", {}};
+};
+
 /// A scene in outer/project; outer has files that are none of its business.
 class ReferenceRoots : public testing::Test
 {
@@ -26,11 +32,13 @@ protected:
     ReferenceRoots()
     {
         std::filesystem::create_directory(outer / "project");
+        std::filesystem::create_directories(outer / "unity/Assets/Settings");
+        const Image image{1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)};
         outer.Write("secret.yaml", "password: hunter2\n");
         outer.Write("on.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");
-        outer.Write("a.shader", "Shader \"A\" { SubShader { Pass { } } }\n");
-        WritePng(outer / "a.png",
-                 Image{1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)});
+        outer.Write("a.shader", "Shader \"A\" { SubShader { Pass { } Pass { } Pass { } } }\n");
+        WritePng(outer / "a.png", image);
+        WritePng(outer / "unity/Assets/a.png", image);
     }
 
     std::filesystem::path Scene(const std::string& lines) const
@@ -136,6 +144,54 @@ TEST_F(ReferenceRoots, DoNotBindWhatAPersonTypes)
     AssetContext assets;
     SceneAsset asset = LoadScene(scene, assets);
     EXPECT_NO_THROW(ReplaceProfile(asset, (outer / "on.profile.yaml").string(), assets));
+}
+
+TEST_F(ReferenceRoots, AreNotWidenedForTheSceneByWhatAPersonTypes)
+{
+    outer.Write("unity/Assets/Settings/typed.profile.yaml", "Picture: {ramp: ../a.png}\n");
+    const std::string scene = "renderer: {features: [{type: ScreenSpaceOutlineRenderFeature}]}\n";
+    AssetContext assets;
+    assets.volumeComponents().Register<Picture>("Picture");
+    SceneAsset asset = LoadScene(Scene(scene), assets);
+    ReplaceProfile(asset, (outer / "unity/Assets/Settings/typed.profile.yaml").string(), assets);
+    EXPECT_NE(nullptr, asset.volumes.at(0).sharedProfile->TryGet<Picture>()->ramp.value().asset)
+        << "of the typed file's own project";
+    const std::string overrides[] = {"ScreenSpaceOutlineRenderFeature.m_ScreenSpaceOutlineShader=" +
+                                     (outer / "a.shader").string()};
+    ApplyOverrides(asset, overrides, assets);
+    for (const char* path : {"unity/Assets/Settings/on.profile.yaml", "on.profile.yaml"})
+    {
+        const std::string lines = "volumes: [{profile: ../" + std::string(path) + "}]\n";
+        EXPECT_THAT(
+            Problems([&] { LoadScene(Scene(lines), assets); }),
+            ElementsAre("2:21: volumes[0].profile: '../" + std::string(path) + "' " + k_Outside));
+    }
+}
+
+TEST_F(ReferenceRoots, AreNotWidenedByARendererOfUnitys)
+{
+    outer.Write("unity/Assets/Settings/r.asset",
+                "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n"
+                "  m_Name: R\n  m_RendererFeatures: []\n");
+    const std::string scene = Scene("renderer: {rendererData: ../unity/Assets/Settings/r.asset}\n"
+                                    "volumes: [{profile: ../unity/Assets/on.profile.yaml}]\n")
+                                  .string();
+    const CommandRun run =
+        RunCommand({"explain", scene, "--root", (outer / "unity/Assets/Settings").string()});
+    EXPECT_EQ(scene + ":3:21: error: volumes[0].profile: '../unity/Assets/on.profile.yaml' " +
+                  k_Outside + "\n",
+              run.err);
+}
+
+TEST_F(ReferenceRoots, HoldForALinkThatTakesTheProfilesPlace)
+{
+    const auto profile = outer.Write("project/p.profile.yaml", "ScreenSpaceOutline: {}\n");
+    AssetContext assets;
+    LoadScene(Scene("volumes: [{profile: p.profile.yaml}]\n"), assets);
+    EXPECT_NE(nullptr, assets.ReloadProfile(profile));
+    std::filesystem::remove(profile);
+    std::filesystem::create_symlink("../on.profile.yaml", profile);
+    EXPECT_EQ(nullptr, assets.ReloadProfile(profile));
 }
 
 TEST_F(ReferenceRoots, LetNoOtherKindOfFileBeShown)

@@ -1,3 +1,4 @@
+#include "commands/HostileNames.h"
 #include "commands/WatchTest.h"
 #include "commands/WorkingFolder.h"
 
@@ -47,6 +48,22 @@ TEST_F(BareNamesGpu, DoForWatch)
         << ReadText(folder / "err");
     EXPECT_EQ(0, Stop(SIGINT));
     EXPECT_EQ("", ReadText(folder / "err"));
+}
+
+TEST_F(BareNamesGpu, ThatAreHostileReachNoStreamAsTheyAre)
+{
+    WriteHostileProject(working.folder);
+    const std::string out = k_HostileFile + ".png";
+    const CommandRun run = RunCommand({"render", "s.scene.yaml", "-o", out, "-v"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_TRUE(std::filesystem::exists(out));
+    ExpectHarmless(run.out, "render > out");
+    ExpectHarmless(run.err, "render > err");
+    Start("s.scene.yaml -o \"$(printf 'w\\033[2J\\nFORGED.png')\"");
+    EXPECT_TRUE(WaitFor([this] { return !ReadText(folder / "out").empty(); }));
+    EXPECT_EQ(0, Stop(SIGTERM));
+    ExpectHarmless(ReadText(folder / "out"), "watch > out");
+    ExpectHarmless(ReadText(folder / "err"), "watch > err");
 }
 
 } // namespace limn::test

@@ -230,6 +230,34 @@ TEST_F(BadInput, ASceneOfUnitysIsNotDrawn)
                   1);
 }
 
+TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
+{
+    folder.Write("README.md", "# A title: with a colon\n\n- a [list\n");
+    folder.Write("notes", "");
+    for (const char* name : {"README.md", "notes"})
+    {
+        const std::string file = Path(name);
+        const auto expectNo = [&](const std::vector<std::string>& args, const std::string& sentence)
+        {
+            ExpectRefusal(RunCommand(args),
+                          file + ": error: '" + args[0] + "' cannot take it: this is no " +
+                              sentence + " file is expected\n",
+                          2);
+        };
+        const std::string scene = "scene; a *.scene.yaml";
+        expectNo({"render", file, "-o", Path("out.png")}, scene);
+        expectNo({"watch", file, "-o", Path("out.png")}, scene);
+        expectNo({"explain", file}, scene);
+        expectNo({"inspect", file}, "scene or volume profile; a *.scene.yaml or *.profile.yaml");
+        expectNo({"set", file, "A.b=1"}, "volume profile; a *.profile.yaml");
+        expectNo({"shader", file}, "shader; a *.shader");
+    }
+    ExpectRefusal(Render(k_Camera, {"--profile", Path("notes")}),
+                  Path("notes") + ": error: '--profile' cannot take it: this is no volume profile; "
+                                  "a *.profile.yaml file is expected\n",
+                  3);
+}
+
 TEST_F(BadInput, ANameInAFileCannotForgeAMessage)
 {
     folder.Write("w.profile.yaml", "\"x\\n/etc/passwd:1:1: error: \\e[31mhello\": {}\n");

@@ -172,6 +172,42 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
               run.err);
 }
 
+TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
+{
+    const auto shaderOf = [](const std::string& declarations, const std::string& sum)
+    {
+        return "Shader \"S\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n"
+               "#pragma fragment F\n" +
+               declarations +
+               "\nfloat4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+               "float4 F() : SV_Target { return " +
+               sum + "; }\nENDHLSL } } }";
+    };
+    std::string buffers;
+    std::string sum = "0";
+    for (int i = 0; i < 40; ++i)
+    {
+        const std::string name = std::to_string(i);
+        buffers += "cbuffer B" + name + " { float4 _A" + name + "; };\n";
+        sum += " + _A" + name;
+    }
+    folder.Write("s.scene.yaml", "size: [8, 8]\ncamera: {}\nmaterials: {m: {shader: s.shader}}\n"
+                                 "objects: [{name: a, mesh: cube, material: m, "
+                                 "position: [0, 0, 3]}]\n");
+    for (const auto& [shader, error] :
+         {std::pair(shaderOf(buffers, sum), "error: a function of the shader reads 40 uniform "
+                                            "buffers; the device binds at most [0-9]+\n"),
+          {shaderOf("cbuffer B { float4 _A[70000]; };", "_A[5]"),
+           "error: shader 'S', pass 0: constant buffer 'B' has 1120000 bytes; the device binds at "
+           "most [0-9]+, so make it smaller or use a texture\n"}})
+    {
+        folder.Write("s.shader", shader);
+        const CommandRun run = Draw({});
+        EXPECT_EQ(run.err.empty() ? 0 : 1, run.exitCode);
+        EXPECT_THAT(run.err, testing::AnyOf("", testing::MatchesRegex(error)));
+    }
+}
+
 TEST_F(Render, TheSizeOptionWinsOverTheScene)
 {
     const CommandRun run = Draw({"--size", "20x10"});

@@ -86,4 +86,69 @@ TEST(RawMessages, AreNoneForNamesThatAreNotUtf8)
     EXPECT_THAT(run.out, testing::HasSubstr("\"a\xef\xbf\xbd\""));
 }
 
+// Each of these ended with 70, "this is a bug in limn".
+TEST(Input, ThatCannotBeDrawnIsNoBugOfLimns)
+{
+    const TemporaryFolder folder;
+    folder.Write("one.shader", "Shader \"One\" { SubShader { Pass { } } }");
+    std::string names = "a";
+    for (int i = 1; i < 17; ++i)
+    {
+        names += ", a";
+    }
+    const auto feature = [](const std::string& type, const std::string& settings)
+    {
+        return "renderer: {features: [{type: " + type + ", name: F, " + settings + "}]}\n";
+    };
+    const std::string outline =
+        feature("ScreenSpaceOutlineRenderFeature",
+                "m_LayerMask: Everything, m_ScreenSpaceOutlineShader: one.shader");
+    const std::string camera = "camera: {position: [0, 0, -4]}\n";
+    const std::string ortho = "camera: {orthographic: true, nearClipPlane: -20}\n";
+    const std::string range = " is outside [-1000000000, 1000000000]\n";
+    const std::pair<std::string, std::string> cases[] = {
+        {"camera: {position: [3e38, 0, 0]}\n", ":1:21: error: camera.position[0]: 3e38" + range},
+        {"camera: {lookAt: [0, 1e30, 0]}\n", ":1:22: error: camera.lookAt[1]: 1e30" + range},
+        {"camera: {backgroundColor: [1e30, 0, 0]}\n",
+         ":1:28: error: camera.backgroundColor[0]: 1e30" + range},
+        {camera + "ambientLight: {r: 0, g: 0, b: -1e30}\n",
+         ":2:31: error: scene.ambientLight.b: -1e30" + range},
+        {camera + feature("RenderObjects", "filterSettings: {PassNames: [" + names + "]}"),
+         ":2:23: error: renderer.features[0]: F: filterSettings.PassNames has 17 names; at most 16 "
+         "are drawn\n"},
+        {camera + feature("RenderObjects", "cameraSettings: {offset: [0, 0, 3e38, 0]}"),
+         ":2:23: error: renderer.features[0]: F: cameraSettings.offset is more than 1e9 m; what is "
+         "so far away is in no picture\n"},
+        {camera + outline,
+         ":2:23: error: renderer.features[0]: F: m_ScreenSpaceOutlineShader: the shader 'One' has "
+         "1 of the three passes for mask, edge and composite; Hidden/ScreenSpaceOutline has "
+         "them\n"},
+        {ortho + feature("RenderObjects", "passTag: P, cameraSettings: {overrideCamera: true}"),
+         "error: P: cameraSettings.overrideCamera: its own camera has perspective, but the scene's "
+         "has the nearClipPlane -20.000000; more than 0 is needed\n"}};
+    for (const auto& [text, error] : cases)
+    {
+        const std::string scene = folder.Write("s.scene.yaml", text).string();
+        const CommandRun run = RunCommand({"explain", scene});
+        EXPECT_EQ(1, run.exitCode) << text;
+        EXPECT_EQ((error[0] == ':' ? scene : "") + error, run.err);
+    }
+}
+
+TEST(Input, OfOnePixelHasAnOutlineAsWell)
+{
+    const TemporaryFolder folder;
+    folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");
+    const std::string scene =
+        folder
+            .Write("s.scene.yaml",
+                   "size: [1, 1]\ncamera: {position: [0, 0, -4]}\n"
+                   "renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, m_LayerMask: "
+                   "Everything, m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutline}]}\n"
+                   "volumes: [{name: v, profile: p.profile.yaml}]\n")
+            .string();
+    const CommandRun run = RunCommand({"explain", scene});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+}
+
 } // namespace limn::test

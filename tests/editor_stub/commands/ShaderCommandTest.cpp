@@ -340,6 +340,25 @@ TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
               run.err);
 }
 
+TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
+{
+    for (const char* name : {"a", "b", "c"})
+    {
+        std::string text = k_Good;
+        text.replace(text.find("return _Tint;"), 13, "return float4(SampleLightmap(0, 0), 1);");
+        text.replace(text.find("#pragma vertex"), 0,
+                     "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
+                     "Lighting.hlsl\"\n");
+        Write(name + std::string(".shader"), text);
+    }
+    const CommandRun run = RunCommand({"shader", (folder / "").string()});
+    EXPECT_EQ(0, run.exitCode);
+    const std::string message = "note: uses light maps, which limn does not have: they are white\n";
+    EXPECT_EQ((folder / "a.shader").string() + ": " + message +
+                  "note: in 2 more files: " + message.substr(6),
+              run.err);
+}
+
 TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
 {
     std::string surface = k_Good;

@@ -1,87 +1,12 @@
-#include "Paths.h"
 #include "commands/CommandRun.h"
 
-#include <cstdio>
 #include <gmock/gmock.h>
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace limn::test
 {
 
 namespace
 {
-
-/// All that `limn`, a process of its own, writes to a terminal, in lines that end with '\n'.
-class Terminal
-{
-public:
-    explicit Terminal(unsigned short columns) : m_Columns(columns) {}
-
-    Terminal With(const std::string& variable, const std::string& value) const
-    {
-        Terminal changed = *this;
-        changed.m_Variables.emplace_back(variable, value);
-        return changed;
-    }
-
-    std::string Run(std::vector<std::string> args) const
-    {
-        args.insert(args.begin(), "limn");
-        std::vector<char*> words;
-        for (std::string& arg : args)
-        {
-            words.push_back(arg.data());
-        }
-        words.push_back(nullptr);
-        const std::string program = LimnExecutable();
-        winsize size{24, m_Columns, 0, 0};
-        int terminal = -1;
-        const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
-        if (child == 0)
-        {
-            setenv("TERM", "xterm", 1);
-            unsetenv("NO_COLOR");
-            for (const auto& [name, value] : m_Variables)
-            {
-                setenv(name.c_str(), value.c_str(), 1);
-            }
-            execv(program.c_str(), words.data());
-            _exit(127);
-        }
-        std::string text;
-        char bytes[4096];
-        for (ssize_t count = read(terminal, bytes, sizeof(bytes)); count > 0;
-             count = read(terminal, bytes, sizeof(bytes)))
-        {
-            text.append(bytes, static_cast<std::size_t>(count));
-        }
-        waitpid(child, nullptr, 0);
-        close(terminal);
-        std::erase(text, '\r'); // a terminal's line ends with both
-        return text;
-    }
-
-private:
-    unsigned short m_Columns;
-    std::vector<std::pair<std::string, std::string>> m_Variables;
-};
-
-/// What a shell command writes to a pipe.
-std::string RunInPipe(const std::string& command)
-{
-    std::string text;
-    FILE* pipe = popen(command.c_str(), "r");
-    char bytes[4096];
-    for (std::size_t count = fread(bytes, 1, sizeof(bytes), pipe); count > 0;
-         count = fread(bytes, 1, sizeof(bytes), pipe))
-    {
-        text.append(bytes, count);
-    }
-    pclose(pipe);
-    return text;
-}
 
 const std::string k_Red = "\033[31merror\033[0m";
 const std::string k_Rest = ": unknown verb 'rendr'; did you mean 'render'?\n"
@@ -118,19 +43,6 @@ TEST(ATerminal, HasHelpWrappedToItsWidth)
               Terminal(60).Run({"help", "set"}));
 }
 
-TEST(ATerminal, HasNoLineOfHelpThatIsWider)
-{
-    for (const char* verb : {"render", "watch", "shader", "explain"})
-    {
-        std::istringstream help(Terminal(60).Run({"help", verb}));
-        for (std::string line; std::getline(help, line);)
-        {
-            EXPECT_LE(line.size(), 60u) << line;
-        }
-        EXPECT_GT(RunCommand({"help", verb}).out.size(), 500u);
-    }
-}
-
 TEST(ATerminal, ShowsErrorsInColour)
 {
     EXPECT_EQ(k_Red + k_Rest, Terminal(80).Run({"rendr"}));
@@ -147,13 +59,6 @@ TEST(ATerminal, ShowsNoColourToWhomeverWantsNone)
               Terminal(80).With("NO_COLOR", "1").Run({"inspect", "set", "--color", "always"}));
 }
 
-TEST(ATerminal, IsSentNoPicture)
-{
-    EXPECT_EQ(k_Red + ": -o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
-                      "'limn render SCENE -o - > out.png'\n",
-              Terminal(80).Run({"render", "s.scene.yaml", "-o", "-"}));
-}
-
 TEST(ATerminal, IsNotCommandedByNamesInFiles)
 {
     const TemporaryFolder folder;
@@ -163,6 +68,18 @@ TEST(ATerminal, IsNotCommandedByNamesInFiles)
     EXPECT_THAT(text, testing::StartsWith(
                           file + ":2:1: error: scene: unknown key '\\x1B[2J\\x07' (known: size, "));
     EXPECT_EQ(std::string::npos, text.find('\033'));
+}
+
+TEST(ATerminal, IsNotCommandedByAShaderThatIsPrinted)
+{
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.Write("a.shader", "Shader \"\x1B[2J\" { SubShader { Pass { } } }").string();
+    EXPECT_THAT(Terminal(80).Run({"shader", "--print", file}),
+                testing::StartsWith("Shader \"\\x1B[2J\"\n"));
+    EXPECT_THAT(RunInPipe("'" + LimnExecutable() + "' shader --print '" + file + "'"),
+                testing::StartsWith("Shader \"\x1B[2J\"\n"))
+        << "a file stays what it is";
 }
 
 TEST(APipe, HasPlainTextEightyColumnsWide)

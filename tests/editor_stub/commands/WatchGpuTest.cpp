@@ -1,6 +1,7 @@
 #include "commands/WatchTest.h"
 
 #include <atomic>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -25,6 +26,9 @@ constexpr const char* k_WatchedScene =
     "volumes: [{name: All, profile: p.profile.yaml}]\n"
     "materials: {black: {_BaseColor: \"#000000\"}}\n"
     "objects: [{name: Piece, mesh: cube, material: black, renderingLayerMask: [Selected]}]\n";
+
+constexpr const char* k_NoResults = "error: the results cannot be written to standard output: its "
+                                    "disk is full, or nobody reads it\n";
 
 std::string Profile(const std::string& color)
 {
@@ -190,6 +194,33 @@ TEST_F(Watch, WithAPipeForAProfileStillEndsOnASignal)
     EXPECT_TRUE(WaitFor(
         [&] { return ReadText(folder / "err").find("is a named pipe") != std::string::npos; }));
     EXPECT_EQ(0, Stop(SIGINT));
+}
+
+TEST_F(Watch, EndsWith3WhereItsLinesDoNotGoOut)
+{
+    const std::string arguments = "'" + Path("s.scene.yaml") + "' -o '" + Path("out.png") + "'";
+    for (const std::string out : {"> /dev/full", ">&-"})
+    {
+        Start(arguments, out);
+        EXPECT_EQ(3, End()) << out;
+        EXPECT_EQ(k_NoResults, ReadText(folder / "err")) << out;
+    }
+}
+
+TEST_F(Watch, EndsWith3OnceNobodyReadsItsLines)
+{
+    ASSERT_EQ(0, mkfifo((folder / "lines").c_str(), 0600));
+    const int reader = open((folder / "lines").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    const auto before = signal(SIGPIPE, SIG_IGN); // as many a program that starts others has it
+    Start("'" + Path("s.scene.yaml") + "' -o '" + Path("out.png") + "'",
+          "> '" + Path("lines") + "'");
+    signal(SIGPIPE, before);
+    char line[1];
+    ASSERT_TRUE(WaitFor([&] { return read(reader, line, 1) == 1; })) << ReadText(folder / "err");
+    close(reader);
+    folder.Write("p.profile.yaml", Profile("#00ff00"));
+    EXPECT_EQ(3, End());
+    EXPECT_EQ(k_NoResults, ReadText(folder / "err"));
 }
 
 TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)

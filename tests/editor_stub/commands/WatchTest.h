@@ -38,10 +38,12 @@ protected:
               Path("out.png") + "'");
     }
 
-    void Start(const std::string& arguments)
+    void Start(const std::string& arguments) { Start(arguments, "> '" + Path("out") + "'"); }
+
+    void Start(const std::string& arguments, const std::string& out)
     {
-        const std::string command = "exec '" + LimnExecutable() + "' watch " + arguments + " > '" +
-                                    Path("out") + "' 2> '" + Path("err") + "'";
+        const std::string command = "exec '" + LimnExecutable() + "' watch " + arguments + " " +
+                                    out + " 2> '" + Path("err") + "'";
         m_Child = fork();
         if (m_Child == 0)
         {
@@ -66,6 +68,12 @@ protected:
     int Stop(int signal)
     {
         kill(m_Child, signal);
+        return End();
+    }
+
+    /// The exit code of a process that ends by itself; -1 if it does not.
+    int End()
+    {
         int status = 0;
         const bool isOver = WaitFor([&] { return waitpid(m_Child, &status, WNOHANG) == m_Child; });
         m_Child = isOver ? 0 : m_Child;

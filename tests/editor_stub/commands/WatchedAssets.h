@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 
 #include <cstring>
 #include <limn/core/Image.h>

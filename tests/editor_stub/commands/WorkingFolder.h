@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 
 namespace limn::test
 {

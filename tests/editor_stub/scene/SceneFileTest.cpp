@@ -225,7 +225,7 @@ TEST(SceneFile, AFeaturesSettingsAreReadByUnitysNames)
 TEST(SceneFile, AFeaturesShaderMayBeAFileBesideTheScene)
 {
     SceneFolder folder;
-    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { } Pass { } Pass { } } }");
     const SceneAsset asset =
         folder.LoadWithCamera("renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, "
                               "m_ScreenSpaceOutlineShader: my.shader}]}\n");

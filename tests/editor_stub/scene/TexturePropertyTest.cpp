@@ -132,18 +132,18 @@ TEST_F(TextureProperty, TakesADefaultInItsOwnDimension)
 
 TEST_F(TextureProperty, SaysWhatATextureOfItsDimensionLooksLike)
 {
-    EXPECT_EQ((Lines{"5:11: material 'm'._Map: found a map; the path of a .png file, or white, "
-                     "black, gray, bump or red is expected"}),
+    const std::string names =
+        ", or one of white, black, gray, bump, red, green, blue, clear is expected";
+    EXPECT_EQ((Lines{"5:11: material 'm'._Map: found a map; the path of a .png file" + names}),
               ProblemsOf("_Map: {slices: [px.png]}"));
     EXPECT_EQ(
         (Lines{"5:11: material 'm'._Sky: found 'px.png'; {faces: [six .png files, +X -X +Y -Y "
-               "+Z -Z]}, or white, black, gray, bump or red is expected"}),
+               "+Z -Z]}" +
+               names}),
         ProblemsOf("_Sky: px.png"));
-    EXPECT_EQ((Lines{"5:11: material 'm'._Fog: found a sequence; {slices: [.png files]}, or white, "
-                     "black, gray, bump or red is expected"}),
+    EXPECT_EQ((Lines{"5:11: material 'm'._Fog: found a sequence; {slices: [.png files]}" + names}),
               ProblemsOf("_Fog: [px.png]"));
-    EXPECT_EQ((Lines{"5:14: material 'm'._Sheets: found 'mauve'; {slices: [.png files]}, or white, "
-                     "black, gray, bump or red is expected"}),
+    EXPECT_EQ((Lines{"5:14: material 'm'._Sheets: found 'mauve'; {slices: [.png files]}" + names}),
               ProblemsOf("_Sheets: mauve"));
 }
 

@@ -50,8 +50,8 @@ TEST(UsedShaders, RefusesAFeaturesBrokenShader)
     folder.Write("Tint.hlsl", TintText("1, 1, 1"));
     folder.Write("own.shader", ShaderText("undeclared"));
     SceneAsset asset =
-        folder.LoadWithCamera("renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, "
-                              "m_ScreenSpaceOutlineShader: own.shader}]}\n");
+        folder.LoadWithCamera("renderer: {features: [{type: RenderObjects, overrideMode: Shader, "
+                              "overrideShader: own.shader}]}\n");
     EXPECT_THROW(CompileOrReplaceShaders(asset, folder.assets.compiler()), AssetError);
 }
 

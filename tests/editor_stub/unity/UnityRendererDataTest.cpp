@@ -77,7 +77,7 @@ TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)
     folder.Write("Assets/Code/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
     folder.Write("Assets/Code/my.shader.meta", "fileFormatVersion: 2\nguid: bb\n");
     folder.Write("Assets/Code/my.shader",
-                 "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+                 "Shader \"Mine\" { SubShader { Pass { } Pass { } Pass { } } }");
     folder.Write("Assets/r.asset",
                  AssetWithFeature("  m_Script: {fileID: 11500000, guid: aa, type: 3}\n"
                                   "  m_Name: F\n"
@@ -128,6 +128,24 @@ TEST(UnityRendererData, ReportsASettingOutsideItsRange)
                                                     "  m_Settings: {m_RenderingLayerMask: 32}\n"));
     EXPECT_EQ((std::vector<std::string>{
                   "7:38: F.m_Settings.m_RenderingLayerMask: 32 is outside [0, 31]"}),
+              Problems([&] { LoadUnityRendererData(path, folder.assets); }));
+}
+
+TEST(UnityRendererData, ReportsSettingsThatCannotBeDrawnWith)
+{
+    SceneFolder folder;
+    std::string names = "a";
+    for (int i = 1; i < 17; ++i)
+    {
+        names += ", a";
+    }
+    const auto path = folder.Write(
+        "r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                    "6b3d386ba5cd94485973aee1479b272e, type: 3}\n"
+                                    "  m_Name: R\n  settings: {filterSettings: {PassNames: [" +
+                                    names + "]}}\n"));
+    EXPECT_EQ((std::vector<std::string>{
+                  "4:1: R: filterSettings.PassNames has 17 names; at most 16 are drawn"}),
               Problems([&] { LoadUnityRendererData(path, folder.assets); }));
 }
 

@@ -1,5 +1,5 @@
 #include "view/ChangeBatch.h"
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 

@@ -96,7 +96,7 @@ TEST_F(Overrides, ByAFeaturesTypeChangeAllOfThem)
 
 TEST_F(Overrides, FindAShaderFileBesideTheScene)
 {
-    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { HLSLPROGRAM ENDHLSL } } }");
+    folder.Write("my.shader", "Shader \"Mine\" { SubShader { Pass { } Pass { } Pass { } } }");
     Apply({"Other.m_ScreenSpaceOutlineShader=my.shader"});
     EXPECT_EQ("Mine", Settings(1).m_ScreenSpaceOutlineShader->name());
 }
@@ -114,6 +114,17 @@ TEST_F(Overrides, ThatAreWrongAreAllReported)
         ProblemsOf({"nonsense", "My Outlin.active=true", "ScreenSpaceOutline.m_OutlineWidth=14",
                     "ScreenSpaceOutline.outlneColor=white", "My Outline.m_LayerMsk=Nothing",
                     "My Outline.m_RenderingLayerMask=32"}));
+}
+
+TEST_F(Overrides, ThatDoNotFitEachOtherAreAnErrorOfTheirs)
+{
+    folder.Write("one.shader", "Shader \"One\" { SubShader { Pass { } } }");
+    asset = folder.Load("camera: {}\nrenderer: {features: [{type: RenderObjects, name: R, "
+                        "overrideMode: Shader, overrideShader: one.shader}]}\n");
+    EXPECT_EQ((std::vector<std::string>{"R: overrideShaderPassIndex is 9, but the shader 'One' has "
+                                        "the passes 0...0"}),
+              ProblemsOf({"R.overrideShaderPassIndex=9"}));
+    EXPECT_NO_THROW(Apply({"R.overrideShaderPassIndex=9", "R.overrideMode=None"}));
 }
 
 TEST_F(Overrides, NeedACameraThatLooksAtVolumes)

@@ -1,7 +1,9 @@
 #include "commands/WatchedAssets.h"
+#include "faults/FaultyLoader.h"
 #include "view/Redrawer.h"
 #include "vulkan/GpuTestDevice.h"
 
+#include <gmock/gmock.h>
 #include <sstream>
 
 namespace limn::test
@@ -80,6 +82,43 @@ TEST_F(RedrawerTest, UploadsAChangedMeshAloneAndCompilesAChangedShaderAlone)
     EXPECT_EQ(second.compiled + 1, third.compiled);
     EXPECT_EQ(second.uploads, third.uploads);
     EXPECT_EQ("#000000", ColorAt(folder / "out.png")) << err.str();
+}
+
+TEST_F(RedrawerTest, GoesOnWithANewDeviceWhenOneIsLost)
+{
+    Redrawer redrawer(options, console);
+    redrawer.Redraw({});
+    ASSERT_EQ("#ffffff", ColorAt(folder / "out.png")) << err.str();
+    const auto profile = folder / "p.profile.yaml";
+    for (const std::string name : {"first", "second"})
+    {
+        err.str("");
+        std::filesystem::remove(folder / "out.png");
+        faulty_loader::FailCall(1, VK_ERROR_DEVICE_LOST);
+        redrawer.Redraw({profile});
+        EXPECT_THAT(err.str(), testing::StartsWith("warning: " + faulty_loader::FailedFunction() +
+                                                   ": VK_ERROR_DEVICE_LOST"));
+        EXPECT_THAT(err.str(), testing::EndsWith("; drawing goes on with a new device\n")) << name;
+        faulty_loader::FailNothing();
+        EXPECT_EQ("#ffffff", ColorAt(folder / "out.png")) << name;
+    }
+    err.str("");
+    std::filesystem::remove(folder / "out.png");
+    redrawer.Redraw({folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 5}\n")});
+    EXPECT_EQ("#ffffff", ColorAt(folder / "out.png"));
+    EXPECT_EQ("", err.str());
+}
+
+TEST_F(RedrawerTest, EndsWhenEveryDeviceIsLost)
+{
+    Redrawer redrawer(options, console);
+    redrawer.Redraw({});
+    faulty_loader::FailFunction("vkQueueSubmit2", VK_ERROR_DEVICE_LOST);
+    EXPECT_THROW(redrawer.Redraw({folder / "p.profile.yaml"}), VulkanError);
+    faulty_loader::FailNothing();
+    const std::string line =
+        "warning: vkQueueSubmit2: VK_ERROR_DEVICE_LOST; drawing goes on with a new device\n";
+    EXPECT_EQ(line + line + line, err.str());
 }
 
 } // namespace limn::test

@@ -254,36 +254,153 @@ TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
                             "its packages and the built-in ShaderLibrary"));
 }
 
+std::string Repeat(const std::string& text, int count)
+{
+    std::string result;
+    for (int i = 0; i < count; ++i)
+    {
+        result += text;
+    }
+    return result;
+}
+
+/// Each line with its number in the place of N and the number before in the place of M.
+std::string Chain(const std::string& first, const std::string& line, int count)
+{
+    std::string result = first + "\n";
+    for (int i = 1; i < count; ++i)
+    {
+        for (const char c : line)
+        {
+            result += c == 'N'   ? std::to_string(i)
+                      : c == 'M' ? std::to_string(i - 1)
+                                 : std::string(1, c);
+        }
+        result += "\n";
+    }
+    return result;
+}
+
+const std::string k_PlainVert = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
+
+/// Statements in a function, on line 3 if there are no declarations before it.
+std::string InFragment(const std::string& code, const std::string& declarations = "")
+{
+    return k_PlainVert + declarations +
+           "float4 frag() : SV_Target { float4 v = 1; float x = 1; int n = 1;\n" + code +
+           "\nreturn v + x + n; }";
+}
+
 TEST(ShaderCompilerError, IsReportedWhereTheNestingIsTooDeep)
 {
-    const std::string vert = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
-    const auto repeat = [](const std::string& text, int count)
-    {
-        std::string result;
-        for (int i = 0; i < count; ++i)
-        {
-            result += text;
-        }
-        return result;
+    constexpr int k_Many = 20'000;
+    const std::pair<const char*, std::string> expressions[] = {
+        {"brackets", "x = " + Repeat("(", k_Many) + "1" + Repeat(")", k_Many) + ";"},
+        {"calls in calls", "x = " + Repeat("abs(", k_Many) + "x" + Repeat(")", k_Many) + ";"},
+        {"indices in indices", "x = " + Repeat("v[", k_Many) + "0" + Repeat("]", k_Many) + ";"},
+        {"initial values", "float y = " + Repeat("{", k_Many) + "1" + Repeat("}", k_Many) + ";"},
+        {"swizzles", "v = v" + Repeat(".xyzw", k_Many) + ";"},
+        {"members", "x = v" + Repeat(".a", k_Many) + ";"},
+        {"indices", "x = v" + Repeat("[0]", k_Many) + ";"},
+        {"calls", "x = f" + Repeat("()", k_Many) + ";"},
+        {"casts", "x = " + Repeat("(float)(int)", k_Many) + "x;"},
+        {"signs", "x = " + Repeat("- ", k_Many) + "x;"},
+        {"negations", "x = " + Repeat("!", k_Many) + "x;"},
+        {"increments", "x" + Repeat("++", k_Many) + ";"},
+        {"sums", "x = 1" + Repeat(" + 1", k_Many) + ";"},
+        {"shifts", "n = n" + Repeat(" << 1", k_Many) + ";"},
+        {"conditions", "n = x > 1" + Repeat(" && x > 1", k_Many) + ";"},
+        {"assignments", "x = " + Repeat("x = ", k_Many) + "1;"},
+        {"commas in brackets", "x = (x" + Repeat(", x", k_Many) + ");"},
+        {"commas", "x = 1" + Repeat(", x = 2", k_Many) + ";"},
+        {"choices", "x = " + Repeat("x > 1 ? 2 : ", k_Many) + "3;"},
+        {"choices in choices", "x = " + Repeat("x > 1 ? ", k_Many) + "3" + Repeat(" : 2", k_Many)},
+        {"if", Repeat("if (x > 1) ", k_Many) + "x = 2;"},
+        {"if with blocks", Repeat("if (x > 1) { ", k_Many) + Repeat("}", k_Many)},
+        {"else if", "if (x > 1) x = 2;" + Repeat(" else if (x > 1) x = 3;", k_Many)},
+        {"for", Repeat("for (; x > 1;) ", k_Many) + "x = 2;"},
+        {"do", Repeat("do ", k_Many) + "x = 2;" + Repeat(" while (x > 1);", k_Many)},
+        {"blocks", Repeat("{", k_Many) + Repeat("}", k_Many)},
     };
-    const auto compile = [&](const std::string& code)
+    for (const auto& [name, code] : expressions)
     {
-        return CompileMessages(
-            Program(vert + "float4 frag() : SV_Target { float x = 1;\n" + code + "\nreturn x; }"));
+        EXPECT_THAT(CompileMessages(Program(InFragment(code))),
+                    ElementsAre(testing::AnyOf(
+                        "t.shader:3: error: HLSL: this is nested more than 500 brackets or 2000 "
+                        "operators deep; take it apart",
+                        "t.shader:3: error: HLSL: this is nested more than 500 brackets deep; take "
+                        "it apart")))
+            << name;
+    }
+    const std::pair<const char*, std::string> structs[] = {
+        {"members", Chain("struct S0 { float a; };", "struct SN { SM s; };", k_Many)},
+        {"arrays", Chain("struct S0 { float a; };", "struct SN { float b; SM s[1]; };", k_Many)},
+        {"bases", Chain("struct S0 { float a; };", "struct SN : SM { float bN; };", k_Many)},
+        {"aliases", Chain("struct S0 { float a; }; typedef S0 T0;",
+                          "struct SN { TM s; }; typedef SN TN;", k_Many)},
+        {"types without a name",
+         Chain("typedef struct { float a; } S0;", "typedef struct { SM s; } SN;", k_Many)},
     };
-    const auto isTooDeep =
-        ElementsAre("t.shader:3: error: HLSL: this is nested more than 500 brackets or 2000 "
-                    "operators deep; take it apart");
-    EXPECT_THAT(compile("x = " + repeat("(", 20'000) + "1" + repeat(")", 20'000) + ";"), isTooDeep);
-    EXPECT_THAT(compile("x = x" + repeat(" + x", 20'000) + ";"), isTooDeep);
-    EXPECT_THAT(compile(repeat("if (x > 1) ", 20'000) + "x = 2;"), isTooDeep);
-    EXPECT_THAT(compile(repeat("if (x > 1) { ", 20'000) + repeat("}", 20'000)), isTooDeep);
-    EXPECT_THAT(compile("if (x > 1) x = 2;" + repeat(" else if (x > 1) x = 3;", 20'000)),
-                isTooDeep);
-    EXPECT_NO_THROW(test::CompileHlsl(
-        vert + "float4 frag() : SV_Target { float x = 1; x = " + repeat("(", 200) + "x" +
-        repeat(")", 200) + repeat("+ x", 1000) + ";\n" + repeat("x = x + 1 - x * 2;", 1000) +
-        " return x; }"));
+    for (const auto& [name, declarations] : structs)
+    {
+        EXPECT_THAT(CompileMessages(Program(InFragment("", declarations))),
+                    ElementsAre("t.shader:102: error: HLSL: this is nested more than 100 structs "
+                                "deep; take it apart"))
+            << name;
+    }
+}
+
+TEST(ShaderCompilerError, IsReportedWhereThePreprocessorWouldGoTooDeep)
+{
+    constexpr int k_Many = 20'000;
+    const auto nested = [](const std::string& open)
+    {
+        return Repeat(open, k_Many) + "1" + Repeat(")", k_Many);
+    };
+    const std::string isTooDeep = "HLSL: this is nested more than 500 brackets deep; take it apart";
+    for (const std::string& condition :
+         {nested("("), Repeat("!", k_Many) + "1", Repeat("- ", k_Many) + "1", nested("defined(")})
+    {
+        EXPECT_THAT(CompileMessages(Program("\n#if " + condition + "\n#endif\n")),
+                    ElementsAre("t.shader:2: error: " + isTooDeep));
+    }
+    EXPECT_THAT(CompileMessages(Program("#define F(x) x\n\n" + nested("F(") + ";")),
+                ElementsAre("t.shader:3: error: " + isTooDeep));
+    EXPECT_THAT(CompileMessages(Program(Repeat("#if 1\n", k_Many) + Repeat("#endif\n", k_Many))),
+                ElementsAre("t.shader:66: error: '#if': maximum nesting depth exceeded"));
+    test::TemporaryFolder folder;
+    folder.Write("deep.hlsl", "\n#if " + nested("(") + "\n#endif\n");
+    PassProgram program = Program("#include \"deep.hlsl\"\n");
+    program.file = folder.path().generic_string() + "/t.shader";
+    EXPECT_THAT(CompileMessages(program),
+                ElementsAre(program.file + ":1: error: #include: \"deep.hlsl\" is nested more than "
+                                           "500 brackets deep in its line 2; take it apart"));
+}
+
+TEST(ShaderCompiler, TakesWhatIsLongAndNotDeep)
+{
+    constexpr int k_Many = 5'000;
+    const std::string list = "{ " + Repeat("1, ", k_Many - 1) + "1 }";
+    const std::string size = "[" + std::to_string(k_Many) + "]";
+    for (const auto& [code, declarations] : {
+             std::pair<std::string, std::string>("x = " + Repeat("(", 200) + "x" +
+                                                     Repeat(")", 200) + Repeat("+ x", 1000) +
+                                                     ";\n" + Repeat("x = x + 1 - x * 2;", 1000),
+                                                 ""),
+             {"x = k_Table[n];", "static const float k_Table" + size + " = " + list + ";"},
+             {"x = A4999;", Chain("#define A0 x", "#define AN AM", k_Many)},
+             {"T4999 y = x; x = y;", Chain("typedef float T0;", "typedef TM TN;", k_Many)},
+         })
+    {
+        EXPECT_NO_THROW(test::CompileHlsl(InFragment(code, declarations + "\n")))
+            << code.substr(0, 40);
+    }
+    std::string sum = "x = v.x * v.y";
+    for (int i = 0; i < 400; ++i)
+    {
+        sum += " + v.x * (v.yz.x - 1)";
+    }
+    EXPECT_NO_THROW(test::CompileHlsl(InFragment(sum + ";")));
 }
 
 TEST(ShaderCompilerError, PassesOnErrorDirectives)

@@ -17,7 +17,7 @@ TEST(OneLine, KeepsWhatATerminalCanShow)
 TEST(OneLine, EscapesCommandsToTheTerminalAndLineBreaks)
 {
     EXPECT_EQ(OneLine("a\nb\r\tc"), "a\\nb\\r\\tc");
-    EXPECT_EQ(OneLine("\x1B[2J\x7F"), "\\x1B[2J\\x7F");
+    EXPECT_EQ(OneLine("\x1B[2J\x7F"), "\\x1B[2J\\u007F") << "a character that JSON leaves alone";
     EXPECT_EQ(OneLine(std::string_view("a\0b", 3)), "a\\x00b");
     EXPECT_EQ(OneLine("\xC2\x9B|"), "\\u009B|") << "CSI as one character";
     EXPECT_EQ(OneLine("\xE2\x80\xAE|\xE2\x80\xA8|\xE2\x81\xA6"), "\\u202E|\\u2028|\\u2066");

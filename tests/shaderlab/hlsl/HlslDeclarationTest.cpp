@@ -134,6 +134,29 @@ TEST(HlslDeclaration, ByAnUnknownMacroIsAnErrorAtItsLine)
                 ElementsAre(message("4:24", "PROP")));
 }
 
+TEST(HlslDeclaration, OfATemplateIsAnError)
+{
+    const std::string message = "error: 'template': limn reads no templates of HLSL 2021; write "
+                                "the function or struct once "
+                                "for each type";
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_PlainVertex + "float4 _Tint;\n"
+                                    "template<typename T> void Set(inout T x) { x = 2; }\n"
+                                    " template <class T> struct Pair { T a; T b; };\n"
+                                    "float4 frag() : SV_Target { Set(_Tint); return _Tint; }")),
+                ElementsAre("t.shader:3:1: " + message, "t.shader:4:2: " + message));
+}
+
+TEST(HlslDeclaration, OfAMatrixOfBoolIsAnErrorWhereItIsUsed)
+{
+    const std::string fill = "float Fill(int n) { return ((bool2x2)n)[0].x ? 1 : 0; }\n";
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_PlainVertex + fill + "float4 frag() : SV_Target { return Fill(1); }")),
+                ElementsAre("t.shader:2:30: error: 'bool2x2': limn has no matrices of bool; use "
+                            "'float2x2'"));
+    CompileDeclarations(fill + "float4 frag() : SV_Target { return 1; }");
+}
+
 TEST(HlslDeclaration, OfClipSpaceFunctionsNeedsNoIncludeInCg)
 {
     const auto pass = test::CompileHlsl(

@@ -1,4 +1,4 @@
-#include "library/FunctionGrid.h"
+#include "DialectGpuSupport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <utility>
-#include <vulkan/GpuTestDevice.h>
 
 // Values of what limn spells anew for glslang, and of conversions that the language does by itself.
 
@@ -15,13 +14,6 @@ namespace limn::test
 
 namespace
 {
-
-using HlslDialectValues = GpuTest;
-
-const std::vector<GridInput> k_Inputs = {
-    {{1, 2, 3, 4}, {-5, 6, 7, 8}, {9, 10, -11, 12}},
-    {{0.25, -2, 1e3, 0}, {1, 1, 0.5, 3}, {-1, 0, 2, -4}},
-};
 
 /// The matrix of the rows a, b, c and (1, 2, 3, 4), as HLSL's float4x4(a, b, c, float4(1, 2, 3,
 /// 4)).
@@ -212,127 +204,6 @@ TEST_F(HlslDialectValues, RowMajorUniformsHoldWhatIsSet)
     grid.Run();
 }
 
-TEST_F(HlslDialectValues, ScalarsFillMatrices)
-{
-    FunctionGrid grid(R"(
-        static const float3x3 k_Ones = (float3x3)1;
-        static const int3x3 k_Table = {1, 2, 3, 4, 5, 7, 8, 9, 10};
-        static const int k_Five = 5;
-        static const float3x3 k_All[2] = { (float3x3)-2, (float3x3)k_Five };
-        half3x3 Half(int n) { return (half3x3)n; }
-        float3 Local() { static const float3x3 k = (float3x3)6; return k[2]; })");
-    const std::pair<std::string, std::function<double(const glm::dvec4&)>> scalars[] = {
-        {"1",
-         [](auto&)
-         {
-             return 1.0;
-         }},
-        {"-2",
-         [](auto&)
-         {
-             return -2.0;
-         }},
-        {"3.5",
-         [](auto&)
-         {
-             return 3.5;
-         }},
-        {"0x10",
-         [](auto&)
-         {
-             return 16.0;
-         }},
-        {"7u",
-         [](auto&)
-         {
-             return 7.0;
-         }},
-        {"true",
-         [](auto&)
-         {
-             return 1.0;
-         }},
-        {"(int)a.x",
-         [](auto& a)
-         {
-             return std::trunc(a.x);
-         }},
-        {"-(int)a.x",
-         [](auto& a)
-         {
-             return -std::trunc(a.x);
-         }},
-        {"uint3(a.xyz)[1]",
-         [](auto& a)
-         {
-             return std::trunc(a.y);
-         }},
-        {"(a.x > 1)",
-         [](auto& a)
-         {
-             return a.x > 1 ? 1.0 : 0.0;
-         }},
-        {"a.x",
-         [](auto& a)
-         {
-             return a.x;
-         }},
-    };
-    const auto inputs = std::vector<GridInput>{{{5.75, 2.5, 0, 0}}, {{-0.5, 1, 0, 0}}};
-    for (const auto& [scalar, value] : scalars)
-    {
-        for (const std::string size :
-             {"2x2", "2x3", "2x4", "3x2", "3x3", "3x4", "4x2", "4x3", "4x4"})
-        {
-            const std::string matrix = "((float" + size + ")" + scalar + ")";
-            const std::string row = "[" + std::to_string(size[0] - '1') + "]";
-            const std::string column = "[" + std::to_string(size[2] - '1') + "]";
-            grid.Add("float4(" + matrix + "[0][0], " + matrix + "[0]" + column + ", " + matrix +
-                         row + "[0], " + matrix + row + column + ")",
-                     inputs,
-                     [value = value](auto& a, auto&, auto&) { return glm::dvec4(value(a)); });
-        }
-    }
-    for (const std::string type : {"int", "uint"})
-    {
-        grid.Add("float3(((" + type + "3x3)2.75)[1])", inputs,
-                 [](auto&, auto&, auto&) { return glm::dvec3(2); });
-    }
-    grid.Add("k_Table[1][2] / 2", inputs, [](auto&, auto&, auto&) { return 3; });
-    grid.Add("k_All[0][1] + k_All[1][1] + Local()", inputs,
-             [](auto&, auto&, auto&) { return glm::dvec3(-2 + 5 + 6); });
-    grid.Add("k_Ones[2]", inputs, [](auto&, auto&, auto&) { return glm::dvec3(1); });
-    grid.Add("Half(a.x * 4)[1]", inputs,
-             [](auto& a, auto&, auto&) { return glm::dvec3(std::trunc(a.x * 4)); });
-    grid.Add("float4x4((int)a.x)[3]", inputs,
-             [](auto& a, auto&, auto&) { return glm::dvec4(std::trunc(a.x)); });
-    grid.Add("mul((float3x3)(int)a.x, a.xyz)", inputs,
-             [](auto& a, auto&, auto&) { return glm::dvec3(std::trunc(a.x) * (a.x + a.y + a.z)); });
-    grid.Add("((float2x2)a)[1]", k_Inputs,
-             [](auto& a, auto&, auto&) { return glm::dvec2(a.z, a.w); });
-    grid.Run();
-}
-
-TEST_F(HlslDialectValues, MatrixSwizzlesEvaluateTheirOperandOnce)
-{
-    FunctionGrid grid(R"(
-        static float s_Calls = 0;
-        float4x4 Next(float x) { s_Calls += 1; return (float4x4)(x + s_Calls); }
-        float3 Calls(float x) { s_Calls = 0; float2 v = Next(x)._m03_m13; return float3(v, s_Calls); }
-        float3x4 m(float4 a, float4 b, float4 c) { return float3x4(a, b, c); }
-        static const float2x2 k_Square = float2x2(1, 2, 3, 4);
-        static const float2 k_Pair = k_Square._m10_m01;)");
-    grid.Add("k_Pair", k_Inputs, [](auto&, auto&, auto&) { return glm::dvec2(3, 2); });
-    grid.Add("Calls(a.x)", k_Inputs,
-             [](auto& a, auto&, auto&) { return glm::dvec3(a.x + 1, a.x + 1, 1); });
-    grid.Add("m(a, b, c)._m03_m12_m20.zxyy", k_Inputs,
-             [](auto& a, auto& b, auto& c) { return glm::dvec4(c.x, a.w, b.z, b.z); });
-    grid.Add("(float3x3(a.xyz, b.xyz, c.xyz))._11_32", k_Inputs,
-             [](auto& a, auto&, auto& c) { return glm::dvec2(a.x, c.y); });
-    grid.Add("m(a, b, c)._m01_m02.y", k_Inputs, [](auto& a, auto&, auto&) { return a.z; });
-    grid.Run();
-}
-
 TEST_F(HlslDialectValues, NumbersThatAreNotFiniteHaveTheirBits)
 {
     FunctionGrid grid(R"(
@@ -381,6 +252,55 @@ TEST_F(HlslDialectValues, FunctionsWriteToCopiesOfUniforms)
     grid.SetGlobal("_Tint", {1, 2, 3, 4});
     grid.Add("Both()", Combine({0.0}),
              [](auto&, auto&, auto&) { return glm::dvec4(10, 20, 30, 40); });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, MethodsWriteToCopiesOfUniforms)
+{
+    FunctionGrid grid(R"(
+        float4 _Tint; float _Step, _Size, _Other;
+        struct Brush
+        {
+            float _Size; float width;
+            static void Double(float by, inout float4 color) { color *= by; }
+            void Widen(out float x) { x = width + 1; _Size = 3; }
+            void Mix() { _Tint.w = 7; width += _Step; _Other++; }
+        };
+        float4 Static() { Brush::Double(2, _Tint); return _Tint; }
+        float2 Called() { Brush b; b.width = 4; b._Size = 0; b.Widen(_Step); return float2(_Step, b._Size); }
+        float4 Inside() { Brush b; b._Size = 0; b.width = 1; b.Mix(); return float4(_Tint.w, b.width, _Other, _Size); })");
+    grid.SetGlobal("_Tint", {1, 2, 3, 4});
+    grid.SetGlobal("_Step", {10});
+    grid.SetGlobal("_Size", {20});
+    grid.SetGlobal("_Other", {30});
+    grid.Add("Static()", k_Once, [](auto&, auto&, auto&) { return glm::dvec4(2, 4, 6, 8); });
+    grid.Add("Called()", k_Once, [](auto&, auto&, auto&) { return glm::dvec2(5, 3); });
+    grid.Add("Inside()", k_Once, [](auto&, auto&, auto&) { return glm::dvec4(7, 11, 31, 20); });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, StaticMembersHaveTheirValues)
+{
+    FunctionGrid grid(R"(
+        struct Ring
+        {
+            float radius;
+            static const float k_Two = 2, k_Four = k_Two * 2;
+            static const float3 k_Steps[2] = { float3(1, 2, 3), float3(4, 5, 6) };
+            static float s_Calls = 0;
+            static float Twice(float x) { s_Calls += 1; return x * k_Two; }
+            float Area() { return k_Four * radius * Twice(radius); }
+        };
+        struct Wide : Ring { float extra; float Sum() { return k_Two + extra; } };
+        float4 Through(float x) { Ring r; r.radius = x; return float4(r.Area(), r.k_Two, Ring::k_Four, Ring::Twice(x)); }
+        float2 Calls() { Ring r; r.radius = 1; Ring::s_Calls = 5; Ring::Twice(1); r.Twice(1); return float2(Ring::s_Calls, Ring::k_Steps[1].y); }
+        float Derived() { Wide w; w.radius = 1; w.extra = 10; return w.Sum() + Wide::k_Four; }
+        float Named(float k_Two) { return k_Two; })");
+    grid.Add("Through(a.x)", k_Inputs,
+             [](auto& a, auto&, auto&) { return glm::dvec4(8 * a.x * a.x, 2, 4, 2 * a.x); });
+    grid.Add("Calls()", k_Once, [](auto&, auto&, auto&) { return glm::dvec2(7, 5); });
+    grid.Add("Derived()", k_Once, [](auto&, auto&, auto&) { return 16; });
+    grid.Add("Named(9)", k_Once, [](auto&, auto&, auto&) { return 9; });
     grid.Run();
 }
 

@@ -25,6 +25,7 @@ TEST(HlslTokens, KeepANumberWhole)
     EXPECT_THAT(
         TokenTexts("1 0x1Fu 1.5f .5 .5h 2.e3 1e-3+1E+4-5"),
         ElementsAre("1", "0x1Fu", "1.5f", ".5", ".5h", "2.e3", "1e-3", "+", "1E+4", "-", "5"));
+    EXPECT_THAT(TokenTexts(".5"), ElementsAre(".5"));
 }
 
 TEST(HlslTokens, TakeADotBehindAWordForAMember)

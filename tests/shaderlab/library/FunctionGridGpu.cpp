@@ -271,9 +271,12 @@ Image FunctionGrid::Draw() const
             const std::array<glm::vec4, 3> floats = {input.a, input.b, input.c};
             Append(bytes, floats.data(), sizeof(floats));
         }
-        bytes.resize(grid->size);
         DrawBindings bindings = shared;
-        bindings.uniforms.push_back(AddBytes(frame, grid->binding, std::move(bytes)));
+        if (grid != pass->layout.buffers.end()) // else every function is 0 whatever the input
+        {
+            bytes.resize(grid->size);
+            bindings.uniforms.push_back(AddBytes(frame, grid->binding, std::move(bytes)));
+        }
         DrawCommand draw = MakeDraw(pass, nullptr, PlainState(), bindings);
         draw.vertexCount = 3;
         auto& commands = frame.passes[0].commands;

@@ -21,6 +21,17 @@ TEST_F(FunctionGrids, AgreeWithAnOracleThatIsRight)
     grid.Run();
 }
 
+TEST_F(FunctionGrids, MayReadNoInput)
+{
+    for (const double value : {0.0, 3.0})
+    {
+        FunctionGrid grid("");
+        grid.Add(value > 0 ? "3.0" : "0.0", Combine({1.0, 2.0}),
+                 [&](auto&, auto&, auto&) { return value; });
+        grid.Run();
+    }
+}
+
 TEST_F(FunctionGrids, NameTheInputThatIsFurthestOff)
 {
     FunctionGrid grid("");

@@ -60,6 +60,15 @@ TEST(StandIn, IsNotNotedWhereItIsOnlyThere)
     EXPECT_THAT(NotesOf("SampleSH(p.xyz)"), IsEmpty());
 }
 
+TEST(StandIn, IsNotNotedWhereUnitysPictureIsTheSame)
+{
+    const std::string reflection = "GlossyEnvironmentReflection(p.xyz, 0.5, 1)";
+    EXPECT_THAT(NotesOf(reflection),
+                ElementsAre("lit.shader: note: uses reflection probes, which limn does not have: "
+                            "the ambient light is what is reflected"));
+    EXPECT_THAT(NotesOf(reflection, {"_ENVIRONMENTREFLECTIONS_OFF"}), IsEmpty());
+}
+
 TEST(StandIn, IsNotedWhereAKeywordBringsItIn)
 {
     EXPECT_THAT(NotesOf("GetMainLight(p, p.xyz, p).color", {"_LIGHT_COOKIES"}),

@@ -103,10 +103,10 @@ TEST(RenderState, TakesEveryBlendFactor)
     {
         const PassBlendState target = State("Blend " + std::string(text) + " DstColor").targets[0];
         EXPECT_TRUE(target.enabled);
-        EXPECT_EQ(target.srcColor, value) << text;
-        EXPECT_EQ(target.dstColor, DstColor);
-        EXPECT_EQ(target.srcAlpha, value) << text;
-        EXPECT_EQ(target.dstAlpha, DstColor);
+        EXPECT_EQ(target.sourceColorBlendMode, value) << text;
+        EXPECT_EQ(target.destinationColorBlendMode, DstColor);
+        EXPECT_EQ(target.sourceAlphaBlendMode, value) << text;
+        EXPECT_EQ(target.destinationAlphaBlendMode, DstColor);
     }
 }
 
@@ -115,10 +115,10 @@ TEST(RenderState, BlendsAlphaByFactorsOfItsOwn)
     const RenderState state = State("Blend One SrcAlpha, Zero One");
     for (const PassBlendState& target : state.targets)
     {
-        EXPECT_EQ(target.srcColor, BlendMode::One);
-        EXPECT_EQ(target.dstColor, BlendMode::SrcAlpha);
-        EXPECT_EQ(target.srcAlpha, BlendMode::Zero);
-        EXPECT_EQ(target.dstAlpha, BlendMode::One);
+        EXPECT_EQ(target.sourceColorBlendMode, BlendMode::One);
+        EXPECT_EQ(target.destinationColorBlendMode, BlendMode::SrcAlpha);
+        EXPECT_EQ(target.sourceAlphaBlendMode, BlendMode::Zero);
+        EXPECT_EQ(target.destinationAlphaBlendMode, BlendMode::One);
     }
     EXPECT_FALSE(state.separateBlend);
 }
@@ -127,8 +127,8 @@ TEST(RenderState, BlendsOneTargetDifferently)
 {
     const RenderState state = State("Blend One One Blend 2 SrcAlpha Zero Blend 3 Off");
     EXPECT_TRUE(state.separateBlend);
-    EXPECT_EQ(state.targets[0].srcColor, BlendMode::One);
-    EXPECT_EQ(state.targets[2].srcColor, BlendMode::SrcAlpha);
+    EXPECT_EQ(state.targets[0].sourceColorBlendMode, BlendMode::One);
+    EXPECT_EQ(state.targets[2].sourceColorBlendMode, BlendMode::SrcAlpha);
     EXPECT_TRUE(state.targets[2].enabled);
     EXPECT_FALSE(state.targets[3].enabled);
     EXPECT_TRUE(state.targets[4].enabled);
@@ -154,17 +154,17 @@ TEST(RenderState, TakesEveryBlendOperation)
                                       {"HSLLuminosity", HSLLuminosity}})
     {
         const PassBlendState target = State("BlendOp " + std::string(text)).targets[7];
-        EXPECT_EQ(target.colorOp, value) << text;
-        EXPECT_EQ(target.alphaOp, value) << text;
+        EXPECT_EQ(target.colorBlendOperation, value) << text;
+        EXPECT_EQ(target.alphaBlendOperation, value) << text;
     }
 }
 
 TEST(RenderState, TakesABlendOperationForAlphaAndForOneTarget)
 {
     const RenderState state = State("BlendOp Min, Max BlendOp 1 Sub");
-    EXPECT_EQ(state.targets[0].colorOp, BlendOp::Min);
-    EXPECT_EQ(state.targets[0].alphaOp, BlendOp::Max);
-    EXPECT_EQ(state.targets[1].colorOp, BlendOp::Subtract);
+    EXPECT_EQ(state.targets[0].colorBlendOperation, BlendOp::Min);
+    EXPECT_EQ(state.targets[0].alphaBlendOperation, BlendOp::Max);
+    EXPECT_EQ(state.targets[1].colorBlendOperation, BlendOp::Subtract);
     EXPECT_TRUE(state.separateBlend);
 }
 
@@ -205,11 +205,11 @@ TEST(RenderState, TakesPropertiesInThePlaceOfValues)
     EXPECT_EQ(state.zClip.property, "_ZClip");
     EXPECT_EQ(state.offsetFactor.property, "_F");
     EXPECT_EQ(state.offsetUnits.property, "_U");
-    EXPECT_EQ(state.targets[0].srcColor.property, "_Src");
-    EXPECT_EQ(state.targets[0].dstColor.property, "_Dst");
-    EXPECT_EQ(state.targets[0].srcAlpha, BlendMode::One);
-    EXPECT_EQ(state.targets[0].dstAlpha.property, "_DstA");
-    EXPECT_EQ(state.targets[0].colorOp.property, "_Op");
+    EXPECT_EQ(state.targets[0].sourceColorBlendMode.property, "_Src");
+    EXPECT_EQ(state.targets[0].destinationColorBlendMode.property, "_Dst");
+    EXPECT_EQ(state.targets[0].sourceAlphaBlendMode, BlendMode::One);
+    EXPECT_EQ(state.targets[0].destinationAlphaBlendMode.property, "_DstA");
+    EXPECT_EQ(state.targets[0].colorBlendOperation.property, "_Op");
     EXPECT_EQ(state.targets[0].writeMask.property, "_Mask");
 }
 

@@ -172,6 +172,23 @@ void geom(triangle v2g v[3], inout TriangleStream<g2f> s, uint primitive : SV_Pr
     EXPECT_EQ(pass->layout.buffers[0].members.at(0).name, "_Turn");
 }
 
+TEST(GeometryStage, ChoosesTheLayerThatItDrawsInto)
+{
+    const std::string geometry = R"(
+[maxvertexcount(1)] void geom(point v2g v[1], inout PointStream<Layered> s)
+{
+    Layered o; o.pos = v[0].pos; o.uv = v[0].n; o.layer = 2; s.Append(o);
+})";
+    const std::string layered =
+        "struct Layered { float4 pos : SV_POSITION; float3 uv : TEXCOORD0; uint layer : ";
+    EXPECT_THAT(Disassembly(k_Stages + layered + "SV_RenderTargetArrayIndex; };" + geometry),
+                HasSubstr("BuiltIn Layer"));
+    EXPECT_THAT(test::CompileMessages(
+                    GeometryProgram(k_Stages + layered + "SV_GSInstanceID; };" + geometry)),
+                ElementsAre(HasSubstr("geom: 'layer': semantic 'SV_GSInstanceID' is not possible "
+                                      "at this place")));
+}
+
 TEST(GeometryStage, KnowsItsStage)
 {
     EXPECT_THAT(Disassembly(k_Stages + R"(
@@ -264,10 +281,9 @@ TEST(GeometryStage, IsReadFromItsPragmaAndKeptInTheCache)
     EXPECT_EQ(parsed.program->geometry.name, "geom");
     EXPECT_EQ(parsed.program->geometry.location, (SourceLocation{3, 2}));
 
-    const auto folder = std::filesystem::temp_directory_path() / "limn_geometry_cache";
-    std::filesystem::remove_all(folder);
+    const test::TemporaryFolder folder;
     ShaderCompilerOptions options;
-    options.cacheFolder = folder;
+    options.cacheFolder = folder.path();
     const PassProgram program =
         GeometryProgram(k_Stages + "[maxvertexcount(1)] void geom(point v2g v[1], inout "
                                    "PointStream<g2f> s) { g2f o; o.pos = v[0].pos; o.uv = 1; "
@@ -276,7 +292,6 @@ TEST(GeometryStage, IsReadFromItsPragmaAndKeptInTheCache)
     ShaderCompiler second(options);
     EXPECT_EQ(*second.Compile(program), *first);
     EXPECT_EQ(second.statistics().loadedFromCache, 1);
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace limn

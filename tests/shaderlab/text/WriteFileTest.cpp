@@ -7,6 +7,8 @@
 #include <future>
 #include <iterator>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/xattr.h>
 #include <thread>
 #include <unistd.h>
 
@@ -29,6 +31,47 @@ std::size_t FilesIn(const std::filesystem::path& folder)
     return static_cast<std::size_t>(std::distance(begin(files), end(files)));
 }
 
+/// What was put onto the disk, and what a file held when that was asked for.
+struct Syncs
+{
+    std::filesystem::path file;
+    std::vector<std::string> all;
+};
+Syncs* s_Syncs = nullptr;
+
+/// An extended attribute; "" if there is none.
+std::string AttributeOf(const std::filesystem::path& path, const char* name)
+{
+    char bytes[256];
+    const ssize_t size = getxattr(path.c_str(), name, bytes, sizeof(bytes));
+    return {bytes, static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+}
+
+/// A list of who may do what, as the kernel has it: the owner and a user of the number 12 may read
+/// and write, the group may read.
+std::string AccessControlList()
+{
+    struct Entry
+    {
+        std::uint16_t tag;
+        std::uint16_t rights;
+        std::uint32_t id;
+    };
+    constexpr std::uint32_t version = 2;
+    constexpr std::uint32_t nobody = 0xFFFFFFFFu;
+    const Entry entries[] = {
+        {0x01, 6, nobody}, {0x02, 6, 12}, {0x04, 4, nobody}, {0x10, 6, nobody}, {0x20, 0, nobody}};
+    std::string bytes(reinterpret_cast<const char*>(&version), sizeof(version));
+    return bytes.append(reinterpret_cast<const char*>(entries), sizeof(entries));
+}
+
+bool SetAttribute(const std::filesystem::path& path, const char* name, const std::string& value)
+{
+    return setxattr(path.c_str(), name, value.data(), value.size(), 0) == 0;
+}
+
+constexpr const char* k_AccessControl = "system.posix_acl_access";
+
 std::string WriteMessage(const std::filesystem::path& path)
 {
     try
@@ -41,6 +84,69 @@ std::string WriteMessage(const std::filesystem::path& path)
         return error.diagnostics().front().message;
     }
     return {};
+}
+
+} // namespace
+
+/// Stands before the C library's, as FaultyLoader's entry points do before Vulkan's.
+extern "C" int fsync(int descriptor)
+{
+    struct stat status = {};
+    fstat(descriptor, &status);
+    if (s_Syncs != nullptr)
+    {
+        s_Syncs->all.push_back((S_ISDIR(status.st_mode) ? "folder, " : "file, ") +
+                               ContentOf(s_Syncs->file));
+    }
+    return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
+
+namespace
+{
+
+TEST(WriteFile, IsOnTheDiskWithItsNameWhenItReturns)
+{
+    test::TemporaryFolder folder;
+    Syncs syncs{folder.Write("a", "old"), {}};
+    s_Syncs = &syncs;
+    WriteFile(syncs.file, "new");
+    EXPECT_EQ(syncs.all, (std::vector<std::string>{"file, old", "folder, new"}));
+    syncs.all.clear();
+    EXPECT_FALSE(TryWriteFile(syncs.file, "newer"));
+    s_Syncs = nullptr;
+    EXPECT_EQ(syncs.all, std::vector<std::string>{}) << "a cache is lost without harm";
+}
+
+TEST(WriteFile, KeepsAccessControlListsAndOtherAttributes)
+{
+    test::TemporaryFolder folder;
+    const auto file = folder.Write("a", "old");
+    if (!SetAttribute(file, "user.limn", "kept") || !SetAttribute(file, "user.empty", "") ||
+        !SetAttribute(file, k_AccessControl, AccessControlList()))
+    {
+        GTEST_SKIP() << "no attributes on this file system";
+    }
+    WriteFile(file, "new");
+    EXPECT_EQ(ContentOf(file), "new");
+    EXPECT_EQ(AttributeOf(file, "user.limn"), "kept");
+    EXPECT_EQ(AttributeOf(file, k_AccessControl), AccessControlList());
+    EXPECT_EQ(getxattr(file.c_str(), "user.empty", nullptr, 0), 0);
+}
+
+TEST(WriteFile, TakesNoAccessControlListFromTheFolder)
+{
+    test::TemporaryFolder folder;
+    const auto file = folder.Write("a", "old");
+    if (!SetAttribute(folder.path(), "system.posix_acl_default", AccessControlList()))
+    {
+        GTEST_SKIP() << "no attributes on this file system";
+    }
+    const std::string made = AttributeOf(folder.Write("b", ""), k_AccessControl);
+    ASSERT_NE(made, "") << "what a new file gets";
+    WriteFile(file, "new");
+    EXPECT_EQ(AttributeOf(file, k_AccessControl), "");
+    WriteFile(folder.path() / "c", "new");
+    EXPECT_EQ(AttributeOf(folder.path() / "c", k_AccessControl), made);
 }
 
 TEST(WriteFile, GivesANewFileThePermissionsOfEveryNewFile)

@@ -3,8 +3,8 @@
 #include "TestComponents.h"
 #include "parameters/AllParameters.h"
 
+#include "TemporaryFolder.h"
 #include "core/FileSizeLimit.h"
-#include <core/TemporaryFolder.h>
 #include <fstream>
 #include <future>
 #include <gmock/gmock.h>

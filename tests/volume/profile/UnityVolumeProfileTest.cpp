@@ -2,7 +2,7 @@
 #include "Problems.h"
 #include "TestComponents.h"
 
-#include <core/TemporaryFolder.h>
+#include "TemporaryFolder.h"
 #include <gmock/gmock.h>
 #include <limn/volume/VolumeProfileLoader.h>
 

@@ -1,7 +1,7 @@
 #include "Problems.h"
 #include "TestComponents.h"
 
-#include <core/TemporaryFolder.h>
+#include "TemporaryFolder.h"
 #include <core/ThrownMessage.h>
 #include <gmock/gmock.h>
 #include <limn/volume/VolumeProfileLoader.h>

@@ -1,6 +1,6 @@
 #include "Problems.h"
 
-#include <core/TemporaryFolder.h>
+#include "TemporaryFolder.h"
 #include <gmock/gmock.h>
 #include <limn/volume/UnityAsset.h>
 

@@ -1,6 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 #include "core/ThrownMessage.h"
 
 namespace limn::test

@@ -1,7 +1,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 #include "Paths.h"
-#include "core/TemporaryFolder.h"
+#include "TemporaryFolder.h"
 #include "core/ThrownMessage.h"
 #include "faults/FaultyLoader.h"
 #include <fstream>

@@ -28,6 +28,8 @@ std::map<std::string, int> LiveObjects();
 /// Devices say from now on that they bind at most so many bytes of a storage buffer; 0 = what is
 /// true.
 void LimitStorageBuffers(std::uint32_t bytes);
+/// The same of a uniform buffer.
+void LimitUniformBuffers(std::uint32_t bytes);
 /// The most bytes of a storage buffer bound since LimitStorageBuffers.
 VkDeviceSize LargestStorageBuffer();
 

@@ -24,6 +24,7 @@ struct State
     bool lost = false;
     std::map<std::string, int> objects;
     std::uint32_t storageLimit = 0;
+    std::uint32_t uniformLimit = 0;
     VkDeviceSize largestStorage = 0;
     // Entry points that are asked for by name, which differ with the layers:
     std::map<VkDevice, PFN_vkSetDebugUtilsObjectNameEXT> setObjectName;
@@ -172,6 +173,11 @@ void LimitStorageBuffers(std::uint32_t bytes)
     s_State.largestStorage = 0;
 }
 
+void LimitUniformBuffers(std::uint32_t bytes)
+{
+    s_State.uniformLimit = bytes;
+}
+
 VkDeviceSize LargestStorageBuffer()
 {
     return s_State.largestStorage;
@@ -311,6 +317,10 @@ extern "C"
         if (s_State.storageLimit != 0)
         {
             properties->limits.maxStorageBufferRange = s_State.storageLimit;
+        }
+        if (s_State.uniformLimit != 0)
+        {
+            properties->limits.maxUniformBufferRange = s_State.uniformLimit;
         }
     }
 

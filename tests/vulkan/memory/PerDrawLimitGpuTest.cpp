@@ -95,4 +95,39 @@ TEST_F(PerDrawLimit, IsKeptByBindingTheDataInPieces)
     EXPECT_EQ("", Text(m_Device->validationMessages()));
 }
 
+TEST_F(PerDrawLimit, LeavesTheInstancesOfADrawTheirNumbers)
+{
+    const PassPtr pass = CompilePass(R"(
+        #include "limn/PerDraw.hlsl"
+        struct v2f { float4 pos : SV_POSITION; nointerpolation float id : TEXCOORD0; };
+        v2f vert(float3 p : POSITION, uint id : SV_InstanceID)
+        { v2f o; o.pos = mul(unity_ObjectToWorld, float4(p, 1)); o.id = id; return o; }
+        float4 frag(v2f i) : SV_Target { return i.id; })");
+    const TargetPtr target = MakeTarget(k_Columns, 1, GraphicsFormat::R32G32B32A32_SFloat);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    constexpr int k_Skipped = 3; // elements of other draws
+    for (int i = 0; i < k_Skipped + k_Columns; ++i)
+    {
+        PerDrawData data{};
+        data.objectToWorld[0] = data.objectToWorld[5] = data.objectToWorld[10] =
+            data.objectToWorld[15] = 1.0f;
+        data.objectToWorld[12] = Offset(i - k_Skipped);
+        frame.perDraw.push_back(data);
+    }
+    DrawBindings bindings;
+    bindings.perDrawBinding = pass->layout.storageBuffers.at(0).binding;
+    DrawCommand draw =
+        MakeDraw(pass, MakeQuad(-1, -1, -1 + 2.0f / k_Columns, 1), PlainState(), bindings);
+    draw.firstInstance = k_Skipped;
+    draw.instanceCount = k_Columns;
+    frame.passes[0].commands.emplace_back(draw);
+    m_Device->Execute(frame);
+    const Image image = m_Device->ReadBack(*target);
+    for (int i = 0; i < k_Columns; ++i)
+    {
+        EXPECT_EQ(static_cast<float>(i), TexelFloat(image, i, 0)[0]) << "column " << i;
+    }
+    EXPECT_EQ("", Text(m_Device->validationMessages()));
+}
+
 } // namespace limn::test

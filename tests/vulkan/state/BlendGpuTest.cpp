@@ -11,7 +11,8 @@ namespace
 using Float4 = std::array<float, 4>;
 
 /// Draws `source` over a float target that holds `destination`.
-Float4 BlendOn(VulkanDevice& device, Color source, Color destination, const TargetBlend& blend)
+Float4 BlendOn(VulkanDevice& device, Color source, Color destination,
+               const RenderTargetBlendState& blend)
 {
     const TargetPtr target = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat);
     CompiledFrame frame = FrameOf({ClearPass(target, destination)}, target);
@@ -22,14 +23,14 @@ Float4 BlendOn(VulkanDevice& device, Color source, Color destination, const Targ
     return TexelFloat(device.ReadBack(*target), 0, 0);
 }
 
-TargetBlend Factors(BlendMode srcColor, BlendMode dstColor, BlendMode srcAlpha, BlendMode dstAlpha)
+RenderTargetBlendState Factors(BlendMode srcColor, BlendMode dstColor, BlendMode srcAlpha,
+                               BlendMode dstAlpha)
 {
-    TargetBlend blend;
-    blend.enabled = true;
-    blend.srcColor = srcColor;
-    blend.dstColor = dstColor;
-    blend.srcAlpha = srcAlpha;
-    blend.dstAlpha = dstAlpha;
+    RenderTargetBlendState blend;
+    blend.sourceColorBlendMode = srcColor;
+    blend.destinationColorBlendMode = dstColor;
+    blend.sourceAlphaBlendMode = srcAlpha;
+    blend.destinationAlphaBlendMode = dstAlpha;
     return blend;
 }
 
@@ -92,7 +93,7 @@ TEST_P(Blending, ReplacesWhereItIsOff)
 TEST_P(Blending, AddsAlphaWeightedColorAndKeepsAlpha)
 {
     // Blend One SrcAlpha, Zero One: colour = src + dst * 0.5, alpha = dst.
-    const TargetBlend blend =
+    const RenderTargetBlendState blend =
         Factors(BlendMode::One, BlendMode::SrcAlpha, BlendMode::Zero, BlendMode::One);
     EXPECT_EQ((Float4{0.625f, 0.75f, 1.25f, 0.25f}),
               BlendOn(Device(), k_Source, k_Destination, blend));
@@ -100,8 +101,8 @@ TEST_P(Blending, AddsAlphaWeightedColorAndKeepsAlpha)
 
 TEST_P(Blending, MixesByAlpha)
 {
-    const TargetBlend blend = Factors(BlendMode::SrcAlpha, BlendMode::OneMinusSrcAlpha,
-                                      BlendMode::One, BlendMode::OneMinusSrcAlpha);
+    const RenderTargetBlendState blend = Factors(BlendMode::SrcAlpha, BlendMode::OneMinusSrcAlpha,
+                                                 BlendMode::One, BlendMode::OneMinusSrcAlpha);
     EXPECT_EQ((Float4{0.375f, 0.625f, 0.75f, 0.625f}),
               BlendOn(Device(), k_Source, k_Destination, blend));
 }
@@ -121,18 +122,20 @@ TEST_P(Blending, MixesLinearColorsInAnSrgbTarget)
 
 TEST_P(Blending, SubtractsInBothDirections)
 {
-    TargetBlend blend = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
-    blend.colorOp = BlendOp::Subtract;
-    blend.alphaOp = BlendOp::ReverseSubtract;
+    RenderTargetBlendState blend =
+        Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    blend.colorBlendOperation = BlendOp::Subtract;
+    blend.alphaBlendOperation = BlendOp::ReverseSubtract;
     EXPECT_EQ((Float4{0.25f, -0.75f, 0.5f, -0.25f}),
               BlendOn(Device(), k_Source, k_Destination, blend));
 }
 
 TEST_P(Blending, TakesTheLargerWithMax)
 {
-    TargetBlend blend = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
-    blend.colorOp = BlendOp::Max;
-    blend.alphaOp = BlendOp::Min;
+    RenderTargetBlendState blend =
+        Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
+    blend.colorBlendOperation = BlendOp::Max;
+    blend.alphaBlendOperation = BlendOp::Min;
     EXPECT_EQ((Float4{0.5f, 1.0f, 1.0f, 0.25f}), BlendOn(Device(), k_Source, k_Destination, blend));
 }
 
@@ -155,15 +158,15 @@ TEST_P(Blending, CombinesTheBitsOfNormalizedIntegers)
     const TargetPtr target = MakeTarget(16, 1);
     CompiledFrame frame = FrameOf({ClearPass(target, {d, d, d, d})}, target);
     PipelineState state = PlainState();
-    for (TargetBlend& blend : state.targets)
+    for (RenderTargetBlendState& blend : state.targets)
     {
         blend = Factors(BlendMode::SrcAlpha, BlendMode::One, BlendMode::Zero, BlendMode::One);
     }
     float left = -1.0f;
     for (const auto& [op, result] : k_Results)
     {
-        state.targets[0].colorOp = op;
-        state.targets[0].alphaOp = op;
+        state.targets[0].colorBlendOperation = op;
+        state.targets[0].alphaBlendOperation = op;
         frame.passes[0].commands.emplace_back(
             MakeColorDraw(frame, MakeQuad(left, -1, left + 0.125f, 1), {s, s, s, s}, state));
         left += 0.125f;
@@ -184,8 +187,8 @@ TEST_P(Blending, BlendsAgainAfterALogicalOperation)
     PipelineState state = PlainState();
     state.targets[0] = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
     PipelineState logical = state;
-    logical.targets[0].colorOp = BlendOp::LogicalSet;
-    logical.targets[0].alphaOp = BlendOp::LogicalSet;
+    logical.targets[0].colorBlendOperation = BlendOp::LogicalSet;
+    logical.targets[0].alphaBlendOperation = BlendOp::LogicalSet;
     logical.targets[0].writeMask = ColorWriteMask::Green;
     for (const PipelineState& one : {state, logical, state})
     {
@@ -210,9 +213,8 @@ TEST_P(Blending, MixesAsDrawingProgramsDoWhereTheDeviceCan)
         const TargetPtr target = MakeTarget(1, 1);
         CompiledFrame frame = FrameOf({ClearPass(target, {0.4f, 1, 1, 1})}, target);
         PipelineState state = PlainState();
-        state.targets[0].enabled = true;
-        state.targets[0].colorOp = one.op;
-        state.targets[0].alphaOp = one.op;
+        state.targets[0].colorBlendOperation = one.op;
+        state.targets[0].alphaBlendOperation = one.op;
         frame.passes[0].commands.emplace_back(
             MakeColorDraw(frame, MakeQuad(), {1, 0, 0.2f, 1}, state));
         try
@@ -235,7 +237,7 @@ TEST_P(Blending, MixesAsDrawingProgramsDoWhereTheDeviceCan)
 
 TEST_P(Blending, WritesTheMaskedChannelsOnly)
 {
-    TargetBlend blend;
+    RenderTargetBlendState blend;
     blend.writeMask = ColorWriteMask::Red | ColorWriteMask::Alpha;
     EXPECT_EQ((Float4{0.5f, 1.0f, 0.5f, 0.5f}), BlendOn(Device(), k_Source, k_Destination, blend));
     blend.writeMask = 0;

@@ -50,20 +50,22 @@ struct Blended
     double scale = 0.0;
 };
 
-inline Blended Blend(const TargetBlend& blend, const Double4& source, const Double4& destination,
-                     std::size_t c)
+inline Blended Blend(const RenderTargetBlendState& blend, const Double4& source,
+                     const Double4& destination, std::size_t c)
 {
     const bool alpha = c == 3;
-    const BlendOp op = alpha ? blend.alphaOp : blend.colorOp;
+    const BlendOp op = alpha ? blend.alphaBlendOperation : blend.colorBlendOperation;
     if (op == BlendOp::Min || op == BlendOp::Max)
     {
         const auto [least, most] = std::minmax(source[c], destination[c]);
         return {op == BlendOp::Min ? least : most, std::max(std::abs(least), std::abs(most))};
     }
     const double src =
-        source[c] * Factor(alpha ? blend.srcAlpha : blend.srcColor, source, destination, c);
-    const double dst =
-        destination[c] * Factor(alpha ? blend.dstAlpha : blend.dstColor, source, destination, c);
+        source[c] * Factor(alpha ? blend.sourceAlphaBlendMode : blend.sourceColorBlendMode, source,
+                           destination, c);
+    const double dst = destination[c] * Factor(alpha ? blend.destinationAlphaBlendMode
+                                                     : blend.destinationColorBlendMode,
+                                               source, destination, c);
     const double scale = std::max(std::abs(src), std::abs(dst));
     switch (op)
     {

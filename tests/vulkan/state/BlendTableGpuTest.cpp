@@ -95,18 +95,17 @@ Combination CombinationAt(int index)
 }
 
 /// Over all indices colour and alpha each meet every combination, never the same one at a time.
-TargetBlend BlendAt(int index)
+RenderTargetBlendState BlendAt(int index)
 {
     const Combination color = CombinationAt(index % k_Combinations);
     const Combination alpha = CombinationAt((index * 7 + 3) % k_Combinations);
-    TargetBlend blend;
-    blend.enabled = true;
-    blend.srcColor = color.source;
-    blend.dstColor = color.destination;
-    blend.colorOp = color.op;
-    blend.srcAlpha = alpha.source;
-    blend.dstAlpha = alpha.destination;
-    blend.alphaOp = alpha.op;
+    RenderTargetBlendState blend;
+    blend.sourceColorBlendMode = color.source;
+    blend.destinationColorBlendMode = color.destination;
+    blend.colorBlendOperation = color.op;
+    blend.sourceAlphaBlendMode = alpha.source;
+    blend.destinationAlphaBlendMode = alpha.destination;
+    blend.alphaBlendOperation = alpha.op;
     return blend;
 }
 
@@ -127,14 +126,15 @@ int IndexOf(int column, std::size_t t)
     return column + k_Columns * half + 200 * static_cast<int>(t % k_Formats.size());
 }
 
-std::string Describe(const TargetBlend& b)
+std::string Describe(const RenderTargetBlendState& b)
 {
     const auto number = [](auto value)
     {
         return std::to_string(static_cast<int>(value)) + " ";
     };
-    return "Blend " + number(b.srcColor) + number(b.dstColor) + ", " + number(b.srcAlpha) +
-           number(b.dstAlpha) + "BlendOp " + number(b.colorOp) + ", " + number(b.alphaOp);
+    return "Blend " + number(b.sourceColorBlendMode) + number(b.destinationColorBlendMode) + ", " +
+           number(b.sourceAlphaBlendMode) + number(b.destinationAlphaBlendMode) + "BlendOp " +
+           number(b.colorBlendOperation) + ", " + number(b.alphaBlendOperation);
 }
 
 /// Writes the row's source to six targets.
@@ -214,7 +214,8 @@ std::vector<Image> DrawTable()
 }
 
 /// The largest error of one texel in units of its tolerance.
-double ErrorOf(const Image& image, const FormatRule& rule, const TargetBlend& blend, int x, int row)
+double ErrorOf(const Image& image, const FormatRule& rule, const RenderTargetBlendState& blend,
+               int x, int row)
 {
     const Pair& pair = k_Pairs.at(static_cast<std::size_t>(row));
     const Double4 source = Held(pair.source, rule, false);
@@ -251,7 +252,7 @@ TEST_F(BlendTable, AgreesWithTheEquationForEveryFactorPairAndOperationOnEveryKin
         {
             const int column = i % k_Columns;
             const int row = i / k_Columns;
-            const TargetBlend blend = BlendAt(IndexOf(column, t));
+            const RenderTargetBlendState blend = BlendAt(IndexOf(column, t));
             const double error = ErrorOf(images.at(t), RuleOf(t), blend, column, row);
             if (!(error <= 1.0) && ++wrong == 1)
             {

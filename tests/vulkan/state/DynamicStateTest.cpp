@@ -18,7 +18,7 @@ TEST(PipelineKeys, TellOnlyWhatIsNotDynamicApart)
     other.stencilReference = 7;
     other.zTest = CompareFunction::Greater;
     other.cull = CullMode::Off;
-    other.targets[0].enabled = true;
+    other.targets[0].destinationColorBlendMode = BlendMode::One;
     EXPECT_EQ(MakePipelineKey(plain, {}, device), MakePipelineKey(other, {}, device));
     other.alphaToMask = true;
     EXPECT_FALSE(MakePipelineKey(plain, {}, device) == MakePipelineKey(other, {}, device));
@@ -53,11 +53,10 @@ namespace
 PipelineState Blended(BlendOp color, BlendOp alpha)
 {
     PipelineState state;
-    for (TargetBlend& target : state.targets)
+    for (RenderTargetBlendState& target : state.targets)
     {
-        target.enabled = true;
-        target.colorOp = color;
-        target.alphaOp = alpha;
+        target.colorBlendOperation = color;
+        target.alphaBlendOperation = alpha;
     }
     return state;
 }
@@ -116,7 +115,7 @@ TEST(PipelineKeys, RefuseLogicalAndAdvancedBlendOpsForAPart)
     device.logicOp = true;
     const TargetFormats two = Formats({VK_FORMAT_R8_UNORM, VK_FORMAT_R8_UNORM});
     PipelineState oneTarget = Blended(BlendOp::LogicalOr, BlendOp::LogicalOr);
-    oneTarget.targets[1].enabled = false;
+    oneTarget.targets[1] = {};
     EXPECT_NO_THROW(MakePipelineKey(oneTarget, Formats({VK_FORMAT_R8_UNORM}), device));
     const std::string said = "a draw has BlendOp LogicalOr for a part of what it writes; it works "
                              "for colour and alpha of all targets alike: write Blend and 'BlendOp "

@@ -120,7 +120,7 @@ TEST(StateTable, TranslatesEveryBlendFactorInEveryPlace)
                                                  {"srcAlpha", factor},
                                                  {"dstColor", VK_BLEND_FACTOR_ONE},
                                                  {"dstAlpha", VK_BLEND_FACTOR_ONE}});
-        const VulkanValues alpha = EveryTarget({{"blendEnable", 1}, {"dstAlpha", factor}});
+        const VulkanValues alpha = EveryTarget({{"blendEnable", i > 0}, {"dstAlpha", factor}});
         ExpectTable({{"Blend " + name + " One", source}, {"Blend One Zero, One " + name, alpha}});
         const float number = static_cast<float>(i);
         EXPECT_EQ("", Mistakes(source, StateOf(PassWith("Blend [_P] One"), number))) << name;
@@ -128,6 +128,7 @@ TEST(StateTable, TranslatesEveryBlendFactorInEveryPlace)
             << name;
     }
     ExpectTable({{"Blend Off", {}}, {"Blend False", {}}, {"Blend One One Blend Off", {}}});
+    ExpectTable({{"Blend One Zero", {}}}); // which is what happens without
 }
 
 TEST(StateTable, TranslatesBlendOp)
@@ -139,10 +140,15 @@ TEST(StateTable, TranslatesBlendOp)
     {
         const std::string name = names[i];
         const double op = ops[i];
-        const VulkanValues both = EveryTarget({{"colorOp", op}, {"alphaOp", op}});
-        ExpectTable(
-            {{"BlendOp " + name, both}, {"BlendOp Add, " + name, EveryTarget({{"alphaOp", op}})}});
-        EXPECT_EQ("", Mistakes(both, StateOf(PassWith("BlendOp [_P]"), static_cast<float>(i))))
+        const double enabled = i > 0; // Blend One Zero with Add is none
+        const VulkanValues both =
+            EveryTarget({{"blendEnable", enabled}, {"colorOp", op}, {"alphaOp", op}});
+        const VulkanValues alpha = EveryTarget({{"blendEnable", enabled}, {"alphaOp", op}});
+        ExpectTable({{"Blend One Zero BlendOp " + name, both},
+                     {"Blend One Zero BlendOp Add, " + name, alpha},
+                     {"BlendOp " + name, {}}}); // no Blend, no effect
+        EXPECT_EQ("", Mistakes(both, StateOf(PassWith("Blend One Zero BlendOp [_P]"),
+                                             static_cast<float>(i))))
             << name;
     }
 }
@@ -248,7 +254,8 @@ TEST(StateTable, TranslatesCommandsForOneTarget)
            {"1.dstColor", VK_BLEND_FACTOR_ONE},
            {"1.srcAlpha", VK_BLEND_FACTOR_ZERO},
            {"1.dstAlpha", VK_BLEND_FACTOR_ONE}}},
-         {"BlendOp 7 Max, Min", {{"7.colorOp", VK_BLEND_OP_MAX}, {"7.alphaOp", VK_BLEND_OP_MIN}}},
+         {"Blend 7 One Zero BlendOp 7 Max, Min",
+          {{"7.blendEnable", 1}, {"7.colorOp", VK_BLEND_OP_MAX}, {"7.alphaOp", VK_BLEND_OP_MIN}}},
          {"ColorMask RG 3", {{"3.writeMask", VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT}}},
          {"ColorMask 0 0", {{"0.writeMask", 0}}},
          {"Blend 2 One One Blend 2 Off", {}}});

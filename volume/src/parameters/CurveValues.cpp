@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/EnumParameter.h>
+#include <limn/volume/KeyframeUtility.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -245,3 +247,21 @@ std::string UnityText(const TextureCurve& value)
 }
 
 } // namespace limn::detail
+
+namespace limn
+{
+
+void AnimationCurveParameter::Interp(const AnimationCurve& from, const AnimationCurve& to, float t)
+{
+    if (&to == &m_Value)
+    {
+        const AnimationCurve target = to;
+        m_Value = from;
+        KeyframeUtility::InterpAnimationCurve(m_Value, target, t);
+        return;
+    }
+    m_Value = from;
+    KeyframeUtility::InterpAnimationCurve(m_Value, to, t);
+}
+
+} // namespace limn

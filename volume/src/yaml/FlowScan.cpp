@@ -1,4 +1,4 @@
-#include "yaml/FlowScan.h"
+#include "yaml/Text.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <limn/volume/YamlMapReader.h>
 
 #include <algorithm>
-#include <cctype>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
@@ -23,7 +23,7 @@ std::string PlainSpelling(std::string_view serializedName)
         return std::string(serializedName);
     }
     std::string plain(serializedName.substr(2));
-    plain.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(plain.front())));
+    plain.front() = ToLower(plain.front());
     return plain;
 }
 
@@ -159,7 +159,8 @@ bool YamlMapReader::Read(std::string_view key, std::string& value)
 bool YamlMapReader::Read(std::string_view key, Color& value)
 {
     const YamlNode* node = Find(key);
-    const auto read = node ? ReadColor(*node, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    const auto read =
+        node ? ReadColor(*node, SubjectOf(key), m_Diagnostics, k_ColorChannels) : std::nullopt;
     value = read.value_or(value);
     return read.has_value();
 }
@@ -172,10 +173,11 @@ bool YamlMapReader::Read(std::string_view key, glm::vec2& value)
     return read.has_value();
 }
 
-bool YamlMapReader::Read(std::string_view key, glm::vec3& value)
+bool YamlMapReader::Read(std::string_view key, glm::vec3& value, ValueRange range)
 {
     const YamlNode* node = Find(key);
-    const auto read = node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics) : std::nullopt;
+    const auto read =
+        node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics, range) : std::nullopt;
     value = read ? glm::vec3(read->x, read->y, read->z) : value;
     return read.has_value();
 }

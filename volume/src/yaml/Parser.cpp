@@ -1,10 +1,10 @@
 #include <limn/volume/YamlNode.h>
 
-#include "yaml/FlowScan.h"
 #include "yaml/Text.h"
 #include "yaml/TreeBuilder.h"
 
 #include <algorithm>
+#include <limn/shaderlab/ReadFile.h>
 #include <optional>
 #include <sstream>
 #include <yaml-cpp/exceptions.h>
@@ -94,7 +94,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
 {
     CheckIsText(text, file, firstLine);
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
+    if (text.starts_with(byteOrderMark))
     {
         text.remove_prefix(byteOrderMark.size());
     }
@@ -127,6 +127,16 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
         throw AssetError(file, {}, "is empty; it begins with a name and a colon, 'name:'");
     }
     return std::move(builder.documents);
+}
+
+std::string ReadYamlText(const std::filesystem::path& path)
+{
+    return ReadFile(path, k_MaxTextBytes);
+}
+
+std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path)
+{
+    return ParseYaml(ReadYamlText(path), path.generic_string());
 }
 
 } // namespace limn

@@ -31,13 +31,13 @@ bool RefuseShape(const YamlNode& node, std::string_view subject, AssetDiagnostic
 }
 
 bool ReadFromSequence(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
-                      Channels& channels)
+                      ValueRange range, Channels& channels)
 {
     bool isGood = true;
     for (std::size_t i = 0; i < node.items().size(); ++i)
     {
         const std::string item = std::string(subject) + "[" + std::to_string(i) + "]";
-        const std::optional<float> value = ReadFloat(node.items()[i], item, diagnostics);
+        const std::optional<float> value = ReadFloat(node.items()[i], item, diagnostics, range);
         channels[i] = value.value_or(channels[i]);
         isGood = isGood && value.has_value();
     }
@@ -46,7 +46,8 @@ bool ReadFromSequence(const YamlNode& node, std::string_view subject, AssetDiagn
 
 /// Reads the one-letter keys `names`; the first `required` of them must be there.
 bool ReadFromMap(const YamlNode& node, std::string_view names, std::size_t required,
-                 std::string_view subject, AssetDiagnostics& diagnostics, Channels& channels)
+                 std::string_view subject, AssetDiagnostics& diagnostics, ValueRange range,
+                 Channels& channels)
 {
     const std::size_t before = diagnostics.diagnostics().size();
     YamlMapReader map(node, std::string(subject), diagnostics);
@@ -55,7 +56,7 @@ bool ReadFromMap(const YamlNode& node, std::string_view names, std::size_t requi
         const std::string_view name = names.substr(i, 1);
         if (i >= required || map.Require(name))
         {
-            map.Read(name, channels[i]);
+            map.Read(name, channels[i], range);
         }
     }
     map.Finish();
@@ -85,7 +86,7 @@ bool ReadHex(std::string_view text, Channels& channels)
 } // namespace
 
 std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string_view subject,
-                                    AssetDiagnostics& diagnostics)
+                                    AssetDiagnostics& diagnostics, ValueRange range)
 {
     Channels channels{};
     const auto size = static_cast<std::size_t>(count);
@@ -93,11 +94,11 @@ std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string
     if (node.isMap())
     {
         const std::string_view names = std::string_view("xyzw").substr(0, size);
-        isGood = ReadFromMap(node, names, size, subject, diagnostics, channels);
+        isGood = ReadFromMap(node, names, size, subject, diagnostics, range, channels);
     }
     else if (node.isSequence() && node.items().size() == size)
     {
-        isGood = ReadFromSequence(node, subject, diagnostics, channels);
+        isGood = ReadFromSequence(node, subject, diagnostics, range, channels);
     }
     else
     {
@@ -110,18 +111,18 @@ std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string
 }
 
 std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
-                               AssetDiagnostics& diagnostics)
+                               AssetDiagnostics& diagnostics, ValueRange range)
 {
     Channels channels{0.0f, 0.0f, 0.0f, 1.0f};
     const std::size_t size = node.items().size();
     bool isGood = false;
     if (node.isMap())
     {
-        isGood = ReadFromMap(node, "rgba", 3, subject, diagnostics, channels);
+        isGood = ReadFromMap(node, "rgba", 3, subject, diagnostics, range, channels);
     }
     else if (size == 3 || size == 4)
     {
-        isGood = ReadFromSequence(node, subject, diagnostics, channels);
+        isGood = ReadFromSequence(node, subject, diagnostics, range, channels);
     }
     else
     {

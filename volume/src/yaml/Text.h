@@ -18,4 +18,8 @@ SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLi
 /// text; true for what is not in quotes.
 bool IsQuoteClosed(std::string_view text, std::size_t offset);
 
+/// Where the first outermost `[...]` or `{...}` begins that is longer than `maxBytes`. Block
+/// scalars are looked into as if they were YAML, so text in one may count.
+std::optional<std::size_t> FindLongFlow(std::string_view text, std::size_t maxBytes);
+
 } // namespace limn

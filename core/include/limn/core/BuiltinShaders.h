@@ -19,9 +19,12 @@ FindBuiltinShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& 
     return Shader::Find(name, BuiltinShaders(), compiler);
 }
 
-/// A texture of one texel, or one a slice or face, of a ShaderLab default name ("white", "black",
-/// "gray", "bump" or "normal", "red", "green", "blue", "clear"; any case); gray for any other. An
-/// array has one element. Unity: texture defaults of ShaderLab properties.
+/// "white", "black", "gray", "bump", "red", "green", "blue", "clear".
+/// Unity: texture defaults of ShaderLab properties.
+std::vector<std::string_view> DefaultTextureNames();
+
+/// A texture of one texel, or one a slice or face, by one of these names in any case; "normal" is
+/// bump, any other gray. An array has one element.
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name,
                                               TextureDimension dimension = TextureDimension::Tex2D);
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
+#include <limits>
 
 namespace limn
 {
@@ -23,7 +25,7 @@ struct Color
     static const Color green;
 
     /// This sRGB colour as linear RGB; alpha is kept. Above 1 the curve goes on as a 2.2 power, as
-    /// Unity's does. Unity: Color.linear.
+    /// Unity's does, as far as a float goes. Unity: Color.linear.
     Color linear() const { return {ToLinear(r), ToLinear(g), ToLinear(b), a}; }
 
     glm::vec4 vector() const { return {r, g, b, a}; }
@@ -37,7 +39,8 @@ private:
         {
             return s / 12.92f;
         }
-        return s <= 1.0f ? std::pow((s + 0.055f) / 1.055f, 2.4f) : std::pow(s, 2.2f);
+        return s <= 1.0f ? std::pow((s + 0.055f) / 1.055f, 2.4f)
+                         : std::min(std::pow(s, 2.2f), std::numeric_limits<float>::max());
     }
 };
 

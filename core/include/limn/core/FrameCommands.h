@@ -95,6 +95,18 @@ struct DrawBindings
     bool operator==(const DrawBindings&) const = default;
 };
 
+/// A part of a target of whatever size: 0 is its left or top border, 1 its right or bottom one. May
+/// reach beyond them.
+struct TargetRegion
+{
+    double left = 0.0;
+    double top = 0.0;
+    double right = 1.0;
+    double bottom = 1.0;
+
+    bool operator==(const TargetRegion&) const = default;
+};
+
 /// What a pass with the tag LimnFullScreen promises of its draws without a mesh: they cover their
 /// target, and no texel of it is left as it was but by blending.
 struct FullScreenPromise
@@ -102,6 +114,9 @@ struct FullScreenPromise
     /// Where every texel of one of these is 0 in each component that it has, the fragment function
     /// gives `output`.
     std::vector<std::shared_ptr<const Texture>> zeroTextures;
+    /// It looks no farther than this from its own place: what is 0 all over may be 0 so far only,
+    /// in texels of those textures. Negative = as far as it likes.
+    float reach = -1.0f;
     std::string zeroProperty; ///< one that is 0, so that it gives `output` in any case; "" = none
     Color output;             ///< linear
     /// It gives the texel of this texture at its own place, with alpha 1; null = another value.
@@ -119,7 +134,9 @@ struct DrawCommand
     std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
     std::uint32_t instanceCount = 1;
     std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
-    // What `program` was compiled from: for reports, a device looks at neither.
+    std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
+    std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
+    // What `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
 };

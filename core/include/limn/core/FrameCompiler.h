@@ -12,6 +12,7 @@ struct FrameCompilerOptions
     /// Off: everything recorded is run, each node as one pass, to compare with. The same for all
     /// frames of a device.
     bool leavesOut = true;
+    bool limitsRegions = true; ///< full-screen passes are drawn where they can be seen only
 };
 
 /// Turns a frame's recorded commands into passes a device can run. The only place that decides what
@@ -33,6 +34,7 @@ struct FrameCompilerOptions
 /// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
 ///   draws into the copy;
 /// - LeaveOutUnread: a node whose targets nothing reads goes;
+/// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;
 /// - MergeNodes: neighbours on the same colours become one;
 /// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,

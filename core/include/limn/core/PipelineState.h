@@ -6,30 +6,6 @@
 namespace limn
 {
 
-struct TargetBlend
-{
-    bool enabled = false;
-    BlendMode srcColor = BlendMode::One;
-    BlendMode dstColor = BlendMode::Zero;
-    BlendMode srcAlpha = BlendMode::One;
-    BlendMode dstAlpha = BlendMode::Zero;
-    BlendOp colorOp = BlendOp::Add;
-    BlendOp alphaOp = BlendOp::Add;
-    int writeMask = ColorWriteMask::All;
-
-    bool operator==(const TargetBlend&) const = default;
-};
-
-struct StencilFace
-{
-    CompareFunction compare = CompareFunction::Always;
-    StencilOp pass = StencilOp::Keep;
-    StencilOp fail = StencilOp::Keep;
-    StencilOp zFail = StencilOp::Keep;
-
-    bool operator==(const StencilFace&) const = default;
-};
-
 /// A pass's RenderState with every `[_Property]` replaced by the material's value: what a draw
 /// really uses. Depth compares are Unity's (nearer = Less); the device turns them for reversed Z.
 struct PipelineState
@@ -43,7 +19,7 @@ struct PipelineState
     float offsetUnits = 0.0f;
     bool alphaToMask = false;
     bool conservative = false; ///< every pixel a triangle touches, where the device can
-    std::array<TargetBlend, 8> targets;
+    std::array<RenderTargetBlendState, 8> targets;
     bool stencilEnabled = false;
     int stencilReference = 0;
     int stencilReadMask = 255;

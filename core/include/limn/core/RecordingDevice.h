@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/GraphicsDevice.h>
+#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {
@@ -16,7 +17,11 @@ public:
     }
     const TextureStates& textureStates() const override { return m_TextureStates; }
     /// @throws ContractError always: nothing was drawn
-    Image ReadBack(const RenderTexture& texture) override;
+    Image ReadBack(const RenderTexture& texture) override
+    {
+        throw ContractError("RecordingDevice draws nothing, so '" + texture.name() +
+                            "' has no texels to read back");
+    }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
 
     const std::vector<CompiledFrame>& frames() const { return m_Frames; }

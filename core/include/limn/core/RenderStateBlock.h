@@ -29,20 +29,6 @@ constexpr bool operator&(RenderStateMask a, RenderStateMask b)
     return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
 
-/// Unity: UnityEngine.Rendering.RenderTargetBlendState (2022.3); the defaults mean no blending.
-struct RenderTargetBlendState
-{
-    int writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
-    BlendMode sourceColorBlendMode = BlendMode::One;
-    BlendMode destinationColorBlendMode = BlendMode::Zero;
-    BlendMode sourceAlphaBlendMode = BlendMode::One;
-    BlendMode destinationAlphaBlendMode = BlendMode::Zero;
-    BlendOp colorBlendOperation = BlendOp::Add;
-    BlendOp alphaBlendOperation = BlendOp::Add;
-
-    bool operator==(const RenderTargetBlendState&) const = default;
-};
-
 /// Unity: UnityEngine.Rendering.BlendState (2022.3).
 struct BlendState
 {

@@ -68,6 +68,8 @@ public:
 
     /// What the pass promises by the tag LimnFullScreen; null = nothing. As long as the shader.
     const FullScreenTag* fullScreenTag(int passIndex) const;
+    /// Whether the pass has the tag LimnWithinMesh.
+    bool staysWithinMesh(int passIndex) const { return StaysWithinMesh(PassAt(passIndex)); }
 
     /// What compiles the passes; other shaders may be made with it.
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }

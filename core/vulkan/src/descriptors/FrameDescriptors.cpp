@@ -187,10 +187,12 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
     const std::uint32_t left = draw.instanceCount - skipped;
     if (draw.program->layout.storageBuffers.empty())
     {
-        return {0, element, left};
+        return {0, element, left, draw.firstInstance};
     }
     const std::uint32_t first = element % m_PieceElements;
-    return {element / m_PieceElements, first, std::min(left, m_PieceElements - first)};
+    // May lie before the piece; SV_InstanceID, the difference, wraps around to what it should be.
+    const std::uint32_t base = first - skipped;
+    return {element / m_PieceElements, first, std::min(left, m_PieceElements - first), base};
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,

@@ -12,6 +12,7 @@ struct InstanceRun
     std::size_t piece = 0;
     std::uint32_t first = 0; ///< its element's index in the piece
     std::uint32_t count = 0;
+    std::uint32_t base = 0; ///< the index that the draw's first instance has, counted from `first`
 };
 
 /// The descriptor sets of one frame; draws of equal bindings and layout share one. Per-draw data

@@ -85,9 +85,9 @@ void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabi
     }
 }
 
-bool isBeyondBlending(const TargetBlend& blend)
+bool isBeyondBlending(const RenderTargetBlendState& blend)
 {
-    return blend.enabled && std::max(blend.colorOp, blend.alphaOp) > BlendOp::Max;
+    return std::max(blend.colorBlendOperation, blend.alphaBlendOperation) > BlendOp::Max;
 }
 
 /// The logical or advanced operation of a draw, else Add.
@@ -99,10 +99,10 @@ BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
     {
         return BlendOp::Add;
     }
-    const BlendOp op = std::max(found->colorOp, found->alphaOp);
-    for (const TargetBlend& blend : used)
+    const BlendOp op = std::max(found->colorBlendOperation, found->alphaBlendOperation);
+    for (const RenderTargetBlendState& blend : used)
     {
-        if (!blend.enabled || blend.colorOp != op || blend.alphaOp != op)
+        if (blend.colorBlendOperation != op || blend.alphaBlendOperation != op)
         {
             const std::string name = BlendOpName(op);
             throw DrawError("a draw has BlendOp " + name +

@@ -2,6 +2,9 @@
 
 #include "frame/PassTargets.h"
 
+#include <limn/core/DrawError.h>
+#include <limn/core/Shader.h>
+
 namespace limn::vulkan
 {
 
@@ -28,6 +31,23 @@ void RequirePerDraw(const DrawCommand& draw, std::size_t count)
         throw ContractError("a draw reads per-draw elements " + std::to_string(draw.firstInstance) +
                             " to " + std::to_string(end) + "; the frame has " +
                             std::to_string(count));
+    }
+}
+
+void RequireBuffersFit(const DrawCommand& draw, const VkPhysicalDeviceLimits& limits)
+{
+    for (const UniformBuffer& buffer : draw.program->layout.buffers)
+    {
+        if (buffer.size > limits.maxUniformBufferRange)
+        {
+            throw DrawError((draw.shader ? "shader '" + draw.shader->name() + "', pass " +
+                                               std::to_string(draw.shaderPass) + ": "
+                                         : "") +
+                            "constant buffer '" + buffer.name + "' has " +
+                            std::to_string(buffer.size) + " bytes; the device binds at most " +
+                            std::to_string(limits.maxUniformBufferRange) +
+                            ", so make it smaller or use a texture");
+        }
     }
 }
 
@@ -117,14 +137,28 @@ void PassRecorder::Run(const SetViewportCommand& viewport)
 {
     RequireViewport(viewport.rect, m_Pass, m_Context.capabilities().limits);
     m_Scissor = ClipToPass(viewport.rect, m_Pass);
+    m_Limit.reset();
     const VkViewport area = ToVkViewport(viewport.rect);
     vkCmdSetViewport(m_Commands, 0, 1, &area);
     vkCmdSetScissor(m_Commands, 0, 1, &m_Scissor);
 }
 
+/// @param part  texels of the viewport that are drawn; none = all
+void PassRecorder::LimitTo(const std::optional<ViewportRect>& part)
+{
+    if (part != m_Limit)
+    {
+        m_Limit = part;
+        const VkRect2D rect = part ? ClipToPass(*part, m_Pass) : m_Scissor;
+        vkCmdSetScissor(m_Commands, 0, 1, &rect);
+    }
+}
+
 void PassRecorder::Run(const DrawCommand& draw)
 {
     RequirePerDraw(draw, m_PerDrawCount);
+    RequireBuffersFit(draw, m_Context.capabilities().limits);
+    LimitTo(draw.scissor);
     ProgramObjects& objects = m_Resources.programs.Use(draw.program, m_Number);
     BindState(draw, objects);
     const PooledMesh* mesh = draw.mesh ? &m_Resources.meshes.Use(draw.mesh, m_Number) : nullptr;
@@ -184,7 +218,12 @@ void PassRecorder::BindInstances(const DrawCommand& draw, const ProgramObjects& 
             m_BoundSet = set;
         }
     }
-    vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(run.first), &run.first);
+    if (objects.pushStages != 0)
+    {
+        const DrawConstants constants{run.first, run.base};
+        vkCmdPushConstants(m_Commands, layout, objects.pushStages, 0, sizeof(constants),
+                           &constants);
+    }
 }
 
 void PassRecorder::BindVertices(const ProgramObjects& objects, const PooledMesh* mesh)

@@ -22,6 +22,7 @@ private:
     void Run(const DrawCommand& draw);
     void Run(const BeginSampleCommand& sample);
     void Run(const EndSampleCommand& sample);
+    void LimitTo(const std::optional<ViewportRect>& part);
     void BindState(const DrawCommand& draw, ProgramObjects& objects);
     void BindInstances(const DrawCommand& draw, const ProgramObjects& objects,
                        const InstanceRun& run);
@@ -37,7 +38,8 @@ private:
     std::uint64_t m_Number;
     std::size_t m_PerDrawCount;
     TargetFormats m_Formats;
-    VkRect2D m_Scissor{};
+    VkRect2D m_Scissor{};                ///< of the viewport
+    std::optional<ViewportRect> m_Limit; ///< of the last draw
     int m_OpenSamples = 0;
     VkPipeline m_BoundPipeline = VK_NULL_HANDLE;
     VkDescriptorSet m_BoundSet = VK_NULL_HANDLE;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "memory/Buffer.h"
+#include "memory/MemoryAllocator.h"
 #include <span>
 
 namespace limn::vulkan

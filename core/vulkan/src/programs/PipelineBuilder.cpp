@@ -131,22 +131,19 @@ void DescribeTargets(PipelineParts& parts, const PipelineKey& key, int colorOutp
 
 } // namespace
 
-VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, std::size_t index,
-                                                      int colorOutputs)
+VkPipelineColorBlendAttachmentState ToBlendAttachment(const RenderTargetBlendState& blend,
+                                                      std::size_t index, int colorOutputs)
 {
-    // Without blending the device need not know the operation.
-    const auto operation = [&](BlendOp op)
-    {
-        return ToVkBlendOp(blend.enabled || op <= BlendOp::Max ? op : BlendOp::Add);
-    };
+    RenderTargetBlendState off;
+    off.writeMask = blend.writeMask;
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = blend.enabled && !isLogical(blend.colorOp) ? VK_TRUE : VK_FALSE;
-    state.srcColorBlendFactor = ToVkBlendFactor(blend.srcColor);
-    state.dstColorBlendFactor = ToVkBlendFactor(blend.dstColor);
-    state.colorBlendOp = operation(blend.colorOp);
-    state.srcAlphaBlendFactor = ToVkBlendFactor(blend.srcAlpha);
-    state.dstAlphaBlendFactor = ToVkBlendFactor(blend.dstAlpha);
-    state.alphaBlendOp = operation(blend.alphaOp);
+    state.blendEnable = blend != off && !isLogical(blend.colorBlendOperation) ? VK_TRUE : VK_FALSE;
+    state.srcColorBlendFactor = ToVkBlendFactor(blend.sourceColorBlendMode);
+    state.dstColorBlendFactor = ToVkBlendFactor(blend.destinationColorBlendMode);
+    state.colorBlendOp = ToVkBlendOp(blend.colorBlendOperation);
+    state.srcAlphaBlendFactor = ToVkBlendFactor(blend.sourceAlphaBlendMode);
+    state.dstAlphaBlendFactor = ToVkBlendFactor(blend.destinationAlphaBlendMode);
+    state.alphaBlendOp = ToVkBlendOp(blend.alphaBlendOperation);
     const bool written = static_cast<int>(index) < colorOutputs;
     state.colorWriteMask = written ? ToVkColorMask(blend.writeMask) : 0;
     return state;

@@ -7,8 +7,8 @@ namespace limn::vulkan
 
 /// Vulkan's blend state of target `index`. A target that the fragment function does not write keeps
 /// its contents: what would be written is undefined.
-VkPipelineColorBlendAttachmentState ToBlendAttachment(const TargetBlend& blend, std::size_t index,
-                                                      int colorOutputs);
+VkPipelineColorBlendAttachmentState ToBlendAttachment(const RenderTargetBlendState& blend,
+                                                      std::size_t index, int colorOutputs);
 
 UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
                              const ProgramObjects& pass, int colorOutputs, const PipelineKey& key);

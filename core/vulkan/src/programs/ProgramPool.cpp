@@ -73,6 +73,52 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
     return bindings;
 }
 
+/// Drivers that are given more than they bind may crash.
+void RequireRoom(const std::vector<VkDescriptorSetLayoutBinding>& bindings,
+                 const VkPhysicalDeviceLimits& limits)
+{
+    struct Kind
+    {
+        const char* noun;
+        std::uint32_t most; ///< of a stage
+        std::initializer_list<VkDescriptorType> types;
+    };
+    const Kind kinds[] = {
+        {"uniform buffers",
+         limits.maxPerStageDescriptorUniformBuffers,
+         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}},
+        {"textures",
+         limits.maxPerStageDescriptorSampledImages,
+         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
+        {"samplers",
+         limits.maxPerStageDescriptorSamplers,
+         {VK_DESCRIPTOR_TYPE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
+        {"structured buffers",
+         limits.maxPerStageDescriptorStorageBuffers,
+         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}}};
+    for (const VkShaderStageFlagBits stage :
+         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT})
+    {
+        for (const Kind& kind : kinds)
+        {
+            const auto count = std::ranges::count_if(
+                bindings,
+                [&](const VkDescriptorSetLayoutBinding& binding)
+                {
+                    const auto& types = kind.types;
+                    return (binding.stageFlags & stage) != 0 &&
+                           std::ranges::find(types, binding.descriptorType) != types.end();
+                });
+            if (count > std::int64_t{kind.most})
+            {
+                throw DrawError("a function of the shader reads " + std::to_string(count) + " " +
+                                kind.noun + "; the device binds at most " +
+                                std::to_string(kind.most));
+            }
+        }
+    }
+}
+
 } // namespace
 
 ProgramPool::ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
@@ -95,10 +141,9 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
     {
         objects.fetches.push_back(FetchFor(input));
     }
-    objects.pushStages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    objects.pushStages = ToVkStages(program->layout.pushStages);
     if (!program->geometrySpirv.empty())
     {
-        objects.pushStages |= VK_SHADER_STAGE_GEOMETRY_BIT;
         objects.geometry = CreateModule(program->geometrySpirv);
     }
     CreateLayouts(objects, program->layout);
@@ -153,6 +198,7 @@ UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& s
 void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const
 {
     const std::vector<VkDescriptorSetLayoutBinding> bindings = Bindings(layout);
+    RequireRoom(bindings, m_Context.capabilities().limits);
     VkDescriptorSetLayoutCreateInfo setInfo{};
     setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
@@ -162,13 +208,13 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
           "vkCreateDescriptorSetLayout");
     objects.setLayout = UniqueSetLayout{m_Context.device(), set};
 
-    const VkPushConstantRange firstInstance{objects.pushStages, 0, 4};
+    const VkPushConstantRange constants{objects.pushStages, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = 1;
     info.pSetLayouts = &set;
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &firstInstance;
+    info.pushConstantRangeCount = objects.pushStages != 0 ? 1 : 0;
+    info.pPushConstantRanges = &constants;
     VkPipelineLayout handle = VK_NULL_HANDLE;
     Check(vkCreatePipelineLayout(m_Context.device(), &info, nullptr, &handle),
           "vkCreatePipelineLayout");

@@ -30,7 +30,7 @@ struct PipelineKey
     bool conservative = false;
     std::optional<VkLogicOp> logicOp;
     bool dynamicBlend = false;
-    std::array<TargetBlend, 8> blend; ///< as made where blending is dynamic
+    std::array<RenderTargetBlendState, 8> blend; ///< as made where blending is dynamic
 
     bool operator==(const PipelineKey&) const = default;
 };
@@ -52,7 +52,7 @@ struct ProgramObjects
     UniqueShaderModule fragment;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
-    VkShaderStageFlags pushStages = 0; ///< that read the draw's first instance
+    VkShaderStageFlags pushStages = 0; ///< that read the DrawConstants
     std::vector<VertexFetch> fetches;
     std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;

@@ -54,8 +54,24 @@ public:
     /// Folders that what files refer to may lie in. References that lead elsewhere, be it by a
     /// link, are refused; paths that a program or a person gives are not asked about.
     const FileRoots& roots() const { return m_Roots; }
-    /// Makes a root of the folder of a file that a person named, and of the Unity project it is in.
+    /// Makes a root of the folder of a file that a person named, and of the Unity project it is in:
+    /// of the one file that all others are for.
     void AddRootsAround(const std::filesystem::path& file);
+
+    /// The roots while one file is loaded: where it lies in none of them, it was named by a person
+    /// or a program, and then has those around it for itself, and no other file has.
+    class RootsFor
+    {
+    public:
+        RootsFor(AssetContext& assets, const std::filesystem::path& file);
+        ~RootsFor();
+        RootsFor(const RootsFor&) = delete;
+        RootsFor& operator=(const RootsFor&) = delete;
+
+    private:
+        AssetContext& m_Assets;
+        FileRoots m_Before;
+    };
 
     /// Adds a file to reachedFiles() that a caller reads itself.
     void Reach(const std::filesystem::path& path) { m_Reached.insert(path.lexically_normal()); }
@@ -64,7 +80,7 @@ public:
     std::set<std::filesystem::path> reachedFiles() const;
 
     /// Reads a loaded profile again, into the object that everybody shares; null, and nothing read,
-    /// if it is not loaded.
+    /// if it is not loaded, or a link took its place that leads out of the roots.
     /// @throws AssetError as LoadVolumeProfile; the profile then stays as it was
     const VolumeProfileLoadResult* ReloadProfile(const std::filesystem::path& path);
     /// Drops what was loaded from a file, so that it is read again when it is next asked for; for
@@ -87,6 +103,7 @@ private:
         VolumeProfileLoadResult result;
         LayerNames layers;          ///< that its names of layers stand for
         bool hasReferences = false; ///< it holds other assets
+        bool isInside = false;      ///< it lay in the roots when it was loaded
     };
 
     std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);

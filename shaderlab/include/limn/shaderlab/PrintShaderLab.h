@@ -28,6 +28,8 @@ std::string StateText(const StateValue<StencilOp>& value);
 std::string StateText(const StateValue<int>& value);
 std::string StateText(const StateValue<float>& value);
 std::string ColorMaskText(const StateValue<int>& mask); ///< "RGB", "0"
+std::string BlendText(const PassBlendState& target);    ///< "Off", "One Zero, SrcAlpha One"
+std::string BlendOpText(const PassBlendState& target);  ///< "Max", "Add, Max"
 
 // A property's type and default as a Properties block has them.
 std::string PropertyTypeText(const ShaderProperty& property);    ///< "Range(0, 1)", "2D"

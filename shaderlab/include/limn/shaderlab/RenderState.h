@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace limn
@@ -130,14 +131,44 @@ struct StateValue
     bool operator==(const StateValue&) const = default;
 };
 
-struct StencilFaceState
-{
-    StateValue<CompareFunction> compare = CompareFunction::Always;
-    StateValue<StencilOp> pass = StencilOp::Keep;
-    StateValue<StencilOp> fail = StencilOp::Keep;
-    StateValue<StencilOp> zFail = StencilOp::Keep;
+// What stands in a pass's text, where Value<T> is StateValue<T>, and what a draw uses once the
+// properties are read, where it is T.
 
-    bool operator==(const StencilFaceState&) const = default;
+template <template <typename> typename Value>
+struct BasicStencilFace
+{
+    Value<CompareFunction> compare = CompareFunction::Always;
+    Value<StencilOp> pass = StencilOp::Keep;
+    Value<StencilOp> fail = StencilOp::Keep;
+    Value<StencilOp> zFail = StencilOp::Keep;
+
+    bool operator==(const BasicStencilFace&) const = default;
+};
+using StencilFaceState = BasicStencilFace<StateValue>;
+using StencilFace = BasicStencilFace<std::type_identity_t>;
+
+/// How what is drawn and what one target holds are mixed; the defaults mean no blending.
+template <template <typename> typename Value>
+struct BasicTargetBlend
+{
+    Value<int> writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
+    Value<BlendMode> sourceColorBlendMode = BlendMode::One;
+    Value<BlendMode> destinationColorBlendMode = BlendMode::Zero;
+    Value<BlendMode> sourceAlphaBlendMode = BlendMode::One;
+    Value<BlendMode> destinationAlphaBlendMode = BlendMode::Zero;
+    Value<BlendOp> colorBlendOperation = BlendOp::Add;
+    Value<BlendOp> alphaBlendOperation = BlendOp::Add;
+
+    bool operator==(const BasicTargetBlend&) const = default;
+};
+/// Unity: UnityEngine.Rendering.RenderTargetBlendState (2022.3).
+using RenderTargetBlendState = BasicTargetBlend<std::type_identity_t>;
+
+struct PassBlendState : BasicTargetBlend<StateValue>
+{
+    bool enabled = false; ///< `Blend` names factors; without it BlendOp has no effect
+
+    bool operator==(const PassBlendState&) const = default;
 };
 
 struct PassStencilState
@@ -150,20 +181,6 @@ struct PassStencilState
     StencilFaceState back;
 
     bool operator==(const PassStencilState&) const = default;
-};
-
-struct PassBlendState
-{
-    bool enabled = false; ///< `Blend` names factors; Off otherwise
-    StateValue<BlendMode> srcColor = BlendMode::One;
-    StateValue<BlendMode> dstColor = BlendMode::Zero;
-    StateValue<BlendMode> srcAlpha = BlendMode::One;
-    StateValue<BlendMode> dstAlpha = BlendMode::Zero;
-    StateValue<BlendOp> colorOp = BlendOp::Add;
-    StateValue<BlendOp> alphaOp = BlendOp::Add;
-    StateValue<int> writeMask = ColorWriteMask::All; ///< ColorWriteMask bits
-
-    bool operator==(const PassBlendState&) const = default;
 };
 
 /// The fixed state of a ShaderLab pass; the defaults are ShaderLab's.

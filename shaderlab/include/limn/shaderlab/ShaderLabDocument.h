@@ -100,6 +100,9 @@ struct LegacyCommand
     bool operator==(const LegacyCommand&) const = default;
 };
 
+/// What a pass without a LightMode tag counts as. Unity: URP 14.
+inline constexpr std::string_view k_DefaultLightMode = "SRPDefaultUnlit";
+
 enum class ShaderLabPassKind
 {
     Pass,
@@ -123,7 +126,7 @@ struct ShaderLabPass
     std::vector<LegacyCommand> legacyCommands; ///< those of the scopes around it first
     std::optional<PassProgram> program;        ///< absent: a legacy pass of fixed-function commands
 
-    /// The LightMode tag; "SRPDefaultUnlit" where there is none, as URP 14 counts such a pass.
+    /// The LightMode tag; k_DefaultLightMode where there is none.
     /// What URP never draws by itself is given a name that no URP pass asks for: "UsePass",
     /// "GrabPass", and "ForwardBase" for a surface shader.
     std::string_view lightMode() const;

@@ -141,6 +141,7 @@ struct PropertyLayout
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
     GeometryInput geometryInput = GeometryInput::None;
+    ShaderStage pushStages = ShaderStage::None; ///< that read the DrawConstants
 
     bool operator==(const PropertyLayout&) const = default;
 };
@@ -162,8 +163,8 @@ struct ShaderProgram
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
-/// Vertex functions find their element by SV_InstanceID (which counts from the draw's first
-/// instance), the others by the push constant at offset 0 (uint, the first instance).
+/// Vertex functions find their element by the instance's index on the device, the others by
+/// DrawConstants::firstInstance.
 struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major
@@ -173,5 +174,14 @@ struct PerDrawData
     std::uint32_t renderingLayer[4]; ///< x = the renderer's rendering layer bits
 };
 static_assert(sizeof(PerDrawData) == 160);
+
+/// The push constants of a draw, at offset 0.
+struct DrawConstants
+{
+    std::uint32_t firstInstance = 0; ///< element of limn_PerDraw
+    /// Index on the device of the instance whose SV_InstanceID is 0: as in Direct3D it counts from
+    /// 0 in every draw. Only vertex functions that take SV_InstanceID read this.
+    std::uint32_t instanceBase = 0;
+};
 
 } // namespace limn

@@ -15,7 +15,8 @@ std::string OneLine(std::string_view text);
 /// OneLine of a message; words of more than 256 bytes are Shortened.
 std::string Sentence(std::string_view text);
 
-/// OneLine for text that has several lines: line breaks and tabs stay.
+/// OneLine for text that has several lines: line breaks and tabs stay. JSON that is UTF-8 stays the
+/// same JSON.
 std::string SeveralLines(std::string_view text);
 
 /// The text where it has at most `most` bytes, else its beginning and its end with "…" between

@@ -11,11 +11,12 @@ namespace limn
 /// Writes a file that appears whole or not at all: readers see the old content or the new one, and
 /// after a failure the old one stays and nothing is left beside it. The folder must exist.
 ///
-/// A file that is replaced keeps its permissions and its owner; a link stays one, and the file that
-/// it leads to is written. What a new file cannot take the place of is written to where it stands:
-/// pipes and devices (not disks), the file that is standard output, a file of several names (hard
-/// links) and one whose owner this process cannot give to another file. Of the last two, a failure
-/// for want of room leaves the old content as well.
+/// A file that is replaced keeps its permissions, its owner and its extended attributes, access
+/// control lists among them; a link stays one, and the file that it leads to is written. What a new
+/// file cannot take the place of is written to where it stands: pipes and devices (not disks), the
+/// file that is standard output, a file of several names (hard links) and one whose owner or
+/// attributes this process cannot give to another file. Of the last two, a failure for want of room
+/// leaves the old content as well.
 /// @param beforeReplace  called when all is ready to be written; what it throws is a failure
 /// @return the system's reason, if it cannot be written
 [[nodiscard]] std::error_code TryWriteFile(const std::filesystem::path& path,
@@ -23,7 +24,7 @@ namespace limn
                                            const std::function<void()>& beforeReplace = {});
 
 /// TryWriteFile, for files a person asked for: the bytes are on the disk before they take the old
-/// ones' place, so that not even a power failure leaves neither.
+/// ones' place, and that they did is when this returns. Not even a power failure leaves neither.
 /// @throws AssetError naming the path and the system's reason, if it cannot be written
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace = {});

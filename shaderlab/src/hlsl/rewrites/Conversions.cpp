@@ -1,4 +1,4 @@
-#include "hlsl/rewrites/Conversions.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Declarations.h"
 #include "hlsl/Editor.h"
@@ -25,7 +25,7 @@ std::string LargerType(const HlslVariable& parameter)
     {
         return std::string(type) + "2"; // from where glslang goes on to longer vectors
     }
-    const bool isMatrix = type.size() == 8 && type.substr(0, 5) == "float" && type[6] == 'x';
+    const bool isMatrix = type.size() == 8 && type.starts_with("float") && type[6] == 'x';
     return isMatrix && type != "float4x4" ? "float4x4" : "";
 }
 

@@ -1,4 +1,4 @@
-#include "hlsl/rewrites/Enums.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 

@@ -1,4 +1,4 @@
-#include "hlsl/rewrites/Initializers.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 #include "text/Text.h"

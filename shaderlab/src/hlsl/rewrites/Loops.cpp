@@ -1,10 +1,13 @@
-#include "hlsl/rewrites/Loops.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace limn
@@ -31,14 +34,37 @@ bool hasLoops(std::string_view text)
 class LoopHoister
 {
 public:
-    explicit LoopHoister(const std::string& text) : m_Code(text)
+    explicit LoopHoister(const std::string& text) : m_Code(text), m_Close(m_Code.size())
     {
-        int depth = 0;
+        std::vector<std::size_t> open;
+        std::vector<std::size_t> waiting; // for the bracket around them to close
+        std::size_t start = 0;
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            depth += std::min(m_Code.Step(i), 0);
-            m_Depth.push_back(depth);
-            depth += std::max(m_Code.Step(i), 0);
+            if (m_Code.Step(i) < 0 && !open.empty())
+            {
+                for (; waiting.size() > open.back(); waiting.pop_back())
+                {
+                    m_Close[waiting.back()] = i;
+                }
+                open.pop_back();
+            }
+            m_Depth.push_back(static_cast<int>(open.size()));
+            m_Start.push_back(start);
+            waiting.push_back(i);
+            if (m_Code.Step(i) > 0)
+            {
+                open.push_back(waiting.size());
+            }
+            start = open.empty() && isBoundary(i) ? i + 1 : start;
+            if (isWord(i) && Text(i - 1) != ".")
+            {
+                m_Uses[Text(i)].push_back(i);
+            }
+        }
+        for (const std::size_t i : waiting)
+        {
+            m_Close[i] = m_Code.size();
         }
     }
 
@@ -46,10 +72,11 @@ public:
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
-            if (!isLeaking(i))
+            if (Text(i) != "for" || !isLeaking(i))
             {
                 continue;
             }
+            m_Leaking.insert(i);
             if (!isDeclaredByHand(i))
             {
                 Hoist(i);
@@ -68,6 +95,14 @@ private:
         Nowhere,
         ByLoop, ///< by one whose variable is used after it
         ByHand,
+    };
+
+    struct Declaration
+    {
+        std::size_t name = 0;
+        std::size_t place = 0; ///< the name, or of a loop's the bracket behind `for`
+        bool isOfLoop = false;
+        bool isParameter = false;
     };
 
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
@@ -96,13 +131,9 @@ private:
         const std::string_view name = Text(loop + 3);
         const std::string renamed = "limn_" + std::string(name) + std::to_string(loop);
         const std::string declaration = std::string(Text(loop + 2)) + " " + renamed + "; ";
-        const int block = BlockDepth(EndOfStatement(loop));
-        for (std::size_t i = loop; i < m_Code.size() && m_Depth[i] >= block; ++i)
+        for (const std::size_t use : Uses(name, loop, EndOfBlock(EndOfStatement(loop))))
         {
-            if (Text(i) == name && Text(i - 1) != ".")
-            {
-                m_Code.Spelling(i) = renamed;
-            }
+            m_Code.Spelling(use) = renamed;
         }
         m_Code.Spelling(FirstOfLoop(loop)).insert(0, declaration);
         m_Code.Spelling(loop + 2).clear();
@@ -110,16 +141,13 @@ private:
 
     /// Whether a loop hides a number by its only variable, and the name is used behind it. What has
     /// members is no number: it is the hidden one that is meant.
-    bool isHiding(std::size_t loop) const
+    bool isHiding(std::size_t loop)
     {
         const std::vector<std::size_t> names = Names(loop);
         const std::string_view name = Text(names[0]);
-        const std::size_t end = EndOfStatement(loop);
-        const int block = BlockDepth(end);
-        for (std::size_t i = names[0] + 1; i < m_Code.size() && m_Depth[i] >= block; ++i)
+        for (const std::size_t use : Uses(name, names[0] + 1, EndOfBlock(EndOfStatement(loop))))
         {
-            const bool isName = Text(i) == name && Text(i - 1) != ".";
-            if (isName && (isDeclaration(i) || Text(i + 1) == "." || Text(i + 1) == "["))
+            if (isDeclaration(use) || Text(use + 1) == "." || Text(use + 1) == "[")
             {
                 return false;
             }
@@ -164,7 +192,7 @@ private:
                            [&](std::size_t name) { return isUsedAfter(end, Text(name)); });
     }
 
-    bool isDeclaredByHand(std::size_t loop) const
+    bool isDeclaredByHand(std::size_t loop)
     {
         const std::vector<std::size_t> names = Names(loop);
         const std::size_t end = EndOfStatement(loop);
@@ -214,9 +242,13 @@ private:
     /// Whether the word at the index is what a declaration declares: `int i`, `int n, i`.
     bool isDeclaration(std::size_t index) const
     {
-        if (index == 0 || isWord(index - 1))
+        if (index > 0 && isWord(index - 1))
         {
-            return index > 0 && Text(index - 1) != "return" && Text(index - 1) != "else";
+            return Text(index - 1) != "return" && Text(index - 1) != "else";
+        }
+        if (Text(index - 1) != ",")
+        {
+            return false;
         }
         const int depth = m_Depth[index];
         std::size_t first = index;
@@ -225,8 +257,8 @@ private:
         {
             --first;
         }
-        return Text(index - 1) == "," && isWord(first) && isWord(first + 1) &&
-               Text(first) != "return" && Text(first) != "else";
+        return isWord(first) && isWord(first + 1) && Text(first) != "return" &&
+               Text(first) != "else";
     }
 
     /// In what is left of the block, before the name is declared again.
@@ -240,27 +272,32 @@ private:
     bool isDeclaredAfter(std::size_t index, std::string_view name) const
     {
         const std::size_t use = NextUse(index, name);
-        return use < m_Code.size() && isDeclaration(use) && m_Depth[use] == BlockDepth(index);
+        return use < m_Code.size() && isDeclaration(use) && m_Depth[use] == m_Depth[index];
     }
 
-    /// Of the block that the statement before the token is in.
-    int BlockDepth(std::size_t index) const
+    /// Of the block that the statement before the token is in: its `}`.
+    std::size_t EndOfBlock(std::size_t index) const
     {
-        const int depth = index < m_Code.size() ? m_Depth[index] : 0;
-        return Text(index) == "}" ? depth + 1 : depth;
+        return index >= m_Code.size() || Text(index) == "}" ? index : m_Close[index];
     }
 
     std::size_t NextUse(std::size_t index, std::string_view name) const
     {
-        const int block = BlockDepth(index);
-        for (; index < m_Code.size() && m_Depth[index] >= block; ++index)
+        const std::span<const std::size_t> uses = Uses(name, index, EndOfBlock(index));
+        return uses.empty() ? m_Code.size() : uses.front();
+    }
+
+    /// Where the name stands for a variable, from one token to the one before `end`.
+    std::span<const std::size_t> Uses(std::string_view name, std::size_t begin,
+                                      std::size_t end) const
+    {
+        const auto found = m_Uses.find(name);
+        if (found == m_Uses.end())
         {
-            if (Text(index) == name && Text(index - 1) != ".")
-            {
-                return index;
-            }
+            return {};
         }
-        return m_Code.size();
+        const auto first = std::ranges::lower_bound(found->second, begin);
+        return {first, std::lower_bound(first, found->second.end(), std::max(begin, end))};
     }
 
     /// The `(` around the token, else size().
@@ -276,37 +313,54 @@ private:
 
     /// In the blocks around the loop so far, and in the function's parameters; loops that keep
     /// theirs to themselves aside.
-    Declared DeclaredBefore(std::size_t loop, std::string_view name) const
+    Declared DeclaredBefore(std::size_t loop, std::string_view name)
     {
         Declared result = Declared::Nowhere;
-        int open = m_Depth[loop];
-        std::size_t index = loop;
-        while (index-- > 0 && (m_Depth[index] > 0 || Text(index) == "{" || !isBoundary(index)))
+        const std::vector<Declaration>& all = Declarations(name);
+        for (auto declaration =
+                 std::ranges::lower_bound(all, m_Start[loop], {}, &Declaration::name);
+             declaration != all.end() && declaration->name < loop; ++declaration)
         {
-            open = std::min(open, m_Depth[index]);
-            if (Text(index) != name || !isDeclaration(index))
-            {
-                continue;
-            }
-            const std::size_t bracket = BracketAround(index);
-            const bool isOfLoop = bracket < m_Code.size() && Text(bracket - 1) == "for";
-            const std::size_t place = isOfLoop ? bracket : index;
-            const bool isParameter = bracket < m_Code.size() && !isOfLoop;
-            if (m_Depth[place] > open && !isParameter)
-            {
-                continue; // in a block that has ended
-            }
-            if (!isOfLoop)
+            const bool hasEnded = !declaration->isParameter && m_Close[declaration->place] < loop;
+            if (!hasEnded && !declaration->isOfLoop)
             {
                 return Declared::ByHand;
             }
-            result = isLeaking(bracket - 1) ? Declared::ByLoop : result;
+            const bool isThere = !hasEnded && m_Leaking.contains(declaration->place - 1);
+            result = isThere ? Declared::ByLoop : result;
         }
         return result;
     }
 
+    /// Of each variable of the name in the file.
+    const std::vector<Declaration>& Declarations(std::string_view name)
+    {
+        const auto [entry, isNew] = m_Declarations.try_emplace(name);
+        if (isNew)
+        {
+            for (const std::size_t use : Uses(name, 0, m_Code.size()))
+            {
+                if (isDeclaration(use))
+                {
+                    const std::size_t bracket = BracketAround(use);
+                    const bool isInBracket = bracket < m_Code.size();
+                    const bool isOfLoop = isInBracket && Text(bracket - 1) == "for";
+                    entry->second.push_back(
+                        {use, isOfLoop ? bracket : use, isOfLoop, isInBracket && !isOfLoop});
+                }
+            }
+        }
+        return entry->second;
+    }
+
     HlslEditor m_Code;
-    std::vector<int> m_Depth; ///< by token: brackets around it, a bracket not within itself
+    // By token; a bracket is not within itself:
+    std::vector<int> m_Depth;         ///< brackets around it
+    std::vector<std::size_t> m_Close; ///< where the innermost of them closes, else size()
+    std::vector<std::size_t> m_Start; ///< of the declaration at file scope that it is in
+    std::unordered_map<std::string_view, std::vector<std::size_t>> m_Uses; ///< of words, no members
+    std::unordered_map<std::string_view, std::vector<Declaration>> m_Declarations;
+    std::unordered_set<std::size_t> m_Leaking; ///< loops so far
 };
 
 } // namespace

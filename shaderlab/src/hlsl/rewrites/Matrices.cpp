@@ -1,10 +1,11 @@
-#include "hlsl/rewrites/Matrices.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 #include "text/Text.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -127,6 +128,28 @@ private:
     bool m_IsStatic = false; ///< in a declaration of something static
 };
 
+/// `matrix<float, 3, 3>` is `float3x3`.
+std::string SpellTemplates(std::string text)
+{
+    HlslEditor code(text);
+    const auto isSize = [&](std::size_t index)
+    {
+        return code.Text(index).size() == 1 && isDigit(code.Text(index)[0]);
+    };
+    for (std::size_t i = 0; i < code.size(); ++i)
+    {
+        if (code.Text(i) == "matrix" && code.Text(i + 1) == "<" && code.isWord(i + 2) &&
+            isSize(i + 4) && isSize(i + 6) && code.Text(i + 7).starts_with(">"))
+        {
+            code.Spelling(i) = std::string(code.Text(i + 2)).append(code.Text(i + 4)) + "x" +
+                               std::string(code.Text(i + 6)) + " ";
+            code.Erase(i + 1, i + 7);
+            code.Spelling(i + 7).erase(0, 1); // `>>` ends two templates
+        }
+    }
+    return code.Assemble();
+}
+
 class CastSpeller
 {
 public:
@@ -137,7 +160,12 @@ public:
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
             m_IsInitial = m_Scope.isInitial(i);
-            const MatrixType type = m_Code.isWord(i) ? ReadMatrixType(Text(i)) : MatrixType();
+            const MatrixType type = m_Code.isWord(i) ? TypeOf(Text(i)) : MatrixType();
+            if (type.rows > 0 && i > 0 && Text(i - 1) == "typedef" && Text(i + 2) == ";")
+            {
+                m_Aliases[Text(i + 1)] = type;
+                continue;
+            }
             const bool isCastHere = type.rows > 0 && isCast(i);
             if (isCastHere || (type.rows > 0 && isConstructorOfOne(i)))
             {
@@ -151,6 +179,12 @@ public:
 
 private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    MatrixType TypeOf(std::string_view word) const
+    {
+        const auto alias = m_Aliases.find(word);
+        return alias == m_Aliases.end() ? ReadMatrixType(word) : alias->second;
+    }
 
     /// `(float3x3)n` becomes `limn_float3x3(n)`.
     void SpellCall(const MatrixType& type, std::size_t index, bool isCastHere, std::size_t end)
@@ -240,6 +274,7 @@ private:
     HlslEditor m_Code;
     InitializerScope m_Scope;
     bool m_IsInitial = false;
+    std::map<std::string_view, MatrixType> m_Aliases; ///< by typedef
     std::set<std::string> m_Known;
     std::string m_Functions;
 };
@@ -247,7 +282,7 @@ private:
 /// "_m03_m13" is {"_m03", "_m13"}, "_11" is {"_11"}; empty for everything else.
 std::vector<std::string_view> MatrixElements(std::string_view word)
 {
-    const std::size_t size = word.substr(0, 2) == "_m" ? 4 : 3;
+    const std::size_t size = word.starts_with("_m") ? 4 : 3;
     std::vector<std::string_view> elements;
     for (; !word.empty(); word.remove_prefix(size))
     {
@@ -433,6 +468,7 @@ private:
 
 std::string SpellMatrices(std::string text)
 {
+    text = SpellTemplates(std::move(text));
     text = CastSpeller(text).Spell();
     return SwizzleSpeller(text).Spell();
 }

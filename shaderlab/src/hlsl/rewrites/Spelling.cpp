@@ -1,13 +1,6 @@
-#include "hlsl/rewrites/Spelling.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
-#include "hlsl/rewrites/Enums.h"
-#include "hlsl/rewrites/Initializers.h"
-#include "hlsl/rewrites/Loops.h"
-#include "hlsl/rewrites/Matrices.h"
-#include "hlsl/rewrites/OldForms.h"
-#include "hlsl/rewrites/Structs.h"
-#include "hlsl/rewrites/UniformParameters.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -93,6 +86,12 @@ private:
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
+        else if (Text(index + 1) == "::" && Text(index + 3) == "(" && isFirst(index))
+        {
+            // What begins with a type is a declaration to glslang: `Type::Method();`
+            m_Code.Spelling(index).insert(0, "(");
+            m_Code.Spelling(m_Code.AfterBracket(index + 3) - 1) += ")";
+        }
         else if (word == "const" && isObject(index + 1))
         {
             m_Code.Spelling(index).clear(); // it says nothing; glslang crashes on it
@@ -101,6 +100,13 @@ private:
         {
             SplitTemplateEnd(index + 2);
         }
+    }
+
+    /// Whether a statement begins with the word.
+    bool isFirst(std::size_t index) const
+    {
+        const std::string_view before = Text(index - 1);
+        return before == ";" || before == "{" || before == "}" || before == ")" || before == "else";
     }
 
     /// Whether the word is a variable or a member, not a type: `v.matrix`, but not `matrix m` or
@@ -117,8 +123,8 @@ private:
     {
         const std::string_view word = Text(index);
         const std::string_view next = Text(index + 1);
-        const bool isType = Contains(k_TypeNames, word) || word.substr(0, 5) == "float" ||
-                            word.substr(0, 3) == "int" || word.substr(0, 4) == "uint";
+        const bool isType = Contains(k_TypeNames, word) || word.starts_with("float") ||
+                            word.starts_with("int") || word.starts_with("uint");
         return isType && Text(index - 1) == ":" && isWord(index - 2) &&
                (next == ";" || next == "," || next == ")" || next == "{");
     }
@@ -153,7 +159,7 @@ private:
         for (std::size_t i = 3; i < m_Code.size() && !name.empty(); ++i)
         {
             if (Text(i) == name && Text(i - 1) == "(" && Text(i - 3) == "." &&
-                (Text(i - 2).substr(0, 6) == "Sample" || Text(i - 2).substr(0, 6) == "Gather" ||
+                (Text(i - 2).starts_with("Sample") || Text(i - 2).starts_with("Gather") ||
                  Text(i - 2) == "CalculateLevelOfDetail"))
             {
                 return true;
@@ -173,6 +179,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
     text = TakeOldForms(std::move(text), warnings);
     text = SpellEnums(std::move(text));
     text = CopyBaseMembers(std::move(text));
+    text = TakeStaticMembers(std::move(text));
     text = GroupInitializers(std::move(text));
     text = TakeUniformParameters(
         std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});

@@ -1,8 +1,10 @@
-#include "hlsl/rewrites/Structs.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace limn
@@ -38,7 +40,183 @@ std::string Join(const HlslEditor& code, std::size_t first, std::size_t end)
     return result;
 }
 
+/// Whether `static` stands in a struct.
+bool hasStaticMembers(std::string_view text)
+{
+    constexpr std::string_view k_Struct = "struct";
+    for (std::size_t at = text.find(k_Struct); at != text.npos; at = text.find(k_Struct, at))
+    {
+        at = std::min(text.find_first_of("{;()", at), text.size());
+        int depth = 0;
+        for (const std::size_t open = at; at < text.size(); ++at)
+        {
+            depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
+            if (depth <= 0)
+            {
+                if (text.substr(open, at - open).find("static") != text.npos)
+                {
+                    return true;
+                }
+                break;
+            }
+        }
+    }
+    return false;
+}
+
+class StaticTaker
+{
+public:
+    explicit StaticTaker(const std::string& text) : m_Code(text) {}
+
+    std::string Take()
+    {
+        for (std::size_t i = 0; i < m_Code.size(); ++i)
+        {
+            if (Text(i) == "struct" && m_Code.isWord(i + 1) && Text(i + 2) == "{")
+            {
+                TakeFrom(i);
+            }
+            else if (m_Statics.count(Text(i)) > 0)
+            {
+                SpellUse(i);
+            }
+            else if (const auto type = m_Variables.find(Text(i));
+                     type != m_Variables.end() && Text(i + 1) == "." && Text(i - 1) != ".")
+            {
+                Spell(i, m_Statics[type->second], i + 2);
+            }
+        }
+        return m_Code.Assemble();
+    }
+
+private:
+    /// Member → variable of the file or, of a method, its name with the struct's, without which
+    /// glslang crashes or does not find it.
+    using Names = std::map<std::string_view, std::string>;
+
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+
+    void TakeFrom(std::size_t index)
+    {
+        const std::string type(Text(index + 1));
+        const std::size_t close = m_Code.AfterBracket(index + 2) - 1;
+        Names names;
+        std::set<std::size_t> declared; // methods
+        std::string declarations;
+        for (std::size_t begin = index + 3; begin < close;)
+        {
+            const std::size_t end = EndOfMember(begin, close);
+            const std::size_t behind = BehindStatic(begin, end);
+            if (behind != 0 && Text(behind) == "(")
+            {
+                declared.insert(behind - 1);
+                names[Text(behind - 1)] = type + "::" + std::string(Text(behind - 1));
+            }
+            else if (behind != 0)
+            {
+                AddNames(begin, end, type, names);
+                for (std::size_t i = begin; i < end; ++i)
+                {
+                    declarations.append(Spelt(i, names)).append(" ");
+                }
+                m_Code.Erase(begin, end);
+            }
+            begin = end;
+        }
+        if (names.empty())
+        {
+            return;
+        }
+        m_Code.Spelling(index).insert(0, declarations);
+        for (std::size_t i = index + 3; i < close; ++i)
+        {
+            const bool isKept = m_Code.Spelling(i).empty() || declared.count(i) > 0;
+            m_Code.Spelling(i) = isKept ? m_Code.Spelling(i) : Spelt(i, names);
+        }
+        m_Statics[Text(index + 1)] = std::move(names);
+    }
+
+    /// Behind the `;` of a variable or the body of a method.
+    std::size_t EndOfMember(std::size_t index, std::size_t close) const
+    {
+        for (; index < close && Text(index) != ";"; ++index)
+        {
+            if (Text(index) == "{" && Text(index - 1) != "=")
+            {
+                return m_Code.AfterBracket(index);
+            }
+            index = m_Code.Step(index) > 0 ? m_Code.AfterBracket(index) - 1 : index;
+        }
+        return std::min(index + 1, close);
+    }
+
+    /// The token behind the words that come first if `static` is among them, else 0.
+    std::size_t BehindStatic(std::size_t begin, std::size_t end) const
+    {
+        bool isStatic = false;
+        for (; begin < end && m_Code.isWord(begin); ++begin)
+        {
+            isStatic = isStatic || Text(begin) == "static";
+        }
+        return isStatic ? begin : 0;
+    }
+
+    /// Of `static const float a = 1, b[2] = { 1, 2 };`
+    void AddNames(std::size_t begin, std::size_t end, const std::string& type, Names& names) const
+    {
+        while (begin < end)
+        {
+            while (m_Code.isWord(begin + 1) || Text(begin + 1) == "<")
+            {
+                begin = m_Code.isWord(begin + 1) ? begin + 1 : m_Code.FindOutside(begin, ">");
+            }
+            names[Text(begin)] = "limn_" + type + "_" + std::string(Text(begin));
+            begin = m_Code.FindOutside(begin, ",") + 1;
+        }
+    }
+
+    std::string Spelt(std::size_t index, const Names& names) const
+    {
+        const auto name = names.find(Text(index));
+        const bool isOther = Text(index - 1) == "." || Text(index - 1) == "::";
+        return name == names.end() || isOther ? std::string(Text(index)) : name->second;
+    }
+
+    /// `Type::member`, or the declaration of a variable: `Type v`.
+    void SpellUse(std::size_t index)
+    {
+        if (Text(index + 1) == "::")
+        {
+            Spell(index, m_Statics[Text(index)], index + 2);
+        }
+        else if (m_Code.isWord(index + 1))
+        {
+            m_Variables[Text(index + 1)] = Text(index);
+        }
+    }
+
+    /// Puts what the member is now in the place of the tokens from `first` to it.
+    void Spell(std::size_t first, const Names& names, std::size_t member)
+    {
+        if (const auto name = names.find(Text(member)); name != names.end())
+        {
+            m_Code.Erase(first, member);
+            m_Code.Spelling(member) = name->second;
+        }
+    }
+
+    HlslEditor m_Code;
+    std::map<std::string_view, Names> m_Statics;              ///< by struct
+    std::map<std::string_view, std::string_view> m_Variables; ///< name → struct
+};
+
 } // namespace
+
+std::string TakeStaticMembers(std::string text)
+{
+    return hasStaticMembers(text) ? StaticTaker(text).Take() : text;
+}
 
 std::string CopyBaseMembers(std::string text)
 {

@@ -1,4 +1,4 @@
-#include "hlsl/rewrites/UniformParameters.h"
+#include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
 

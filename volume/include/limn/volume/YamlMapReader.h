@@ -43,7 +43,7 @@ public:
     bool Read(std::string_view key, std::string& value);
     bool Read(std::string_view key, Color& value);
     bool Read(std::string_view key, glm::vec2& value);
-    bool Read(std::string_view key, glm::vec3& value);
+    bool Read(std::string_view key, glm::vec3& value, ValueRange range = {});
     bool Read(std::string_view key, glm::vec4& value);
 
     /// Reports every key that nobody asked for, with the nearest one that somebody did.

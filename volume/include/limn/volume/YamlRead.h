@@ -36,12 +36,15 @@ std::optional<std::string> ReadString(const YamlNode& node, std::string_view sub
 
 /// `[1, 2, 3]` or `{x: 1, y: 2, z: 3}`; what is beyond `count` (2, 3 or 4) is 0.
 std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string_view subject,
-                                    AssetDiagnostics& diagnostics);
+                                    AssetDiagnostics& diagnostics, ValueRange range = {});
+
+/// What the numbers of a scene's colours may be, so that light of them stays within a float.
+inline constexpr ValueRange k_ColorChannels{-1e9, 1e9};
 
 /// `{r: 0, g: 1, b: 0, a: 1}`, `[0, 1, 0]`, `[0, 1, 0, 1]`, "#00FF00" or "#00FF00FF", the numbers
 /// as they stand there: no conversion between sRGB and linear. Alpha left out is 1.
 std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
-                               AssetDiagnostics& diagnostics);
+                               AssetDiagnostics& diagnostics, ValueRange range = {});
 
 /// A number as a person writes it: "3", "0.25", no trailing zeros.
 std::string NumberText(double number);

@@ -57,7 +57,9 @@ float3 SampleLightmap(float2 staticLightmapUV, float2 dynamicLightmapUV, float3 
     return SampleLightmap(staticLightmapUV, normalWS);
 }
 
+#if !defined(_ENVIRONMENTREFLECTIONS_OFF) // without probes it is the ambient light anywhere
 [limn_Lacks("reflection probes", "the ambient light is what is reflected")]
+#endif
 float3 GlossyEnvironmentReflection(float3 reflectVector, float perceptualRoughness, float occlusion)
 {
     return SampleSH(reflectVector) * occlusion;

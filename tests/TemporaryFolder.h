@@ -33,13 +33,16 @@ public:
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+    const std::filesystem::path& path() const { return m_Path; }
     std::filesystem::path operator/(const std::string& name) const { return m_Path / name; }
 
-    /// Writes a file into the folder and returns its path.
+    /// Writes a file into the folder, or into one below it, and returns its path.
     std::filesystem::path Write(const std::string& name, std::string_view content) const
     {
-        std::ofstream(m_Path / name, std::ios::binary) << content;
-        return m_Path / name;
+        const std::filesystem::path path = m_Path / name;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << content;
+        return path;
     }
 
     int fileCount() const

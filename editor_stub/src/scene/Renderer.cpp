@@ -9,21 +9,6 @@ namespace limn
 namespace
 {
 
-/// Settings that are good one by one may not fit each other; better said here, where they stand,
-/// than when the feature is used.
-void TryCreate(ScriptableRendererFeature& feature, const YamlNode& node, const std::string& subject,
-               AssetDiagnostics& diagnostics)
-{
-    try
-    {
-        feature.Create();
-    }
-    catch (const ContractError& error)
-    {
-        diagnostics.Error(node.location(), subject + ": " + error.what());
-    }
-}
-
 void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& loader)
 {
     AssetDiagnostics& diagnostics = loader.diagnostics;
@@ -54,7 +39,7 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
                                   }};
     ReadFeatureSettings(map, *feature, context, diagnostics);
     map.Finish();
-    TryCreate(*feature, node, subject, diagnostics);
+    TryCreate(*feature, node.location(), subject + ": ", diagnostics);
     loader.asset.renderer.features.push_back(std::move(feature));
     loader.asset.renderer.featureTypes.push_back(type);
 }
@@ -82,7 +67,7 @@ void ReadRendererData(const YamlNode& node, SceneLoader& loader)
 
 void ReadRenderer(const YamlNode& node, SceneLoader& loader)
 {
-    YamlMapReader map(node, "renderer", loader.diagnostics);
+    SceneMapReader map(node, "renderer", scene_keys::k_Renderer, loader.diagnostics);
     const YamlNode* data = map.Find("rendererData");
     const YamlNode* features = map.Find("features");
     map.Finish();

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <array>
+#include <limn/core/Inspector.h>
+#include <span>
+
+namespace limn
+{
+
+// What scene files may say, for the reader and for the schema.
+
+inline constexpr ValueRange k_PictureSizes{1.0, 16384.0}; ///< pixels, of a side
+inline constexpr ValueRange k_RenderQueues{-1.0, 5000.0}; ///< -1: the shader's own
+inline constexpr ValueRange k_LayerIndices{0.0, 31.0};
+inline constexpr ValueRange k_LayerBits{0.0, 4294967295.0};
+inline constexpr EnumEntry k_ClearFlags[] = {
+    {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
+
+/// What stands behind a key.
+enum class SceneValue
+{
+    Bool,
+    Number,
+    Text,
+    Texts,
+    Color,
+    Vector, ///< three numbers
+    Scale,  ///< three numbers or one
+    Size,   ///< of the picture
+    Layer,
+    Layers, ///< a set of them
+    LayerNames,
+    ClearFlags,
+    Mesh,
+    ColliderType,
+    Axis,
+    Colliders,
+    Camera,
+    Light,
+    Renderer,
+    Features,
+    Volumes,
+    Materials,
+    Objects
+};
+
+struct SceneKey
+{
+    std::string_view name;
+    SceneValue value;
+    std::string_view description = "";
+    ValueRange range = {}; ///< of a number, or of each of a vector
+    bool isRequired = false;
+};
+using SceneKeys = std::span<const SceneKey>;
+
+/// A shape that a volume's collider can be.
+struct ColliderShape
+{
+    std::string_view type;
+    SceneKeys keys;
+};
+
+/// The keys of each map, in the order in which messages and editors list them.
+namespace scene_keys
+{
+
+using enum SceneValue;
+
+constexpr SceneKey Required(SceneKey key)
+{
+    key.isRequired = true;
+    return key;
+}
+
+inline constexpr double k_MaxDistance = 1e9; ///< metres
+inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
+inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
+inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
+
+inline constexpr SceneKey k_Position{"position", Vector};
+inline constexpr SceneKey k_Rotation{"rotation", Vector,
+                                     "Euler angles in degrees, applied z, x, y"};
+inline constexpr SceneKey k_Scale{"scale", Scale};
+
+inline constexpr SceneKey k_Scene[] = {{"size", Size, "Width and height in pixels"},
+                                       {"layers", LayerNames},
+                                       {"renderingLayers", LayerNames},
+                                       Required({"camera", Camera}),
+                                       {"light", Light},
+                                       {"ambientLight", Color},
+                                       {"renderer", Renderer},
+                                       {"volumes", Volumes},
+                                       {"materials", Materials},
+                                       {"objects", Objects}};
+
+inline constexpr SceneKey k_Camera[] = {
+    {"position", Vector, "", k_Places},
+    k_Rotation,
+    {"lookAt", Vector, "A point to look at, in place of a rotation", k_Places},
+    {"orthographic", Bool},
+    {"orthographicSize", Number, "Half the picture's height in metres", {1e-4, k_MaxDistance}},
+    // Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
+    {"fieldOfView", Number, "Vertical, in degrees", {0.01, 179.0}},
+    {"nearClipPlane", Number, "", k_ClipPlanes},
+    {"farClipPlane", Number, "", k_ClipPlanes},
+    {"clearFlags", ClearFlags},
+    {"backgroundColor", Color},
+    {"allowHDR", Bool},
+    {"cullingMask", Layers},
+    {"volumeLayerMask", Layers},
+    {"volumeTrigger", Vector}};
+
+inline constexpr SceneKey k_Light[] = {
+    k_Rotation, {"color", Color}, {"intensity", Number, "", {0.0, 1e6}}};
+
+/// A renderer has one of these.
+inline constexpr SceneKey k_Renderer[] = {{"rendererData", Text}, {"features", Features}};
+
+inline constexpr SceneKey k_Volume[] = {
+    {"name", Text},
+    {"enabled", Bool},
+    {"isGlobal", Bool},
+    {"priority", Number, "The higher one wins"},
+    {"weight", Number, "", {0.0, 1.0}},
+    {"blendDistance", Number, "Metres", k_Lengths},
+    {"layer", Layer},
+    Required({"profile", Text, "A *.profile.yaml or a Unity .asset file"}),
+    k_Position,
+    k_Rotation,
+    k_Scale,
+    {"colliders", Colliders}};
+
+inline constexpr SceneKey k_Type{"type", ColliderType};
+inline constexpr SceneKey k_Enabled{"enabled", Bool};
+inline constexpr SceneKey k_Center{"center", Vector};
+inline constexpr SceneKey k_Radius{"radius", Number, "Metres", k_Lengths};
+inline constexpr SceneKey k_Height{"height", Number, "Metres", k_Lengths};
+
+inline constexpr SceneKey k_Box[] = {k_Type, k_Enabled, k_Center, {"size", Vector}};
+inline constexpr SceneKey k_Sphere[] = {k_Type, k_Enabled, k_Center, k_Radius};
+inline constexpr SceneKey k_Capsule[] = {k_Type,   k_Enabled, k_Center,
+                                         k_Radius, k_Height,  {"direction", Axis}};
+inline constexpr SceneKey k_MeshCollider[] = {k_Type, k_Enabled, Required({"mesh", Mesh})};
+
+/// The first is what a collider without a type is.
+inline constexpr std::array<ColliderShape, 4> k_ColliderShapes{
+    {{"box", k_Box}, {"sphere", k_Sphere}, {"capsule", k_Capsule}, {"mesh", k_MeshCollider}}};
+
+inline constexpr SceneKey k_Object[] = {
+    Required({"name", Text}),
+    {"active", Bool},
+    {"layer", Layer},
+    {"renderingLayerMask", Layers},
+    {"material", Text},
+    {"materials", Texts},
+    {"bakeOutlineNormals", Bool, "Gives the mesh what TranslucentOutlineHull goes by"},
+    k_Position,
+    k_Rotation,
+    k_Scale,
+    {"turn", Vector, "Euler degrees a second on top of the rotation"},
+    {"mesh", Mesh},
+    {"children", Objects}};
+
+} // namespace scene_keys
+
+} // namespace limn

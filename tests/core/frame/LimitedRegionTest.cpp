@@ -1,0 +1,142 @@
+#include "draw/ProjectedBounds.h"
+#include "frame/FrameBuilder.h"
+#include "scene/TestScene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace limn
+{
+namespace
+{
+
+using test::FrameBuilder;
+using test::RenderTexturePtr;
+
+/// Where the passes of an outline are drawn, whose objects have bounds.
+class LimitedRegion : public testing::Test
+{
+protected:
+    /// mask (100x50) → edges (100x50) → camera (200x100)
+    /// @param reach  of the edges, in texels of the mask
+    CompiledFrame Outline(std::vector<std::optional<TargetRegion>> objects, float reach = 3.0f)
+    {
+        m_Frame.Bind(m_Camera).Draw(0).Bind(m_Mask).Clear(ClearFlag::Color);
+        for (const auto& bounds : objects)
+        {
+            m_Frame.Draw(1);
+            m_Frame.last().bounds = bounds;
+        }
+        m_Frame.Bind(m_Edges).Blit(2, {m_Mask}, "0 0 0 1 where", {}, reach);
+        m_Frame.Bind(m_Camera).Blit(3, {m_Edges}, "0 0 0 1 where", FrameBuilder::Additive(), 0.0f);
+        return CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, m_Options);
+    }
+
+    static std::optional<ViewportRect> ScissorOf(const CompiledRenderPass& pass)
+    {
+        return std::get<DrawCommand>(pass.commands.back()).scissor;
+    }
+
+    FrameCompilerOptions m_Options;
+    FrameBuilder m_Frame;
+    const RenderTexturePtr m_Camera = test::Target("Camera", 200, 100);
+    const RenderTexturePtr m_Mask = test::Target("Mask", 100, 50, false, GraphicsFormat::R8_UNorm);
+    const RenderTexturePtr m_Edges =
+        test::Target("Edges", 100, 50, false, GraphicsFormat::R8_UNorm);
+};
+
+// Texels of the mask: 20…30 x 20…25 and 3 + 2 around them; then 2 more for the camera's filter.
+TEST_F(LimitedRegion, IsTheBoundsAndTheReachOfEachPass)
+{
+    const CompiledFrame frame = Outline({TargetRegion{0.2, 0.4, 0.3, 0.5}});
+    ASSERT_EQ(4u, frame.passes.size());
+    EXPECT_EQ(LoadOp::Clear, frame.passes[2].colors[0].load);
+    const ViewportRect edges = ScissorOf(frame.passes[2]).value();
+    EXPECT_LE(edges.x, 15);
+    EXPECT_GE(edges.x, 15 - 3);
+    EXPECT_GE(edges.x + edges.width, 35);
+    EXPECT_LE(edges.x + edges.width, 35 + 3);
+    EXPECT_LE(edges.y, 15);
+    EXPECT_GE(edges.y + edges.height, 30);
+    EXPECT_LE(edges.y + edges.height, 30 + 3);
+    const ViewportRect camera = ScissorOf(frame.passes[3]).value();
+    EXPECT_LE(camera.x, 2 * 13);
+    EXPECT_GE(camera.x, 2 * 13 - 3);
+    EXPECT_GE(camera.x + camera.width, 2 * 37);
+    EXPECT_LE(camera.x + camera.width, 2 * 37 + 3);
+}
+
+TEST_F(LimitedRegion, HoldsAllObjects)
+{
+    const CompiledFrame frame =
+        Outline({TargetRegion{0.1, 0.1, 0.2, 0.2}, TargetRegion{0.3, 0.3, 0.4, 0.4}});
+    const ViewportRect edges = ScissorOf(frame.passes.at(2)).value();
+    EXPECT_LE(edges.x, 5);
+    EXPECT_GE(edges.x + edges.width, 45);
+}
+
+TEST_F(LimitedRegion, IsAllOfTheTargetWhereBoundsAreNotKnownOrLarge)
+{
+    for (const auto& objects : std::vector<std::vector<std::optional<TargetRegion>>>{
+             {std::nullopt},
+             {TargetRegion{0.2, 0.4, 0.3, 0.5}, std::nullopt},
+             {TargetRegion{0.1, 0.0, 0.9, 1.0}}})
+    {
+        const CompiledFrame frame = Outline(objects);
+        EXPECT_EQ(LoadOp::DontCare, frame.passes.at(2).colors[0].load);
+        EXPECT_FALSE(ScissorOf(frame.passes[2]));
+        EXPECT_FALSE(ScissorOf(frame.passes[3]));
+    }
+}
+
+TEST_F(LimitedRegion, IsAllOfTheTargetWhereAPassMayLookAnywhere)
+{
+    const CompiledFrame frame = Outline({TargetRegion{0.2, 0.4, 0.3, 0.5}}, -1.0f);
+    EXPECT_FALSE(ScissorOf(frame.passes.at(2)));
+    EXPECT_FALSE(ScissorOf(frame.passes.at(3)));
+}
+
+TEST_F(LimitedRegion, CanBeSwitchedOff)
+{
+    m_Options.limitsRegions = false;
+    const CompiledFrame frame = Outline({TargetRegion{0.2, 0.4, 0.3, 0.5}});
+    EXPECT_FALSE(ScissorOf(frame.passes.at(2)));
+}
+
+TEST_F(LimitedRegion, StaysWithinTheTarget)
+{
+    const CompiledFrame frame = Outline({TargetRegion{-3.0, 0.9, 0.05, 7.0}});
+    const ViewportRect edges = ScissorOf(frame.passes.at(2)).value();
+    EXPECT_EQ(0, edges.x);
+    EXPECT_GE(edges.width, 10);
+    EXPECT_EQ(50, edges.y + edges.height);
+}
+
+// A camera at the origin looking along -z in view space: x and y of a point at distance d are
+// ±d at the borders of a field of view of 90 degrees.
+TEST(ProjectedBounds, HoldTheCornersAsTheyAreSeen)
+{
+    glm::mat4 projection(0.0f);
+    projection[0][0] = 1.0f;
+    projection[1][1] = 1.0f;
+    projection[2][3] = -1.0f;
+    projection[3][2] = 0.3f;
+    const Bounds bounds{{0, 0, 0}, {1, 2, 1}};
+    const auto at = [&](float x, float y, float z)
+    {
+        return ProjectBounds(bounds, glm::translate(glm::mat4(1.0f), {x, y, z}), projection);
+    };
+    const TargetRegion ahead = at(0, 0, -5).value(); // nearest at distance 4
+    EXPECT_NEAR(0.5 - 0.5 * 1 / 4, ahead.left, 1e-6);
+    EXPECT_NEAR(0.5 + 0.5 * 1 / 4, ahead.right, 1e-6);
+    EXPECT_NEAR(0.5 - 0.5 * 2 / 4, ahead.top, 1e-6);
+    EXPECT_NEAR(0.5 + 0.5 * 2 / 4, ahead.bottom, 1e-6);
+    const TargetRegion above = at(0, 10, -5).value(); // y 8…12 at distances 4…6
+    EXPECT_NEAR(0.5 - 0.5 * 12 / 4, above.top, 1e-6);
+    EXPECT_NEAR(0.5 - 0.5 * 8 / 6, above.bottom, 1e-6);
+    EXPECT_FALSE(at(0, 0, -0.5f)) << "a part of it is behind the camera";
+    EXPECT_FALSE(at(0, 0, 5));
+}
+
+} // namespace
+} // namespace limn

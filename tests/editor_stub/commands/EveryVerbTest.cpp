@@ -1,0 +1,245 @@
+#include "commands/CommandRun.h"
+#include "commands/WorkingFolder.h"
+
+#include <gmock/gmock.h>
+
+// What holds for every verb, each in turn: wrong words, wrong files, terminals, pipes.
+
+namespace limn::test
+{
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+struct Verb
+{
+    std::string name;
+    std::string usage;   ///< behind "usage: limn "
+    std::string without; ///< what is wrong with the verb alone; "" for nothing
+    Words good;          ///< arguments that need no device, in a folder of WriteProject's
+    Words tooMuch;       ///< what it takes, and one word more
+};
+
+const Verb k_Verbs[] = {
+    {"render", "render SCENE -o FILE", "SCENE and -o FILE are missing", {}, {"s", "-o", "o", "x"}},
+    {"watch", "watch SCENE -o FILE", "SCENE and -o FILE are missing", {}, {"s", "-o", "o", "x"}},
+    {"inspect", "inspect SCENE|PROFILE", "SCENE|PROFILE is missing", {"s.scene.yaml"}, {"s", "x"}},
+    {"explain", "explain SCENE", "SCENE is missing", {"s.scene.yaml"}, {"s", "x"}},
+    {"set",
+     "set FILE Component.param=VALUE ...",
+     "FILE and Component.param=VALUE are missing",
+     {"p.profile.yaml", "ScreenSpaceOutline.m_OutlineWidth=4"},
+     {}},
+    {"schema",
+     "schema scene|profile|material",
+     "scene|profile|material is missing",
+     {"scene"},
+     {"scene", "x"}},
+    {"shader", "shader FILE|DIR ...", "FILE|DIR is missing", {"a.shader"}, {}},
+    {"doctor", "doctor", "", {}, {"x"}},
+    {"completion", "completion bash|zsh|fish", "bash|zsh|fish is missing", {"bash"}, {"bash", "x"}},
+    {"help", "help [VERB]", "", {"set"}, {"set", "x"}},
+    {"version", "version", "", {}, {"x"}}};
+
+Words With(const Verb& verb, const Words& more)
+{
+    Words words{verb.name};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::string Quoted(const Words& words)
+{
+    std::string text = "'" + LimnExecutable() + "'";
+    for (const std::string& word : words)
+    {
+        text += " '" + word + "'";
+    }
+    return text;
+}
+
+/// What the verb says of wrong usage, with this word for "error".
+std::string Complaint(const Verb& verb, const std::string& problem,
+                      const std::string& error = "error")
+{
+    return error + ": " + problem + "\nusage: limn " + verb.usage + " [OPTIONS]; see 'limn help " +
+           verb.name + "'\n";
+}
+
+class EveryVerb : public testing::Test
+{
+protected:
+    EveryVerb() { WriteProject(working.folder); }
+
+    static void ExpectWrongUsage(const Verb& verb, const Words& more, const std::string& problem)
+    {
+        const CommandRun run = RunCommand(With(verb, more));
+        EXPECT_EQ(2, run.exitCode) << verb.name;
+        EXPECT_EQ(Complaint(verb, problem), run.err);
+        EXPECT_EQ("", run.out) << verb.name;
+    }
+
+    WorkingFolder working;
+};
+
+const std::string k_Colored = "\033[31merror\033[0m";
+
+} // namespace
+
+TEST_F(EveryVerb, IsInThisTable)
+{
+    std::string names;
+    for (const Verb& verb : k_Verbs)
+    {
+        names += (names.empty() ? "" : ", ") + verb.name;
+    }
+    EXPECT_EQ("error: unknown verb 'frobnicate' (known: " + names +
+                  ")\nusage: limn VERB [OPTIONS]; see 'limn help'\n",
+              RunCommand({"frobnicate"}).err);
+}
+
+TEST_F(EveryVerb, NamesAWrongOptionAndWhatIsMissingOrTooMuch)
+{
+    for (const Verb& verb : k_Verbs)
+    {
+        ExpectWrongUsage(verb, {"--frob"}, "unknown option '--frob'");
+        ExpectWrongUsage(verb, {"--colour=always"},
+                         "unknown option '--colour'; did you mean '--color'?");
+        ExpectWrongUsage(verb, {"--quiet=1"}, "--quiet takes no value");
+        if (!verb.without.empty())
+        {
+            ExpectWrongUsage(verb, {}, verb.without);
+        }
+        if (!verb.tooMuch.empty())
+        {
+            ExpectWrongUsage(verb, verb.tooMuch, "unexpected argument 'x'");
+        }
+    }
+}
+
+TEST_F(EveryVerb, HasHelpThatFitsATerminal)
+{
+    for (const Verb& verb : k_Verbs)
+    {
+        const std::string help = Terminal(60).Run({verb.name, "--help"});
+        EXPECT_EQ(help, Terminal(60).Run({"help", verb.name}));
+        EXPECT_THAT(help, testing::HasSubstr("\nusage: limn " + verb.usage + " [OPTIONS]\n"));
+        std::istringstream lines(help);
+        for (std::string line; std::getline(lines, line);)
+        {
+            EXPECT_LE(line.size(), 60u) << line;
+        }
+    }
+}
+
+TEST_F(EveryVerb, HasColourOnATerminalThatWantsIt)
+{
+    const std::string problem = "unknown option '--frob'";
+    for (const Verb& verb : k_Verbs)
+    {
+        const Words wrong = With(verb, {"--frob"});
+        const std::string colored = Complaint(verb, problem, k_Colored);
+        const std::string plain = Complaint(verb, problem);
+        EXPECT_EQ(colored, Terminal(60).Run(wrong));
+        EXPECT_EQ(plain, Terminal(60).With("NO_COLOR", "1").Run(wrong));
+        EXPECT_EQ(plain, Terminal(60).Run(With(verb, {"--color", "never", "--frob"})));
+        EXPECT_EQ(plain, RunInPipe(Quoted(wrong) + " 2>&1"));
+        EXPECT_EQ(colored,
+                  RunInPipe(Quoted(With(verb, {"--color", "always", "--frob"})) + " 2>&1"));
+    }
+}
+
+TEST_F(EveryVerb, GivesTheSameResultsToATerminalAndAPipe)
+{
+    for (const Verb& verb : k_Verbs)
+    {
+        if (verb.good.empty() && verb.name != "version")
+        {
+            continue; // it needs a device
+        }
+        const CommandRun run = RunCommand(With(verb, verb.good));
+        EXPECT_EQ(0, run.exitCode) << verb.name;
+        EXPECT_EQ("", run.err) << verb.name;
+        EXPECT_NE("", run.out) << verb.name;
+        EXPECT_EQ(run.out, RunInPipe(Quoted(With(verb, verb.good)) + " --color always 2>&1"))
+            << verb.name;
+        const bool isHelp = verb.name == "help"; // which is as wide as the terminal
+        const std::string shown =
+            Terminal(isHelp ? 80 : 60).With("TERM", "dumb").Run(With(verb, verb.good));
+        EXPECT_EQ(run.out, shown) << verb.name;
+    }
+}
+
+TEST_F(EveryVerb, NamesTheFileThatIsNotThere)
+{
+    for (const Words& args : {Words{"render", "no.scene.yaml", "-o", "o.png"},
+                              {"watch", "no.scene.yaml", "-o", "o.png"},
+                              {"inspect", "no.scene.yaml"},
+                              {"explain", "no.scene.yaml"},
+                              {"set", "no.scene.yaml", "A.b=1"},
+                              {"shader", "no.scene.yaml"}})
+    {
+        const CommandRun run = RunCommand(args);
+        EXPECT_EQ(1, run.exitCode) << args[0];
+        EXPECT_EQ("no.scene.yaml: error: there is no such file\n", run.err) << args[0];
+        EXPECT_EQ("", run.out) << args[0];
+    }
+}
+
+TEST_F(EveryVerb, TellsAFileOfAnotherKindByWhatTakesIt)
+{
+    const std::string shader = "a shader; 'limn shader a.shader' describes it";
+    const std::string scene = "a scene; 'limn render s.scene.yaml -o out.png' draws it";
+    const std::string profile = "a volume profile; 'limn render SCENE -o out.png --profile "
+                                "p.profile.yaml' draws with it, 'limn inspect p.profile.yaml' "
+                                "shows it";
+    const std::tuple<std::string, Words, std::string> cases[] = {
+        {"render", {"-o", "o.png", "a.shader"}, shader},
+        {"render", {"-o", "o.png", "p.profile.yaml"}, profile},
+        {"watch", {"-o", "o.png", "a.shader"}, shader},
+        {"watch", {"-o", "o.png", "p.profile.yaml"}, profile},
+        {"inspect", {"a.shader"}, shader},
+        {"explain", {"a.shader"}, shader},
+        {"explain", {"p.profile.yaml"}, profile},
+        {"set", {"A.b=1", "a.shader"}, shader},
+        {"set", {"A.b=1", "s.scene.yaml"}, scene},
+        {"shader", {"s.scene.yaml"}, scene},
+        {"shader", {"p.profile.yaml"}, profile}};
+    for (const auto& [verb, given, what] : cases)
+    {
+        Words args = given;
+        const std::string file = args.back();
+        if (verb == "set")
+        {
+            std::swap(args[0], args[1]);
+        }
+        args.insert(args.begin(), verb);
+        const CommandRun run = RunCommand(args);
+        EXPECT_EQ(1, run.exitCode) << verb;
+        EXPECT_EQ(file + ": error: '" + verb + "' cannot take it: this is " + what + "\n", run.err);
+        EXPECT_EQ("", run.out) << verb;
+    }
+}
+
+TEST_F(EveryVerb, WritesToStdoutWhereThatMakesSense)
+{
+    const auto complaint = [](const std::string& name, const std::string& problem)
+    {
+        return Complaint(*std::ranges::find(k_Verbs, name, &Verb::name),
+                         "--output: stdout holds one " + problem);
+    };
+    const CommandRun watch = RunCommand({"watch", "s.scene.yaml", "-o", "-"});
+    EXPECT_EQ(2, watch.exitCode);
+    EXPECT_EQ(complaint("watch", "picture only; name a file"), watch.err);
+    const CommandRun shader = RunCommand({"shader", "a.shader", "--emit", "glsl", "-o", "-"});
+    EXPECT_EQ(2, shader.exitCode);
+    EXPECT_EQ(complaint("shader", "file only; name a folder"), shader.err);
+    EXPECT_FALSE(std::filesystem::exists("-"));
+    EXPECT_EQ(k_Colored + ": -o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
+                          "'limn render SCENE -o - > out.png'\n",
+              Terminal(60).Run({"render", "s.scene.yaml", "-o", "-"}));
+}
+
+} // namespace limn::test

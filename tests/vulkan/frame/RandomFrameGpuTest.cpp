@@ -1,0 +1,248 @@
+#include "GpuTestDevice.h"
+#include "GpuTestFrame.h"
+
+#include <limn/core/CoreUtils.h>
+#include <limn/core/FrameCompiler.h>
+#include <limn/core/PrimitiveMesh.h>
+#include <limn/core/ScriptableRenderContext.h>
+
+#include <algorithm>
+#include <random>
+
+namespace limn::test
+{
+
+namespace
+{
+
+constexpr unsigned k_FrameSeed = 20'261'122;
+
+/// Passes of the kinds that a frame compiler has to tell apart.
+constexpr const char* k_FrameShader = R"(
+Shader "Test/Frame"
+{
+    HLSLINCLUDE
+    #pragma vertex V
+    #pragma fragment F
+    Texture2D _BlitTexture;
+    float4 _Tint;
+    float4 Fetch(float4 p) { return _BlitTexture.Load(int3(p.xy, 0)); }
+    ENDHLSL
+    SubShader
+    {
+        Cull Off ZWrite Off ZTest Always
+        Pass // 0: a mesh, tested against depth
+        {
+            ZTest LEqual ZWrite On
+            HLSLPROGRAM
+            float4 V(float4 p : POSITION) : SV_POSITION { return float4(p.xy * _Tint.w * 2, p.z + 0.5, 1); }
+            float4 F() : SV_Target { return _Tint; }
+            ENDHLSL
+        }
+        Pass // 1: a mesh that adds what a texture holds
+        {
+            Blend One One
+            HLSLPROGRAM
+            float4 V(float4 p : POSITION) : SV_POSITION { return float4(p.xy, 0.5, 1); }
+            float4 F(float4 p : SV_POSITION) : SV_Target { return Fetch(p) * 0.5 + _Tint * 0.25; }
+            ENDHLSL
+        }
+        HLSLINCLUDE
+        float4 V(uint id : SV_VertexID) : SV_POSITION
+        {
+            return float4(id == 1 ? 3 : -1, id == 2 ? 3 : -1, 0.5, 1);
+        }
+        ENDHLSL
+        Pass // 2: mixed, promises to cover only
+        {
+            Tags { "LimnFullScreen" = "True" }
+            HLSLPROGRAM
+            float4 F(float4 p : SV_POSITION) : SV_Target { return Fetch(p) * 0.5 + _Tint * 0.5; }
+            ENDHLSL
+        }
+        Pass // 3: nothing of nothing
+        {
+            Tags { "LimnFullScreen" = "0 0 0 0 where _BlitTexture is 0" }
+            HLSLPROGRAM
+            float4 F(float4 p : SV_POSITION) : SV_Target { return Fetch(p).grba; }
+            ENDHLSL
+        }
+        Pass // 4: added, nothing of nothing
+        {
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0" }
+            Blend One SrcAlpha, Zero One
+            HLSLPROGRAM
+            float4 F(float4 p : SV_POSITION) : SV_Target { return float4(Fetch(p).rgb * _Tint.rgb, 1); }
+            ENDHLSL
+        }
+        Pass // 5: a copy
+        {
+            Tags { "LimnFullScreen" = "_BlitTexture with alpha 1" }
+            HLSLPROGRAM
+            float4 F(float4 p : SV_POSITION) : SV_Target { return float4(Fetch(p).rgb, 1); }
+            ENDHLSL
+        }
+    }
+}
+)";
+constexpr int k_MeshPasses = 2;
+constexpr int k_FramePasses = 6;
+
+/// The same frames for the same seed, on textures of its own.
+class RandomDeviceFrames
+{
+public:
+    RandomDeviceFrames(unsigned seed, bool leavesOut) : m_Random(seed), m_Options{false, leavesOut}
+    {
+        for (int i = 0; i < 6; ++i)
+        {
+            m_Colors.emplace_back(std::make_shared<RenderTexture>(
+                "color" + std::to_string(i),
+                RenderTextureDescriptor(4, 4, GraphicsFormat::R8G8B8A8_UNorm), SamplerState{},
+                i % 2 == 1));
+        }
+    }
+
+    /// Draws a frame; the texels of its outputs.
+    std::vector<std::vector<std::byte>> Draw()
+    {
+        std::erase_if(m_Known, [](const RTHandle& handle) { return handle.rt()->isTransient(); });
+        CommandBuffer cmd;
+        const int nodes = Pick(3, 8);
+        for (int i = 0; i < nodes; ++i)
+        {
+            Record(cmd);
+        }
+        std::vector<TargetPtr> outputs;
+        for (const RTHandle& handle : m_Known)
+        {
+            if (handle != m_Depth && (Pick(0, 1) == 0 || outputs.empty()))
+            {
+                outputs.push_back(handle.rt());
+            }
+        }
+        RenderReport report;
+        ScriptableRenderContext context(report);
+        context.ExecuteCommandBuffer(cmd);
+        const CompiledFrame frame = CompileFrame(
+            context.TakeCommands(), SharedDevice().textureStates(), outputs, m_Options);
+        leftOut += frame.leftOut.size();
+        isSurprised = isSurprised || !frame.notes.empty();
+        SharedDevice().Execute(frame);
+        std::vector<std::vector<std::byte>> texels;
+        for (const TargetPtr& output : outputs)
+        {
+            texels.push_back(SharedDevice().ReadBack(*output).texels);
+        }
+        return texels;
+    }
+
+    std::size_t leftOut = 0;
+    bool isSurprised = false;
+
+private:
+    int Pick(int least, int most) { return std::uniform_int_distribution(least, most)(m_Random); }
+    float Part() { return static_cast<float>(Pick(0, 4)) / 4.0f; }
+
+    bool IsKnown(const RTHandle& handle) const
+    {
+        return std::find(m_Known.begin(), m_Known.end(), handle) != m_Known.end();
+    }
+
+    void Know(const RTHandle& handle)
+    {
+        if (!IsKnown(handle))
+        {
+            m_Known.push_back(handle);
+        }
+    }
+
+    void Record(CommandBuffer& cmd)
+    {
+        const RTHandle color = m_Colors.at(static_cast<std::size_t>(Pick(0, 5)));
+        RTHandle source = m_Colors.at(static_cast<std::size_t>(Pick(0, 5)));
+        const bool canFetch = IsKnown(source) && source != color;
+        const RTHandle depth = Pick(0, 2) == 0 ? m_Depth : RTHandle();
+        cmd.SetRenderTarget(color, depth);
+        const bool clears = !IsKnown(color) || Pick(0, 3) == 0;
+        const bool clearsDepth = depth && (!IsKnown(depth) || Pick(0, 3) == 0);
+        const float level = Pick(0, 1) == 0 ? 0.0f : Part();
+        cmd.ClearRenderTarget((clears ? ClearFlag::Color : ClearFlag::None) |
+                                  (clearsDepth ? ClearFlag::Depth : ClearFlag::None),
+                              {level, level, level, level}, Part());
+        Know(color);
+        if (depth)
+        {
+            Know(depth);
+        }
+        const int draws = Pick(0, 2);
+        for (int i = 0; i < draws; ++i)
+        {
+            RecordDraw(cmd, canFetch ? source : RTHandle());
+        }
+    }
+
+    void RecordDraw(CommandBuffer& cmd, const RTHandle& source)
+    {
+        const int pass = source ? Pick(0, k_FramePasses - 1) : 0;
+        const auto material = std::make_shared<Material>(FrameShader());
+        material->SetVector(ShaderPropertyId("_Tint"), {Part(), Part(), Part(), Part()});
+        if (source)
+        {
+            material->SetTexture(ShaderPropertyId("_BlitTexture"), source.rt());
+        }
+        if (pass < k_MeshPasses)
+        {
+            cmd.DrawMesh(MakeQuad(-0.5f, -0.5f, 0.5f, 0.5f, Part() * 0.5f), glm::mat4(1.0f),
+                         material, 0, pass);
+        }
+        else
+        {
+            Blitter::BlitTexture(cmd, source, glm::vec4(1, 1, 0, 0), material, pass);
+        }
+    }
+
+    static std::shared_ptr<const Shader> FrameShader()
+    {
+        static const auto shader =
+            Shader::FromText(k_FrameShader, "frame.shader", std::make_shared<ShaderCompiler>());
+        return shader;
+    }
+
+    std::mt19937 m_Random;
+    FrameCompilerOptions m_Options;
+    std::vector<RTHandle> m_Colors;
+    RTHandle m_Depth{std::make_shared<RenderTexture>(
+        "depth", RenderTextureDescriptor(4, 4, GraphicsFormat::None, 32), SamplerState{}, true)};
+    std::vector<RTHandle> m_Known;
+};
+
+} // namespace
+
+TEST(RandomFrameOnDevice, GivesTheSameTexelsWithAndWithoutWhatCanBeLeftOut)
+{
+    std::size_t leftOut = 0;
+    int frames = 0;
+    for (unsigned seed = k_FrameSeed; seed < k_FrameSeed + 200; ++seed)
+    {
+        RandomDeviceFrames all(seed, false);
+        RandomDeviceFrames lean(seed, true);
+        for (int i = 0; i < 4; ++i)
+        {
+            const auto expected = all.Draw();
+            const auto texels = lean.Draw();
+            if (lean.isSurprised)
+            {
+                break; // what was not kept is said to be lost
+            }
+            ASSERT_EQ(expected, texels) << "seed " << seed << ", frame " << i;
+            ++frames;
+        }
+        leftOut += lean.leftOut;
+    }
+    EXPECT_GT(frames, 200);
+    EXPECT_GT(leftOut, 100u);
+    EXPECT_TRUE(Environment().NewMessages().empty()) << "validation is silent";
+}
+
+} // namespace limn::test
