@@ -104,9 +104,8 @@ int Quantise(float distance)
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
 {
     const glm::dvec3 origin = camera.renderOrigin();
-    const auto planes =
-        FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
-                                RelativeTo(origin, camera.viewMatrix())));
+    const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
+                                                RelativeTo(origin, camera.viewMatrix())));
     WorldMatrices worldMatrices;
     CullingResults results;
     for (const auto& object : scene.objects())

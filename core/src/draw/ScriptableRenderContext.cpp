@@ -3,6 +3,7 @@
 #include "draw/ProjectedBounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <limn/core/DrawError.h>
@@ -276,7 +277,8 @@ private:
 };
 
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
-    : m_Report(report), m_Origin(origin),
+    : m_Report(report),
+      m_Origin(origin),
       m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_Origin))
 {
 }

@@ -362,8 +362,7 @@ TEST_F(Pipeline, SaysWhatIsBeyondAFloat)
     huge.localScale = glm::vec3(1e30f);
     test::AddCube(m_Scene, "Moon", {0, 0, 1e10f}, {}).transform.parent = &huge;
     const std::string reason = " is drawn: position or size in the world is beyond a float, 3.4e38";
-    EXPECT_THAT(Render().report.notes,
-                ElementsAre("object 'Moon': nothing of it" + reason));
+    EXPECT_THAT(Render().report.notes, ElementsAre("object 'Moon': nothing of it" + reason));
     test::AddCube(m_Scene, "Mars", {0, 1e10f, 0}, {}).transform.parent = &huge;
     EXPECT_THAT(Render().report.notes,
                 ElementsAre("object 'Moon' and 1 more: nothing of them" + reason));

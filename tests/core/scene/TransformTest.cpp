@@ -1,5 +1,5 @@
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limn/core/Transform.h>
 #include <limn/shaderlab/Diagnostic.h>
@@ -216,7 +216,8 @@ TEST(Transform, RoundsTheMatrixOfAChainOnlyOnce)
         {
             const auto right = static_cast<double>(expected[static_cast<std::size_t>(i)]);
             // Two roundings to float, and quaternions that are of unit length to a float only.
-            EXPECT_NEAR(point[i], right, 2e-7 * std::abs(right) + 0.5) << "seed 11, round " << round;
+            EXPECT_NEAR(point[i], right, 2e-7 * std::abs(right) + 0.5)
+                << "seed 11, round " << round;
         }
     }
 }

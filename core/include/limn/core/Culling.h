@@ -26,15 +26,15 @@ struct RendererItem
 /// Unity: UnityEngine.Rendering.CullingResults (2022.3).
 struct CullingResults
 {
-    std::vector<RendererItem> items; ///< scene order
+    std::vector<RendererItem> items;  ///< scene order
     std::vector<PerDrawData> perDraw; ///< of the visible objects, relative to the camera's
                                       ///< renderOrigin(), whatever the number of draws
     /// Of the visible objects those whose world matrix has an infinity or NaN once it is rounded to
     /// float: nothing of them can be seen.
     std::vector<const GameObject*> beyondFloat;
-    int rendererCount = 0;           ///< enabled renderers of active objects, visible or not
-    int outsideFrustum = 0;          ///< of these, how many lie outside the frustum
-    int outsideCullingMask = 0;      ///< and how many the camera's cullingMask leaves out
+    int rendererCount = 0;      ///< enabled renderers of active objects, visible or not
+    int outsideFrustum = 0;     ///< of these, how many lie outside the frustum
+    int outsideCullingMask = 0; ///< and how many the camera's cullingMask leaves out
 };
 
 /// The renderers of active objects in the camera's culling mask whose world bounds touch its

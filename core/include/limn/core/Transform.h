@@ -32,7 +32,7 @@ struct Transform
     // The same before they are rounded: far away from the world's origin a float is coarse.
     glm::dmat4 worldMatrix() const;
     glm::dquat worldRotation() const;
-    glm::vec3 forward() const;  ///< world, +z turned by rotation(), unit length
+    glm::vec3 forward() const; ///< world, +z turned by rotation(), unit length
 };
 
 } // namespace limn
