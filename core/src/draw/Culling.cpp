@@ -1,4 +1,5 @@
 #include "draw/PerDraw.h"
+#include "material/RequireFinite.h"
 #include "scene/WorldMatrices.h"
 
 #include <algorithm>
