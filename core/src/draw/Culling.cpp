@@ -126,14 +126,14 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
         const Bounds& local = object->renderer->mesh->bounds();
         const glm::dvec3 center(localToWorld * glm::dvec4(local.center, 1.0));
         const glm::mat4 rounded(localToWorld);
+        if (!isFinite(rounded))
+        {
+            results.beyondFloat.push_back(object.get());
+        }
         if (!TouchesFrustum(TransformBounds(local, rounded, glm::vec3(center - origin)), planes))
         {
             ++results.outsideFrustum;
             continue;
-        }
-        if (!isFinite(rounded))
-        {
-            results.beyondFloat.push_back(object.get());
         }
         results.perDraw.push_back(
             MakePerDrawData(localToWorld, object->renderer->renderingLayerMask, origin));
