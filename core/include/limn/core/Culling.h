@@ -29,8 +29,8 @@ struct CullingResults
     std::vector<RendererItem> items;  ///< scene order
     std::vector<PerDrawData> perDraw; ///< of the visible objects, relative to the camera's
                                       ///< renderOrigin(), whatever the number of draws
-    /// Of the visible objects those whose world matrix has an infinity or NaN once it is rounded to
-    /// float: nothing of them can be seen.
+    /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
+    /// float: nothing of them is seen.
     std::vector<const GameObject*> beyondFloat;
     int rendererCount = 0;      ///< enabled renderers of active objects, visible or not
     int outsideFrustum = 0;     ///< of these, how many lie outside the frustum
