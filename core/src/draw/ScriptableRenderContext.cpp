@@ -75,10 +75,7 @@ class ScriptableRenderContext::Resolver
 public:
     Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report,
              const std::string& passName, const glm::dvec3& origin)
-        : m_Frame(frame),
-          m_Globals(globals),
-          m_Origin(origin),
-          m_Resolver(report.notes, passName)
+        : m_Frame(frame), m_Globals(globals), m_Origin(origin), m_Resolver(report.notes, passName)
     {
     }
 

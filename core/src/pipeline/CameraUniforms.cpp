@@ -52,6 +52,8 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
     Matrix(cmd, "unity_CameraInvProjection", Inverse(glm::dmat4(projection)));
     const glm::dvec3 origin = data.camera->renderOrigin();
     Vector(cmd, "limn_Origin", glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
+    const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
+    Vector(cmd, "limn_CameraPos", glm::vec4(position - origin, 0.0f));
 }
 
 } // namespace

@@ -40,7 +40,7 @@ glm::mat4 Camera::worldToCameraMatrix() const
 glm::dvec3 Camera::renderOrigin() const
 {
     constexpr double k_Near = 1024.0;
-    constexpr double k_Step = 64.0;
+    constexpr double k_Step = 8.0;
     const glm::dvec3 position(transform.worldMatrix()[3]);
     return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(k_Near)))
                ? glm::dvec3(0.0)

@@ -34,6 +34,7 @@ cbuffer limn_PerCamera
     float4 limn_Origin;   // what RelativeSpaces.hlsl is relative to; w: 1 if it is not 0
     float4 limn_OriginVS; // where that is in view space, w: 1
     float4 limn_OriginCS; // and in clip space
+    float4 limn_CameraPos; // of the camera, relative to limn_Origin
 };
 
 cbuffer limn_PerFrameLighting

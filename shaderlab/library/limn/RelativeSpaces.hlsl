@@ -1,5 +1,6 @@
 // Far away from the world's origin a float is too coarse for a world position: 1 m at 1e7 m. What
-// leads to the picture therefore goes over positions relative to limn_Origin, the camera there.
+// leads to the picture therefore goes over positions relative to limn_Origin, which is
+// near the camera there.
 // Near the world's origin limn_Origin is 0 and all of this the same, to the last bit, as with
 // unity_ObjectToWorld, unity_MatrixV and unity_MatrixVP.
 #pragma once
@@ -48,5 +49,10 @@ float4 limn_RelativeToClip(float3 position) { return mul(limn_RelativeVP(), floa
 // From a point of the object to the camera, along the axes of the world; not normalised.
 float3 limn_ObjectToCamera(float3 positionOS)
 {
-    return _WorldSpaceCameraPos - limn_Origin.xyz - limn_ObjectToRelative(positionOS);
+    float3 camera = _WorldSpaceCameraPos;
+    if (limn_Origin.w != 0.0)
+    {
+        camera = limn_CameraPos.xyz;
+    }
+    return camera - limn_ObjectToRelative(positionOS);
 }

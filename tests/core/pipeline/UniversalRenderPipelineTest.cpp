@@ -338,16 +338,20 @@ TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].instanceCount, 1u) << "what stayed at the origin is out of sight";
     const float* const place = frame.perDraw.at(draws[0].firstInstance).worldTransformParams;
-    EXPECT_THAT(std::vector(place, place + 4), ElementsAre(0.75f, 1.5f, 5.75f, 1));
+    EXPECT_THAT(std::vector(place, place + 4), ElementsAre(1, 2, 5, 1));
 
     const auto global = [&](const char* name)
     {
         return GlobalOf(m_Pipeline, m_Renderer, m_Camera, name);
     };
     EXPECT_THAT(global("limn_Origin"), ElementsAre(1e8f, -1e8f, 1e8f, 1));
-    EXPECT_THAT(global("limn_OriginVS"), ElementsAre(0, 0, 0, 1));
+    EXPECT_THAT(global("limn_CameraPos"), ElementsAre(0.25f, 0.5f, -0.75f, 0));
+    // The camera looks along +z, and along -z in its own space.
+    EXPECT_THAT(global("limn_OriginVS"), ElementsAre(-0.25f, -0.5f, -0.75f, 1));
+    const glm::mat4 projection = m_Camera.gpuProjectionMatrix(2.0f);
     EXPECT_THAT(global("limn_OriginCS"),
-                ElementsAre(0, 0, m_Camera.gpuProjectionMatrix(2.0f)[3][2], 0));
+                ElementsAre(-0.25f * projection[0][0], -0.5f * projection[1][1],
+                            -0.75f * projection[2][2] + projection[3][2], 0.75f));
 }
 
 TEST_F(Pipeline, TellsShadersPlacesInTheWorldNearItsOrigin)

@@ -40,7 +40,7 @@ struct Camera
     glm::dmat4 viewMatrix() const;
 
     /// What positions are relative to where the picture is made, metres: the corner of a grid of
-    /// 64 m next to the camera if that is more than 1024 m away from the world's origin along an
+    /// 8 m next to the camera if that is more than 1024 m away from the world's origin along an
     /// axis, or else 0. A float is exact to 0.06 mm there, and all ways in which shaders spell a
     /// position give equal bits near the world's origin.
     glm::dvec3 renderOrigin() const;
