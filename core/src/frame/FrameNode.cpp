@@ -40,6 +40,11 @@ bool Clears(const FrameNode& node, ClearFlag aspects)
     return node.clear && Only(node.clear->flags, aspects) == aspects;
 }
 
+bool HasSamples(const RenderTexture& texture)
+{
+    return texture.descriptor().msaaSamples > 1;
+}
+
 bool IsZero(const Color& color, GraphicsFormat format)
 {
     const float values[] = {color.r, color.g, color.b, color.a};

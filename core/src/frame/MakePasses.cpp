@@ -16,8 +16,9 @@ enum class NextUse
     Overwrites
 };
 
-NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from, const Texture& texture,
-                    ClearFlag aspect)
+/// Readers of a texture with several samples see what they were resolved to.
+NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
+                    const RenderTexture& texture, ClearFlag aspect)
 {
     for (std::size_t i = from; i < nodes.size(); ++i)
     {
@@ -26,7 +27,7 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from, const
         {
             return other.get() == &texture;
         };
-        if (std::any_of(node.reads.begin(), node.reads.end(), is))
+        if (!HasSamples(texture) && std::any_of(node.reads.begin(), node.reads.end(), is))
         {
             return NextUse::Needs;
         }
@@ -101,6 +102,7 @@ private:
         }
         Transition(texture, TextureUsage::ColorAttachment, barriers);
         StateOf(texture).isFilled = true;
+        attachment.resolve = ResolveOf(m_Nodes[index], texture, barriers);
         return attachment;
     }
 
@@ -121,7 +123,27 @@ private:
         }
         Transition(texture, TextureUsage::DepthStencilAttachment, barriers);
         StateOf(texture).isFilled = true;
+        attachment.resolve = ResolveOf(node, texture, barriers);
         return attachment;
+    }
+
+    std::shared_ptr<const RenderTexture>
+    ResolveOf(const FrameNode& node, const std::shared_ptr<const RenderTexture>& texture,
+              std::vector<TextureBarrier>& barriers)
+    {
+        const auto resolve =
+            std::find_if(node.resolves.begin(), node.resolves.end(),
+                         [&](const SampleResolve& r) { return r.from == texture; });
+        if (resolve == node.resolves.end())
+        {
+            return nullptr;
+        }
+        if (resolve->to != texture)
+        {
+            Transition(resolve->to, TextureUsage::ColorAttachment, barriers);
+            StateOf(resolve->to).isFilled = true;
+        }
+        return resolve->to;
     }
 
     TextureState& StateOf(const std::shared_ptr<const Texture>& texture)
@@ -154,6 +176,7 @@ private:
             break;
         }
         const bool isOutput =
+            !HasSamples(texture) &&
             std::any_of(m_Outputs.begin(), m_Outputs.end(),
                         [&](const auto& output) { return output.get() == &texture; });
         return isOutput || OutlivesFrame(texture, m_Frame.states) ? StoreOp::Store

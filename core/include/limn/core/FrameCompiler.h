@@ -37,6 +37,7 @@ struct FrameCompilerOptions
 /// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;
 /// - MergeNodes: neighbours on the same colours become one;
+/// - ResolveSamples: several samples a texel become one where something reads that;
 /// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,
 ///   and stored if it is read later, is an output, or may be read by a next frame.
 ///
