@@ -1,3 +1,4 @@
+#include "draw/ObjectDraws.h"
 #include "draw/PerDraw.h"
 #include "draw/SortEntries.h"
 #include "scene/ParallelFor.h"
@@ -5,10 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <limn/core/Camera.h>
 #include <limn/core/Culling.h>
+#include <stdexcept>
+#include <tuple>
 
 namespace limn
 {
@@ -115,10 +119,80 @@ std::vector<std::uint32_t> Ranks(const std::vector<Value>& values)
 }
 
 /// What OptimizeStateChanges brings together: first the shader, then the material, then the mesh.
-using MaterialId = std::pair<std::uint64_t, std::uint64_t>;
-MaterialId IdOf(const Material* material)
+using StateId = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
+
+StateId StateOf(const Material* material, const Mesh* mesh)
 {
-    return material ? MaterialId{material->shader()->id(), material->id()} : MaterialId{};
+    return {material ? material->shader()->id() : 0, material ? material->id() : 0,
+            mesh ? mesh->id() : 0};
+}
+
+/// What the order needs of each class of rows, worked out once a call.
+class ClassOrder
+{
+public:
+    ClassOrder(const RendererTable& table, const SortingSettings& sorting)
+        : sorting(sorting), camera(sorting.cameraPosition - table.origin())
+    {
+        const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
+        std::vector<StateId> states;
+        for (const RendererTable::RowClass& rowClass : table.classes())
+        {
+            const Material* material = rowClass.material.get();
+            const Mesh* mesh = table.meshParts()[rowClass.meshPart].mesh.get();
+            states.push_back(byState ? StateOf(material, mesh) : StateId());
+            queues.push_back(material ? material->renderQueue() : 0);
+        }
+        ranks = Ranks(states);
+        const std::uint32_t most = ranks.empty() ? 0 : *std::ranges::max_element(ranks);
+        m_RankBits = std::bit_width(most);
+        m_HasClasses = m_RankBits + std::bit_width(ranks.size()) <= 32;
+        for (std::uint32_t i = 0; m_HasClasses && m_RankBits < 32 && i < ranks.size(); ++i)
+        {
+            ranks[i] |= i << m_RankBits;
+        }
+    }
+
+    /// Of an entry's state; the rest of it says the class, if there is room.
+    int rankBits() const { return m_HasClasses ? m_RankBits : 32; }
+    std::uint32_t ClassOf(const SortEntry& entry, const RendererTable& table) const
+    {
+        return m_HasClasses ? entry.state >> m_RankBits : table.classOf()[entry.index];
+    }
+
+    const SortingSettings sorting;
+    const glm::vec3 camera; ///< relative to the table's origin
+    // By class.
+    std::vector<int> queues;
+    std::vector<std::uint32_t> ranks; ///< the entry's state
+
+private:
+    int m_RankBits = 0;
+    bool m_HasClasses = false;
+};
+
+/// @param entries  gets `count` of them
+void MakeEntries(const RendererTable& table, const ClassOrder& order, const std::uint32_t* rows,
+                 SortEntry* entries, std::size_t count)
+{
+    const SortingSettings sorting = order.sorting;
+    const glm::vec3 camera = order.camera;
+    const int* queues = order.queues.data();
+    const std::uint32_t* ranks = order.ranks.data();
+    const std::uint32_t* classOf = table.classOf().data();
+    const std::uint16_t* materialIndices = table.materialIndices().data();
+    const float* x = table.centers(0).data();
+    const float* y = table.centers(1).data();
+    const float* z = table.centers(2).data();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::uint32_t row = rows[i];
+        const std::uint32_t rowClass = classOf[row];
+        const glm::vec3 offset = glm::vec3(x[row], y[row], z[row]) - camera;
+        entries[i] = {SortKey(sorting.criteria, queues[rowClass], SortDistance(offset, sorting),
+                              materialIndices[row]),
+                      ranks[rowClass], row};
+    }
 }
 
 } // namespace
@@ -127,13 +201,13 @@ RendererItem RendererItems::operator[](std::size_t index) const
 {
     const RendererTable& table = *m_Table;
     const std::uint32_t row = m_Rows[index];
-    const RendererTable::FilterClass& kind = table.classes()[table.classOf()[row]];
+    const RendererTable::RowClass& kind = table.classes()[table.classOf()[row]];
     RendererItem item;
     item.objectIndex = table.objectOf()[row];
     item.object = &table.object(item.objectIndex);
     item.material = kind.material;
     item.materialIndex = table.materialIndices()[row];
-    item.subMesh = table.meshParts()[table.meshPartOf()[row]].subMesh;
+    item.subMesh = table.meshParts()[kind.meshPart].subMesh;
     item.filter = kind.item();
     item.boundsCenter = table.origin() + glm::dvec3(table.center(row));
     return item;
@@ -155,7 +229,7 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
                                                 RelativeTo(origin, camera.viewMatrix())));
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
     std::vector<std::uint8_t> classes;
-    for (const RendererTable::FilterClass& kind : table->classes())
+    for (const RendererTable::RowClass& kind : table->classes())
     {
         const bool inMask = LayerMask::FromIndex(kind.layer).Intersects(camera.cullingMask);
         classes.push_back(static_cast<std::uint8_t>((inMask ? k_InCullingMask : 0) |
@@ -199,7 +273,7 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
     }
     const RendererTable& table = *items.table();
     std::vector<std::uint8_t> verdicts;
-    for (const RendererTable::FilterClass& kind : table.classes())
+    for (const RendererTable::RowClass& kind : table.classes())
     {
         verdicts.push_back(static_cast<std::uint8_t>(
             kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
@@ -222,53 +296,49 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
 
 void Sort(RendererItems& items, const SortingSettings& sorting)
 {
+    SortIntoRuns(items, sorting);
+}
+
+std::vector<ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting)
+{
+    std::vector<ClassRun> runs;
     if (items.empty())
     {
-        return;
+        return runs;
     }
     const RendererTable& table = *items.table();
-    std::vector<MaterialId> materials;
-    std::vector<int> queues;
-    for (const RendererTable::FilterClass& kind : table.classes())
-    {
-        materials.push_back(IdOf(kind.material.get()));
-        queues.push_back(kind.material ? kind.material->renderQueue() : 0);
-    }
-    std::vector<std::uint64_t> meshes;
-    for (const RendererTable::MeshPart& part : table.meshParts())
-    {
-        meshes.push_back(part.mesh ? part.mesh->id() : 0);
-    }
-    const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
-    const std::vector<std::uint32_t> materialRanks = Ranks(materials);
-    const std::vector<std::uint32_t> meshRanks = Ranks(meshes);
-    const auto meshCount = static_cast<std::uint32_t>(meshes.size());
-    const glm::vec3 camera(sorting.cameraPosition - table.origin());
-    std::vector<SortEntry> entries(items.size());
+    const ClassOrder order(table, sorting);
+    // Kept from call to call: new memory would cost as much as the work on it.
+    static thread_local std::vector<SortEntry> entries;
+    static thread_local std::vector<SortEntry> spare;
     std::vector<std::uint32_t>& rows = items.rows();
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    entries.resize(rows.size());
+    ForEachPart(rows.size(), PartsOf(rows.size()),
+                [&, out = entries.data()](std::size_t, std::size_t begin, std::size_t end)
+                { MakeEntries(table, order, rows.data() + begin, out + begin, end - begin); });
+    RadixSort(entries, spare, order.rankBits());
+    std::uint32_t last = ~std::uint32_t{0};
+    for (std::uint32_t i = 0; i < entries.size(); ++i)
     {
-        const std::uint32_t row = rows[i];
-        const std::uint32_t kind = table.classOf()[row];
-        const float distance = SortDistance(table.center(row) - camera, sorting);
-        entries[i] = {SortKey(sorting.criteria, queues[kind], distance,
-                              table.materialIndices()[row]),
-                      byState ? materialRanks[kind] * meshCount + meshRanks[table.meshPartOf()[row]]
-                              : 0,
-                      row};
+        rows[i] = entries[i].index;
+        const std::uint32_t rowClass = order.ClassOf(entries[i], table);
+        if (rowClass != last)
+        {
+            last = rowClass;
+            runs.push_back({rowClass, i, 0});
+        }
+        ++runs.back().count;
     }
-    std::vector<SortEntry> spare;
-    RadixSort(entries, spare);
-    std::ranges::transform(entries, rows.begin(), &SortEntry::index);
+    return runs;
 }
 
 void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
           std::vector<int>& indices)
 {
-    std::vector<std::pair<MaterialId, std::uint64_t>> states;
+    std::vector<StateId> states;
     for (const RendererItem& item : items)
     {
-        states.emplace_back(IdOf(item.material.get()), item.object->renderer->mesh->id());
+        states.push_back(StateOf(item.material.get(), item.object->renderer->mesh.get()));
     }
     const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
     const std::vector<std::uint32_t> ranks = Ranks(states);
@@ -277,9 +347,10 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
     {
         const auto i = static_cast<std::size_t>(index);
         const glm::vec3 offset(items[i].boundsCenter - sorting.cameraPosition);
-        entries.push_back({SortKey(sorting.criteria, items[i].filter.renderQueue,
-                                   SortDistance(offset, sorting), items[i].materialIndex),
-                           byState ? ranks[i] : 0, static_cast<std::uint32_t>(index)});
+        entries.push_back(
+            {SortKey(sorting.criteria, items[i].filter.renderQueue, SortDistance(offset, sorting),
+                     static_cast<std::uint16_t>(items[i].materialIndex)),
+             byState ? ranks[i] : 0, static_cast<std::uint32_t>(index)});
     }
     std::vector<SortEntry> spare;
     RadixSort(entries, spare);

@@ -134,9 +134,8 @@ DrawCommand DrawRecorder::LookUp(const Material& material, int shaderPass,
     draw.program = material.Compile(shaderPass);
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
-    draw.state =
-        Override(ResolveState(material.shader()->passState(shaderPass), material, m_Globals),
-                 stateBlock);
+    draw.state = Override(
+        ResolveState(material.shader()->passState(shaderPass), material, m_Globals), stateBlock);
     ExpectStencil(draw.state, material, shaderPass);
     draw.bindings = m_Resolver.Resolve(draw.program, {properties, &material, &m_Globals},
                                        m_GlobalsVersion, m_Frame.uniformData);
@@ -145,10 +144,10 @@ DrawCommand DrawRecorder::LookUp(const Material& material, int shaderPass,
 
 void DrawRecorder::Draw(const RecordedDraw& recorded)
 {
-    DrawCommand draw = LookUp(*recorded.material, recorded.shaderPass, &recorded.properties,
-                              RenderStateBlock());
-    const PerDrawData perDraw = MakePerDrawData(glm::dmat4(recorded.matrix),
-                                                RenderingLayerMask::FromIndex(0), m_Origin);
+    DrawCommand draw =
+        LookUp(*recorded.material, recorded.shaderPass, &recorded.properties, RenderStateBlock());
+    const PerDrawData perDraw =
+        MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
     draw.fullScreen = Promise(recorded);
     if (recorded.mesh && draw.shader->staysWithinMesh(draw.shaderPass))
     {
@@ -193,8 +192,9 @@ std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
     return ProjectBounds(bounds, relative, toClip);
 }
 
-std::shared_ptr<const Material> DrawRecorder::WithShader(const std::shared_ptr<const Material>& material,
-                                           const std::shared_ptr<const Shader>& shader)
+std::shared_ptr<const Material>
+DrawRecorder::WithShader(const std::shared_ptr<const Material>& material,
+                         const std::shared_ptr<const Shader>& shader)
 {
     auto& result = m_WithShader[{material, material->version(), shader}];
     if (!result)
@@ -212,13 +212,13 @@ void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)
 
 /// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil
 /// is a mistake in the set-up.
-void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const
+void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& material,
+                                 int shaderPass) const
 {
     if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
     {
-        throw DrawError("material '" + material.name() + "': pass " +
-                        std::to_string(shaderPass) + " of shader '" +
-                        material.shader()->name() +
+        throw DrawError("material '" + material.name() + "': pass " + std::to_string(shaderPass) +
+                        " of shader '" + material.shader()->name() +
                         "' uses the stencil, but the depth target '" + m_Depth->name() +
                         "' has the format " + ToString(m_Depth->graphicsFormat()) +
                         "; give it depthBufferBits 24 or 32");
@@ -226,8 +226,7 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 }
 
 /// What the pass's LimnFullScreen tag comes to with the values of this draw.
-std::shared_ptr<const FullScreenPromise>
-DrawRecorder::Promise(const RecordedDraw& recorded) const
+std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded) const
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
     if (recorded.mesh || tag == nullptr)
@@ -260,16 +259,15 @@ bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
     auto* last =
         m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
     if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
-        last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects || last->program != draw.program ||
-        last->bindings != draw.bindings || last->state != draw.state ||
-        !isInstanceable(*draw.program))
+        last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects ||
+        last->program != draw.program || last->bindings != draw.bindings ||
+        last->state != draw.state || !isInstanceable(*draw.program))
     {
         return false;
     }
     ++last->instanceCount;
-    last->bounds = last->bounds && draw.bounds
-                       ? std::optional(Union(*last->bounds, *draw.bounds))
-                       : std::nullopt;
+    last->bounds = last->bounds && draw.bounds ? std::optional(Union(*last->bounds, *draw.bounds))
+                                               : std::nullopt;
     return true;
 }
 

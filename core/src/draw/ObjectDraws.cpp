@@ -105,14 +105,16 @@ bool Blends(const RenderTargetBlendState& target)
 }
 
 /// A number for passes whose draws give the same picture in any order, one with another too if
-/// their numbers are equal; 0 if the order counts, or nobody wants equal states together. Known are two cases: the nearest wins; and
-/// all write the same, because the fragment function looks at nothing but what is bound.
+/// their numbers are equal; 0 if the order counts, or nobody wants equal states together. Known are
+/// two cases: the nearest wins; and all write the same, because the fragment function looks at
+/// nothing but what is bound.
 std::uint32_t Commutes(const ObjectPass& pass, std::uint32_t index, const SortingSettings& sorting,
                        bool hasDepth)
 {
     constexpr std::uint32_t k_NearestWins = 0x10000;
     const PipelineState& state = pass.draw.state;
-    if (!(sorting.criteria & SortingCriteria::OptimizeStateChanges) || state.stencilEnabled || state.alphaToMask || std::ranges::any_of(state.targets, Blends))
+    if (!(sorting.criteria & SortingCriteria::OptimizeStateChanges) || state.stencilEnabled ||
+        state.alphaToMask || std::ranges::any_of(state.targets, Blends))
     {
         return 0;
     }
@@ -131,7 +133,8 @@ std::uint32_t Commutes(const ObjectPass& pass, std::uint32_t index, const Sortin
 
 /// The box around the world boxes of rows, as per-draw data of a box mesh would place it: nothing
 /// but relative to the origin.
-std::optional<TargetRegion> RegionOf(const RendererTable& table, std::span<const std::uint32_t> rows,
+std::optional<TargetRegion> RegionOf(const RendererTable& table,
+                                     std::span<const std::uint32_t> rows,
                                      const DrawRecorder& recorder)
 {
     glm::vec3 low(std::numeric_limits<float>::max());
@@ -153,7 +156,8 @@ std::optional<TargetRegion> BoundsOf(const DrawCommand& draw, const RendererTabl
                                      const DrawRecorder& recorder)
 {
     constexpr std::size_t k_OneByOne = 64;
-    if (!draw.shader->staysWithinMesh(draw.shaderPass))
+    constexpr std::size_t k_Most = 4096;
+    if (!draw.shader->staysWithinMesh(draw.shaderPass) || rows.size() > k_Most)
     {
         return std::nullopt;
     }
@@ -176,92 +180,144 @@ std::optional<TargetRegion> BoundsOf(const DrawCommand& draw, const RendererTabl
 
 } // namespace
 
-ObjectBatches MakeBatches(const RendererItems& items,
+namespace
+{
+
+/// Puts runs of rows into batches.
+class BatchMaker
+{
+public:
+    BatchMaker(const RendererTable& table, const std::vector<std::uint32_t>& commutes)
+        : m_Table(table), m_Commutes(commutes), m_Parts(table.meshParts().size())
+    {
+        const std::size_t kinds = commutes.size() * m_Parts * 2;
+        m_Seen.resize(kinds <= k_MostKinds ? kinds : 0);
+    }
+
+    /// Rows of one class that follow upon each other, for one pass.
+    void Add(std::uint32_t pass, std::uint32_t classIndex, std::uint32_t first, std::uint32_t count)
+    {
+        const RendererTable::RowClass& rowClass = m_Table.classes()[classIndex];
+        const std::size_t kind =
+            (pass * m_Parts + rowClass.meshPart) * 2 + (rowClass.isMirrored ? 1 : 0);
+        if (m_Runs.empty() || kind != m_LastKind)
+        {
+            m_LastKind = kind;
+            m_Batch = BatchOf(kind, pass, rowClass);
+        }
+        m_Batches[m_Batch].count += count;
+        m_Runs.push_back({m_Batch, first, count});
+    }
+
+    /// @param rows  what the runs are of
+    ObjectBatches Take(const std::vector<std::uint32_t>& rows)
+    {
+        ObjectBatches result;
+        std::vector<std::uint32_t> next;
+        std::uint32_t first = 0;
+        for (ObjectBatch& batch : m_Batches)
+        {
+            batch.first = first;
+            next.push_back(first);
+            first += batch.count;
+        }
+        result.rows.resize(first);
+        for (const Run& run : m_Runs)
+        {
+            std::copy_n(rows.begin() + run.first, run.count, result.rows.begin() + next[run.batch]);
+            next[run.batch] += run.count;
+        }
+        result.batches = std::move(m_Batches);
+        return result;
+    }
+
+private:
+    struct Run
+    {
+        std::uint32_t batch = 0;
+        std::uint32_t first = 0; ///< among the items
+        std::uint32_t count = 0;
+    };
+    /// The batch of a kind, if it belongs to the current stretch of draws that may change places.
+    struct Seen
+    {
+        std::uint32_t stretch = 0;
+        std::uint32_t batch = 0;
+    };
+    /// With more, only neighbours are put together.
+    static constexpr std::size_t k_MostKinds = 1 << 22;
+
+    std::uint32_t BatchOf(std::size_t kind, std::uint32_t pass,
+                          const RendererTable::RowClass& rowClass)
+    {
+        const std::uint32_t number = rowClass.isAgain ? 0 : m_Commutes[pass];
+        m_Stretch += number == 0 || number != m_Number || m_Seen.empty() ? 1 : 0;
+        m_Number = number;
+        if (!m_Seen.empty() && m_Seen[kind].stretch == m_Stretch)
+        {
+            return m_Seen[kind].batch;
+        }
+        m_Batches.push_back({pass, rowClass.meshPart, rowClass.isMirrored, 0, 0});
+        const auto batch = static_cast<std::uint32_t>(m_Batches.size() - 1);
+        if (!m_Seen.empty())
+        {
+            m_Seen[kind] = {m_Stretch, batch};
+        }
+        return batch;
+    }
+
+    const RendererTable& m_Table;
+    const std::vector<std::uint32_t>& m_Commutes;
+    const std::size_t m_Parts;
+    std::vector<Seen> m_Seen; ///< by kind
+    std::vector<Run> m_Runs;
+    std::vector<ObjectBatch> m_Batches;
+    std::size_t m_LastKind = 0;
+    std::uint32_t m_Batch = 0;
+    std::uint32_t m_Stretch = 0;
+    std::uint32_t m_Number = 0;
+};
+
+} // namespace
+
+ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
                           const std::vector<std::vector<std::uint32_t>>& passesOf,
                           const std::vector<std::uint32_t>& commutes)
 {
-    // Batches of the current run of draws that may change places, by what they are of. Where there
-    // are too many kinds for a table, only neighbours are put together.
-    constexpr std::size_t k_MostKinds = 1 << 22;
-    struct Seen
+    BatchMaker maker(*items.table(), commutes);
+    for (const ClassRun& run : runs)
     {
-        std::uint32_t run = 0;
-        std::uint32_t batch = 0;
-    };
-    const RendererTable& table = *items.table();
-    const std::size_t parts = table.meshParts().size();
-    const std::size_t kinds = commutes.size() * parts * 2;
-    std::vector<Seen> seen(kinds <= k_MostKinds ? kinds : 0);
-    std::uint32_t run = 0;
-    std::uint32_t number = 0;
-    std::size_t last = kinds;
-    ObjectBatches result;
-    std::vector<std::uint32_t> batchOf;
-    std::vector<std::uint32_t> rowOf;
-    batchOf.reserve(items.size());
-    rowOf.reserve(items.size());
-    std::uint32_t batch = 0;
-    for (const std::uint32_t row : items.rows())
-    {
-        const bool isMirrored = (table.flags()[row] & RendererTable::k_Mirrored) != 0;
-        const bool isAgain = (table.flags()[row] & RendererTable::k_Again) != 0;
-        for (const std::uint32_t pass : passesOf[table.classOf()[row]])
+        const std::vector<std::uint32_t>& passes = passesOf[run.rowClass];
+        if (passes.size() == 1)
         {
-            const std::size_t kind =
-                (pass * parts + table.meshPartOf()[row]) * 2 + (isMirrored ? 1 : 0);
-            if (kind != last)
+            maker.Add(passes.front(), run.rowClass, run.first, run.count);
+            continue;
+        }
+        for (std::uint32_t row = run.first; row < run.first + run.count; ++row)
+        {
+            for (const std::uint32_t pass : passes)
             {
-                const std::uint32_t own = isAgain ? 0 : commutes[pass];
-                run += own == 0 || own != number || seen.empty();
-                number = own;
-                last = kind;
-                const bool isKnown = !seen.empty() && seen[kind].run == run;
-                batch = isKnown ? seen[kind].batch
-                                : static_cast<std::uint32_t>(result.batches.size());
-                if (!isKnown)
-                {
-                    result.batches.push_back({pass, table.meshPartOf()[row], isMirrored, 0, 0});
-                }
-                if (!seen.empty())
-                {
-                    seen[kind] = {run, batch};
-                }
+                maker.Add(pass, run.rowClass, row, 1);
             }
-            ++result.batches[batch].count;
-            batchOf.push_back(batch);
-            rowOf.push_back(row);
         }
     }
-    std::vector<std::uint32_t> next;
-    std::uint32_t first = 0;
-    for (ObjectBatch& each : result.batches)
-    {
-        each.first = first;
-        next.push_back(first);
-        first += each.count;
-    }
-    result.rows.resize(rowOf.size());
-    for (std::size_t i = 0; i < rowOf.size(); ++i)
-    {
-        result.rows[next[batchOf[i]]++] = rowOf[i];
-    }
-    return result;
+    return maker.Take(items.rows());
 }
 
-void DrawObjects(const RendererItems& items, const DrawingSettings& drawing,
-                 const RenderStateBlock& stateBlock, DrawRecorder& recorder)
+void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
+                 const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
+                 DrawRecorder& recorder)
 {
     const RendererTable& table = *items.table();
     PassList passes(drawing, stateBlock, recorder);
     std::vector<std::vector<std::uint32_t>> passesOf(table.classes().size());
     std::vector<std::uint8_t> isKnown(table.classes().size());
-    for (const std::uint32_t row : items.rows())
+    for (const ClassRun& run : runs)
     {
-        const std::uint32_t kind = table.classOf()[row];
-        if (isKnown[kind] == 0)
+        if (isKnown[run.rowClass] == 0)
         {
-            isKnown[kind] = 1;
-            passesOf[kind] = passes.Of(table.classes()[kind].material);
+            isKnown[run.rowClass] = 1;
+            passesOf[run.rowClass] = passes.Of(table.classes()[run.rowClass].material);
         }
     }
     std::vector<std::uint32_t> commutes;
@@ -270,7 +326,7 @@ void DrawObjects(const RendererItems& items, const DrawingSettings& drawing,
         commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),
                                     drawing.sortingSettings, recorder.hasDepth()));
     }
-    const ObjectBatches batches = MakeBatches(items, passesOf, commutes);
+    const ObjectBatches batches = MakeBatches(items, runs, passesOf, commutes);
 
     FrameCommands& frame = recorder.frame();
     const auto offset = static_cast<std::uint32_t>(frame.instances.size());
@@ -291,9 +347,8 @@ void DrawObjects(const RendererItems& items, const DrawingSettings& drawing,
         {
             draw.firstInstance = offset + batch.first + done;
             draw.instanceCount = step;
-            draw.bounds = BoundsOf(draw, table,
-                                   std::span(batches.rows).subspan(batch.first + done, step),
-                                   recorder);
+            draw.bounds = BoundsOf(
+                draw, table, std::span(batches.rows).subspan(batch.first + done, step), recorder);
             frame.commands.emplace_back(draw);
         }
     }

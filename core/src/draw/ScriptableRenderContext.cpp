@@ -10,7 +10,8 @@ namespace limn
 ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
     : m_Report(report),
       m_Origin(origin),
-      m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin))
+      m_Recorder(
+          std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin))
 {
 }
 
@@ -56,10 +57,10 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
 {
     JudgedItems judged = Judge(cullingResults.items, filteringSettings, drawingSettings);
     m_Report.draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
-    Sort(judged.drawn, drawingSettings.sortingSettings);
     if (!judged.drawn.empty())
     {
-        DrawObjects(judged.drawn, drawingSettings, stateBlock, *m_Recorder);
+        const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
+        DrawObjects(judged.drawn, runs, drawingSettings, stateBlock, *m_Recorder);
     }
 }
 
@@ -87,7 +88,8 @@ FrameCommands ScriptableRenderContext::TakeCommands()
     m_Recorder = nullptr;
     FrameCommands result = std::move(m_Frame);
     m_Frame = {};
-    m_Recorder = std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin);
+    m_Recorder =
+        std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin);
     return result;
 }
 

@@ -8,10 +8,11 @@
 namespace limn
 {
 
-/// How many parts a loop over `count` elements is worth: threads take some 30 us to start.
+/// How many parts a loop over `count` elements is worth: a thread takes some 30 us to start, and
+/// longer on a busy machine.
 inline std::size_t PartsOf(std::size_t count)
 {
-    constexpr std::size_t k_LeastElements = 50'000;
+    constexpr std::size_t k_LeastElements = 200'000;
     const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1u);
     return std::max<std::size_t>(std::min(count / k_LeastElements, cores), 1);
 }

@@ -101,46 +101,46 @@ bool isFinite(const glm::dvec3& place, const glm::mat3& axes)
     return sum == 0.0f;
 }
 
-/// Finds the place of `key`, which may be one that is free.
-template <typename Value, typename Key, typename Hash>
-std::uint32_t Intern(std::vector<Value>& values, std::unordered_map<Key, std::uint32_t, Hash>& index,
-                     std::vector<std::uint32_t>& free, const Key& key, const Value& value)
+/// Fetches what HashOf reads some objects on: they lie anywhere in memory, and waiting for them one
+/// by one would take most of the time.
+void Prefetch(const std::vector<const GameObject*>& objects, std::size_t index)
 {
-    const auto [found, isNew] = index.try_emplace(key, 0);
-    if (isNew && free.empty())
+    constexpr std::size_t k_Ahead = 16;
+    constexpr std::size_t k_LineBytes = 64;
+    if (index + k_Ahead < objects.size())
     {
-        found->second = static_cast<std::uint32_t>(values.size());
+        const auto* object = reinterpret_cast<const std::byte*>(objects[index + k_Ahead]);
+        for (std::size_t offset = 0; offset < sizeof(GameObject); offset += k_LineBytes)
+        {
+            __builtin_prefetch(object + offset);
+        }
+    }
+}
+
+/// The place of a new value: one that is free, or one more.
+template <typename Value>
+std::uint32_t Put(std::vector<Value>& values, std::vector<std::uint32_t>& free, const Value& value)
+{
+    if (free.empty())
+    {
         values.push_back(value);
+        return static_cast<std::uint32_t>(values.size() - 1);
     }
-    else if (isNew)
-    {
-        found->second = free.back();
-        free.pop_back();
-        values[found->second] = value;
-    }
-    ++values[found->second].rows;
-    return found->second;
+    const std::uint32_t place = free.back();
+    free.pop_back();
+    values[place] = value;
+    return place;
 }
 
 } // namespace
 
-std::size_t RendererTable::KeyHash::operator()(const ClassKey& key) const
+RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 {
-    WordHash hash;
-    hash.AddPointer(key.material);
-    hash.Add(std::uint64_t{key.mask} << 8 | static_cast<std::uint64_t>(key.layer));
-    return hash.value();
+    return {rowClass.material.get(), rowClass.layer, rowClass.renderingLayerMask.bits,
+            rowClass.meshPart, (rowClass.isMirrored ? 1 : 0) + (rowClass.isAgain ? 2 : 0)};
 }
 
-std::size_t RendererTable::KeyHash::operator()(const PartKey& key) const
-{
-    WordHash hash;
-    hash.AddPointer(key.mesh);
-    hash.Add(static_cast<std::uint64_t>(key.subMesh));
-    return hash.value();
-}
-
-FilterItem RendererTable::FilterClass::item() const
+FilterItem RendererTable::RowClass::item() const
 {
     return {material->renderQueue(), layer, renderingLayerMask, material->shader().get()};
 }
@@ -177,6 +177,7 @@ void RendererTable::FindChanges(std::size_t known)
         WorldMatrices matrices;
         for (std::size_t i = begin; i < end; ++i)
         {
+            Prefetch(m_Objects, i);
             const std::uint64_t hash = HashOf(*m_Objects[i], matrices);
             if (hash != m_Hash[i] || i >= known)
             {
@@ -206,8 +207,7 @@ void RendererTable::FindChanges(std::size_t known)
     }
     m_LastChanges = m_Version++;
     const auto other = std::ranges::find_if(
-        m_Changed,
-        [&](std::uint32_t object)
+        m_Changed, [&](std::uint32_t object)
         { return RowsOf(*m_Objects[object]) != m_FirstRow[object + 1] - m_FirstRow[object]; });
     std::for_each(m_Changed.begin(), other, [&](std::uint32_t object) { SetRows(object); });
     if (other != m_Changed.end())
@@ -293,31 +293,46 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t 
     const GameObject& source = *m_Objects[object];
     const MeshRenderer& renderer = *source.renderer;
     Release(row);
-    const bool isMirrored = glm::determinant(glm::dmat3(m_Axes[object])) < 0.0;
     const bool isActive = source.activeSelf && renderer.enabled;
-    const bool isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
-    m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : 0) |
-                                             (isMirrored ? k_Mirrored : 0) |
-                                             (isAgain ? k_Again : 0));
+    m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : k_NoFlag));
     m_Slot[row] = static_cast<std::uint16_t>(slot);
     m_ObjectOf[row] = object;
-    const auto material = slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot]
-                                                                 : nullptr;
-    m_ClassOf[row] = Intern(
-        m_Classes, m_ClassIndex, m_FreeClasses,
-        ClassKey{material.get(), source.layer, renderer.renderingLayerMask.bits},
-        FilterClass{material, source.layer, renderer.renderingLayerMask, 0});
+    RowClass rowClass;
+    rowClass.material =
+        slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
+    rowClass.layer = source.layer;
+    rowClass.renderingLayerMask = renderer.renderingLayerMask;
+    rowClass.isMirrored = glm::determinant(glm::dmat3(m_Axes[object])) < 0.0;
+    rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
     const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
-    m_MeshPartOf[row] = Intern(m_MeshParts, m_PartIndex, m_FreeParts,
-                               PartKey{renderer.mesh.get(), subMesh},
-                               MeshPart{renderer.mesh, subMesh, 0});
+    SetClass(row, rowClass, {renderer.mesh, subMesh, 0});
     SetBox(row);
+}
+
+/// @param part  the class's
+void RendererTable::SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part)
+{
+    const auto [knownPart, isNewPart] = m_PartIndex.try_emplace({part.mesh.get(), part.subMesh}, 0);
+    if (isNewPart)
+    {
+        knownPart->second = Put(m_MeshParts, m_FreeParts, part);
+    }
+    RowClass own = rowClass;
+    own.meshPart = knownPart->second;
+    const auto [known, isNew] = m_ClassIndex.try_emplace(KeyOf(own), 0);
+    if (isNew)
+    {
+        known->second = Put(m_Classes, m_FreeClasses, own);
+        ++m_MeshParts[own.meshPart].uses;
+    }
+    ++m_Classes[known->second].uses;
+    m_ClassOf[row] = known->second;
 }
 
 void RendererTable::SetBox(std::uint32_t row)
 {
     const std::uint32_t object = m_ObjectOf[row];
-    const Bounds& bounds = m_MeshParts[m_MeshPartOf[row]].mesh->bounds();
+    const Bounds& bounds = m_MeshParts[m_Classes[m_ClassOf[row]].meshPart].mesh->bounds();
     const glm::mat3& axes = m_Axes[object];
     const glm::dvec3 center = glm::dmat3(axes) * glm::dvec3(bounds.center) + m_Place[object];
     for (std::size_t axis = 0; axis < k_Axes; ++axis)
@@ -340,33 +355,31 @@ void RendererTable::ResizeRows(std::size_t count)
     m_Flags.resize(count);
     m_Slot.resize(count);
     m_ClassOf.resize(count, k_Free);
-    m_MeshPartOf.resize(count, k_Free);
     m_ObjectOf.resize(count);
 }
 
-/// A class or part that no row has lets go of its material or mesh.
+/// A class that no row has lets go of its material and mesh.
 void RendererTable::Release(std::uint32_t row)
 {
     if (m_ClassOf[row] == k_Free)
     {
         return;
     }
-    FilterClass& old = m_Classes[m_ClassOf[row]];
-    if (--old.rows == 0)
+    RowClass& old = m_Classes[m_ClassOf[row]];
+    if (--old.uses == 0)
     {
-        m_ClassIndex.erase({old.material.get(), old.layer, old.renderingLayerMask.bits});
+        MeshPart& part = m_MeshParts[old.meshPart];
+        if (--part.uses == 0)
+        {
+            m_PartIndex.erase({part.mesh.get(), part.subMesh});
+            m_FreeParts.push_back(old.meshPart);
+            part = {};
+        }
+        m_ClassIndex.erase(KeyOf(old));
         m_FreeClasses.push_back(m_ClassOf[row]);
         old = {};
     }
-    MeshPart& part = m_MeshParts[m_MeshPartOf[row]];
-    if (--part.rows == 0)
-    {
-        m_PartIndex.erase({part.mesh.get(), part.subMesh});
-        m_FreeParts.push_back(m_MeshPartOf[row]);
-        part = {};
-    }
     m_ClassOf[row] = k_Free;
-    m_MeshPartOf[row] = k_Free;
 }
 
 PerDrawData RendererTable::Get(std::uint32_t object) const

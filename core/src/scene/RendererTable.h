@@ -3,7 +3,8 @@
 #include <limn/core/Judge.h>
 #include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
-#include <unordered_map>
+#include <map>
+#include <tuple>
 
 namespace limn
 {
@@ -19,28 +20,30 @@ public:
     enum RowFlag : std::uint8_t
     {
         k_NoFlag = 0,
-        k_Active = 1,   ///< the object is active and its renderer enabled
-        k_First = 2,    ///< the first row of its renderer
-        k_Mirrored = 4, ///< the transform turns triangles over
-        k_Again = 8,    ///< it draws a sub-mesh that another row of its renderer draws too
+        k_Active = 1, ///< the object is active and its renderer enabled
+        k_First = 2,  ///< the first row of its renderer
     };
 
-    /// What filtering looks at; few combinations are shared by many rows.
-    struct FilterClass
-    {
-        std::shared_ptr<const Material> material; ///< null: it draws nothing
-        int layer = 0;
-        RenderingLayerMask renderingLayerMask;
-        std::uint32_t rows = 0; ///< that have it; 0 = free
-
-        /// @pre there is a material
-        FilterItem item() const;
-    };
     struct MeshPart
     {
         std::shared_ptr<const Mesh> mesh;
         int subMesh = 0;
-        std::uint32_t rows = 0; ///< that have it; 0 = free
+        std::uint32_t uses = 0; ///< classes that have it; 0 = free
+    };
+    /// What filtering and drawing look at besides the place; few combinations are shared by many
+    /// rows.
+    struct RowClass
+    {
+        std::shared_ptr<const Material> material; ///< null: it draws nothing
+        int layer = 0;
+        RenderingLayerMask renderingLayerMask;
+        std::uint32_t meshPart = 0;
+        bool isMirrored = false; ///< the transform turns triangles over
+        bool isAgain = false;    ///< another row of its renderer draws the sub-mesh too
+        std::uint32_t uses = 0;  ///< rows that have it; 0 = free
+
+        /// @pre there is a material
+        FilterItem item() const;
     };
 
     RendererTable();
@@ -62,12 +65,13 @@ public:
     {
         return {m_Extent[0][row], m_Extent[1][row], m_Extent[2][row]};
     }
-    const std::vector<std::uint8_t>& flags() const { return m_Flags; }               ///< RowFlag
-    const std::vector<std::uint16_t>& materialIndices() const { return m_Slot; }     ///< by row
-    const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }          ///< by row
-    const std::vector<std::uint32_t>& meshPartOf() const { return m_MeshPartOf; }    ///< by row
-    const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }        ///< by row
-    const std::vector<FilterClass>& classes() const { return m_Classes; }
+    // By row.
+    const std::vector<std::uint8_t>& flags() const { return m_Flags; } ///< RowFlag
+    const std::vector<std::uint16_t>& materialIndices() const { return m_Slot; }
+    const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }
+    const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }
+
+    const std::vector<RowClass>& classes() const { return m_Classes; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
     const GameObject& object(std::uint32_t index) const { return *m_Objects[index]; }
     /// Objects with a renderer whose world matrix is beyond a float.
@@ -89,9 +93,10 @@ private:
     void SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first);
     void SetBox(std::uint32_t row);
     void ResizeRows(std::size_t count);
+    void SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part);
     void Release(std::uint32_t row);
 
-    static constexpr std::uint32_t k_Free = ~std::uint32_t{0}; ///< a row without class and part
+    static constexpr std::uint32_t k_Free = ~std::uint32_t{0}; ///< a row without class
 
     std::uint64_t m_Id;
     std::uint64_t m_Version = 0;
@@ -101,10 +106,10 @@ private:
 
     // By object.
     std::vector<const GameObject*> m_Objects;
-    std::vector<std::uint64_t> m_Hash;       ///< of all that its rows are made from
-    std::vector<std::uint32_t> m_FirstRow;   ///< and one more: the end
-    std::vector<glm::dvec3> m_Place;         ///< world
-    std::vector<glm::mat3> m_Axes;           ///< of the world matrix
+    std::vector<std::uint64_t> m_Hash;     ///< of all that its rows are made from
+    std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
+    std::vector<glm::dvec3> m_Place;       ///< world
+    std::vector<glm::mat3> m_Axes;         ///< of the world matrix
     std::vector<std::uint32_t> m_RenderingLayers;
     std::vector<std::uint32_t> m_BeyondFloat;
 
@@ -114,31 +119,15 @@ private:
     std::vector<std::uint8_t> m_Flags;
     std::vector<std::uint16_t> m_Slot;
     std::vector<std::uint32_t> m_ClassOf;
-    std::vector<std::uint32_t> m_MeshPartOf;
     std::vector<std::uint32_t> m_ObjectOf;
 
-    std::vector<FilterClass> m_Classes;
+    std::vector<RowClass> m_Classes;
     std::vector<MeshPart> m_MeshParts;
-    struct ClassKey
-    {
-        const Material* material;
-        int layer;
-        std::uint32_t mask;
-        bool operator==(const ClassKey&) const = default;
-    };
-    struct PartKey
-    {
-        const Mesh* mesh;
-        int subMesh;
-        bool operator==(const PartKey&) const = default;
-    };
-    struct KeyHash
-    {
-        std::size_t operator()(const ClassKey& key) const;
-        std::size_t operator()(const PartKey& key) const;
-    };
-    std::unordered_map<ClassKey, std::uint32_t, KeyHash> m_ClassIndex;
-    std::unordered_map<PartKey, std::uint32_t, KeyHash> m_PartIndex;
+    using PartKey = std::tuple<const Mesh*, int>;
+    using ClassKey = std::tuple<const Material*, int, std::uint32_t, std::uint32_t, int>;
+    static ClassKey KeyOf(const RowClass& rowClass);
+    std::map<ClassKey, std::uint32_t> m_ClassIndex;
+    std::map<PartKey, std::uint32_t> m_PartIndex;
     std::vector<std::uint32_t> m_FreeClasses;
     std::vector<std::uint32_t> m_FreeParts;
 };

@@ -19,7 +19,6 @@ public:
     const glm::dmat4& OfParent(const Transform& transform);
 
 private:
-
     std::unordered_map<const Transform*, glm::dmat4> m_Parents; ///< of the world, for the children
     std::vector<const Transform*> m_Climbed; ///< parents not known yet, the nearest first
 };

@@ -279,7 +279,8 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
                                       std::size_t piece)
 {
-    VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get(), draw.drawsObjects, piece}];
+    VkDescriptorSet& set =
+        m_Sets[{draw.bindings.get(), pass.setLayout.get(), draw.drawsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
         set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,

@@ -50,15 +50,16 @@ void FrameRecorder::Record(const CompiledFrame& frame)
     VkBuffer objects = VK_NULL_HANDLE;
     if (m_DrawsObjects && frame.objects)
     {
-        objects = m_Resources.objects.Update(frame.objects, m_Number, m_Slot.commands(),
-                                             m_Slot.upload());
+        objects =
+            m_Resources.objects.Update(frame.objects, m_Number, m_Slot.commands(), m_Slot.upload());
     }
     FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, objects};
     for (const CompiledRenderPass& pass : frame.passes)
     {
         m_Slot.BeginTiming(pass.name);
         RecordBarrierList(pass.barriers, PassTitle(pass));
-        PassRecorder recorder{m_Context, m_Resources, m_Slot.commands(), descriptors, pass, m_Number};
+        PassRecorder recorder{m_Context,   m_Resources, m_Slot.commands(),
+                              descriptors, pass,        m_Number};
         recorder.Record();
         m_Slot.EndTiming();
     }

@@ -106,12 +106,10 @@ PooledObjects& ObjectPool::Use(const std::shared_ptr<const ObjectTable>& table,
     pooled.owner = table;
     pooled.createdBy = number;
     pooled.lastUse = number;
-    pooled.buffer = Buffer{m_Device,
-                           m_Allocator,
-                           size,
-                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                           MemoryUse::Gpu,
-                           "objects of a scene"};
+    pooled.buffer = Buffer{
+        m_Device,       m_Allocator,
+        size,           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        MemoryUse::Gpu, "objects of a scene"};
     PooledObjects& stored = m_Objects[table->id()];
     if (stored.buffer.size > 0)
     {
