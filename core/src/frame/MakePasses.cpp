@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// How a texture's next appearance treats what is in it.
+/// How what is in a texture is used next.
 enum class NextUse
 {
     None,
@@ -16,8 +16,8 @@ enum class NextUse
     Overwrites
 };
 
-NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from, const Texture& texture,
-                    ClearFlag aspect)
+NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
+                    const RenderTexture& texture, ClearFlag aspect)
 {
     for (std::size_t i = from; i < nodes.size(); ++i)
     {
@@ -33,9 +33,15 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from, const
         const auto& colors = node.targets.colors;
         if (is(node.targets.depth) || std::any_of(colors.begin(), colors.end(), is))
         {
-            return Clears(node, aspect) || (aspect == ClearFlag::Color && node.coversColor)
-                       ? NextUse::Overwrites
-                       : NextUse::Needs;
+            const bool isColor = aspect == ClearFlag::Color;
+            if (isColor ? Overwrites(node, texture) : Clears(node, aspect))
+            {
+                return NextUse::Overwrites;
+            }
+            if (!isColor)
+            {
+                return NextUse::Needs; // it decides what is drawn
+            }
         }
     }
     return NextUse::None;
@@ -93,11 +99,13 @@ private:
     {
         ColorAttachment attachment;
         attachment.texture = texture;
-        attachment.load = Load(m_Nodes[index], *texture, ClearFlag::Color);
         attachment.store = Store(index, *texture, ClearFlag::Color);
+        attachment.load = attachment.store == StoreOp::Store
+                              ? Load(m_Nodes[index], *texture, ClearFlag::Color)
+                              : LoadOp::DontCare; // nobody sees what becomes of it
         if (attachment.load == LoadOp::Clear)
         {
-            attachment.clearColor = m_Nodes[index].clear->color;
+            attachment.clearColor = *ClearColorOf(m_Nodes[index], *texture);
         }
         Transition(texture, TextureUsage::ColorAttachment, barriers);
         StateOf(texture).isFilled = true;
@@ -133,7 +141,8 @@ private:
 
     LoadOp Load(const FrameNode& node, const RenderTexture& texture, ClearFlag aspect) const
     {
-        if (Clears(node, aspect))
+        if (aspect == ClearFlag::Color ? ClearColorOf(node, texture).has_value()
+                                       : Clears(node, aspect))
         {
             return LoadOp::Clear;
         }

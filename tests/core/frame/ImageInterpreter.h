@@ -157,12 +157,12 @@ private:
                 continue;
             }
             const long value = Fragment(draw, i);
-            const RenderTargetBlendState& blend = draw.state.targets[0];
-            for (const auto& color : targets.colors)
+            for (std::size_t target = 0; target < targets.colors.size(); ++target)
             {
-                long& texel = Of(*color)[i];
-                texel = ((blend.destinationColorBlendMode != BlendMode::Zero ? texel : 0) + value) %
-                        k_Modulus;
+                const RenderTargetBlendState& blend = draw.state.targets[target];
+                const bool keeps = blend.destinationColorBlendMode != BlendMode::Zero;
+                long& texel = Of(*targets.colors[target])[i];
+                texel = blend.writeMask == 0 ? texel : ((keeps ? texel : 0) + value) % k_Modulus;
             }
         }
     }
