@@ -61,11 +61,10 @@ Shader "Universal Render Pipeline/Lit"
             Varyings LitVertex(Attributes input)
             {
                 Varyings output;
-                float3 positionWS = TransformObjectToWorld(input.positionOS.xyz);
-                output.positionCS = TransformWorldToHClip(positionWS);
+                output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
                 output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
                 output.normalWS = TransformObjectToWorldNormal(input.normalOS);
-                output.viewDirWS = GetWorldSpaceViewDir(positionWS);
+                output.viewDirWS = limn_ObjectToWorldSpaceViewDir(input.positionOS.xyz);
                 return output;
             }
 

@@ -182,6 +182,16 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
                                          matrix, std::move(material), shaderPass, properties});
 }
 
+void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
+                                              const glm::mat4& gpuProjection,
+                                              bool setInverseMatrices)
+{
+    const glm::mat4 viewProjection(glm::dmat4(gpuProjection) * view);
+    RequireFinite(glm::mat4(view), ShaderPropertyId("unity_MatrixV"), "global ");
+    RequireFinite(viewProjection, ShaderPropertyId("unity_MatrixVP"), "global ");
+    m_Commands.emplace_back(SetViewProjectionCommand{view, gpuProjection, setInverseMatrices});
+}
+
 void CommandBuffer::BeginSample(std::string_view name)
 {
     m_Commands.emplace_back(BeginSampleCommand{std::string(name)});

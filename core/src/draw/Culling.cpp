@@ -1,3 +1,7 @@
+#include "draw/PerDraw.h"
+#include "material/RequireFinite.h"
+#include "scene/WorldMatrices.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,10 +28,11 @@ std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
             row(3) - row(1), row(2),          row(3) - row(2)};
 }
 
-Bounds TransformBounds(const Bounds& bounds, const glm::mat4& matrix)
+/// @param center  of the result
+Bounds TransformBounds(const Bounds& bounds, const glm::mat4& matrix, const glm::vec3& center)
 {
     Bounds result;
-    result.center = glm::vec3(matrix * glm::vec4(bounds.center, 1.0f));
+    result.center = center;
     for (int axis = 0; axis < 3; ++axis)
     {
         result.extents += glm::abs(glm::vec3(matrix[axis])) * bounds.extents[axis];
@@ -51,8 +56,7 @@ bool TouchesFrustum(const Bounds& bounds, const std::array<glm::vec4, 6>& planes
     return true;
 }
 
-void AppendItems(const GameObject& object, const glm::mat4& localToWorld,
-                 const glm::vec3& boundsCenter, CullingResults& results)
+void AppendItems(const GameObject& object, const glm::dvec3& boundsCenter, CullingResults& results)
 {
     const MeshRenderer& renderer = *object.renderer;
     for (std::size_t i = 0; i < renderer.sharedMaterials.size(); ++i)
@@ -69,7 +73,7 @@ void AppendItems(const GameObject& object, const glm::mat4& localToWorld,
         item.subMesh = std::min(static_cast<int>(i), renderer.mesh->subMeshCount() - 1);
         item.filter = {material->renderQueue(), object.layer, renderer.renderingLayerMask,
                        material->shader().get()};
-        item.localToWorld = localToWorld;
+        item.perDraw = results.perDraw.size() - 1;
         item.boundsCenter = boundsCenter;
         results.items.push_back(std::move(item));
     }
@@ -77,9 +81,9 @@ void AppendItems(const GameObject& object, const glm::mat4& localToWorld,
 
 /// Distance to the camera with everything that is no number at the far end: comparisons of NaN
 /// would leave the order undefined.
-float SortDistance(const glm::vec3& center, const SortingSettings& sorting)
+float SortDistance(const glm::dvec3& center, const SortingSettings& sorting)
 {
-    const glm::vec3 offset = center - sorting.cameraPosition;
+    const glm::vec3 offset(center - sorting.cameraPosition);
     const float distance = sorting.distanceMetric == DistanceMetric::Perspective
                                ? glm::length(offset)
                                : glm::dot(offset, sorting.cameraForward);
@@ -100,8 +104,10 @@ int Quantise(float distance)
 
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
 {
-    const auto planes =
-        FrustumPlanes(camera.gpuProjectionMatrix(aspect) * camera.worldToCameraMatrix());
+    const glm::dvec3 origin = camera.renderOrigin();
+    const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
+                                                RelativeTo(origin, camera.viewMatrix())));
+    WorldMatrices worldMatrices;
     CullingResults results;
     for (const auto& object : scene.objects())
     {
@@ -116,14 +122,22 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
             ++results.outsideCullingMask;
             continue;
         }
-        const glm::mat4 localToWorld = object->transform.localToWorldMatrix();
-        const Bounds bounds = TransformBounds(object->renderer->mesh->bounds(), localToWorld);
-        if (!TouchesFrustum(bounds, planes))
+        const glm::dmat4 localToWorld = worldMatrices.Of(object->transform);
+        const Bounds& local = object->renderer->mesh->bounds();
+        const glm::dvec3 center(localToWorld * glm::dvec4(local.center, 1.0));
+        const glm::mat4 rounded(localToWorld);
+        if (!isFinite(rounded))
+        {
+            results.beyondFloat.push_back(object.get());
+        }
+        if (!TouchesFrustum(TransformBounds(local, rounded, glm::vec3(center - origin)), planes))
         {
             ++results.outsideFrustum;
             continue;
         }
-        AppendItems(*object, localToWorld, bounds.center, results);
+        results.perDraw.push_back(
+            MakePerDrawData(localToWorld, object->renderer->renderingLayerMask, origin));
+        AppendItems(*object, center, results);
     }
     return results;
 }

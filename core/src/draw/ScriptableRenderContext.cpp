@@ -1,9 +1,9 @@
 #include "draw/DrawResolver.h"
+#include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <limn/core/DrawError.h>
@@ -16,36 +16,6 @@ namespace limn
 
 namespace
 {
-
-/// The inverse in double precision; all zero where there is none (a scale of zero), which leaves
-/// normals zero instead of infinite.
-glm::mat4 InverseOrZero(const glm::dmat4& matrix)
-{
-    const glm::mat4 inverse(glm::inverse(matrix));
-    for (int column = 0; column < 4; ++column)
-    {
-        for (int row = 0; row < 4; ++row)
-        {
-            if (!std::isfinite(inverse[column][row]))
-            {
-                return glm::mat4(0.0f);
-            }
-        }
-    }
-    return inverse;
-}
-
-PerDrawData MakePerDrawData(const glm::mat4& localToWorld, RenderingLayerMask renderingLayers)
-{
-    const glm::dmat4 matrix(localToWorld);
-    const glm::mat4 inverse = InverseOrZero(matrix);
-    PerDrawData data{};
-    std::memcpy(data.objectToWorld, glm::value_ptr(localToWorld), sizeof data.objectToWorld);
-    std::memcpy(data.worldToObject, glm::value_ptr(inverse), sizeof data.worldToObject);
-    data.worldTransformParams[3] = glm::determinant(glm::dmat3(matrix)) < 0.0 ? -1.0f : 1.0f;
-    data.renderingLayer[0] = renderingLayers.bits;
-    return data;
-}
 
 std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
 {
@@ -104,8 +74,8 @@ class ScriptableRenderContext::Resolver
 {
 public:
     Resolver(FrameCommands& frame, MaterialPropertyBlock& globals, RenderReport& report,
-             const std::string& passName)
-        : m_Frame(frame), m_Globals(globals), m_Resolver(report.notes, passName)
+             const std::string& passName, const glm::dvec3& origin)
+        : m_Frame(frame), m_Globals(globals), m_Origin(origin), m_Resolver(report.notes, passName)
     {
     }
 
@@ -152,7 +122,37 @@ public:
 
     bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
-    void Draw(const RecordedDraw& recorded, RenderingLayerMask renderingLayers,
+    void SetViewProjection(const SetViewProjectionCommand& command)
+    {
+        const auto set = [&](const char* name, const ShaderPropertyValue& value)
+        {
+            SetGlobal({ShaderPropertyId(name), value});
+        };
+        const glm::dmat4 projection(command.gpuProjection);
+        const glm::dvec4 origin = RelativeTo(m_Origin, command.view)[3];
+        set("unity_MatrixV", glm::mat4(command.view));
+        set("glstate_matrix_projection", command.gpuProjection);
+        set("unity_MatrixVP", glm::mat4(projection * command.view));
+        set("limn_OriginVS", glm::vec4(origin));
+        set("limn_OriginCS", glm::vec4(projection * origin));
+        if (command.inverses)
+        {
+            const glm::dmat4 viewToWorld = glm::inverse(command.view);
+            const glm::dmat4 clipToView = glm::inverse(projection);
+            set("unity_MatrixInvV", glm::mat4(viewToWorld));
+            set("unity_MatrixInvP", glm::mat4(clipToView));
+            set("unity_MatrixInvVP", glm::mat4(viewToWorld * clipToView));
+        }
+    }
+
+    void Draw(const RecordedDraw& recorded)
+    {
+        Draw(recorded, MakePerDrawData(glm::dmat4(recorded.matrix),
+                                       RenderingLayerMask::FromIndex(0), m_Origin));
+    }
+
+    /// @param perDraw  instead of the recorded matrix
+    void Draw(const RecordedDraw& recorded, const PerDrawData& perDraw,
               const RenderStateBlock& stateBlock = RenderStateBlock())
     {
         const Material& material = *recorded.material;
@@ -168,13 +168,13 @@ public:
             m_Resolver.Resolve(draw.program, {&recorded.properties, &material, &m_Globals},
                                m_GlobalsVersion, m_Frame.uniformData);
         draw.fullScreen = Promise(recorded);
-        draw.bounds = BoundsOf(recorded);
+        draw.bounds = BoundsOf(recorded, perDraw);
         draw.mesh = recorded.mesh;
         draw.subMesh = recorded.subMesh;
         draw.vertexCount = recorded.vertexCount;
         draw.firstInstance = static_cast<std::uint32_t>(m_Frame.perDraw.size());
-        m_Frame.perDraw.push_back(MakePerDrawData(recorded.matrix, renderingLayers));
-        const bool mirrored = m_Frame.perDraw.back().worldTransformParams[3] < 0.0f;
+        m_Frame.perDraw.push_back(perDraw);
+        const bool mirrored = perDraw.worldTransformParams[3] < 0.0f;
         // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
         // Unity's render textures, which are upside down: counter-clockwise is the front there.
         draw.state.frontFaceFlipped = mirrored != (draw.mesh == nullptr);
@@ -258,7 +258,8 @@ private:
     }
 
     /// Where it draws, if the pass promises to stay within the mesh.
-    std::optional<TargetRegion> BoundsOf(const RecordedDraw& recorded) const
+    std::optional<TargetRegion> BoundsOf(const RecordedDraw& recorded,
+                                         const PerDrawData& perDraw) const
     {
         static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
         const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
@@ -268,7 +269,17 @@ private:
         {
             return std::nullopt;
         }
-        return ProjectBounds(recorded.mesh->bounds(), recorded.matrix, *viewProjection);
+        // As shaders do it: relative to the origin where that is not the world's.
+        glm::mat4 relative = glm::make_mat4(perDraw.objectToWorld);
+        glm::mat4 toClip = *viewProjection;
+        static const ShaderPropertyId limn_OriginCS{"limn_OriginCS"};
+        const ShaderPropertyValue* originCS = m_Globals.Find(limn_OriginCS);
+        if (m_Origin != glm::dvec3(0.0) && originCS != nullptr)
+        {
+            relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
+            toClip[3] = std::get<glm::vec4>(*originCS);
+        }
+        return ProjectBounds(recorded.mesh->bounds(), relative, toClip);
     }
 
     /// Draws that differ in their transform only become instances of one.
@@ -301,6 +312,7 @@ private:
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
+    const glm::dvec3 m_Origin;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
     std::map<
@@ -309,9 +321,10 @@ private:
         m_WithShader;
 };
 
-ScriptableRenderContext::ScriptableRenderContext(RenderReport& report)
+ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
     : m_Report(report),
-      m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName))
+      m_Origin(origin),
+      m_Resolver(std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName, m_Origin))
 {
 }
 
@@ -327,7 +340,11 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 using Command = std::decay_t<decltype(c)>;
                 if constexpr (std::is_same_v<Command, RecordedDraw>)
                 {
-                    m_Resolver->Draw(c, RenderingLayerMask::FromIndex(0));
+                    m_Resolver->Draw(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetViewProjectionCommand>)
+                {
+                    m_Resolver->SetViewProjection(c);
                 }
                 else if constexpr (std::is_same_v<Command, SetGlobalCommand>)
                 {
@@ -368,28 +385,29 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
 
     for (const int index : drawn)
     {
-        DrawItem(cullingResults.items[static_cast<std::size_t>(index)], drawingSettings,
-                 stateBlock);
+        const RendererItem& item = cullingResults.items[static_cast<std::size_t>(index)];
+        DrawItem(item, cullingResults.perDraw.at(item.perDraw), drawingSettings, stateBlock);
     }
 }
 
-void ScriptableRenderContext::DrawItem(const RendererItem& item, const DrawingSettings& drawing,
+void ScriptableRenderContext::DrawItem(const RendererItem& item, const PerDrawData& perDraw,
+                                       const DrawingSettings& drawing,
                                        const RenderStateBlock& stateBlock)
 {
     const MeshRenderer& renderer = *item.object->renderer;
-    RecordedDraw draw{renderer.mesh, item.subMesh, 0, item.localToWorld, item.material, 0, {}};
+    RecordedDraw draw{renderer.mesh, item.subMesh, 0, glm::mat4(1.0f), item.material, 0, {}};
     if (drawing.overrideMaterial)
     {
         draw.material = drawing.overrideMaterial;
         draw.shaderPass = drawing.overrideMaterialPassIndex;
-        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        m_Resolver->Draw(draw, perDraw, stateBlock);
         return;
     }
     if (drawing.overrideShader)
     {
         draw.material = m_Resolver->WithShader(item.material, drawing.overrideShader);
         draw.shaderPass = drawing.overrideShaderPassIndex;
-        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        m_Resolver->Draw(draw, perDraw, stateBlock);
         return;
     }
     for (const ShaderTagId tag : drawing.shaderTagIds)
@@ -403,10 +421,10 @@ void ScriptableRenderContext::DrawItem(const RendererItem& item, const DrawingSe
         {
             draw.material = drawing.fallbackMaterial;
             draw.shaderPass = 0;
-            m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+            m_Resolver->Draw(draw, perDraw, stateBlock);
             return;
         }
-        m_Resolver->Draw(draw, renderer.renderingLayerMask, stateBlock);
+        m_Resolver->Draw(draw, perDraw, stateBlock);
     }
 }
 
@@ -434,7 +452,7 @@ FrameCommands ScriptableRenderContext::TakeCommands()
     m_Resolver = nullptr;
     FrameCommands result = std::move(m_Frame);
     m_Frame = {};
-    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName);
+    m_Resolver = std::make_unique<Resolver>(m_Frame, m_Globals, m_Report, m_PassName, m_Origin);
     return result;
 }
 

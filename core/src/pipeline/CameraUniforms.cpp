@@ -21,9 +21,9 @@ void Matrix(CommandBuffer& cmd, const char* name, const glm::mat4& value)
     cmd.SetGlobalMatrix(ShaderPropertyId(name), value);
 }
 
-glm::mat4 Inverse(const glm::mat4& matrix)
+glm::mat4 Inverse(const glm::dmat4& matrix)
 {
-    return glm::mat4(glm::inverse(glm::dmat4(matrix)));
+    return glm::mat4(glm::inverse(matrix));
 }
 
 /// 0 for 0: an orthographic camera may have a plane there, and nothing that it draws asks how deep
@@ -41,33 +41,28 @@ glm::vec4 ZBufferParams(double n, double f)
 
 void SetMatrices(CommandBuffer& cmd, const CameraData& data)
 {
-    const glm::mat4& view = data.viewMatrix;
     const glm::mat4& projection = data.gpuProjectionMatrix;
-    RenderingUtils::SetViewAndProjectionMatrices(cmd, view, projection, true);
-    glm::mat4 zForward(1.0f);
-    zForward[2][2] = -1.0f;
-    Matrix(cmd, "unity_WorldToCamera", zForward * view);
-    Matrix(cmd, "unity_CameraToWorld", Inverse(zForward * view));
+    RenderingUtils::SetViewAndProjectionMatrices(cmd, data.viewMatrix, projection, true);
+    glm::dmat4 worldToCamera(1.0);
+    worldToCamera[2][2] = -1.0;
+    worldToCamera *= data.viewMatrix;
+    Matrix(cmd, "unity_WorldToCamera", glm::mat4(worldToCamera));
+    Matrix(cmd, "unity_CameraToWorld", Inverse(worldToCamera));
     Matrix(cmd, "unity_CameraProjection", projection);
-    Matrix(cmd, "unity_CameraInvProjection", Inverse(projection));
+    Matrix(cmd, "unity_CameraInvProjection", Inverse(glm::dmat4(projection)));
+    const glm::dvec3 origin = data.camera->renderOrigin();
+    Vector(cmd, "limn_Origin", glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
+    const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
+    Vector(cmd, "limn_CameraPos", glm::vec4(position - origin, 0.0f));
 }
 
 } // namespace
 
-void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::mat4& viewMatrix,
+void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                                   const glm::mat4& gpuProjectionMatrix,
                                                   bool setInverseMatrices)
 {
-    const glm::mat4 viewProjection(glm::dmat4(gpuProjectionMatrix) * glm::dmat4(viewMatrix));
-    Matrix(cmd, "unity_MatrixV", viewMatrix);
-    Matrix(cmd, "glstate_matrix_projection", gpuProjectionMatrix);
-    Matrix(cmd, "unity_MatrixVP", viewProjection);
-    if (setInverseMatrices)
-    {
-        Matrix(cmd, "unity_MatrixInvV", Inverse(viewMatrix));
-        Matrix(cmd, "unity_MatrixInvP", Inverse(gpuProjectionMatrix));
-        Matrix(cmd, "unity_MatrixInvVP", Inverse(viewProjection));
-    }
+    cmd.SetViewProjectionMatrices(viewMatrix, gpuProjectionMatrix, setInverseMatrices);
 }
 
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)

@@ -44,7 +44,7 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const Shad
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());
     settings.sortingSettings = {
-        sortingCriteria, camera.transform.position(), camera.transform.forward(),
+        sortingCriteria, glm::dvec3(camera.transform.worldMatrix()[3]), camera.transform.forward(),
         camera.orthographic ? DistanceMetric::Orthographic : DistanceMetric::Perspective};
     return settings;
 }

@@ -49,12 +49,25 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
         request.width, request.height,
         camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32};
     data.cameraData.renderer = &renderer;
-    data.cameraData.viewMatrix = camera.worldToCameraMatrix();
+    data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
     data.cullResults = Cull(*request.scene, camera, aspect);
     data.volumeStack = request.volumeStack;
     data.report = &report;
     return data;
+}
+
+void NoteBeyondFloat(const CullingResults& results, RenderReport& report)
+{
+    const std::size_t count = results.beyondFloat.size();
+    if (count > 0)
+    {
+        report.notes.push_back(
+            "object '" + results.beyondFloat.front()->name + "'" +
+            (count > 1 ? " and " + std::to_string(count - 1) + " more: nothing of them"
+                       : ": nothing of it") +
+            " is drawn: position or size in the world is beyond a float, 3.4e38");
+    }
 }
 
 /// Every frame writes the whole of it, so nothing of the last one has to be kept.
@@ -83,7 +96,8 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     result.output = m_Output;
 
     RenderingData renderingData = MakeRenderingData(request, renderer, result.report);
-    ScriptableRenderContext context(result.report);
+    NoteBeyondFloat(renderingData.cullResults, result.report);
+    ScriptableRenderContext context(result.report, request.camera->renderOrigin());
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     SetTimeUniforms(*cmd, request.time);
     SetLightUniforms(*cmd, *request.scene);

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
 #include <limn/core/Camera.h>
 #include <limn/shaderlab/Diagnostic.h>
 
@@ -20,19 +21,30 @@ void Expect(bool condition, const char* field, double value, const char* range)
 
 } // namespace
 
-glm::mat4 Camera::worldToCameraMatrix() const
+glm::dmat4 Camera::viewMatrix() const
 {
     // Rotation and position only, as in Unity: a camera's scale does not matter.
-    const glm::vec3 position = transform.position();
-    const glm::mat3 axes = glm::mat3_cast(transform.rotation());
-    glm::mat4 view(1.0f);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        view[axis] = glm::vec4(axes[0][axis], axes[1][axis], -axes[2][axis], 0.0f);
-    }
-    view[3] = glm::vec4(-glm::dot(axes[0], position), -glm::dot(axes[1], position),
-                        glm::dot(axes[2], position), 1.0f);
+    const glm::dvec3 position(transform.worldMatrix()[3]);
+    const glm::dmat3 axes = glm::mat3_cast(transform.worldRotation());
+    const glm::dmat3 turn = glm::transpose(glm::dmat3(axes[0], axes[1], -axes[2]));
+    glm::dmat4 view(turn);
+    view[3] = glm::dvec4(-(turn * position), 1.0);
     return view;
+}
+
+glm::mat4 Camera::worldToCameraMatrix() const
+{
+    return glm::mat4(viewMatrix());
+}
+
+glm::dvec3 Camera::renderOrigin() const
+{
+    constexpr double k_Near = 1024.0;
+    constexpr double k_Step = 8.0;
+    const glm::dvec3 position(transform.worldMatrix()[3]);
+    return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(k_Near)))
+               ? glm::dvec3(0.0)
+               : glm::round(position / k_Step) * k_Step;
 }
 
 glm::mat4 Camera::gpuProjectionMatrix(float aspect) const

@@ -1,8 +1,8 @@
-#include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
+#include "scene/WorldMatrices.h"
+
+#include <cmath>
 #include <limn/core/Transform.h>
 #include <limn/shaderlab/Diagnostic.h>
-#include <vector>
 
 namespace limn
 {
@@ -10,29 +10,73 @@ namespace limn
 namespace
 {
 
-/// From the one without a parent down to `transform` itself: rounded in this order, a world matrix
-/// is the parent's world matrix times its own, whoever asks.
-/// @throws ContractError if the parents form a circle
-std::vector<const Transform*> FromTheRoot(const Transform& transform)
+/// Follows a chain of parents and meets it again if it is a circle. Floyd: who goes half as fast is
+/// met in a circle only.
+class CircleGuard
 {
-    std::vector<const Transform*> chain;
-    // Floyd: who goes half as fast is met again in a circle only.
-    const Transform* slow = &transform;
-    for (const Transform* t = &transform; t != nullptr; t = t->parent)
+public:
+    explicit CircleGuard(const Transform& first) : m_Slow(&first) {}
+
+    /// @param t  the next parent
+    /// @throws ContractError if the parents form a circle
+    void Pass(const Transform* t)
     {
-        if (t == slow && !chain.empty())
+        if (t == m_Slow)
         {
             throw ContractError("transform: it is among its own parents, or they go round in a "
                                 "circle; a parent must lead to one without a parent");
         }
-        slow = chain.size() % 2 == 1 ? slow->parent : slow;
-        chain.push_back(t);
+        m_Slow = m_Odd ? m_Slow->parent : m_Slow;
+        m_Odd = !m_Odd;
     }
-    std::reverse(chain.begin(), chain.end());
-    return chain;
+
+private:
+    const Transform* m_Slow;
+    bool m_Odd = false;
+};
+
+glm::dmat4 LocalMatrix(const Transform& transform)
+{
+    glm::dmat4 matrix(glm::mat3_cast(glm::dquat(transform.localRotation)));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        matrix[axis] *= static_cast<double>(transform.localScale[axis]);
+    }
+    matrix[3] = glm::dvec4(transform.localPosition, 1.0);
+    return matrix;
 }
 
 } // namespace
+
+glm::dmat4 WorldMatrices::Of(const Transform& transform)
+{
+    return transform.parent == nullptr ? LocalMatrix(transform)
+                                       : OfParent(transform) * LocalMatrix(transform);
+}
+
+const glm::dmat4& WorldMatrices::OfParent(const Transform& transform)
+{
+    CircleGuard guard(transform);
+    const glm::dmat4* known = nullptr;
+    m_Climbed.clear();
+    for (const Transform* t = transform.parent; t != nullptr && known == nullptr; t = t->parent)
+    {
+        guard.Pass(t);
+        const auto found = m_Parents.find(t);
+        known = found != m_Parents.end() ? &found->second : nullptr;
+        if (known == nullptr)
+        {
+            m_Climbed.push_back(t);
+        }
+    }
+    for (; !m_Climbed.empty(); m_Climbed.pop_back())
+    {
+        const Transform& top = *m_Climbed.back();
+        const glm::dmat4 local = LocalMatrix(top);
+        known = &m_Parents.emplace(&top, known != nullptr ? *known * local : local).first->second;
+    }
+    return *known;
+}
 
 glm::quat EulerToRotation(const glm::vec3& degrees)
 {
@@ -62,43 +106,39 @@ glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up)
 
 glm::mat4 Transform::localToParentMatrix() const
 {
-    return glm::scale(
-        glm::translate(glm::mat4(1.0f), localPosition) * glm::mat4_cast(localRotation), localScale);
+    return glm::mat4(LocalMatrix(*this));
+}
+
+glm::dmat4 Transform::worldMatrix() const
+{
+    return WorldMatrices().Of(*this);
 }
 
 glm::mat4 Transform::localToWorldMatrix() const
 {
-    if (parent == nullptr)
-    {
-        return localToParentMatrix();
-    }
-    const std::vector<const Transform*> chain = FromTheRoot(*this);
-    glm::mat4 matrix = chain.front()->localToParentMatrix();
-    for (std::size_t i = 1; i < chain.size(); ++i)
-    {
-        matrix = matrix * chain[i]->localToParentMatrix();
-    }
-    return matrix;
+    return glm::mat4(worldMatrix());
 }
 
 glm::vec3 Transform::position() const
 {
-    return glm::vec3(localToWorldMatrix()[3]);
+    return glm::vec3(worldMatrix()[3]);
+}
+
+glm::dquat Transform::worldRotation() const
+{
+    CircleGuard guard(*this);
+    glm::dquat turned(localRotation);
+    for (const Transform* t = parent; t != nullptr; t = t->parent)
+    {
+        guard.Pass(t);
+        turned = glm::dquat(t->localRotation) * turned;
+    }
+    return turned;
 }
 
 glm::quat Transform::rotation() const
 {
-    if (parent == nullptr)
-    {
-        return localRotation;
-    }
-    const std::vector<const Transform*> chain = FromTheRoot(*this);
-    glm::quat turned = chain.front()->localRotation;
-    for (std::size_t i = 1; i < chain.size(); ++i)
-    {
-        turned = turned * chain[i]->localRotation;
-    }
-    return turned;
+    return glm::quat(worldRotation());
 }
 
 glm::vec3 Transform::forward() const

@@ -99,8 +99,8 @@ void RenderObjectsPass::SetCamera(CommandBuffer& cmd, const CameraData& cameraDa
     camera.fieldOfView = m_CameraSettings.cameraFieldOfView;
     const RenderTextureDescriptor& target = cameraData.cameraTargetDescriptor;
     const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);
-    glm::mat4 view = cameraData.viewMatrix;
-    view[3] += m_CameraSettings.offset;
+    glm::dmat4 view = cameraData.viewMatrix;
+    view[3] += glm::dvec4(m_CameraSettings.offset);
     if (camera.nearClipPlane <= 0.0f)
     {
         throw DrawError(profilingSampler.name() +

@@ -1,11 +1,11 @@
 #pragma once
 #include "UnityShaderVariables.cginc"
 
-float4 UnityWorldToClipPos(float3 pos) { return mul(UNITY_MATRIX_VP, float4(pos, 1.0)); }
+float4 UnityWorldToClipPos(float3 pos) { return limn_RelativeToClip(pos - limn_Origin.xyz); }
 float4 UnityViewToClipPos(float3 pos) { return mul(UNITY_MATRIX_P, float4(pos, 1.0)); }
 float4 UnityObjectToClipPos(float3 pos)
 {
-    return UnityWorldToClipPos(mul(unity_ObjectToWorld, float4(pos, 1.0)).xyz);
+    return limn_RelativeToClip(limn_ObjectToRelative(pos));
 }
 float4 UnityObjectToClipPos(float4 pos) { return UnityObjectToClipPos(pos.xyz); }
 float4 UnityObjectToClipPosInstanced(float3 pos) { return UnityObjectToClipPos(pos); }

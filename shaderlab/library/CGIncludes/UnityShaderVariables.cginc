@@ -4,6 +4,7 @@
 #include "HLSLSupport.cginc"
 #include "limn/PerDraw.hlsl"
 #include "limn/Globals.hlsl"
+#include "limn/RelativeSpaces.hlsl"
 
 #if defined(DIRECTIONAL) || defined(DIRECTIONAL_COOKIE)
 #define USING_DIRECTIONAL_LIGHT

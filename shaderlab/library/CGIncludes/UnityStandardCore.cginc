@@ -133,7 +133,7 @@ VertexOutputForwardBase vertForwardBase(VertexInput v)
     o.posWorld = posWorld;
     o.pos = UnityObjectToClipPos(v.vertex);
     o.tex = TexCoords(v);
-    o.eyeVec.xyz = posWorld - _WorldSpaceCameraPos.xyz;
+    o.eyeVec.xyz = -limn_ObjectToCamera(v.vertex.xyz);
     float3 normalWorld = UnityObjectToWorldNormal(v.normal);
     o.tangentToWorldAndPackedData[2].xyz = normalWorld;
 #ifdef _TANGENT_TO_WORLD

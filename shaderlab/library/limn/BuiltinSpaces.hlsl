@@ -2,10 +2,10 @@
 #pragma once
 #include "limn/Screen.hlsl"
 
-float3 UnityWorldToViewPos(float3 pos) { return mul(UNITY_MATRIX_V, float4(pos, 1.0)).xyz; }
+float3 UnityWorldToViewPos(float3 pos) { return limn_RelativeToView(pos - limn_Origin.xyz); }
 float3 UnityObjectToViewPos(float3 pos)
 {
-    return UnityWorldToViewPos(mul(unity_ObjectToWorld, float4(pos, 1.0)).xyz);
+    return limn_RelativeToView(limn_ObjectToRelative(pos));
 }
 float3 UnityObjectToViewPos(float4 pos) { return UnityObjectToViewPos(pos.xyz); }
 
@@ -37,13 +37,10 @@ float3 ObjSpaceLightDir(float4 v)
     return light - v.xyz * _WorldSpaceLightPos0.w;
 }
 float3 UnityWorldSpaceViewDir(float3 worldPos) { return _WorldSpaceCameraPos.xyz - worldPos; }
-float3 WorldSpaceViewDir(float4 localPos)
-{
-    return UnityWorldSpaceViewDir(mul(unity_ObjectToWorld, localPos).xyz);
-}
+float3 WorldSpaceViewDir(float4 localPos) { return limn_ObjectToCamera(localPos.xyz); }
 float3 ObjSpaceViewDir(float4 v)
 {
-    return mul(unity_WorldToObject, float4(_WorldSpaceCameraPos.xyz, 1.0)).xyz - v.xyz;
+    return mul((float3x3)unity_WorldToObject, limn_ObjectToCamera(v.xyz));
 }
 
 // Declares the matrix `rotation` from object to tangent space, out of the vertex `v`.

@@ -30,6 +30,11 @@ cbuffer limn_PerCamera
     float4x4 unity_CameraToWorld;
     float4x4 unity_CameraProjection;
     float4x4 unity_CameraInvProjection;
+
+    float4 limn_Origin;   // what RelativeSpaces.hlsl is relative to; w: 1 if it is not 0
+    float4 limn_OriginVS; // where that is in view space, w: 1
+    float4 limn_OriginCS; // and in clip space
+    float4 limn_CameraPos; // of the camera, relative to limn_Origin
 };
 
 cbuffer limn_PerFrameLighting
@@ -58,7 +63,7 @@ cbuffer limn_PerFrameLighting
 #define UNITY_MATRIX_I_P unity_MatrixInvP
 #define UNITY_MATRIX_VP unity_MatrixVP
 #define UNITY_MATRIX_I_VP unity_MatrixInvVP
-#define UNITY_MATRIX_MV mul(UNITY_MATRIX_V, UNITY_MATRIX_M)
+#define UNITY_MATRIX_MV mul(limn_RelativeV(), limn_RelativeM())
 #define UNITY_MATRIX_T_MV transpose(UNITY_MATRIX_MV)
 #define UNITY_MATRIX_IT_MV transpose(mul(UNITY_MATRIX_I_M, UNITY_MATRIX_I_V))
-#define UNITY_MATRIX_MVP mul(UNITY_MATRIX_VP, UNITY_MATRIX_M)
+#define UNITY_MATRIX_MVP mul(limn_RelativeVP(), limn_RelativeM())

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -155,6 +156,45 @@ TEST_F(Culling, LeavesOutWhatIsOffOrIncomplete)
     EXPECT_EQ(results.rendererCount, 0);
 }
 
+TEST_F(Culling, JudgesAlikeFarAwayFromTheOrigin)
+{
+    for (const float distance : {0.0f, 1e5f, 1e7f, 1e8f, 1e9f})
+    {
+        Transform away;
+        away.localPosition = {distance, -distance, distance};
+        m_Camera.transform.parent = &away;
+        m_Scene = Scene();
+        for (const glm::vec3& place : {glm::vec3(9, 9, 10), {9, 9, 11}, {12, 0, 10}, {0, 0, 0.2f}})
+        {
+            Add(place).transform.parent = &away;
+        }
+        const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
+        EXPECT_EQ(results.outsideFrustum, 2) << distance;
+        ASSERT_EQ(results.items.size(), 2u) << distance;
+        EXPECT_NEAR(results.items[1].boundsCenter.z - results.items[0].boundsCenter.z, 1.0, 1e-6)
+            << distance << ": for sorting";
+    }
+}
+
+TEST_F(Culling, WorksEachParentOfALongChainOutOnce)
+{
+    constexpr int k_Length = 100'000; // going up from each would be 5e9 matrices: minutes
+    const Transform* parent = nullptr;
+    for (int i = 0; i < k_Length; ++i)
+    {
+        GameObject& object = Add({0, 0, i == 0 ? 10.0f : 1.0f / 1024.0f});
+        object.transform.parent = parent;
+        parent = &object.transform;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(seconds.count(), 10.0);
+    // Up to where the near side of the box is behind the far plane.
+    ASSERT_NEAR(static_cast<double>(results.items.size()), (100.5 - 10) * 1024, 1.0);
+    EXPECT_NEAR(results.items.back().boundsCenter.z, 100.5, 1.0 / 1024);
+}
+
 TEST_F(Culling, TellsFilteringWhatItNeedsOfEachItem)
 {
     const auto material = std::make_shared<Material>(test::ShaderWithModes({"A"}, "Overlay"));
@@ -162,13 +202,14 @@ TEST_F(Culling, TellsFilteringWhatItNeedsOfEachItem)
     object.layer = 6;
     object.renderer->sharedMaterials = {material};
     object.renderer->renderingLayerMask = RenderingLayerMask(5);
-    const RendererItem item = Cull(m_Scene, m_Camera, 1.0f).items.at(0);
+    const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
+    const RendererItem& item = results.items.at(0);
     EXPECT_EQ(item.object, &object);
     EXPECT_EQ(item.material, material);
     EXPECT_EQ(item.filter, (FilterItem{4000, 6, RenderingLayerMask(5), material->shader().get()}));
-    EXPECT_EQ(item.boundsCenter, glm::vec3(1, 2, 10));
-    EXPECT_EQ(item.localToWorld,
-              glm::mat4({2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {1, 2, 10, 1}));
+    EXPECT_EQ(item.boundsCenter, glm::dvec3(1, 2, 10));
+    EXPECT_THAT(results.perDraw.at(item.perDraw).objectToWorld,
+                testing::ElementsAre(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 10, 1));
 }
 
 /// A mesh of two triangles, each a sub-mesh.

@@ -244,7 +244,7 @@ TEST(ScriptableRenderPass, SortsByTheCurrentCamera)
         ShaderTagId("UniversalForward"), data, SortingCriteria::CommonTransparent);
     EXPECT_EQ(settings.shaderTagIds, std::vector{ShaderTagId("UniversalForward")});
     EXPECT_EQ(settings.sortingSettings.criteria, SortingCriteria::CommonTransparent);
-    EXPECT_EQ(settings.sortingSettings.cameraPosition, glm::vec3(1, 2, 3));
+    EXPECT_EQ(settings.sortingSettings.cameraPosition, glm::dvec3(1, 2, 3));
     EXPECT_EQ(settings.sortingSettings.cameraForward, glm::vec3(0, 0, 1));
     EXPECT_EQ(settings.sortingSettings.distanceMetric, DistanceMetric::Orthographic);
     EXPECT_EQ(settings.overrideMaterial, nullptr);

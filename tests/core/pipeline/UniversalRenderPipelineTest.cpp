@@ -326,6 +326,52 @@ TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
     EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
 }
 
+TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
+{
+    Transform away;
+    away.localPosition = {1e8f, -1e8f, 1e8f};
+    m_Camera.transform.parent = &away;
+    m_Camera.transform.localPosition = {0.25f, 0.5f, -0.75f};
+    test::AddCube(m_Scene, "far", {1, 2, 5}, {m_Opaque}).transform.parent = &away;
+    const CompiledFrame frame = Render().frame;
+    const auto draws = DrawsOf(frame.passes.at(0));
+    ASSERT_EQ(draws.size(), 1u);
+    ASSERT_EQ(draws[0].instanceCount, 1u) << "what stayed at the origin is out of sight";
+    const float* const place = frame.perDraw.at(draws[0].firstInstance).worldTransformParams;
+    EXPECT_THAT(std::vector(place, place + 4), ElementsAre(1, 2, 5, 1));
+
+    const auto global = [&](const char* name)
+    {
+        return GlobalOf(m_Pipeline, m_Renderer, m_Camera, name);
+    };
+    EXPECT_THAT(global("limn_Origin"), ElementsAre(1e8f, -1e8f, 1e8f, 1));
+    EXPECT_THAT(global("limn_CameraPos"), ElementsAre(0.25f, 0.5f, -0.75f, 0));
+    // The camera looks along +z, and along -z in its own space.
+    EXPECT_THAT(global("limn_OriginVS"), ElementsAre(-0.25f, -0.5f, -0.75f, 1));
+    const glm::mat4 projection = m_Camera.gpuProjectionMatrix(2.0f);
+    EXPECT_THAT(global("limn_OriginCS"),
+                ElementsAre(-0.25f * projection[0][0], -0.5f * projection[1][1],
+                            -0.75f * projection[2][2] + projection[3][2], 0.75f));
+}
+
+TEST_F(Pipeline, TellsShadersPlacesInTheWorldNearItsOrigin)
+{
+    m_Camera.transform.localPosition = {1, 2, -1024};
+    EXPECT_THAT(GlobalOf(m_Pipeline, m_Renderer, m_Camera, "limn_Origin"), ElementsAre(0, 0, 0, 0));
+}
+
+TEST_F(Pipeline, SaysWhatIsBeyondAFloat)
+{
+    Transform huge;
+    huge.localScale = glm::vec3(1e30f);
+    test::AddCube(m_Scene, "Moon", {0, 0, 1e10f}, {}).transform.parent = &huge;
+    const std::string reason = " is drawn: position or size in the world is beyond a float, 3.4e38";
+    EXPECT_THAT(Render().report.notes, ElementsAre("object 'Moon': nothing of it" + reason));
+    test::AddCube(m_Scene, "Mars", {0, 1e10f, 0}, {}).transform.parent = &huge;
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre("object 'Moon' and 1 more: nothing of them" + reason));
+}
+
 TEST_F(Pipeline, KeepsTheTimeInDoubleUntilAShaderGetsIt)
 {
     const double t = 1e7 + 0.3; // as a float 1e7

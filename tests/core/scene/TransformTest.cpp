@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limn/core/Transform.h>
@@ -149,6 +150,76 @@ TEST(Transform, PointsForwardWhateverItsParentsScale)
     child.localRotation = EulerToRotation({0, 45, 0});
     const float h = std::sqrt(0.5f);
     ExpectNear(child.forward(), {h, 0, h});
+}
+
+TEST(Transform, LosesNothingToParentsThatAreFarAway)
+{
+    Transform away;
+    away.localPosition = {1e7f, -1e7f, 5e6f};
+    Transform aside;
+    aside.parent = &away;
+    aside.localPosition = {0.1f, 0.2f, 0.3f};
+    Transform back;
+    back.parent = &aside;
+    back.localPosition = -away.localPosition;
+    EXPECT_EQ(back.position(), aside.localPosition);
+}
+
+using Point = std::array<long double, 3>;
+
+/// The point scaled, turned and moved: v + 2w(q x v) + 2q x (q x v).
+Point ToParent(const Transform& t, const Point& point)
+{
+    const long double w = t.localRotation.w;
+    const Point q{t.localRotation.x, t.localRotation.y, t.localRotation.z};
+    const auto cross = [](const Point& a, const Point& b)
+    {
+        return Point{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                     a[0] * b[1] - a[1] * b[0]};
+    };
+    Point v;
+    for (int i = 0; i < 3; ++i)
+    {
+        v[static_cast<std::size_t>(i)] = point[static_cast<std::size_t>(i)] * t.localScale[i];
+    }
+    const Point once = cross(q, v);
+    const Point twice = cross(q, once);
+    for (int i = 0; i < 3; ++i)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        v[k] += 2 * (w * once[k] + twice[k]) + t.localPosition[i];
+    }
+    return v;
+}
+
+TEST(Transform, RoundsTheMatrixOfAChainOnlyOnce)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> angle(-180.0f, 180.0f);
+    std::uniform_real_distribution<float> scale(0.5f, 2.0f);
+    std::uniform_real_distribution<float> place(-1e6f, 1e6f);
+    for (int round = 0; round < 100; ++round)
+    {
+        std::array<Transform, 6> chain;
+        Point expected{1, 2, 3};
+        for (std::size_t i = 0; i < chain.size(); ++i)
+        {
+            chain[i].parent = i + 1 < chain.size() ? &chain[i + 1] : nullptr;
+            chain[i].localPosition = {place(random), place(random), place(random)};
+            chain[i].localRotation = EulerToRotation({angle(random), angle(random), angle(random)});
+            chain[i].localScale = glm::vec3(scale(random));
+            expected = ToParent(chain[i], expected);
+        }
+        const glm::vec3 point =
+            glm::dmat4(chain[0].localToWorldMatrix()) * glm::dvec4(1.0, 2.0, 3.0, 1.0);
+        for (int i = 0; i < 3; ++i)
+        {
+            const auto right = static_cast<double>(expected[static_cast<std::size_t>(i)]);
+            // Two roundings to float, and quaternions that are of unit length to a float only.
+            EXPECT_NEAR(point[i], right, 2e-7 * std::abs(right) + 0.5)
+                << "seed 11, round " << round;
+        }
+    }
 }
 
 /// What a transform says that has itself among its parents.

@@ -28,9 +28,17 @@ struct SetGlobalCommand
     ShaderPropertyValue value;
 };
 
+/// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
+struct SetViewProjectionCommand
+{
+    glm::dmat4 view{1.0};
+    glm::mat4 gpuProjection{1.0f};
+    bool inverses = false;
+};
+
 using RecordedCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
-                 EndSampleCommand, RecordedDraw, SetGlobalCommand>;
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetViewProjectionCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -79,6 +87,10 @@ public:
     {
         SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
     }
+
+    /// RenderingUtils::SetViewAndProjectionMatrices says what.
+    void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
+                                   bool setInverseMatrices);
 
     void BeginSample(std::string_view name);
     void EndSample();

@@ -26,11 +26,12 @@ namespace RenderingUtils
 {
 
 /// Draws that follow see the world through these matrices.
-/// @param viewMatrix            world to view space, looking along -z
+/// @param viewMatrix            world to view space, looking along -z; one of floats will do near
+///                              the world's origin
 /// @param gpuProjectionMatrix   as Camera::gpuProjectionMatrix gives it
 /// @param setInverseMatrices    unity_MatrixInvV and its like as well, which few vertex functions
 ///                              need
-void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::mat4& viewMatrix,
+void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                   const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
 
 } // namespace RenderingUtils

@@ -2,6 +2,7 @@
 
 #include <limn/core/Judge.h>
 #include <limn/core/Scene.h>
+#include <limn/shaderlab/ShaderProgram.h>
 #include <vector>
 
 namespace limn
@@ -17,18 +18,23 @@ struct RendererItem
     int materialIndex = 0; ///< among the renderer's materials
     int subMesh = 0;
     FilterItem filter;
-    glm::mat4 localToWorld{1.0f};
-    glm::vec3 boundsCenter{0.0f}; ///< world
+    std::size_t perDraw = 0;      ///< index into CullingResults::perDraw
+    glm::dvec3 boundsCenter{0.0}; ///< world
 };
 
 /// What culling found. Valid as long as the scene is neither changed nor destroyed.
 /// Unity: UnityEngine.Rendering.CullingResults (2022.3).
 struct CullingResults
 {
-    std::vector<RendererItem> items; ///< scene order
-    int rendererCount = 0;           ///< enabled renderers of active objects, visible or not
-    int outsideFrustum = 0;          ///< of these, how many lie outside the frustum
-    int outsideCullingMask = 0;      ///< and how many the camera's cullingMask leaves out
+    std::vector<RendererItem> items;  ///< scene order
+    std::vector<PerDrawData> perDraw; ///< of the visible objects, relative to the camera's
+                                      ///< renderOrigin(), whatever the number of draws
+    /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
+    /// float: nothing of them is seen.
+    std::vector<const GameObject*> beyondFloat;
+    int rendererCount = 0;      ///< enabled renderers of active objects, visible or not
+    int outsideFrustum = 0;     ///< of these, how many lie outside the frustum
+    int outsideCullingMask = 0; ///< and how many the camera's cullingMask leaves out
 };
 
 /// The renderers of active objects in the camera's culling mask whose world bounds touch its

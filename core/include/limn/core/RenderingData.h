@@ -44,7 +44,7 @@ struct CameraData
     RenderTextureDescriptor cameraTargetDescriptor;
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
-    glm::mat4 viewMatrix{1.0f};
+    glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
     glm::mat4 gpuProjectionMatrix{1.0f};
 };
 

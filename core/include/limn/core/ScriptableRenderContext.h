@@ -15,7 +15,9 @@ namespace limn
 class ScriptableRenderContext
 {
 public:
-    explicit ScriptableRenderContext(RenderReport& report);
+    /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
+    explicit ScriptableRenderContext(RenderReport& report,
+                                     const glm::dvec3& origin = glm::dvec3(0.0));
     ~ScriptableRenderContext();
     ScriptableRenderContext(const ScriptableRenderContext&) = delete;
     ScriptableRenderContext& operator=(const ScriptableRenderContext&) = delete;
@@ -57,10 +59,11 @@ public:
 private:
     class Resolver;
 
-    void DrawItem(const RendererItem& item, const DrawingSettings& drawing,
-                  const RenderStateBlock& stateBlock);
+    void DrawItem(const RendererItem& item, const PerDrawData& perDraw,
+                  const DrawingSettings& drawing, const RenderStateBlock& stateBlock);
 
     RenderReport& m_Report;
+    const glm::dvec3 m_Origin;
     std::string m_PassName;
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;

@@ -41,7 +41,7 @@ enum class DistanceMetric
 struct SortingSettings
 {
     SortingCriteria criteria = SortingCriteria::None;
-    glm::vec3 cameraPosition{0.0f};   ///< world, metres
+    glm::dvec3 cameraPosition{0.0};   ///< world, metres
     glm::vec3 cameraForward{0, 0, 1}; ///< world, unit length
     DistanceMetric distanceMetric = DistanceMetric::Perspective;
 

@@ -29,7 +29,10 @@ struct Transform
     glm::mat4 localToWorldMatrix() const;
     glm::vec3 position() const; ///< world
     glm::quat rotation() const; ///< world; scales, the parents' too, do not matter
-    glm::vec3 forward() const;  ///< world, +z turned by rotation(), unit length
+    // The same before they are rounded: far away from the world's origin a float is coarse.
+    glm::dmat4 worldMatrix() const;
+    glm::dquat worldRotation() const;
+    glm::vec3 forward() const; ///< world, +z turned by rotation(), unit length
 };
 
 } // namespace limn

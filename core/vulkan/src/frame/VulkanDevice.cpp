@@ -93,6 +93,11 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 
+void VulkanDevice::Wait()
+{
+    m_Impl->queue.Wait(m_Impl->queue.lastNumber());
+}
+
 Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
 {
     const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";

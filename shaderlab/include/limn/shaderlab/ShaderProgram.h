@@ -169,7 +169,8 @@ struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major
     float worldToObject[16];         ///< column-major
-    float worldTransformParams[4];   ///< w = -1 where the determinant is negative, else 1
+    float worldTransformParams[4];   ///< w = -1 where the determinant is negative, else 1;
+                                     ///< xyz = the object's place relative to limn_Origin
     std::uint32_t renderingLayer[4]; ///< x = the renderer's rendering layer bits
 };
 static_assert(sizeof(PerDrawData) == 160);

@@ -60,6 +60,8 @@ public:
     ///         one may be tried, unless the device is lost (see UniversalRenderPipeline::SetDevice)
     void Execute(const CompiledFrame& frame) override;
 
+    void Wait(); ///< returns when all frames so far are done
+
     /// Depth comes back as D32_SFloat, 1 = near; colour with several samples a texel as their
     /// average.
     /// @throws ContractError if the last frame did not leave the texture as CopySource, or it is

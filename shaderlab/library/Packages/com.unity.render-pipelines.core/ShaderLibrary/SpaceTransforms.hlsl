@@ -28,7 +28,7 @@ float3 TransformWorldToObject(float3 positionWS)
 }
 float3 TransformWorldToView(float3 positionWS)
 {
-    return mul(GetWorldToViewMatrix(), float4(positionWS, 1.0)).xyz;
+    return limn_RelativeToView(positionWS - limn_Origin.xyz);
 }
 float3 TransformViewToWorld(float3 positionVS)
 {
@@ -36,7 +36,7 @@ float3 TransformViewToWorld(float3 positionVS)
 }
 float4 TransformWorldToHClip(float3 positionWS)
 {
-    return mul(GetWorldToHClipMatrix(), float4(positionWS, 1.0));
+    return limn_RelativeToClip(positionWS - limn_Origin.xyz);
 }
 float4 TransformWViewToHClip(float3 positionVS)
 {
@@ -44,7 +44,7 @@ float4 TransformWViewToHClip(float3 positionVS)
 }
 float4 TransformObjectToHClip(float3 positionOS)
 {
-    return TransformWorldToHClip(TransformObjectToWorld(positionOS));
+    return limn_RelativeToClip(limn_ObjectToRelative(positionOS));
 }
 
 float3 limn_NormalizeIf(float3 v, bool doNormalize) { return doNormalize ? SafeNormalize(v) : v; }

@@ -10,8 +10,8 @@ VertexPositionInputs GetVertexPositionInputs(float3 positionOS)
 {
     VertexPositionInputs input;
     input.positionWS = TransformObjectToWorld(positionOS);
-    input.positionVS = TransformWorldToView(input.positionWS);
-    input.positionCS = TransformWorldToHClip(input.positionWS);
+    input.positionVS = limn_RelativeToView(limn_ObjectToRelative(positionOS));
+    input.positionCS = TransformObjectToHClip(positionOS);
     input.positionNDC = ComputeScreenPos(input.positionCS);
     return input;
 }
@@ -63,10 +63,15 @@ float3 GetWorldSpaceNormalizeViewDir(float3 positionWS)
 {
     return SafeNormalize(GetWorldSpaceViewDir(positionWS));
 }
+// The same from where a point of the object is, exact also far away from the world's origin.
+float3 limn_ObjectToWorldSpaceViewDir(float3 positionOS)
+{
+    return IsPerspectiveProjection() ? limn_ObjectToCamera(positionOS) : -GetViewForwardDir();
+}
 float3 GetObjectSpaceNormalizeViewDir(float3 positionOS)
 {
     return SafeNormalize(
-        TransformWorldToObjectDir(GetWorldSpaceViewDir(TransformObjectToWorld(positionOS)), false));
+        TransformWorldToObjectDir(limn_ObjectToWorldSpaceViewDir(positionOS), false));
 }
 
 float3 NormalizeNormalPerVertex(float3 normalWS) { return normalize(normalWS); }
@@ -179,7 +184,7 @@ float3 MixFog(float3 color, float fogFactor)
 float InitializeInputDataFog(float4 positionWS, float vertFogFactor)
 {
 #if defined(_FOG_FRAGMENT) && (defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2))
-    float viewZ = -mul(UNITY_MATRIX_V, float4(positionWS.xyz, 1.0)).z;
+    float viewZ = -TransformWorldToView(positionWS.xyz).z;
     return ComputeFogFactorZ0ToFar(max(viewZ - _ProjectionParams.y, 0.0));
 #else
     return vertFogFactor;

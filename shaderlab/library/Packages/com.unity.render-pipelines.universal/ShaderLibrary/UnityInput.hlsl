@@ -5,6 +5,7 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 #include "limn/PerDraw.hlsl"
 #include "limn/Globals.hlsl"
+#include "limn/RelativeSpaces.hlsl"
 
 #define unity_LightmapST float4(1, 1, 0, 0)
 #define unity_DynamicLightmapST float4(1, 1, 0, 0)

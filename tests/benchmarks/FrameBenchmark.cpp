@@ -1,0 +1,335 @@
+// The article's frame, limn's against one written by hand in plain Vulkan, in one run: frames of
+// the two take turns, and ratios of neighbours are printed as their median with the tenth and
+// ninetieth part of them. CPU time is the calling thread's, device time the sum of the passes'
+// timestamps.
+//
+//   cmake --preset release -DLIMN_BUILD_TESTS=ON && cmake --build --preset release --target
+//   frame_benchmark build/release/tests/frame_benchmark [--quick] [--pairs N] [--device NAME]
+//   [frame|regions|disc]...
+
+#include "frame/HandWrittenFrame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <limn/vulkan/VulkanDevice.h>
+#include <limn/vulkan/VulkanError.h>
+
+namespace limn::benchmarks
+{
+
+namespace
+{
+
+struct Options
+{
+    bool quick = false;
+    int pairs = 31;
+    std::string device;
+    std::vector<std::string> tables;
+};
+
+/// Of the calling thread: what it waits for does not count.
+double CpuMilliseconds()
+{
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+/// A device that takes the time of Execute().
+class TimedDevice final : public GraphicsDevice
+{
+public:
+    explicit TimedDevice(const std::string& name)
+        : m_Device(
+              [&]
+              {
+                  VulkanDeviceOptions o;
+                  o.device = name;
+                  return o;
+              }())
+    {
+    }
+
+    void Execute(const CompiledFrame& frame) override
+    {
+        const double begin = CpuMilliseconds();
+        m_Device.Execute(frame);
+        recordMilliseconds = CpuMilliseconds() - begin;
+    }
+    const TextureStates& textureStates() const override { return m_Device.textureStates(); }
+    Image ReadBack(const RenderTexture& texture) override { return m_Device.ReadBack(texture); }
+    std::vector<PassTiming> LastFrameTimings() override
+    {
+        m_Device.Wait();
+        return m_Device.LastFrameTimings();
+    }
+    const std::string& name() const { return m_Device.ChoiceSentence(); }
+
+    double recordMilliseconds = 0.0; ///< of the last Execute
+
+private:
+    VulkanDevice m_Device;
+};
+
+/// Numbers of one kind, one a frame or one a pair of frames.
+class Samples
+{
+public:
+    void Add(double value) { m_Values.push_back(value); }
+    double Part(double part)
+    {
+        std::ranges::sort(m_Values);
+        return m_Values.at(
+            static_cast<std::size_t>(part * static_cast<double>(m_Values.size() - 1) + 0.5));
+    }
+    double Median() { return Part(0.5); }
+
+private:
+    std::vector<double> m_Values;
+};
+
+struct Comparison
+{
+    Samples first;
+    Samples second;
+    Samples ratio;
+
+    void Add(double a, double b)
+    {
+        first.Add(a);
+        second.Add(b);
+        ratio.Add(a / b);
+    }
+    void Print()
+    {
+        std::printf(" | %8.3f %8.3f %5.2f [%.2f-%.2f]", first.Median(), second.Median(),
+                    ratio.Median(), ratio.Part(0.1), ratio.Part(0.9));
+    }
+};
+
+double Sum(const std::vector<PassTiming>& timings, const std::string& name = {})
+{
+    double sum = 0.0;
+    for (const PassTiming& timing : timings)
+    {
+        sum += name.empty() || timing.name == name ? timing.milliseconds : 0.0;
+    }
+    return sum;
+}
+
+/// Prints how far two pictures differ, if they do.
+void ComparePictures(const Image& limn, const Image& hand)
+{
+    std::size_t different = 0;
+    int largest = 0;
+    for (std::size_t i = 0; i < limn.texels.size(); ++i)
+    {
+        const int difference = std::abs(std::to_integer<int>(limn.texels[i]) -
+                                        std::to_integer<int>(hand.texels.at(i)));
+        different += difference != 0 ? 1 : 0;
+        largest = std::max(largest, difference);
+    }
+    if (different == 0)
+    {
+        std::printf("pictures equal\n");
+    }
+    else
+    {
+        std::printf("%zu of %zu bytes differ, by %d at most\n", different, limn.texels.size(),
+                    largest);
+    }
+}
+
+void CompareFrames(const ArticleSettings& settings, const Options& options)
+{
+    TimedDevice device(options.device);
+    ArticleScene scene(settings, device);
+    const RenderResult first = scene.Render();
+    HandWrittenFrame hand(NumbersOf(first.frame), options.device);
+    hand.Draw();
+    hand.Wait();
+    std::printf("%4dx%-4d %6d %5zu/%-5zu", settings.width, settings.height, settings.objects,
+                CountDraws(first.frame), hand.drawCount());
+    Comparison record;
+    Comparison whole;
+    Comparison deviceTime;
+    for (int i = 0; i < options.pairs; ++i)
+    {
+        const double limnBegin = CpuMilliseconds();
+        const RenderResult result = scene.Render();
+        const double limnWhole = CpuMilliseconds() - limnBegin;
+        const double limnDevice = Sum(device.LastFrameTimings());
+        const double handBegin = CpuMilliseconds();
+        hand.Draw();
+        const double handWhole = CpuMilliseconds() - handBegin;
+        hand.Wait();
+        record.Add(device.recordMilliseconds, handWhole);
+        whole.Add(limnWhole, handWhole);
+        deviceTime.Add(limnDevice, hand.DeviceMilliseconds());
+    }
+    record.Print();
+    whole.Print();
+    deviceTime.Print();
+    std::printf(" | ");
+    ComparePictures(device.ReadBack(*first.output.rt()), hand.ReadBack());
+}
+
+void FrameTable(const Options& options)
+{
+    std::printf(
+        "\n(a) The article's frame, regions off: ms of limn, ms by hand, ratio [10 %%-90 %%]\n"
+        "size     objects draws       | record and submit, CPU          | whole frame, CPU"
+        "                | device\n");
+    const int width = options.quick ? 64 : 1280;
+    for (const int objects : {1, 100, 10000})
+    {
+        ArticleSettings settings;
+        settings.width = width;
+        settings.height = width * 9 / 16;
+        settings.objects = options.quick ? std::min(objects, 200) : objects;
+        CompareFrames(settings, options);
+        if (!options.quick)
+        {
+            settings.width = 1920;
+            settings.height = 1080;
+            CompareFrames(settings, options);
+        }
+    }
+    ArticleSettings settings; // no two objects alike: nothing can be an instance
+    settings.width = width;
+    settings.height = width * 9 / 16;
+    settings.meshes = settings.materials = options.quick ? 10 : 100;
+    settings.objects = settings.meshes * settings.materials;
+    CompareFrames(settings, options);
+}
+
+/// Device time of two ways to draw, by turns.
+void CompareScenes(const char* what, const ArticleSettings& a, const ArticleSettings& b,
+                   const std::string& pass, const Options& options)
+{
+    TimedDevice device(options.device);
+    ArticleScene first(a, device);
+    ArticleScene second(b, device);
+    first.Render();
+    second.Render();
+    Comparison all;
+    Comparison passes;
+    for (int i = 0; i < options.pairs; ++i)
+    {
+        first.Render();
+        const auto timings = device.LastFrameTimings();
+        second.Render();
+        const auto others = device.LastFrameTimings();
+        all.Add(Sum(timings), Sum(others));
+        if (!pass.empty())
+        {
+            passes.Add(Sum(timings, pass), Sum(others, pass));
+        }
+    }
+    std::printf("%-44s", what);
+    all.Print();
+    if (!pass.empty())
+    {
+        passes.Print();
+    }
+    std::printf("\n");
+}
+
+void RegionTable(const Options& options)
+{
+    std::printf("\n(b) Regions off, regions on: device ms, ratio [10 %%-90 %%]\n%-44s | all passes"
+                "                        | outline passes\n",
+                "");
+    ArticleSettings off;
+    off.width = options.quick ? 64 : 1920;
+    off.height = off.width * 9 / 16;
+    const std::tuple<const char*, PrimitiveType, float> objects[] = {
+        {"a quad, 10 % of the picture", PrimitiveType::Quad, 0.42f},
+        {"a disc, 10 % of the picture", PrimitiveType::Sphere, 0.45f}};
+    for (const auto& [what, shape, size] : objects)
+    {
+        off.shape = shape;
+        off.size = size;
+        ArticleSettings on = off;
+        on.limitsRegions = true;
+        CompareScenes(what, off, on, "Outline", options);
+    }
+}
+
+void DiscTable(const Options& options)
+{
+    std::printf(
+        "\n(c) One disc, as a picture is drawn: device ms with the outline, without, ratio\n");
+    ArticleSettings with;
+    with.width = options.quick ? 64 : 1920;
+    with.height = with.width * 9 / 16;
+    with.shape = PrimitiveType::Sphere;
+    with.size = 0.35f;
+    with.limitsRegions = true;
+    ArticleSettings without = with;
+    without.hasOutline = false;
+    CompareScenes("disc, 1920x1080", with, without, {}, options);
+}
+
+Options ParseOptions(int count, char** arguments)
+{
+    Options options;
+    for (int i = 1; i < count; ++i)
+    {
+        const std::string argument = arguments[i];
+        if (argument == "--quick")
+        {
+            options.quick = true;
+            options.pairs = 2;
+        }
+        else if (argument == "--pairs" && i + 1 < count)
+        {
+            options.pairs = std::max(1, std::atoi(arguments[++i]));
+        }
+        else if (argument == "--device" && i + 1 < count)
+        {
+            options.device = arguments[++i];
+        }
+        else
+        {
+            options.tables.push_back(argument);
+        }
+    }
+    return options;
+}
+
+int Run(const Options& options)
+{
+    const std::pair<const char*, void (*)(const Options&)> tables[] = {
+        {"frame", FrameTable}, {"regions", RegionTable}, {"disc", DiscTable}};
+    std::printf("%s\n", TimedDevice(options.device).name().c_str());
+    for (const auto& [name, print] : tables)
+    {
+        if (options.tables.empty() || std::ranges::count(options.tables, name) > 0)
+        {
+            print(options);
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+} // namespace limn::benchmarks
+
+int main(int count, char** arguments)
+{
+    try
+    {
+        return limn::benchmarks::Run(limn::benchmarks::ParseOptions(count, arguments));
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

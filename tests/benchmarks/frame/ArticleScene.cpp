@@ -1,0 +1,234 @@
+#include "frame/ArticleScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/features/Features.h>
+#include <limn/features/ScreenSpaceOutline.h>
+#include <map>
+
+namespace limn::benchmarks
+{
+
+namespace
+{
+
+constexpr int k_OutlinedLayer = 8; ///< rendering layer
+constexpr float k_Distance = 10.0f;
+constexpr float k_FieldOfView = 60.0f;
+
+/// The side of the square that holds an object: all of them fill the picture.
+float CellSize(const ArticleSettings& settings)
+{
+    const float height = 2.0f * k_Distance * std::tan(k_FieldOfView * 0.5f * 3.14159265f / 180.0f);
+    if (settings.size > 0.0f)
+    {
+        return height * settings.size;
+    }
+    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    const float area = height * height * aspect;
+    return std::min(0.5f * height, std::sqrt(area / static_cast<float>(settings.objects)) * 0.85f);
+}
+
+bool isOutlined(const PerDrawData& object)
+{
+    return (object.renderingLayer[0] & RenderingLayerMask::FromIndex(k_OutlinedLayer).bits) != 0;
+}
+
+} // namespace
+
+ArticleScene::ArticleScene(const ArticleSettings& settings, GraphicsDevice& device)
+    : m_Pipeline(device)
+{
+    RegisterVolumeComponents(m_Components);
+    m_Volumes = std::make_unique<VolumeManager>(m_Components);
+    m_Stack = std::make_unique<VolumeStack>(m_Volumes->CreateStack());
+    m_Camera.transform.localPosition = {0.0f, 0.0f, -k_Distance};
+    m_Camera.fieldOfView = k_FieldOfView;
+    AddObjects(settings);
+    if (settings.hasOutline)
+    {
+        AddOutline();
+    }
+    m_Request.scene = &m_Scene;
+    m_Request.camera = &m_Camera;
+    m_Request.width = settings.width;
+    m_Request.height = settings.height;
+    m_Request.volumeStack = m_Stack.get();
+    m_Request.compile.limitsRegions = settings.limitsRegions;
+}
+
+void ArticleScene::AddObjects(const ArticleSettings& settings)
+{
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    for (int i = 0; i < settings.meshes; ++i)
+    {
+        meshes.push_back(CreatePrimitive(
+            settings.shape.value_or(i % 2 == 0 ? PrimitiveType::Cube : PrimitiveType::Quad)));
+    }
+    std::vector<std::shared_ptr<const Material>> materials;
+    for (int i = 0; i < settings.materials; ++i)
+    {
+        auto material = std::make_shared<Material>(
+            FindShippedShader("Universal Render Pipeline/Lit", m_Compiler));
+        const float shade =
+            0.3f + 0.7f * static_cast<float>(i + 1) / static_cast<float>(settings.materials);
+        material->SetColor(ShaderPropertyId("_BaseColor"), {shade, 0.6f, 1.0f - shade, 1.0f});
+        materials.push_back(std::move(material));
+    }
+    const float cell = CellSize(settings);
+    const auto columns =
+        static_cast<int>(std::ceil(std::sqrt(static_cast<float>(settings.objects * settings.width) /
+                                             static_cast<float>(settings.height))));
+    const int rows = (settings.objects + columns - 1) / columns;
+    for (int i = 0; i < settings.objects; ++i)
+    {
+        GameObject& object = m_Scene.Add("object " + std::to_string(i));
+        const auto x = static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1);
+        const auto y = static_cast<float>(i / columns) - 0.5f * static_cast<float>(rows - 1);
+        const auto turn = static_cast<float>(i);
+        object.transform.localPosition = {cell * x, cell * y, 0.0f};
+        object.transform.localScale = glm::vec3((settings.shape ? 1.0f : 0.6f) * cell);
+        if (!settings.shape)
+        {
+            object.transform.localRotation =
+                EulerToRotation({20.0f + turn, 30.0f + 0.3f * turn, 0.1f * turn});
+        }
+        MeshRenderer renderer;
+        renderer.mesh = meshes[static_cast<std::size_t>(i % settings.meshes)];
+        renderer.sharedMaterials = {
+            materials[static_cast<std::size_t>(i / settings.meshes % settings.materials)]};
+        renderer.renderingLayerMask =
+            i % 10 == 0
+                ? RenderingLayerMask::FromIndex(0) | RenderingLayerMask::FromIndex(k_OutlinedLayer)
+                : RenderingLayerMask::FromIndex(0);
+        object.renderer = std::move(renderer);
+    }
+}
+
+void ArticleScene::AddOutline()
+{
+    ScreenSpaceOutlineSettings outline;
+    outline.m_ScreenSpaceOutlineShader = FindShippedShader("Hidden/ScreenSpaceOutline", m_Compiler);
+    outline.m_LayerMask = LayerMask::Everything();
+    outline.m_RenderingLayerMask = k_OutlinedLayer;
+    auto feature = std::make_unique<ScreenSpaceOutlineRenderFeature>(std::move(outline));
+    feature->name = "Outline";
+    m_Renderer.AddFeature(std::move(feature));
+
+    auto profile = std::make_shared<VolumeProfile>();
+    auto& component = profile->Add<ScreenSpaceOutline>();
+    component.m_Enable.Override(true);
+    component.m_OutlineColor.Override({1.0f, 0.8f, 0.2f, 1.0f});
+    component.m_OutlineWidth.Override(4.0f);
+    m_Volume.sharedProfile = std::move(profile);
+    m_Volumes->Register(&m_Volume);
+    m_Volumes->Update(*m_Stack, m_Camera.transform.position(), m_Camera.volumeLayerMask);
+}
+
+namespace
+{
+
+/// Sorts a frame's draws by what they are for.
+class NumberTaker
+{
+public:
+    explicit NumberTaker(const CompiledFrame& frame) : m_Frame(frame) {}
+
+    ArticleNumbers Take()
+    {
+        for (const CompiledRenderPass& pass : m_Frame.passes)
+        {
+            for (const PassCommand& command : pass.commands)
+            {
+                if (const auto* draw = std::get_if<DrawCommand>(&command))
+                {
+                    Take(pass, *draw);
+                }
+            }
+        }
+        MakeGroups();
+        m_Result.uniforms = m_Frame.uniformData;
+        return std::move(m_Result);
+    }
+
+private:
+    void Take(const CompiledRenderPass& pass, const DrawCommand& draw)
+    {
+        if (draw.shader->name() == "Universal Render Pipeline/Lit")
+        {
+            TakeLit(pass, draw);
+        }
+        else if (draw.shader->name() != "Hidden/ScreenSpaceOutline")
+        {
+            m_Result.final = {draw.program, draw.bindings};
+        }
+        else if (draw.shaderPass == 0)
+        {
+            m_Result.mask = draw.program;
+            m_Result.maskBindings = draw.bindings;
+        }
+        else
+        {
+            (draw.shaderPass == 1 ? m_Result.edge : m_Result.composite) = {draw.program,
+                                                                           draw.bindings};
+        }
+    }
+
+    void TakeLit(const CompiledRenderPass& pass, const DrawCommand& draw)
+    {
+        m_Result.width = pass.width;
+        m_Result.height = pass.height;
+        m_Result.background = pass.colors.at(0).clearColor;
+        m_Result.lit = draw.program;
+        auto& materials = m_Result.materials;
+        const auto found = std::find(materials.begin(), materials.end(), draw.bindings);
+        const auto material = static_cast<std::size_t>(found - materials.begin());
+        if (found == materials.end())
+        {
+            materials.push_back(draw.bindings);
+        }
+        auto& objects = m_Objects[{material, draw.mesh}];
+        const auto first = m_Frame.perDraw.begin() + draw.firstInstance;
+        objects.insert(objects.end(), first, first + draw.instanceCount);
+    }
+
+    void MakeGroups()
+    {
+        for (auto& [key, objects] : m_Objects)
+        {
+            const auto outlined = std::stable_partition(objects.begin(), objects.end(), isOutlined);
+            m_Result.groups.push_back({key.second, key.first,
+                                       static_cast<std::uint32_t>(m_Result.objects.size()),
+                                       static_cast<std::uint32_t>(objects.size()),
+                                       static_cast<std::uint32_t>(outlined - objects.begin())});
+            m_Result.objects.insert(m_Result.objects.end(), objects.begin(), objects.end());
+        }
+    }
+
+    const CompiledFrame& m_Frame;
+    ArticleNumbers m_Result;
+    std::map<std::pair<std::size_t, std::shared_ptr<const Mesh>>, std::vector<PerDrawData>>
+        m_Objects;
+};
+
+} // namespace
+
+ArticleNumbers NumbersOf(const CompiledFrame& frame)
+{
+    return NumberTaker(frame).Take();
+}
+
+std::size_t CountDraws(const CompiledFrame& frame)
+{
+    std::size_t count = 0;
+    for (const CompiledRenderPass& pass : frame.passes)
+    {
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(pass.commands, [](const PassCommand& command)
+                                  { return std::holds_alternative<DrawCommand>(command); }));
+    }
+    return count;
+}
+
+} // namespace limn::benchmarks

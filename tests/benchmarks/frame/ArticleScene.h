@@ -1,0 +1,95 @@
+#pragma once
+
+#include <limn/core/PrimitiveMesh.h>
+#include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+#include <limn/volume/VolumeManager.h>
+#include <limn/volume/VolumeStack.h>
+
+namespace limn::benchmarks
+{
+
+/// What a row of the table draws.
+struct ArticleSettings
+{
+    int width = 1280;
+    int height = 720;
+    int objects = 1;
+    int meshes = 10;   ///< the objects take them in turn
+    int materials = 1; ///< likewise, once all meshes have been taken
+    float size = 0.0f; ///< of the first object in parts of the screen's height; 0 = as many fit
+    /// Of this shape, seen from the front; none = boxes and quads by turns, turned each its way.
+    std::optional<PrimitiveType> shape;
+    bool hasOutline = true;
+    bool limitsRegions = false;
+};
+
+/// The article's frame: lit objects of which every tenth is outlined, all of them in the picture.
+class ArticleScene
+{
+public:
+    ArticleScene(const ArticleSettings& settings, GraphicsDevice& device);
+    ArticleScene(const ArticleScene&) = delete;
+    ArticleScene& operator=(const ArticleScene&) = delete;
+
+    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
+
+private:
+    void AddObjects(const ArticleSettings& settings);
+    void AddOutline();
+
+    std::shared_ptr<ShaderCompiler> m_Compiler = std::make_shared<ShaderCompiler>();
+    Scene m_Scene;
+    Camera m_Camera;
+    VolumeComponentRegistry m_Components;
+    std::unique_ptr<VolumeManager> m_Volumes;
+    std::unique_ptr<VolumeStack> m_Stack;
+    Volume m_Volume;
+    UniversalRenderPipeline m_Pipeline;
+    UniversalRenderer m_Renderer{m_Compiler};
+    RenderRequest m_Request;
+};
+
+/// Objects of one material and mesh, the outlined ones first.
+struct ArticleGroup
+{
+    std::shared_ptr<const Mesh> mesh;
+    std::size_t material = 0; ///< of ArticleNumbers::materials
+    std::uint32_t first = 0;  ///< of ArticleNumbers::objects
+    std::uint32_t count = 0;
+    std::uint32_t outlined = 0;
+};
+
+/// A full-screen draw of the frame.
+struct ArticleBlit
+{
+    std::shared_ptr<const ShaderProgram> program;
+    std::shared_ptr<const DrawBindings> bindings;
+};
+
+/// All numbers and shaders that a frame of the same picture needs: taken from a frame of limn's,
+/// but sorted as somebody would sort them who knows the scene.
+struct ArticleNumbers
+{
+    int width = 0;
+    int height = 0;
+    Color background; ///< linear
+    std::shared_ptr<const ShaderProgram> lit;
+    std::shared_ptr<const ShaderProgram> mask;
+    std::vector<std::shared_ptr<const DrawBindings>> materials; ///< of lit objects
+    std::shared_ptr<const DrawBindings> maskBindings;
+    ArticleBlit edge;
+    ArticleBlit composite;
+    ArticleBlit final;
+    std::vector<ArticleGroup> groups;
+    std::vector<PerDrawData> objects;
+    std::vector<std::byte> uniforms; ///< DrawBindings point into these
+};
+
+/// @param frame  of an ArticleScene with the outline and without regions
+ArticleNumbers NumbersOf(const CompiledFrame& frame);
+
+/// Draw commands of the frame.
+std::size_t CountDraws(const CompiledFrame& frame);
+
+} // namespace limn::benchmarks
