@@ -164,7 +164,7 @@ private:
     std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
     std::vector<PassCommand> m_Pending; ///< samples begun, which are the next node's, or empty
     int m_PendingBegins = 0;            ///< of them, those that have not ended
-    std::vector<std::string> m_Samples;         ///< open ones, outermost first
+    std::vector<std::string> m_Samples; ///< open ones, outermost first
 };
 
 } // namespace

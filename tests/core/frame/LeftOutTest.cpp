@@ -262,6 +262,16 @@ TEST_F(LeftOutOfAFrame, IsAPassThatCanGoOnInOneBeforeIt)
     EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre(": draw 1", ": draw 2", ": draw 3"));
 }
 
+TEST_F(LeftOutOfAFrame, IsNoLoadOfAColourBesideOneThatIsCovered)
+{
+    m_Frame.Bind(m_Edges).Draw(1);
+    Compile({m_Edges});
+    m_Frame.Bind(m_Camera).Blit(2, {}, "True").Bind({m_Camera, m_Edges}, nullptr).Draw(3);
+    Compile({m_Camera, m_Edges});
+    ASSERT_EQ(m_Last.passes.back().colors.size(), 2u);
+    EXPECT_EQ(m_Last.passes.back().colors[1].load, LoadOp::Load);
+}
+
 // Its own passes are written in the order: a pass that opens a sample for others keeps its place.
 TEST_F(LeftOutOfAFrame, IsNoPassThatHoldsHalfASample)
 {
