@@ -42,7 +42,7 @@ inline TargetPtr MakeDepth(int width, int height, bool stencil = false)
                                                  : GraphicsFormat::D32_SFloat));
 }
 
-/// A pass that clears one colour target, barrier included.
+/// A pass that clears one colour target, barrier and resolve included.
 inline CompiledRenderPass ClearPass(const TargetPtr& target, Color color = {})
 {
     CompiledRenderPass pass;
@@ -50,7 +50,8 @@ inline CompiledRenderPass ClearPass(const TargetPtr& target, Color color = {})
     pass.width = target->width();
     pass.height = target->height();
     pass.barriers.push_back({target, TextureUsage::Undefined, TextureUsage::ColorAttachment});
-    pass.colors.push_back({target, LoadOp::Clear, StoreOp::Store, color});
+    pass.colors.push_back({target, LoadOp::Clear, StoreOp::Store, color,
+                           target->descriptor().msaaSamples > 1 ? target : nullptr});
     return pass;
 }
 

@@ -35,6 +35,7 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     }
     std::for_each(nodes.begin(), nodes.end(), CollectReads);
     LeaveOutStencil(nodes, outputs, frame);
+    ResolveSamples(nodes, outputs, frame);
     MakePasses(std::move(nodes), outputs, frame);
     ForgetContents(frame.states);
     RememberOverwritten(overwritten, frame.states);

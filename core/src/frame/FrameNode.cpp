@@ -55,6 +55,11 @@ std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& ta
     return std::nullopt;
 }
 
+bool HasSamples(const RenderTexture& texture)
+{
+    return texture.descriptor().msaaSamples > 1;
+}
+
 bool IsZero(const Color& color, GraphicsFormat format)
 {
     const float values[] = {color.r, color.g, color.b, color.a};

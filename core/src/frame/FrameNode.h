@@ -8,6 +8,13 @@ namespace limn
 
 using OutputSpan = std::span<const std::shared_ptr<const RenderTexture>>;
 
+/// Samples of a target that are made one a texel at the end of a node.
+struct SampleResolve
+{
+    std::shared_ptr<const RenderTexture> from;
+    std::shared_ptr<const RenderTexture> to; ///< see ColorAttachment::resolve
+};
+
 /// Commands on one set of targets, before load, store and barriers are decided.
 struct FrameNode
 {
@@ -21,12 +28,14 @@ struct FrameNode
     bool coversColor = false;
     std::vector<PassCommand> commands;
     std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
-    std::string whyLeftOut;                            ///< "" = it is not
+    std::vector<SampleResolve> resolves;
+    std::string whyLeftOut; ///< "" = it is not
 };
 
 /// What an attachment or a clear is about.
 ClearFlag AspectsOf(const RenderTexture& texture);
 bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
+bool HasSamples(const RenderTexture& texture);         ///< several a texel
 /// What a colour target is cleared to before the first draw; none = it is not.
 std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
 bool HasDraws(const FrameNode& node);
@@ -72,6 +81,9 @@ void LimitRegions(std::vector<FrameNode>& nodes);
 /// outputs stay, since others know them by identity.
 void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void MergeNodes(std::vector<FrameNode>& nodes);
+/// Resolves samples where something reads them before the texture's next node: as late as possible,
+/// and not where they are only drawn on.
+void ResolveSamples(std::vector<FrameNode>& nodes, OutputSpan outputs, const CompiledFrame& frame);
 
 /// Load, store and barriers.
 void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame);

@@ -16,6 +16,14 @@ enum class NextUse
     Overwrites
 };
 
+const SampleResolve* FindResolve(const FrameNode& node, const RenderTexture& texture)
+{
+    const auto found = std::find_if(node.resolves.begin(), node.resolves.end(),
+                                    [&](const auto& r) { return r.from.get() == &texture; });
+    return found == node.resolves.end() ? nullptr : &*found;
+}
+
+/// Readers of a texture with several samples see what they were resolved to.
 NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
                     const RenderTexture& texture, ClearFlag aspect)
 {
@@ -26,7 +34,7 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
         {
             return other.get() == &texture;
         };
-        if (std::any_of(node.reads.begin(), node.reads.end(), is))
+        if (!HasSamples(texture) && std::any_of(node.reads.begin(), node.reads.end(), is))
         {
             return NextUse::Needs;
         }
@@ -38,9 +46,9 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
             {
                 return NextUse::Overwrites;
             }
-            if (!isColor)
+            if (!isColor || FindResolve(node, texture))
             {
-                return NextUse::Needs; // it decides what is drawn
+                return NextUse::Needs; // depth decides what is drawn
             }
         }
     }
@@ -100,15 +108,17 @@ private:
         ColorAttachment attachment;
         attachment.texture = texture;
         attachment.store = Store(index, *texture, ClearFlag::Color);
-        attachment.load = attachment.store == StoreOp::Store
-                              ? Load(m_Nodes[index], *texture, ClearFlag::Color)
-                              : LoadOp::DontCare; // nobody sees what becomes of it
+        const bool isSeen =
+            attachment.store == StoreOp::Store || FindResolve(m_Nodes[index], *texture);
+        attachment.load =
+            isSeen ? Load(m_Nodes[index], *texture, ClearFlag::Color) : LoadOp::DontCare;
         if (attachment.load == LoadOp::Clear)
         {
             attachment.clearColor = *ClearColorOf(m_Nodes[index], *texture);
         }
         Transition(texture, TextureUsage::ColorAttachment, barriers);
         StateOf(texture).isFilled = true;
+        attachment.resolve = ResolveOf(m_Nodes[index], texture, barriers);
         return attachment;
     }
 
@@ -129,7 +139,25 @@ private:
         }
         Transition(texture, TextureUsage::DepthStencilAttachment, barriers);
         StateOf(texture).isFilled = true;
+        attachment.resolve = ResolveOf(node, texture, barriers);
         return attachment;
+    }
+
+    std::shared_ptr<const RenderTexture>
+    ResolveOf(const FrameNode& node, const std::shared_ptr<const RenderTexture>& texture,
+              std::vector<TextureBarrier>& barriers)
+    {
+        const SampleResolve* resolve = FindResolve(node, *texture);
+        if (resolve == nullptr)
+        {
+            return nullptr;
+        }
+        if (resolve->to != texture)
+        {
+            Transition(resolve->to, TextureUsage::ColorAttachment, barriers);
+            StateOf(resolve->to).isFilled = true;
+        }
+        return resolve->to;
     }
 
     TextureState& StateOf(const std::shared_ptr<const Texture>& texture)
@@ -163,6 +191,7 @@ private:
             break;
         }
         const bool isOutput =
+            !HasSamples(texture) &&
             std::any_of(m_Outputs.begin(), m_Outputs.end(),
                         [&](const auto& output) { return output.get() == &texture; });
         return isOutput || OutlivesFrame(texture, m_Frame.states) ? StoreOp::Store

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limn/core/CompiledFrame.h>
 #include <map>
@@ -9,18 +10,20 @@
 namespace limn::test
 {
 
-/// Runs frames over images of a few whole numbers, one channel a texel, by what commands, loads and
-/// stores mean and nothing else. What a draw gives follows from its number (firstInstance), the
-/// texels it samples at its own place, and what it promises.
+/// Runs frames over images of a few whole numbers, one channel a texel, by what commands, loads,
+/// stores and resolves mean and nothing else. What a draw gives follows from its number
+/// (firstInstance), the texels it samples at its own place, and what it promises; a texel of
+/// several samples is a weighted sum of them, in which each counts and equal ones give themselves.
 class ImageInterpreter
 {
 public:
     using Texels = std::vector<long>;
-    static constexpr std::size_t k_Size = 4;
+    static constexpr std::size_t k_Size = 4; ///< texels
 
     /// Everything in its order, contents kept always.
     void Run(const FrameCommands& frame)
     {
+        m_SeesSamples = true;
         SetRenderTargetCommand targets;
         for (const FrameCommand& command : frame.commands)
         {
@@ -43,6 +46,7 @@ public:
     /// a texture that is not in the use that its barriers say is an error.
     void Run(const CompiledFrame& frame)
     {
+        m_SeesSamples = false;
         for (const CompiledRenderPass& pass : frame.passes)
         {
             Run(pass.barriers);
@@ -76,24 +80,81 @@ public:
             }
             for (const auto& color : pass.colors)
             {
+                Resolve(*color.texture, color.resolve, TextureUsage::ColorAttachment);
                 Store(*color.texture, color.store);
             }
             if (pass.depth)
             {
+                Resolve(*pass.depth->texture, pass.depth->resolve,
+                        TextureUsage::DepthStencilAttachment);
                 Store(*pass.depth->texture, pass.depth->store);
             }
         }
         Run(frame.finalBarriers);
     }
 
-    const Texels& texels(const Texture& texture) { return Of(texture); }
+    Texels texels(const Texture& texture)
+    {
+        Texels result;
+        for (std::size_t i = 0; i < k_Size; ++i)
+        {
+            result.push_back(Seen(texture, i));
+        }
+        return result;
+    }
 
 private:
     static long DepthOf(float depth) { return std::lround(depth * 8.0f); }
 
+    static std::size_t SampleCount(const Texture& texture)
+    {
+        const auto& target = dynamic_cast<const RenderTexture&>(texture);
+        return static_cast<std::size_t>(target.descriptor().msaaSamples);
+    }
+
+    /// All samples, those of one texel together.
     Texels& Of(const Texture& texture)
     {
-        return m_Images.try_emplace(texture.id(), k_Size, Poison()).first->second;
+        return m_Images.try_emplace(texture.id(), k_Size * SampleCount(texture), Poison())
+            .first->second;
+    }
+
+    Texels& ResolvedOf(const Texture& texture)
+    {
+        return m_Resolved.try_emplace(texture.id(), k_Size, Poison()).first->second;
+    }
+
+    static long ResolveTexel(const long* samples, std::size_t count, bool isDepth)
+    {
+        return count == 1 || isDepth
+                   ? samples[0]
+                   : 2 * samples[0] + 3 * samples[1] - samples[2] - 3 * samples[3];
+    }
+
+    /// What a reader gets.
+    long Seen(const Texture& texture, std::size_t i)
+    {
+        const std::size_t count = SampleCount(texture);
+        return count == 1 || m_SeesSamples ? ResolveTexel(&Of(texture)[i * count], count,
+                                                          IsDepthFormat(texture.graphicsFormat()))
+                                           : ResolvedOf(texture)[i];
+    }
+
+    void Resolve(const Texture& texture, const std::shared_ptr<const RenderTexture>& to,
+                 TextureUsage usage)
+    {
+        if (!to)
+        {
+            return;
+        }
+        Expect(*to, usage);
+        const std::size_t count = SampleCount(texture);
+        for (std::size_t i = 0; i < k_Size; ++i)
+        {
+            Texels& result = to.get() == &texture ? ResolvedOf(texture) : Of(*to);
+            result[i] = ResolveTexel(&Of(texture)[i * count], count,
+                                     IsDepthFormat(texture.graphicsFormat()));
+        }
     }
 
     long Poison() { return 1'000'000'007L * ++m_Poisons; }
@@ -102,7 +163,7 @@ private:
     {
         if (load != LoadOp::Load)
         {
-            Of(texture).assign(k_Size, load == LoadOp::Clear ? cleared : Poison());
+            std::ranges::fill(Of(texture), load == LoadOp::Clear ? cleared : Poison());
         }
     }
 
@@ -110,7 +171,7 @@ private:
     {
         if (store == StoreOp::DontCare)
         {
-            Of(texture).assign(k_Size, Poison());
+            std::ranges::fill(Of(texture), Poison());
         }
     }
 
@@ -137,34 +198,40 @@ private:
         {
             if (clear.flags & ClearFlag::Color)
             {
-                Of(*color).assign(k_Size, std::lround(clear.color.r));
+                std::ranges::fill(Of(*color), std::lround(clear.color.r));
             }
         }
         if (targets.depth && (clear.flags & ClearFlag::Depth))
         {
-            Of(*targets.depth).assign(k_Size, DepthOf(clear.depth));
+            std::ranges::fill(Of(*targets.depth), DepthOf(clear.depth));
         }
     }
 
     void Draw(const SetRenderTargetCommand& targets, const DrawCommand& draw)
     {
-        const long number = draw.firstInstance;
-        for (std::size_t i = 0; i < k_Size; ++i)
+        const std::size_t count =
+            SampleCount(targets.colors.empty() ? *targets.depth : *targets.colors.front());
+        for (std::size_t sample = 0; sample < k_Size * count; ++sample)
         {
-            const bool isCovered = draw.fullScreen || ((number >> i) & 1) != 0;
-            if (!isCovered || !PassesDepth(targets, draw, i))
+            if (!Covers(draw, sample, count) || !PassesDepth(targets, draw, sample))
             {
                 continue;
             }
-            const long value = Fragment(draw, i);
+            const long value = Fragment(draw, sample / count);
             for (std::size_t target = 0; target < targets.colors.size(); ++target)
             {
                 const RenderTargetBlendState& blend = draw.state.targets[target];
                 const bool keeps = blend.destinationColorBlendMode != BlendMode::Zero;
-                long& texel = Of(*targets.colors[target])[i];
+                long& texel = Of(*targets.colors[target])[sample];
                 texel = blend.writeMask == 0 ? texel : ((keeps ? texel : 0) + value) % k_Modulus;
             }
         }
+    }
+
+    static bool Covers(const DrawCommand& draw, std::size_t sample, std::size_t count)
+    {
+        const std::size_t bits = count == 1 ? draw.firstInstance : draw.firstInstance * 0x9E37U;
+        return draw.fullScreen || ((bits >> sample) & 1) != 0;
     }
 
     bool PassesDepth(const SetRenderTargetCommand& targets, const DrawCommand& draw, std::size_t i)
@@ -188,8 +255,8 @@ private:
         long product = 1 + draw.firstInstance % 3;
         for (const TextureSlot& slot : draw.bindings->textures)
         {
-            sum += Of(*slot.texture)[i] % k_Modulus;
-            product = product * Of(*slot.texture)[i] % k_Modulus;
+            sum += Seen(*slot.texture, i) % k_Modulus;
+            product = product * (Seen(*slot.texture, i) % k_Modulus) % k_Modulus;
         }
         const FullScreenPromise* promise = draw.fullScreen.get();
         return promise && promise->copied                  ? sum
@@ -197,7 +264,9 @@ private:
                                                            : sum * 5 + draw.firstInstance;
     }
 
+    bool m_SeesSamples = true; ///< readers see what samples are, not what they were resolved to
     std::map<std::uint64_t, Texels> m_Images;
+    std::map<std::uint64_t, Texels> m_Resolved;
     std::map<std::uint64_t, TextureUsage> m_Uses;
     long m_Poisons = 0;
 };

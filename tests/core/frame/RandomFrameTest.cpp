@@ -33,6 +33,8 @@ public:
             m_Colors.push_back(Color("kept" + std::to_string(i), false));
             m_Colors.push_back(Color("transient" + std::to_string(i), true));
         }
+        m_Colors.push_back(Smooth("smooth kept", false, GraphicsFormat::R8_UNorm));
+        m_Colors.push_back(Smooth("smooth transient", true, GraphicsFormat::R8_UNorm));
     }
 
     FrameCommands Record()
@@ -66,6 +68,13 @@ private:
         return test::Target(name, 2, 2, isTransient, GraphicsFormat::R8_UNorm);
     }
 
+    static RenderTexturePtr Smooth(const std::string& name, bool isTransient, GraphicsFormat format)
+    {
+        RenderTextureDescriptor descriptor(2, 2, format);
+        descriptor.msaaSamples = 4;
+        return std::make_shared<RenderTexture>(name, descriptor, SamplerState{}, isTransient);
+    }
+
     int Pick(int least, int most) { return std::uniform_int_distribution(least, most)(m_Random); }
 
     bool IsKnown(const RenderTexturePtr& texture) const
@@ -83,16 +92,18 @@ private:
 
     void RecordNode()
     {
-        const RenderTexturePtr color = m_Colors[static_cast<std::size_t>(Pick(0, 7))];
-        const RenderTexturePtr depth = Pick(0, 2) == 0 ? m_Depth : nullptr;
+        const RenderTexturePtr color = m_Colors[static_cast<std::size_t>(Pick(0, 9))];
+        const RenderTexturePtr depth = Pick(0, 2) != 0      ? nullptr
+                                       : HasSamples(*color) ? m_SmoothDepth
+                                                            : m_Depth;
         const bool copies = depth == nullptr && Pick(0, 3) == 0 && RecordCopy(color);
         if (copies)
         {
             return;
         }
         std::vector<RenderTexturePtr> colors{color};
-        const RenderTexturePtr second = m_Colors[static_cast<std::size_t>(Pick(0, 7))];
-        if (second != color && Pick(0, 2) == 0)
+        const RenderTexturePtr second = m_Colors[static_cast<std::size_t>(Pick(0, 9))];
+        if (second != color && HasSamples(*second) == HasSamples(*color) && Pick(0, 2) == 0)
         {
             colors.push_back(second);
         }
@@ -169,6 +180,7 @@ private:
     std::mt19937 m_Random;
     std::vector<RenderTexturePtr> m_Colors;
     RenderTexturePtr m_Depth = test::DepthTarget("depth", 2, 2, true);
+    RenderTexturePtr m_SmoothDepth = Smooth("smooth depth", true, GraphicsFormat::D32_SFloat);
     std::vector<RenderTexturePtr> m_Known; ///< what holds something
     FrameBuilder m_Frame;
     std::uint32_t m_Number = 1;
@@ -197,6 +209,7 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
     {
         MergeNodes(nodes);
     }
+    ResolveSamples(nodes, outputs, frame);
     MakePasses(std::move(nodes), outputs, frame);
     return frame;
 }

@@ -103,11 +103,17 @@ void WriteAll(FrameBuilder& frame, std::uint32_t number)
     frame.Blit(number, {}, "True");
 }
 
-std::string OpsText(const RenderTexture& texture, LoadOp load, StoreOp store)
+/// Of a color or depth attachment.
+template <typename Attachment>
+std::string OpsText(const Attachment& attachment)
 {
     constexpr const char* k_Loads[] = {"load", "clear", "-"};
-    return texture.name() + " " + k_Loads[static_cast<int>(load)] + ">" +
-           (store == StoreOp::DontCare ? "-" : "store");
+    const bool isStored = attachment.store == StoreOp::Store;
+    return attachment.texture->name() + " " + k_Loads[static_cast<int>(attachment.load)] + ">" +
+           (isStored && attachment.resolve ? "store and resolve"
+            : isStored                     ? "store"
+            : attachment.resolve           ? "resolve"
+                                           : "-");
 }
 
 /// "T0 clear>store, D clear>-: 1 2", and with textures that draws sample "Out ->store: 1(T0)".
@@ -116,12 +122,11 @@ std::string PassText(const CompiledRenderPass& pass)
     std::string text;
     for (const auto& color : pass.colors)
     {
-        text += (text.empty() ? "" : ", ") + OpsText(*color.texture, color.load, color.store);
+        text += (text.empty() ? "" : ", ") + OpsText(color);
     }
     if (pass.depth)
     {
-        text += (text.empty() ? "" : ", ") +
-                OpsText(*pass.depth->texture, pass.depth->load, pass.depth->store);
+        text += (text.empty() ? "" : ", ") + OpsText(*pass.depth);
     }
     text += ":";
     for (const PassCommand& command : pass.commands)
@@ -361,7 +366,7 @@ const std::vector<UnityGraph>& StoredGraphs()
              f.Bind(g.samples4, g.depth4).Clear(ClearFlag::All).Draw(1);
              f.Bind(g.out).Draw(2, {g.samples4});
          },
-         {"C4 clear>store, D4 clear>-: 1", "Out ->store: 2(C4)"}},
+         {"C4 clear>resolve, D4 clear>-: 1", "Out ->store: 2(C4)"}},
         {"SimpleCreateReleaseTexture",
          [](FrameBuilder& f, const GraphTextures& g)
          {

@@ -225,7 +225,7 @@ TEST_F(FrameErrors, ReadBackNamesATextureThatIsNoOutput)
               ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*target); }));
 }
 
-TEST_F(FrameErrors, ReadBackRefusesDepthWithSeveralSamplesATexel)
+TEST_F(FrameErrors, ReadBackRefusesSamplesThatAreNotResolved)
 {
     RenderTextureDescriptor descriptor{1, 1, GraphicsFormat::R8G8B8A8_UNorm};
     descriptor.msaaSamples = 4;
@@ -235,8 +235,8 @@ TEST_F(FrameErrors, ReadBackRefusesDepthWithSeveralSamplesATexel)
     CompiledFrame frame = FrameOf({ClearPass(target)}, depth);
     AddDepth(frame.passes[0], depth);
     SharedDevice().Execute(frame);
-    EXPECT_EQ("texture 'depth' cannot be read back: it is depth with 4 samples a texel, which is "
-              "not resolved; draw it with one",
+    EXPECT_EQ("texture 'depth' cannot be read back: the last pass that drew into it did not "
+              "resolve its 4 samples a texel",
               ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*depth); }));
 }
 

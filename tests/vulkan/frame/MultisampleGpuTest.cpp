@@ -226,6 +226,72 @@ TEST_F(Multisampling, CoversAllSamplesWhateverTheAlphaWithoutAlphaToMask)
               TexelFloat(SharedDevice().ReadBack(*target), 0, 0));
 }
 
+/// A pass that draws what covers the texel's samples from the left: depth 0.75, 0.5, 0.25, nothing.
+/// The first sample is the second from the left.
+CompiledRenderPass SlopePass(CompiledFrame& frame, const TargetPtr& target, const TargetPtr& depth)
+{
+    CompiledRenderPass pass = ClearPass(target);
+    AddDepth(pass, depth);
+    PipelineState state;
+    state.stencilEnabled = true;
+    state.stencilFront.pass = StencilOp::Replace;
+    for (int k = 0; k < 3; ++k)
+    {
+        state.stencilReference = k + 1;
+        pass.commands.emplace_back(MakeColorDraw(
+            frame, Quarters(k, k + 1, 0.75f - 0.25f * static_cast<float>(k)), Color::red, state));
+    }
+    return pass;
+}
+
+TEST_F(Multisampling, ShowsDepthAndStencilOfTheFirstSample)
+{
+    const TargetPtr depth = MakeSmooth(1, GraphicsFormat::D32_SFloat_S8_UInt);
+    const TargetPtr copy = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "copy");
+    CompiledFrame frame;
+    frame.passes = {SlopePass(frame, MakeSmooth(1), depth), ClearPass(copy)};
+    frame.passes[0].depth->resolve = depth;
+    frame.passes[1].barriers.push_back(
+        {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
+    frame.passes[1].commands.emplace_back(MakeCopyDraw(depth));
+    frame.finalBarriers = {{copy, TextureUsage::ColorAttachment, TextureUsage::CopySource},
+                           {depth, TextureUsage::ShaderRead, TextureUsage::CopySource}};
+    SharedDevice().Execute(frame);
+    EXPECT_EQ(0.5f, TexelFloat(SharedDevice().ReadBack(*copy), 0, 0)[0]);
+    EXPECT_EQ(0.5f, TexelFloat<1>(SharedDevice().ReadBack(*depth), 0, 0)[0]);
+    EXPECT_EQ(std::byte{2}, SharedDevice().ReadBackStencil(*depth).texels.at(0));
+}
+
+TEST_F(Multisampling, ResolvesIntoAnotherTexture)
+{
+    const TargetPtr smooth = MakeSmooth(5);
+    const TargetPtr target = MakeTarget(5, 1, GraphicsFormat::R32G32B32A32_SFloat);
+    CompiledFrame frame = Staircase(smooth);
+    frame.passes[0].colors[0].store = StoreOp::DontCare;
+    frame.passes[0].colors[0].resolve = target;
+    frame.passes[0].barriers.push_back(
+        {target, TextureUsage::Undefined, TextureUsage::ColorAttachment});
+    frame.finalBarriers = {{target, TextureUsage::ColorAttachment, TextureUsage::CopySource}};
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    for (int k = 0; k <= 4; ++k)
+    {
+        EXPECT_EQ(0.25f * static_cast<float>(k), TexelFloat(image, k, 0)[0]);
+    }
+}
+
+TEST_F(Multisampling, RefusesToResolveIntoAnotherFormat)
+{
+    const TargetPtr other = MakeTarget(5, 1);
+    CompiledFrame frame = Staircase(MakeSmooth(5));
+    frame.passes[0].colors[0].resolve = other;
+    frame.passes[0].barriers.push_back(
+        {other, TextureUsage::Undefined, TextureUsage::ColorAttachment});
+    EXPECT_EQ("pass 'test pass': target 'smooth' cannot be resolved into 'target': that must have "
+              "one sample a texel, and the same format",
+              ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));
+}
+
 TEST_F(Multisampling, RefusesToShowDepthThatIsNotResolved)
 {
     const TargetPtr depth = MakeSmooth(1, GraphicsFormat::D32_SFloat);
@@ -236,8 +302,8 @@ TEST_F(Multisampling, RefusesToShowDepthThatIsNotResolved)
     frame.passes[1].barriers.push_back(
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
     frame.passes[1].commands.emplace_back(MakeCopyDraw(depth));
-    EXPECT_EQ("texture 'smooth' is read as '_MainTex': it is depth with 4 samples a texel, which "
-              "is not resolved; draw it with one",
+    EXPECT_EQ("texture 'smooth' is read as '_MainTex': the last pass that drew into it did not "
+              "resolve its 4 samples a texel",
               ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));
 }
 

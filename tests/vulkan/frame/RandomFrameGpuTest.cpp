@@ -109,12 +109,12 @@ class RandomDeviceFrames
 public:
     RandomDeviceFrames(unsigned seed, bool leavesOut) : m_Random(seed), m_Options{false, leavesOut}
     {
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < 8; ++i)
         {
+            RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8G8B8A8_UNorm);
+            descriptor.msaaSamples = i < 6 ? 1 : 4;
             m_Colors.emplace_back(std::make_shared<RenderTexture>(
-                "color" + std::to_string(i),
-                RenderTextureDescriptor(4, 4, GraphicsFormat::R8G8B8A8_UNorm), SamplerState{},
-                i % 2 == 1));
+                "color" + std::to_string(i), descriptor, SamplerState{}, i % 2 == 1));
         }
     }
 
@@ -131,7 +131,8 @@ public:
         std::vector<TargetPtr> outputs;
         for (const RTHandle& handle : m_Known)
         {
-            if (handle != m_Depth && (Pick(0, 1) == 0 || outputs.empty()))
+            if (!IsDepthFormat(handle.rt()->graphicsFormat()) &&
+                (Pick(0, 1) == 0 || outputs.empty()))
             {
                 outputs.push_back(handle.rt());
             }
@@ -174,16 +175,17 @@ private:
 
     void Record(CommandBuffer& cmd)
     {
-        const RTHandle color = m_Colors.at(static_cast<std::size_t>(Pick(0, 5)));
-        RTHandle source = m_Colors.at(static_cast<std::size_t>(Pick(0, 5)));
-        const RTHandle second = m_Colors.at(static_cast<std::size_t>(Pick(0, 5)));
+        const RTHandle color = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
+        const RTHandle second = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
+        RTHandle source = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
+        const int samples = color.rt()->descriptor().msaaSamples;
         std::vector<RTHandle> colors{color};
-        if (second != color && Pick(0, 2) == 0)
+        if (second != color && second.rt()->descriptor().msaaSamples == samples && Pick(0, 2) == 0)
         {
             colors.push_back(second);
         }
         const bool canFetch = IsKnown(source) && source != color && source != colors.back();
-        const RTHandle depth = Pick(0, 2) == 0 ? m_Depth : RTHandle();
+        const RTHandle depth = Pick(0, 2) != 0 ? RTHandle() : samples > 1 ? m_SmoothDepth : m_Depth;
         cmd.SetRenderTarget(colors, depth);
         const bool clears = !IsKnown(color) || !IsKnown(colors.back()) || Pick(0, 3) == 0;
         const bool clearsDepth = depth && (!IsKnown(depth) || Pick(0, 3) == 0);
@@ -223,6 +225,13 @@ private:
         }
     }
 
+    static RTHandle MakeDepth(int samples)
+    {
+        RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::None, 32);
+        descriptor.msaaSamples = samples;
+        return RTHandle(std::make_shared<RenderTexture>("depth", descriptor, SamplerState{}, true));
+    }
+
     static std::shared_ptr<const Shader> FrameShader()
     {
         static const auto shader =
@@ -233,8 +242,8 @@ private:
     std::mt19937 m_Random;
     FrameCompilerOptions m_Options;
     std::vector<RTHandle> m_Colors;
-    RTHandle m_Depth{std::make_shared<RenderTexture>(
-        "depth", RenderTextureDescriptor(4, 4, GraphicsFormat::None, 32), SamplerState{}, true)};
+    RTHandle m_Depth = MakeDepth(1);
+    RTHandle m_SmoothDepth = MakeDepth(4);
     std::vector<RTHandle> m_Known;
 };
 

@@ -33,6 +33,10 @@ struct ColorAttachment
     LoadOp load = LoadOp::Load;
     StoreOp store = StoreOp::Store;
     Color clearColor; ///< linear
+    /// Where the average of several samples goes at the pass's end: to what readers of this texture
+    /// see, if it is the texture itself, or to another one of its format with one sample a texel.
+    /// Null = nowhere; `load` and `store` are about the samples alone.
+    std::shared_ptr<const RenderTexture> resolve = nullptr;
 
     bool operator==(const ColorAttachment&) const = default;
 };
@@ -46,6 +50,8 @@ struct DepthAttachment
     StoreOp stencilStore = StoreOp::Store;
     float clearDepth = 1.0f; ///< 1 = far, see ClearCommand
     int clearStencil = 0;
+    /// As ColorAttachment::resolve, with the first sample of depth and stencil.
+    std::shared_ptr<const RenderTexture> resolve = nullptr;
 
     bool operator==(const DepthAttachment&) const = default;
 };

@@ -15,7 +15,9 @@ struct RenderTextureDescriptor
     /// 0, 16, 24 or 32. Not 0 = a depth texture whose graphicsFormat is ignored, as RTHandles do:
     /// D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in Unity only 16 has no stencil.
     int depthBufferBits = 0;
-    int msaaSamples = 1; ///< 1, 2, 4 or 8
+    /// 1, 2, 4 or 8 a texel. What draws left in several is resolved for whoever reads the texture:
+    /// colour to the average, depth and stencil to the first sample.
+    int msaaSamples = 1;
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)

@@ -112,14 +112,13 @@ void RequireDimension(const Texture& texture, const TextureBinding& binding)
     }
 }
 
-/// Colour with several samples is read resolved; depth has no such copy.
-void RequireOneSample(const PooledImage& image, const std::string& property)
+void RequireResolved(const PooledImage& image, const std::string& property)
 {
-    if (image.samples > 1 && !image.resolved)
+    if (image.isStale)
     {
         throw ContractError("texture '" + image.name + "' is read as '" + property +
-                            "': it is depth with " + std::to_string(image.samples) +
-                            " samples a texel, which is not resolved; draw it with one");
+                            "': the last pass that drew into it did not resolve its " +
+                            std::to_string(image.samples) + " samples a texel");
     }
 }
 
@@ -138,7 +137,7 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
                                 "; a barrier must make it ShaderRead");
         }
         RequireDimension(*slot.texture, texture);
-        RequireOneSample(image, texture.name);
+        RequireResolved(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
         writer.AddImage(
             texture.binding,

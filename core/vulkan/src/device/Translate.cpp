@@ -248,8 +248,16 @@ VkShaderStageFlags ToVkStages(ShaderStage stages)
            flag(ShaderStage::Fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
 }
 
-UsageScope ToUsageScope(TextureUsage usage)
+UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples)
 {
+    if (usage == TextureUsage::DepthStencilAttachment && samples > 1)
+    {
+        UsageScope scope = ToUsageScope(usage);
+        const UsageScope resolve = ToUsageScope(TextureUsage::ColorAttachment);
+        scope.stages |= resolve.stages;
+        scope.access |= resolve.access;
+        return scope;
+    }
     switch (usage)
     {
     case TextureUsage::Undefined:

@@ -53,7 +53,8 @@ struct UsageScope
 };
 
 /// Undefined waits for everything before: an earlier frame may still use the image's memory.
-UsageScope ToUsageScope(TextureUsage usage);
+/// @param samples  a texel: several are resolved where colours are written, depth too
+UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples = 1);
 
 const char* ToString(TextureUsage usage);
 

@@ -72,10 +72,12 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
         for (const ColorAttachment& color : pass.colors)
         {
             images.Use(color.texture, m_Number);
+            PrepareResolve(color.resolve);
         }
         if (pass.depth)
         {
             images.Use(pass.depth->texture, m_Number);
+            PrepareResolve(pass.depth->resolve);
         }
         for (const PassCommand& command : pass.commands)
         {
@@ -87,7 +89,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
     }
     for (const TextureBarrier& barrier : frame.finalBarriers)
     {
-        images.Use(barrier.texture, m_Number);
+        images.UseResolved(barrier.texture, m_Number);
     }
 }
 
@@ -101,8 +103,16 @@ void FrameRecorder::PrepareDraw(const DrawCommand& draw)
     {
         for (const TextureSlot& slot : draw.bindings->textures)
         {
-            m_Resources.images.Use(slot.texture, m_Number);
+            m_Resources.images.UseResolved(slot.texture, m_Number);
         }
+    }
+}
+
+void FrameRecorder::PrepareResolve(const std::shared_ptr<const RenderTexture>& target)
+{
+    if (target)
+    {
+        m_Resources.images.UseResolved(target, m_Number);
     }
 }
 
@@ -114,13 +124,7 @@ void FrameRecorder::RecordBarrierList(const std::vector<TextureBarrier>& barrier
     {
         PooledImage& image = *m_Resources.images.Find(*barrier.texture);
         RequireBarrierFits(barrier, image, where);
-        recorded.push_back(UsageBarrier(image, barrier.before, barrier.after));
-        if (image.resolved)
-        {
-            recorded.push_back(recorded.back());
-            recorded.back().image = image.resolved->image.get();
-        }
-        image.usage = barrier.after;
+        ChangeUsage(image, barrier.before, barrier.after, recorded);
     }
     RecordBarriers(m_Slot.commands(), recorded);
 }

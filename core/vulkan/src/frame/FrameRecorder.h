@@ -19,6 +19,7 @@ public:
 private:
     void Prepare(const CompiledFrame& frame);
     void PrepareDraw(const DrawCommand& draw);
+    void PrepareResolve(const std::shared_ptr<const RenderTexture>& target);
     void RecordBarrierList(const std::vector<TextureBarrier>& barriers, const std::string& where);
 
     const VulkanContext& m_Context;

@@ -51,6 +51,29 @@ int RequireTarget(const CompiledRenderPass& pass, const RenderTexture& texture, 
     return texture.descriptor().msaaSamples;
 }
 
+/// @param texture  of the attachment
+void RequireResolve(const CompiledRenderPass& pass, const RenderTexture& texture,
+                    const std::shared_ptr<const RenderTexture>& resolve, ImagePool& images,
+                    TextureUsage needed)
+{
+    if (!resolve)
+    {
+        return;
+    }
+    const int samples = RequireTarget(pass, *resolve, images, needed);
+    const std::string subject = "pass '" + pass.name + "': target '" + texture.name() +
+                                "' cannot be resolved into '" + resolve->name() + "': ";
+    if (texture.descriptor().msaaSamples == 1)
+    {
+        throw ContractError(subject + "it has one sample a texel");
+    }
+    if (resolve.get() != &texture &&
+        (samples != 1 || resolve->graphicsFormat() != texture.graphicsFormat()))
+    {
+        throw ContractError(subject + "that must have one sample a texel, and the same format");
+    }
+}
+
 void RequireCount(const CompiledRenderPass& pass, const VkPhysicalDeviceLimits& limits)
 {
     const std::size_t most = std::min<std::size_t>(8, limits.maxColorAttachments);
@@ -78,6 +101,13 @@ VkRenderingAttachmentInfo Attachment(VkImageView view, VkImageLayout layout, Loa
     info.storeOp = ToVkStoreOp(store);
     info.clearValue = clear;
     return info;
+}
+
+void Resolve(VkRenderingAttachmentInfo& info, VkImageView view, VkResolveModeFlagBits mode)
+{
+    info.resolveMode = mode;
+    info.resolveImageView = view;
+    info.resolveImageLayout = info.imageLayout;
 }
 
 VkClearValue ColorClearValue(const Color& color)
@@ -109,12 +139,15 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
     for (const ColorAttachment& color : pass.colors)
     {
         require(*color.texture, TextureUsage::ColorAttachment);
+        RequireResolve(pass, *color.texture, color.resolve, images, TextureUsage::ColorAttachment);
         formats.colors.push_back(ToVkFormat(color.texture->graphicsFormat()));
     }
     if (pass.depth)
     {
         const GraphicsFormat format = pass.depth->texture->graphicsFormat();
         require(*pass.depth->texture, TextureUsage::DepthStencilAttachment);
+        RequireResolve(pass, *pass.depth->texture, pass.depth->resolve, images,
+                       TextureUsage::DepthStencilAttachment);
         formats.depth = ToVkFormat(format);
         formats.stencil = HasStencil(format) ? formats.depth : VK_FORMAT_UNDEFINED;
     }
@@ -128,15 +161,15 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
     std::vector<VkRenderingAttachmentInfo> colors;
     for (const ColorAttachment& color : pass.colors)
     {
-        const PooledImage& image = *images.Find(*color.texture);
+        PooledImage& image = *images.Find(*color.texture);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         VkRenderingAttachmentInfo target = Attachment(
             image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
-        if (image.resolved && color.store == StoreOp::Store)
+        image.isStale = image.samples > 1 && color.resolve != color.texture;
+        if (color.resolve)
         {
-            target.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-            target.resolveImageView = image.resolved->view.get();
-            target.resolveImageLayout = layout;
+            Resolve(target, images.Find(*color.resolve)->resolveView(),
+                    VK_RESOLVE_MODE_AVERAGE_BIT);
         }
         colors.push_back(target);
     }
@@ -152,11 +185,19 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
     if (pass.depth)
     {
         const DepthAttachment& target = *pass.depth;
-        const VkImageView view = images.Find(*target.texture)->view.get();
+        PooledImage& image = *images.Find(*target.texture);
+        const VkImageView view = image.view.get();
         const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         depth = Attachment(view, layout, target.load, target.store, clear);
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
+        image.isStale = image.samples > 1 && target.resolve != target.texture;
+        if (target.resolve)
+        {
+            const VkImageView resolved = images.Find(*target.resolve)->resolveView();
+            Resolve(depth, resolved, VK_RESOLVE_MODE_SAMPLE_ZERO_BIT);
+            Resolve(stencil, resolved, VK_RESOLVE_MODE_SAMPLE_ZERO_BIT);
+        }
         info.pDepthAttachment = &depth;
         info.pStencilAttachment = HasStencil(target.texture->graphicsFormat()) ? &stencil : nullptr;
     }

@@ -111,10 +111,10 @@ Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFl
         throw ContractError(subject + "the last frame left it as " +
                             vulkan::ToString(image->usage) + "; make it an output (CopySource)");
     }
-    if (image->samples > 1 && !image->resolved)
+    if (image->isStale)
     {
-        throw ContractError(subject + "it is depth with " + std::to_string(image->samples) +
-                            " samples a texel, which is not resolved; draw it with one");
+        throw ContractError(subject + "the last pass that drew into it did not resolve its " +
+                            std::to_string(image->samples) + " samples a texel");
     }
     return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
 }

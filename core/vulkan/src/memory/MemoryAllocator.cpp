@@ -12,26 +12,23 @@ namespace
 
 constexpr VkDeviceSize k_BlockBytes = VkDeviceSize{16} << 20;
 
-struct MemoryWish
-{
-    VkMemoryPropertyFlags required;
-    VkMemoryPropertyFlags preferred;
-};
-
-MemoryWish WishFor(MemoryUse use)
+/// What memory should be, the best first.
+std::vector<VkMemoryPropertyFlags> WishesFor(MemoryUse use)
 {
     constexpr VkMemoryPropertyFlags visible =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     switch (use)
     {
     case MemoryUse::Upload:
-        return {visible, 0};
+        return {visible};
     case MemoryUse::ReadBack:
-        return {visible, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+        return {visible | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, visible};
+    case MemoryUse::Transient:
+        return {VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
     case MemoryUse::Gpu:
         break;
     }
-    return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+    return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
 }
 
 } // namespace
@@ -134,8 +131,7 @@ VkDeviceSize MemoryAllocator::usedBytes() const
 std::uint32_t MemoryAllocator::MemoryType(std::uint32_t allowed, MemoryUse use,
                                           const std::string& name) const
 {
-    const MemoryWish wish = WishFor(use);
-    for (const VkMemoryPropertyFlags flags : {wish.required | wish.preferred, wish.required})
+    for (const VkMemoryPropertyFlags flags : WishesFor(use))
     {
         for (std::uint32_t i = 0; i < m_Properties.memoryTypeCount; ++i)
         {
@@ -161,7 +157,7 @@ MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32
     VkDeviceMemory memory = VK_NULL_HANDLE;
     Check(vkAllocateMemory(m_Device, &info, nullptr, &memory), "vkAllocateMemory", name);
     block->memory = UniqueMemory{m_Device, memory};
-    if (use != MemoryUse::Gpu)
+    if (use == MemoryUse::Upload || use == MemoryUse::ReadBack)
     {
         void* mapped = nullptr;
         Check(vkMapMemory(m_Device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory", name);

@@ -13,8 +13,9 @@ namespace limn::vulkan
 enum class MemoryUse
 {
     Gpu,
-    Upload,  ///< written by the CPU, mapped
-    ReadBack ///< read by the CPU, mapped
+    Transient, ///< attachments that a device with tiles may never write out
+    Upload,    ///< written by the CPU, mapped
+    ReadBack   ///< read by the CPU, mapped
 };
 
 /// Buffers and images live in blocks of their own, which satisfies bufferImageGranularity.
@@ -41,7 +42,7 @@ public:
 
     VkDeviceMemory memory() const;
     VkDeviceSize offset() const { return m_Offset; }
-    std::byte* mapped() const; ///< null for MemoryUse::Gpu
+    std::byte* mapped() const; ///< null where the CPU has no access
 
 private:
     friend class MemoryAllocator;

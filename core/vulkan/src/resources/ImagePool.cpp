@@ -15,15 +15,20 @@ std::uint32_t SampleCount(const Texture& texture)
     return target == nullptr ? 1 : static_cast<std::uint32_t>(target->descriptor().msaaSamples);
 }
 
-VkImageUsageFlags UsageFlags(bool isRenderTexture, bool isDepth)
+/// Several samples are drawn into and resolved only.
+VkImageUsageFlags UsageFlags(const Texture& texture, std::uint32_t samples)
 {
-    if (!isRenderTexture)
+    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
+    if (target == nullptr)
     {
         return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     }
-    const VkImageUsageFlags attachment =
-        isDepth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    return attachment | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const VkImageUsageFlags attachment = IsDepthFormat(texture.graphicsFormat())
+                                             ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                             : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return samples == 1 ? attachment | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+           : target->isTransient() ? attachment | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT
+                                   : attachment;
 }
 
 VkImageAspectFlags Aspects(GraphicsFormat format)
@@ -106,6 +111,19 @@ void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
     }
 }
 
+VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
+                                   TextureUsage after)
+{
+    const UsageScope from = ToUsageScope(before, image.samples);
+    const UsageScope to = ToUsageScope(after, image.samples);
+    VkImageMemoryBarrier2 barrier = LayoutBarrier(image, from.layout, to.layout);
+    barrier.srcStageMask = from.stages;
+    barrier.srcAccessMask = from.access;
+    barrier.dstStageMask = to.stages;
+    barrier.dstAccessMask = to.access;
+    return barrier;
+}
+
 void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelTexture& texture,
                 LinearMemory& staging)
 {
@@ -118,19 +136,52 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelT
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
+VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
+{
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    if (isCube(texture))
+    {
+        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    }
+    info.imageType =
+        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+    info.format = ToVkFormat(texture.graphicsFormat());
+    info.extent = Extent(texture);
+    info.mipLevels = 1;
+    info.arrayLayers = LayerCount(texture);
+    info.samples = static_cast<VkSampleCountFlagBits>(samples);
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = UsageFlags(texture, samples);
+    return info;
+}
+
 } // namespace
 
-VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
-                                   TextureUsage after)
+void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
+                 std::vector<VkImageMemoryBarrier2>& barriers)
 {
-    const UsageScope from = ToUsageScope(before);
-    const UsageScope to = ToUsageScope(after);
-    VkImageMemoryBarrier2 barrier = LayoutBarrier(image, from.layout, to.layout);
-    barrier.srcStageMask = from.stages;
-    barrier.srcAccessMask = from.access;
-    barrier.dstStageMask = to.stages;
-    barrier.dstAccessMask = to.access;
-    return barrier;
+    image.usage = after;
+    if (image.samples == 1)
+    {
+        barriers.push_back(UsageBarrier(image, before, after));
+        return;
+    }
+    const bool isDepth = (image.aspects & VK_IMAGE_ASPECT_COLOR_BIT) == 0;
+    const TextureUsage drawn =
+        isDepth ? TextureUsage::DepthStencilAttachment : TextureUsage::ColorAttachment;
+    const bool isWorthless = before == TextureUsage::Undefined;
+    if (isWorthless || after == drawn)
+    {
+        barriers.push_back(UsageBarrier(image, isWorthless ? before : drawn, drawn));
+    }
+    if (image.resolved)
+    {
+        ResolvedImage& resolved = *image.resolved;
+        barriers.push_back(UsageBarrier(image, isWorthless ? before : resolved.usage, after));
+        barriers.back().image = resolved.image.get();
+        resolved.usage = after;
+    }
 }
 
 void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers)
@@ -174,6 +225,17 @@ PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::
     return stored;
 }
 
+PooledImage& ImagePool::UseResolved(const std::shared_ptr<const Texture>& texture,
+                                    std::uint64_t number)
+{
+    PooledImage& image = Use(texture, number);
+    if (image.samples > 1 && !image.resolved)
+    {
+        CreateResolved(image, *texture);
+    }
+    return image;
+}
+
 PooledImage* ImagePool::Find(const Texture& texture)
 {
     const auto found = m_Images.find(texture.id());
@@ -211,6 +273,11 @@ void ImagePool::Commit()
     for (auto& [id, image] : m_Images)
     {
         image.submittedUsage = image.usage;
+        image.submittedIsStale = image.isStale;
+        if (image.resolved)
+        {
+            image.resolved->submittedUsage = image.resolved->usage;
+        }
     }
 }
 
@@ -221,6 +288,11 @@ void ImagePool::Rollback(std::uint64_t number) noexcept
     for (auto& [id, image] : m_Images)
     {
         image.usage = image.submittedUsage;
+        image.isStale = image.submittedIsStale;
+        if (image.resolved)
+        {
+            image.resolved->usage = image.resolved->submittedUsage;
+        }
     }
 }
 
@@ -235,36 +307,28 @@ void ImagePool::Create(PooledImage& image, const Texture& texture) const
     const GraphicsFormat format = texture.graphicsFormat();
     image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
     image.aspects = Aspects(format);
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    if (isCube(texture))
-    {
-        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
-    }
-    info.imageType =
-        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
-    info.format = ToVkFormat(format);
-    info.extent = Extent(texture);
-    info.mipLevels = 1;
-    info.arrayLayers = LayerCount(texture);
-    info.samples = static_cast<VkSampleCountFlagBits>(image.samples);
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = UsageFlags(image.isRenderTexture, IsDepthFormat(format));
+    const VkImageCreateInfo info = Describe(texture, image.samples);
     RequireSupport(info, texture);
-
     image.image = CreateImage(info, image.name, image.memory);
     image.view = CreateView(image.image.get(), texture, image.aspects);
-    if (HasStencil(format))
+    if (HasStencil(format) && image.samples == 1)
     {
         image.depthView = CreateView(image.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
-    if (image.samples > 1 && !IsDepthFormat(format))
+}
+
+void ImagePool::CreateResolved(PooledImage& image, const Texture& texture) const
+{
+    const VkImageCreateInfo info = Describe(texture, 1);
+    RequireSupport(info, texture);
+    ResolvedImage resolved;
+    resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
+    resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
+    if (HasStencil(texture.graphicsFormat()))
     {
-        ResolvedImage& resolved = image.resolved.emplace();
-        info.samples = VK_SAMPLE_COUNT_1_BIT;
-        resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
-        resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
+        resolved.depthView = CreateView(resolved.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
+    image.resolved = std::move(resolved);
 }
 
 UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::string& name,
@@ -276,7 +340,9 @@ UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::str
     UniqueImage image{device, handle};
     VkMemoryRequirements needs{};
     vkGetImageMemoryRequirements(device, handle, &needs);
-    memory = m_Allocator.Allocate(needs, MemoryUse::Gpu, MemoryContent::Images, name);
+    const bool isTransient = (info.usage & VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT) != 0;
+    memory = m_Allocator.Allocate(needs, isTransient ? MemoryUse::Transient : MemoryUse::Gpu,
+                                  MemoryContent::Images, name);
     Check(vkBindImageMemory(device, handle, memory.memory(), memory.offset()), "vkBindImageMemory",
           name);
     m_Context.SetName(VK_OBJECT_TYPE_IMAGE, handle, name);

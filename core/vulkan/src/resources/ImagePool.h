@@ -8,13 +8,16 @@
 namespace limn::vulkan
 {
 
-/// One sample a texel of a colour image with several: what readers of the texture get to see. Each
-/// pass that stores the texture resolves into it; the two are in the same use always.
+/// One sample a texel of an image with several: what readers of the texture get to see. It goes
+/// from use to use as the texture does, while the samples stay an attachment.
 struct ResolvedImage
 {
     MemoryAllocation memory;
     UniqueImage image;
     UniqueImageView view;
+    UniqueImageView depthView;
+    TextureUsage usage = TextureUsage::Undefined;
+    TextureUsage submittedUsage = TextureUsage::Undefined;
 };
 
 /// The image behind one texture.
@@ -26,20 +29,24 @@ struct PooledImage
     UniqueImage image;
     UniqueImageView view;                  ///< all aspects, for attachments
     UniqueImageView depthView;             ///< the depth alone, where there is stencil too
-    std::optional<ResolvedImage> resolved; ///< of colour with several samples
+    std::optional<ResolvedImage> resolved; ///< of several samples, once something reads them
     VkImageAspectFlags aspects = 0;
     std::uint32_t samples = 1; ///< a texel
     bool isRenderTexture = false;
-    TextureUsage usage = TextureUsage::Undefined;          ///< after what is recorded so far
+    bool isStale = false;                         ///< what samples were drawn last is not resolved
+    bool submittedIsStale = false;                ///< likewise, after the last submission
+    TextureUsage usage = TextureUsage::Undefined; ///< after what is recorded so far
     TextureUsage submittedUsage = TextureUsage::Undefined; ///< after the last submission
     std::uint64_t createdBy = 0;                           ///< number of the submission
     std::uint64_t lastUse = 0;                             ///< likewise
 
     VkImage readImage() const { return resolved ? resolved->image.get() : image.get(); }
+    VkImageView resolveView() const { return resolved ? resolved->view.get() : view.get(); }
     VkImageView sampledView() const
     {
         const UniqueImageView& whole = resolved ? resolved->view : view;
-        return depthView ? depthView.get() : whole.get();
+        const UniqueImageView& depth = resolved ? resolved->depthView : depthView;
+        return depth ? depth.get() : whole.get();
     }
 };
 
@@ -54,6 +61,9 @@ public:
     /// RecordUploads.
     /// @throws ContractError if the device cannot make such an image
     PooledImage& Use(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
+
+    /// As Use, and what several samples are resolved to is there.
+    PooledImage& UseResolved(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
 
     /// Null if no frame has used the texture.
     PooledImage* Find(const Texture& texture);
@@ -75,6 +85,7 @@ private:
     };
 
     void Create(PooledImage& image, const Texture& texture) const;
+    void CreateResolved(PooledImage& image, const Texture& texture) const;
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
                             MemoryAllocation& memory) const;
@@ -87,9 +98,10 @@ private:
     std::vector<Upload> m_Uploads;
 };
 
-/// A barrier over the whole image from one use to another; the resolved image needs one, too.
-VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
-                                   TextureUsage after);
+/// Adds the barriers that take the texture from one use to another, which it has then.
+/// @param before  Undefined, or the use it has
+void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
+                 std::vector<VkImageMemoryBarrier2>& barriers);
 
 /// Records the barriers; nothing if there are none.
 void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers);

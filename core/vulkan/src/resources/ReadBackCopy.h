@@ -7,8 +7,8 @@ namespace limn::vulkan
 {
 
 /// Copies one aspect of the image to the CPU and waits for it. Stencil comes as R8_UNorm, depth as
-/// D32_SFloat, colour with several samples resolved.
-/// @pre its use is CopySource; of depth and stencil it has one sample a texel
+/// D32_SFloat, several samples resolved.
+/// @pre its use is CopySource
 Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
                 const PooledImage& image, const RenderTexture& texture,
                 VkImageAspectFlagBits aspect);

@@ -62,10 +62,10 @@ public:
 
     void Wait(); ///< returns when all frames so far are done
 
-    /// Depth comes back as D32_SFloat, 1 = near; colour with several samples a texel as their
-    /// average.
-    /// @throws ContractError if the last frame did not leave the texture as CopySource, or it is
-    ///         depth with several samples a texel
+    /// Depth comes back as D32_SFloat, 1 = near; several samples a texel as what they were resolved
+    /// to, see RenderTextureDescriptor::msaaSamples.
+    /// @throws ContractError if the last frame did not leave the texture as CopySource, or resolved
+    ///         its samples before it drew into them last
     Image ReadBack(const RenderTexture& texture) override;
 
     /// The stencil of a D32_SFloat_S8_UInt texture as R8_UNorm: a byte is the stored value.
