@@ -131,8 +131,8 @@ StateId StateOf(const Material* material, const Mesh* mesh)
 class ClassOrder
 {
 public:
-    ClassOrder(const RendererTable& table, const SortingSettings& sorting)
-        : sorting(sorting), camera(sorting.cameraPosition - table.origin())
+    ClassOrder(const RendererTable& table, const SortingSettings& settings)
+        : sorting(settings), camera(settings.cameraPosition - table.origin())
     {
         const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
         std::vector<StateId> states;
