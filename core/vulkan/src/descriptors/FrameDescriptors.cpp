@@ -11,6 +11,7 @@ namespace
 
 /// What a draw without bindings binds.
 const DrawBindings k_NoBindings;
+const std::vector<TextureSlot> k_NoTextures;
 
 [[noreturn]] void RefuseMissing(const std::string& kind, const std::string& name,
                                 std::uint32_t binding)
@@ -32,54 +33,7 @@ const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, cons
     return *found;
 }
 
-/// Descriptor writes together with what they point at.
-class SetWriter
-{
-public:
-    SetWriter(VkDescriptorSet set, const PropertyLayout& layout) : m_Set(set)
-    {
-        // The writes hold addresses of elements: no vector may grow.
-        m_Buffers.reserve(layout.buffers.size() + layout.storageBuffers.size());
-        m_Images.reserve(layout.textures.size() + layout.samplers.size());
-    }
-
-    void AddBuffer(std::uint32_t binding, VkDescriptorType type, VkDescriptorBufferInfo buffer)
-    {
-        m_Buffers.push_back(buffer);
-        Add(binding, type).pBufferInfo = &m_Buffers.back();
-    }
-
-    void AddImage(std::uint32_t binding, VkDescriptorType type, VkDescriptorImageInfo image)
-    {
-        m_Images.push_back(image);
-        Add(binding, type).pImageInfo = &m_Images.back();
-    }
-
-    void Write(VkDevice device) const
-    {
-        vkUpdateDescriptorSets(device, static_cast<std::uint32_t>(m_Writes.size()), m_Writes.data(),
-                               0, nullptr);
-    }
-
-private:
-    VkWriteDescriptorSet& Add(std::uint32_t binding, VkDescriptorType type)
-    {
-        VkWriteDescriptorSet write{};
-        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        write.dstSet = m_Set;
-        write.dstBinding = binding;
-        write.descriptorCount = 1;
-        write.descriptorType = type;
-        return m_Writes.emplace_back(write);
-    }
-
-    VkDescriptorSet m_Set;
-    std::vector<VkWriteDescriptorSet> m_Writes;
-    std::vector<VkDescriptorBufferInfo> m_Buffers;
-    std::vector<VkDescriptorImageInfo> m_Images;
-};
-
-void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
                  const UploadedBytes& uploaded, std::size_t uploadedSize)
 {
     for (const UniformBuffer& buffer : layout.buffers)
@@ -97,8 +51,8 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
                                 std::to_string(k_UniformAlignment) + ", of the frame's " +
                                 std::to_string(uploadedSize));
         }
-        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                         {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
+        content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                          {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
     }
 }
 
@@ -122,7 +76,7 @@ void RequireResolved(const PooledImage& image, const std::string& property)
     }
 }
 
-void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
                  DeviceResources& resources)
 {
     for (const TextureBinding& texture : layout.textures)
@@ -139,7 +93,7 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
-        writer.AddImage(
+        content.AddImage(
             texture.binding,
             texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                     : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
@@ -151,8 +105,9 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
         SamplerState state =
             FindSlot(bindings.samplers, sampler.binding, "sampler", sampler.name).state;
         state.comparison = sampler.comparison;
-        writer.AddImage(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
-                        {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
+        content.AddImage(
+            sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
+            {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
     }
 }
 
@@ -195,11 +150,15 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
-                                      std::size_t piece)
+                                      std::size_t piece, std::uint64_t number)
 {
     VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get(), piece}];
     if (set == VK_NULL_HANDLE)
     {
+        for (const TextureSlot& slot : draw.bindings ? draw.bindings->textures : k_NoTextures)
+        {
+            m_Resources.images.UseResolved(slot.texture, number);
+        }
         set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,
                      pass.setLayout.get(), piece);
     }
@@ -209,20 +168,18 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
                                          VkDescriptorSetLayout setLayout, std::size_t piece)
 {
-    const VkDescriptorSet set = m_Slot.descriptors().Allocate(setLayout);
-    SetWriter writer{set, layout};
-    AddUniforms(writer, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
-    AddTextures(writer, layout, bindings, m_Resources);
+    m_Content.Clear(setLayout);
+    AddUniforms(m_Content, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
+    AddTextures(m_Content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
         if (bindings.perDrawBinding != buffer.binding)
         {
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
-        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, m_PerDraw.at(piece));
+        m_Content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, m_PerDraw.at(piece));
     }
-    writer.Write(m_Context.device());
-    return set;
+    return m_Slot.descriptors().Get(m_Content);
 }
 
 } // namespace limn::vulkan

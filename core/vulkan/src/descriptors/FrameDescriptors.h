@@ -30,7 +30,9 @@ public:
 
     /// @param piece  of the per-draw data
     /// @throws ContractError naming what the shader reads and the draw does not bind
-    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece);
+    /// @param number  of the frame's submission, which uses the draw's textures
+    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece,
+                        std::uint64_t number);
 
 private:
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
@@ -40,6 +42,7 @@ private:
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
+    SetContent m_Content; ///< of the set that is being made
     UploadedBytes m_Uniforms;
     std::uint32_t m_PieceElements;                 ///< of per-draw data, the last piece apart
     std::vector<VkDescriptorBufferInfo> m_PerDraw; ///< the pieces

@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace limn::vulkan
@@ -155,43 +156,59 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
     return formats;
 }
 
-void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          ImagePool& images)
+void MarkSamples(const CompiledRenderPass& pass, ImagePool& images)
 {
-    std::vector<VkRenderingAttachmentInfo> colors;
+    const auto mark = [&](const auto& attachment)
+    {
+        PooledImage& image = *images.Find(*attachment.texture);
+        image.isStale = image.samples > 1 && attachment.resolve != attachment.texture;
+    };
     for (const ColorAttachment& color : pass.colors)
     {
-        PooledImage& image = *images.Find(*color.texture);
+        mark(color);
+    }
+    if (pass.depth)
+    {
+        mark(*pass.depth);
+    }
+}
+
+void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
+                          const ImagePool& images)
+{
+    std::array<VkRenderingAttachmentInfo, 8> colors{};
+    std::uint32_t count = 0;
+    for (const ColorAttachment& color : pass.colors)
+    {
+        const PooledImage& image = *images.Find(*color.texture);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         VkRenderingAttachmentInfo target = Attachment(
             image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
-        image.isStale = image.samples > 1 && color.resolve != color.texture;
         if (color.resolve)
         {
             Resolve(target, images.Find(*color.resolve)->resolveView(),
                     VK_RESOLVE_MODE_AVERAGE_BIT);
         }
-        colors.push_back(target);
+        colors.at(count++) = target;
     }
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea.extent = {static_cast<std::uint32_t>(pass.width),
                               static_cast<std::uint32_t>(pass.height)};
     info.layerCount = 1;
-    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+    info.colorAttachmentCount = count;
     info.pColorAttachments = colors.data();
     VkRenderingAttachmentInfo depth{};
     VkRenderingAttachmentInfo stencil{};
     if (pass.depth)
     {
         const DepthAttachment& target = *pass.depth;
-        PooledImage& image = *images.Find(*target.texture);
+        const PooledImage& image = *images.Find(*target.texture);
         const VkImageView view = image.view.get();
         const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         depth = Attachment(view, layout, target.load, target.store, clear);
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
-        image.isStale = image.samples > 1 && target.resolve != target.texture;
         if (target.resolve)
         {
             const VkImageView resolved = images.Find(*target.resolve)->resolveView();
