@@ -10,29 +10,34 @@ namespace limn::vulkan
 namespace
 {
 
-void RequireBarrierFits(const TextureBarrier& barrier, const PooledImage& image,
-                        const std::string& where)
+/// What is wrong with a barrier; "" = nothing.
+std::string Objection(const TextureBarrier& barrier, const PooledImage& image)
 {
-    const std::string subject = where + ": texture '" + image.name + "': ";
     if (barrier.after == TextureUsage::Undefined)
     {
-        throw ContractError(subject + "a barrier cannot end in Undefined");
+        return "a barrier cannot end in Undefined";
     }
     if (!image.isRenderTexture)
     {
-        throw ContractError(subject + "it comes from the CPU and is ShaderRead always; it needs "
-                                      "no barrier");
+        return "it comes from the CPU and is ShaderRead always; it needs no barrier";
     }
     if (barrier.before != TextureUsage::Undefined && barrier.before != image.usage)
     {
-        throw ContractError(subject + "the barrier takes it from " + ToString(barrier.before) +
-                            ", and its use is " + ToString(image.usage));
+        return std::string("the barrier takes it from ") + ToString(barrier.before) +
+               ", and its use is " + ToString(image.usage);
     }
+    return {};
 }
 
-std::string PassTitle(const CompiledRenderPass& pass)
+/// @param pass  before which the barrier stands; null = at the end of the frame
+void RequireBarrierFits(const TextureBarrier& barrier, const PooledImage& image,
+                        const CompiledRenderPass* pass)
 {
-    return "pass '" + pass.name + "'";
+    if (const std::string objection = Objection(barrier, image); !objection.empty())
+    {
+        throw ContractError((pass != nullptr ? "pass '" + pass->name + "'" : "end of frame") +
+                            ": texture '" + image.name + "': " + objection);
+    }
 }
 
 } // namespace
@@ -66,7 +71,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
         PreparedPass& pass = m_Prepared.passes[i];
         PrepareTargets(frame.passes[i]);
         pass.firstBarrier = m_Prepared.barriers.size();
-        PrepareBarriers(frame.passes[i].barriers, PassTitle(frame.passes[i]));
+        PrepareBarriers(frame.passes[i].barriers, &frame.passes[i]);
         pass.barrierCount = m_Prepared.barriers.size() - pass.firstBarrier;
         pass.formats =
             TargetsOf(frame.passes[i], m_Resources.images, m_Context.capabilities().limits);
@@ -76,7 +81,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
         MarkSamples(frame.passes[i], m_Resources.images);
     }
     m_Prepared.firstFinalBarrier = m_Prepared.barriers.size();
-    PrepareBarriers(frame.finalBarriers, "end of frame");
+    PrepareBarriers(frame.finalBarriers, nullptr);
 }
 
 void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)
@@ -117,7 +122,7 @@ void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer
 }
 
 void FrameRecorder::PrepareBarriers(const std::vector<TextureBarrier>& barriers,
-                                    const std::string& where)
+                                    const CompiledRenderPass* pass)
 {
     for (const TextureBarrier& barrier : barriers)
     {
@@ -125,7 +130,7 @@ void FrameRecorder::PrepareBarriers(const std::vector<TextureBarrier>& barriers,
             barrier.after == TextureUsage::ShaderRead || barrier.after == TextureUsage::CopySource;
         PooledImage& image = isRead ? m_Resources.images.UseResolved(barrier.texture, m_Number)
                                     : m_Resources.images.Use(barrier.texture, m_Number);
-        RequireBarrierFits(barrier, image, where);
+        RequireBarrierFits(barrier, image, pass);
         ChangeUsage(image, barrier.before, barrier.after, m_Prepared.barriers);
     }
 }

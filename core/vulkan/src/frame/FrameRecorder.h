@@ -19,7 +19,8 @@ public:
 
 private:
     void Prepare(const CompiledFrame& frame);
-    void PrepareBarriers(const std::vector<TextureBarrier>& barriers, const std::string& where);
+    void PrepareBarriers(const std::vector<TextureBarrier>& barriers,
+                         const CompiledRenderPass* pass);
     void PrepareTargets(const CompiledRenderPass& pass);
     void PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const;
     void RecordPasses(const CompiledFrame& frame) const;

@@ -27,27 +27,38 @@ std::int64_t Bottom(const ViewportRect& rect)
     return std::int64_t{rect.y} + rect.height;
 }
 
+/// What is wrong with a texture as a target; "" = nothing.
+std::string Objection(const CompiledRenderPass& pass, const RenderTexture& texture,
+                      TextureUsage usage, TextureUsage needed)
+{
+    const bool isDepth = needed == TextureUsage::DepthStencilAttachment;
+    if (IsDepthFormat(texture.graphicsFormat()) != isDepth)
+    {
+        return std::string(limn::ToString(texture.graphicsFormat())) + " is no " +
+               (isDepth ? "depth" : "colour") + " format";
+    }
+    if (texture.width() < pass.width || texture.height() < pass.height)
+    {
+        return "it is " + SizeText(texture.width(), texture.height()) + ", the pass draws " +
+               SizeText(pass.width, pass.height);
+    }
+    if (usage != needed)
+    {
+        return std::string("its use is ") + ToString(usage) + "; a barrier must make it " +
+               ToString(needed);
+    }
+    return {};
+}
+
 /// Checks the texture as a target and returns its sample count.
 int RequireTarget(const CompiledRenderPass& pass, const RenderTexture& texture, ImagePool& images,
                   TextureUsage needed)
 {
-    const std::string subject = "pass '" + pass.name + "': target '" + texture.name() + "': ";
-    const bool isDepth = needed == TextureUsage::DepthStencilAttachment;
-    if (IsDepthFormat(texture.graphicsFormat()) != isDepth)
-    {
-        throw ContractError(subject + limn::ToString(texture.graphicsFormat()) + " is no " +
-                            (isDepth ? "depth" : "colour") + " format");
-    }
-    if (texture.width() < pass.width || texture.height() < pass.height)
-    {
-        throw ContractError(subject + "it is " + SizeText(texture.width(), texture.height()) +
-                            ", the pass draws " + SizeText(pass.width, pass.height));
-    }
     const TextureUsage usage = images.Find(texture)->usage;
-    if (usage != needed)
+    if (const std::string objection = Objection(pass, texture, usage, needed); !objection.empty())
     {
-        throw ContractError(subject + "its use is " + ToString(usage) +
-                            "; a barrier must make it " + ToString(needed));
+        throw ContractError("pass '" + pass.name + "': target '" + texture.name() +
+                            "': " + objection);
     }
     return texture.descriptor().msaaSamples;
 }
@@ -224,11 +235,10 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                      const VkPhysicalDeviceLimits& limits)
 {
-    const std::string subject = "pass '" + pass.name + "': the viewport ";
     if (rect.width <= 0 || rect.height <= 0)
     {
-        throw ContractError(subject + "has the size " + SizeText(rect.width, rect.height) +
-                            "; it must be positive");
+        throw ContractError("pass '" + pass.name + "': the viewport has the size " +
+                            SizeText(rect.width, rect.height) + "; it must be positive");
     }
     const auto& most = limits.maxViewportDimensions;
     const auto [first, last] = limits.viewportBoundsRange;
@@ -238,10 +248,10 @@ void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                       static_cast<float>(std::max(Right(rect), Bottom(rect))) <= last;
     if (!fits)
     {
-        throw ContractError(subject + "is " + SizeText(rect.width, rect.height) + " at (" +
-                            std::to_string(rect.x) + ", " + std::to_string(rect.y) +
-                            "); the device draws at most " + std::to_string(most[0]) + "x" +
-                            std::to_string(most[1]) + " between " +
+        throw ContractError("pass '" + pass.name + "': the viewport is " +
+                            SizeText(rect.width, rect.height) + " at (" + std::to_string(rect.x) +
+                            ", " + std::to_string(rect.y) + "); the device draws at most " +
+                            std::to_string(most[0]) + "x" + std::to_string(most[1]) + " between " +
                             std::to_string(static_cast<std::int64_t>(first)) + " and " +
                             std::to_string(static_cast<std::int64_t>(last)));
     }
