@@ -12,7 +12,7 @@ struct InstanceRun
     std::size_t piece = 0;
     std::uint32_t first = 0; ///< its element's index in the piece
     std::uint32_t count = 0;
-    std::uint32_t base = 0; ///< the index that the draw's first instance has, counted from `first`
+    std::uint32_t base = 0; ///< the draw's first instance
 };
 
 /// The descriptor sets of one frame; draws of equal bindings and layout share one. Per-draw data
@@ -35,8 +35,15 @@ public:
                         std::uint64_t number);
 
 private:
+    void UploadInstances();
+    /// Where a draw has objects: brings their buffer up to date, before any pass.
+    void UseObjects(std::uint64_t number);
+    std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,
+                                               std::size_t count) const;
+    void RequireInstances(const DrawCommand& draw) const;
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
-                           VkDescriptorSetLayout setLayout, std::size_t piece);
+                           VkDescriptorSetLayout setLayout,
+                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece);
 
     const VulkanContext& m_Context;
     DeviceResources& m_Resources;
@@ -44,9 +51,12 @@ private:
     const CompiledFrame& m_Frame;
     SetContent m_Content; ///< of the set that is being made
     UploadedBytes m_Uniforms;
-    std::uint32_t m_PieceElements;                 ///< of per-draw data, the last piece apart
-    std::vector<VkDescriptorBufferInfo> m_PerDraw; ///< the pieces
-    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, std::size_t>, VkDescriptorSet>
+    std::uint32_t m_PieceElements; ///< of per-draw data, the last piece apart
+    std::array<std::vector<VkDescriptorBufferInfo>, 2> m_Pieces; ///< of perDraw and of objects
+    bool m_UsesObjects = false;
+    VkDescriptorBufferInfo m_Instances{};
+    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>,
+             VkDescriptorSet>
         m_Sets;
 };
 
