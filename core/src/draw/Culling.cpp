@@ -11,6 +11,7 @@
 #include <limits>
 #include <limn/core/Camera.h>
 #include <limn/core/Culling.h>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 
@@ -39,7 +40,7 @@ std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
 /// What a run of rows comes to.
 struct PartOfCulling
 {
-    std::vector<std::uint32_t> visible;
+    std::size_t visible = 0; ///< how many
     int renderers = 0;
     int outsideFrustum = 0;
     int outsideCullingMask = 0;
@@ -72,12 +73,12 @@ void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, 
 }
 
 /// @param classes  by class: whether the camera's cullingMask has its layer, and draws anything
+/// @param rows     gets those in sight
 void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes,
               const std::vector<std::uint8_t>& classes, std::size_t begin, std::size_t end,
-              PartOfCulling& result)
+              std::uint32_t* rows, PartOfCulling& result)
 {
     std::array<float, k_BlockRows> depths;
-    result.visible.resize(end - begin);
     std::size_t visible = 0;
     for (std::size_t block = begin; block < end; block += k_BlockRows)
     {
@@ -95,11 +96,11 @@ void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes
             result.renderers += counts;
             result.outsideCullingMask += counts & !inMask;
             result.outsideFrustum += counts & inMask & !inside;
-            result.visible[visible] = static_cast<std::uint32_t>(row);
+            rows[visible] = static_cast<std::uint32_t>(row);
             visible += isActive & inside & (kind == (k_InCullingMask | k_Draws));
         }
     }
-    result.visible.resize(visible);
+    result.visible = visible;
 }
 
 /// Numbers 0, 1 ... in the order of `values`, equal ones for equal values.
@@ -146,18 +147,16 @@ public:
         ranks = Ranks(states);
         const std::uint32_t most = ranks.empty() ? 0 : *std::ranges::max_element(ranks);
         m_RankBits = std::bit_width(most);
-        m_HasClasses = m_RankBits + std::bit_width(ranks.size()) <= 32;
-        for (std::uint32_t i = 0; m_HasClasses && m_RankBits < 32 && i < ranks.size(); ++i)
-        {
-            ranks[i] |= i << m_RankBits;
-        }
+        m_HasRoom = m_RankBits + std::bit_width(ranks.size()) <= 32 && m_RankBits < 32;
+        FindFirsts(table);
     }
 
-    /// Of an entry's state; the rest of it says the class, if there is room.
-    int rankBits() const { return m_HasClasses ? m_RankBits : 32; }
-    std::uint32_t ClassOf(const SortEntry& entry, const RendererTable& table) const
+    /// Of an entry's state; the rest of it says what it draws, if there is room.
+    int rankBits() const { return m_HasRoom ? m_RankBits : 32; }
+    /// The first class that draws the same as the entry's.
+    std::uint32_t FirstClassOf(const SortEntry& entry, const RendererTable& table) const
     {
-        return m_HasClasses ? entry.state >> m_RankBits : table.classOf()[entry.index];
+        return m_HasRoom ? entry.state >> m_RankBits : m_Firsts[table.classOf()[entry.index]];
     }
 
     const SortingSettings sorting;
@@ -167,8 +166,23 @@ public:
     std::vector<std::uint32_t> ranks; ///< the entry's state
 
 private:
+    /// Layers and masks have been looked at before: classes that differ in them only draw the same.
+    void FindFirsts(const RendererTable& table)
+    {
+        std::map<std::tuple<const Material*, std::uint32_t, bool, bool>, std::uint32_t> known;
+        for (std::uint32_t i = 0; i < ranks.size(); ++i)
+        {
+            const RendererTable::RowClass& own = table.classes()[i];
+            const auto first = known.try_emplace(
+                {own.material.get(), own.meshPart, own.isMirrored, own.isAgain}, i);
+            m_Firsts.push_back(first.first->second);
+            ranks[i] |= m_HasRoom ? m_Firsts[i] << m_RankBits : 0;
+        }
+    }
+
+    std::vector<std::uint32_t> m_Firsts; ///< by class
     int m_RankBits = 0;
-    bool m_HasClasses = false;
+    bool m_HasRoom = false;
 };
 
 /// @param entries  gets `count` of them
@@ -196,6 +210,21 @@ void MakeEntries(const RendererTable& table, const ClassOrder& order, const std:
 }
 
 } // namespace
+
+RendererItems& RendererItems::operator=(RendererItems other) noexcept
+{
+    m_Table.swap(other.m_Table);
+    m_Rows.swap(other.m_Rows);
+    return *this;
+}
+
+RendererItems::~RendererItems()
+{
+    if (m_Table)
+    {
+        m_Table->spareRows().Give(std::move(m_Rows));
+    }
+}
 
 RendererItem RendererItems::operator[](std::size_t index) const
 {
@@ -236,19 +265,27 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
                                                     (kind.material ? k_Draws : 0)));
     }
     std::vector<PartOfCulling> parts(PartsOf(table->rowCount()));
-    ForEachPart(table->rowCount(), parts.size(),
-                [&](std::size_t part, std::size_t begin, std::size_t end)
-                { CullRows(*table, planes, classes, begin, end, parts[part]); });
+    std::vector<std::uint32_t> visible = table->spareRows().Take(table->rowCount());
+    ForEachPart(
+        table->rowCount(), parts.size(),
+        [&](std::size_t part, std::size_t begin, std::size_t end)
+        { CullRows(*table, planes, classes, begin, end, visible.data() + begin, parts[part]); });
 
     CullingResults results;
-    std::vector<std::uint32_t> visible = std::move(parts.front().visible);
-    for (const PartOfCulling& part : parts)
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
     {
-        visible.insert(visible.end(), part.visible.begin(), part.visible.end());
+        // Each part has written where it begins.
+        const PartOfCulling& part = parts[i];
+        const auto begin =
+            visible.begin() + static_cast<std::ptrdiff_t>(table->rowCount() * i / parts.size());
+        std::copy_n(begin, part.visible, visible.begin() + static_cast<std::ptrdiff_t>(count));
+        count += part.visible;
         results.rendererCount += part.renderers;
         results.outsideFrustum += part.outsideFrustum;
         results.outsideCullingMask += part.outsideCullingMask;
     }
+    visible.resize(count);
     results.items = RendererItems(table, std::move(visible));
     results.objects = table;
     for (const std::uint32_t index : table->beyondFloat())
@@ -278,12 +315,13 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
         verdicts.push_back(static_cast<std::uint8_t>(
             kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
     }
-    std::vector<std::uint32_t> drawn(items.size());
+    std::vector<std::uint32_t> drawn = table.spareRows().Take(items.size());
     std::array<std::uint32_t, k_FilterVerdictCount> counts{};
     std::size_t count = 0;
+    const std::uint32_t* classOf = table.classOf().data();
     for (const std::uint32_t row : items.rows())
     {
-        const std::uint8_t verdict = verdicts[table.classOf()[row]];
+        const std::uint8_t verdict = verdicts[classOf[row]];
         ++counts[verdict];
         drawn[count] = row;
         count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);
@@ -321,7 +359,7 @@ std::vector<ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& 
     for (std::uint32_t i = 0; i < entries.size(); ++i)
     {
         rows[i] = entries[i].index;
-        const std::uint32_t rowClass = order.ClassOf(entries[i], table);
+        const std::uint32_t rowClass = order.FirstClassOf(entries[i], table);
         if (rowClass != last)
         {
             last = rowClass;
