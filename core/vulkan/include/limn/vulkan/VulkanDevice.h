@@ -73,6 +73,8 @@ public:
     Image ReadBackStencil(const RenderTexture& texture);
 
     const TextureStates& textureStates() const override;
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;
