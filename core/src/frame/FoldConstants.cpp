@@ -218,7 +218,10 @@ private:
             }
             else
             {
-                WriteWhatIsPending(target);
+                const auto& colors = node.targets.colors;
+                node.clearedColors.resize(colors.size());
+                const auto index = std::find(colors.begin(), colors.end(), target) - colors.begin();
+                node.clearedColors[static_cast<std::size_t>(index)] = clear.color;
             }
             state.isPending = false;
             state.constant.flags = ClearFlag::None;

@@ -40,6 +40,21 @@ bool Clears(const FrameNode& node, ClearFlag aspects)
     return node.clear && Only(node.clear->flags, aspects) == aspects;
 }
 
+std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target)
+{
+    const auto& colors = node.targets.colors;
+    for (std::size_t i = 0; i < colors.size(); ++i)
+    {
+        if (colors[i].get() == &target)
+        {
+            return Clears(node, ClearFlag::Color)  ? std::optional(node.clear->color)
+                   : i < node.clearedColors.size() ? node.clearedColors[i]
+                                                   : std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
 bool HasSamples(const RenderTexture& texture)
 {
     return texture.descriptor().msaaSamples > 1;
@@ -62,7 +77,8 @@ bool HasDraws(const FrameNode& node)
 bool Overwrites(const FrameNode& node, const RenderTexture& target)
 {
     const ClearFlag aspects = AspectsOf(target);
-    return Clears(node, aspects) || (aspects == ClearFlag::Color && node.coversColor);
+    return aspects == ClearFlag::Color ? node.coversColor || ClearColorOf(node, target)
+                                       : Clears(node, aspects);
 }
 
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node)

@@ -21,6 +21,9 @@ struct FrameNode
     std::string name;
     SetRenderTargetCommand targets;
     std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
+    /// Colours that are cleared on their own, by index, where `clear` clears none; may be shorter
+    /// than the targets' colours.
+    std::vector<std::optional<Color>> clearedColors;
     /// A draw covers the colour, so that what was there before the node does not matter.
     bool coversColor = false;
     std::vector<PassCommand> commands;
@@ -33,6 +36,8 @@ struct FrameNode
 ClearFlag AspectsOf(const RenderTexture& texture);
 bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
 bool HasSamples(const RenderTexture& texture);         ///< several a texel
+/// What a colour target is cleared to before the first draw; none = it is not.
+std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
 bool HasDraws(const FrameNode& node);
 /// Whether each component that the format has is 0.
 bool IsZero(const Color& color, GraphicsFormat format);

@@ -70,9 +70,9 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
             {
                 read.erase(target->id());
             }
-            else
+            else if (IsDepthFormat(target->graphicsFormat()))
             {
-                read.insert(target->id());
+                read.insert(target->id()); // it decides what of the colours is drawn
             }
         }
         for (const auto& texture : node->reads)

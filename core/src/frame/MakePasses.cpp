@@ -8,13 +8,20 @@ namespace limn
 namespace
 {
 
-/// How a texture's next appearance treats what is in it.
+/// How what is in a texture is used next.
 enum class NextUse
 {
     None,
     Needs,
     Overwrites
 };
+
+const SampleResolve* FindResolve(const FrameNode& node, const RenderTexture& texture)
+{
+    const auto found = std::find_if(node.resolves.begin(), node.resolves.end(),
+                                    [&](const auto& r) { return r.from.get() == &texture; });
+    return found == node.resolves.end() ? nullptr : &*found;
+}
 
 /// Readers of a texture with several samples see what they were resolved to.
 NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
@@ -34,9 +41,15 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
         const auto& colors = node.targets.colors;
         if (is(node.targets.depth) || std::any_of(colors.begin(), colors.end(), is))
         {
-            return Clears(node, aspect) || (aspect == ClearFlag::Color && node.coversColor)
-                       ? NextUse::Overwrites
-                       : NextUse::Needs;
+            const bool isColor = aspect == ClearFlag::Color;
+            if (isColor ? Overwrites(node, texture) : Clears(node, aspect))
+            {
+                return NextUse::Overwrites;
+            }
+            if (!isColor || FindResolve(node, texture))
+            {
+                return NextUse::Needs; // depth decides what is drawn
+            }
         }
     }
     return NextUse::None;
@@ -94,11 +107,14 @@ private:
     {
         ColorAttachment attachment;
         attachment.texture = texture;
-        attachment.load = Load(m_Nodes[index], *texture, ClearFlag::Color);
         attachment.store = Store(index, *texture, ClearFlag::Color);
+        const bool isSeen =
+            attachment.store == StoreOp::Store || FindResolve(m_Nodes[index], *texture);
+        attachment.load =
+            isSeen ? Load(m_Nodes[index], *texture, ClearFlag::Color) : LoadOp::DontCare;
         if (attachment.load == LoadOp::Clear)
         {
-            attachment.clearColor = m_Nodes[index].clear->color;
+            attachment.clearColor = *ClearColorOf(m_Nodes[index], *texture);
         }
         Transition(texture, TextureUsage::ColorAttachment, barriers);
         StateOf(texture).isFilled = true;
@@ -131,10 +147,8 @@ private:
     ResolveOf(const FrameNode& node, const std::shared_ptr<const RenderTexture>& texture,
               std::vector<TextureBarrier>& barriers)
     {
-        const auto resolve =
-            std::find_if(node.resolves.begin(), node.resolves.end(),
-                         [&](const SampleResolve& r) { return r.from == texture; });
-        if (resolve == node.resolves.end())
+        const SampleResolve* resolve = FindResolve(node, *texture);
+        if (resolve == nullptr)
         {
             return nullptr;
         }
@@ -155,7 +169,8 @@ private:
 
     LoadOp Load(const FrameNode& node, const RenderTexture& texture, ClearFlag aspect) const
     {
-        if (Clears(node, aspect))
+        if (aspect == ClearFlag::Color ? ClearColorOf(node, texture).has_value()
+                                       : Clears(node, aspect))
         {
             return LoadOp::Clear;
         }

@@ -8,23 +8,103 @@ namespace limn
 namespace
 {
 
+bool SharesTarget(const FrameNode& a, const FrameNode& b)
+{
+    const auto targets = TargetsOf(a);
+    const auto others = TargetsOf(b);
+    return std::find_first_of(targets.begin(), targets.end(), others.begin(), others.end()) !=
+           targets.end();
+}
+
 bool ReadsTargetOf(const FrameNode& reader, const FrameNode& node)
 {
     const auto targets = TargetsOf(node);
-    return std::any_of(
-        reader.reads.begin(), reader.reads.end(),
-        [&](const auto& texture)
-        { return std::find(targets.begin(), targets.end(), texture) != targets.end(); });
+    return std::find_first_of(reader.reads.begin(), reader.reads.end(), targets.begin(),
+                              targets.end()) != reader.reads.end();
+}
+
+bool MayChangePlaces(const FrameNode& a, const FrameNode& b)
+{
+    return !SharesTarget(a, b) && !ReadsTargetOf(a, b) && !ReadsTargetOf(b, a);
+}
+
+bool SamplesAreBalanced(const FrameNode& node)
+{
+    int depth = 0;
+    for (const PassCommand& command : node.commands)
+    {
+        depth += std::holds_alternative<BeginSampleCommand>(command) ? 1 : 0;
+        depth -= std::holds_alternative<EndSampleCommand>(command) ? 1 : 0;
+        if (depth < 0)
+        {
+            return false;
+        }
+    }
+    return depth == 0;
+}
+
+const RenderTexture& AnyTarget(const FrameNode& node)
+{
+    return node.targets.colors.empty() ? *node.targets.depth : *node.targets.colors.front();
+}
+
+bool SameSize(const RenderTexture& a, const RenderTexture& b)
+{
+    return a.width() == b.width() && a.height() == b.height() &&
+           a.descriptor().msaaSamples == b.descriptor().msaaSamples;
+}
+
+/// Whether the node's commands mean the same beside further colours, which they leave alone.
+bool CanHaveMoreColors(const FrameNode& node)
+{
+    return std::none_of(node.commands.begin(), node.commands.end(),
+                        [](const PassCommand& command)
+                        {
+                            const auto* clear = std::get_if<ClearCommand>(&command);
+                            const auto* draw = std::get_if<DrawCommand>(&command);
+                            // An operation beyond blending is one for all colours, and not every
+                            // format has it.
+                            return (clear && (clear->flags & ClearFlag::Color)) ||
+                                   (draw && std::max(draw->state.targets[0].colorBlendOperation,
+                                                     draw->state.targets[0].alphaBlendOperation) >
+                                                BlendOp::Max);
+                        });
+}
+
+/// Whether one's colours are the first ones of the other's, and can be joined by those behind.
+bool ColorsFit(const FrameNode& node, const FrameNode& next)
+{
+    const auto& colors = node.targets.colors;
+    const auto& nextColors = next.targets.colors;
+    const std::size_t common = std::min(colors.size(), nextColors.size());
+    if (!std::equal(colors.begin(), colors.begin() + static_cast<std::ptrdiff_t>(common),
+                    nextColors.begin()))
+    {
+        return false;
+    }
+    const bool clearsCommon =
+        common > 0 &&
+        (Clears(next, ClearFlag::Color) || next.coversColor ||
+         std::any_of(nextColors.begin(), nextColors.begin() + static_cast<std::ptrdiff_t>(common),
+                     [&](const auto& c) { return ClearColorOf(next, *c); }));
+    const bool coversSome = node.coversColor && nextColors.size() > colors.size();
+    return !clearsCommon && !coversSome &&
+           (colors.size() >= nextColors.size() || CanHaveMoreColors(node)) &&
+           (colors.size() <= nextColors.size() || CanHaveMoreColors(next));
+}
+
+bool DepthFits(const FrameNode& node, const FrameNode& next)
+{
+    const bool clears = next.clear && (next.clear->flags & ClearFlag::DepthStencil);
+    return !node.targets.depth || !next.targets.depth ||
+           (node.targets.depth == next.targets.depth && !clears);
 }
 
 /// Whether `next` can go on where `node` ends.
 bool CanContinue(const FrameNode& node, const FrameNode& next)
 {
-    const auto& depth = node.targets.depth;
-    const auto& nextDepth = next.targets.depth;
-    return !node.targets.colors.empty() && node.targets.colors == next.targets.colors &&
-           (depth == nextDepth || !depth || !nextDepth) && !next.clear && !next.coversColor &&
-           !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
+    return SameSize(AnyTarget(node), AnyTarget(next)) && ColorsFit(node, next) &&
+           DepthFits(node, next) && !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
 }
 
 /// As it was where no depth was attached.
@@ -40,25 +120,104 @@ void IgnoreDepth(FrameNode& node)
     }
 }
 
+/// As it was where only the first colours were attached.
+void IgnoreColors(FrameNode& node, std::size_t first)
+{
+    for (PassCommand& command : node.commands)
+    {
+        if (auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            auto& targets = draw->state.targets;
+            for (std::size_t i = first; i < targets.size(); ++i)
+            {
+                targets[i].writeMask = 0;
+            }
+        }
+    }
+}
+
+void JoinColors(FrameNode& node, FrameNode& next)
+{
+    const std::size_t count = node.targets.colors.size();
+    const std::size_t nextCount = next.targets.colors.size();
+    if (nextCount <= count)
+    {
+        if (nextCount < count)
+        {
+            IgnoreColors(next, nextCount);
+        }
+        return;
+    }
+    IgnoreColors(node, count);
+    std::vector<std::optional<Color>> cleared;
+    for (std::size_t i = 0; i < nextCount; ++i)
+    {
+        cleared.push_back(ClearColorOf(i < count ? node : next, *next.targets.colors[i]));
+    }
+    if (node.clear)
+    {
+        node.clear->flags = Without(node.clear->flags, ClearFlag::Color);
+    }
+    node.clearedColors = std::move(cleared);
+    node.targets.colors = next.targets.colors;
+    node.coversColor = next.coversColor;
+}
+
+void JoinDepth(FrameNode& node, FrameNode& next)
+{
+    if (node.targets.depth == next.targets.depth)
+    {
+        return;
+    }
+    IgnoreDepth(node.targets.depth ? next : node);
+    if (next.targets.depth)
+    {
+        node.targets.depth = next.targets.depth;
+        if (next.clear)
+        {
+            ClearCommand clear = *next.clear;
+            clear.flags = Only(clear.flags, ClearFlag::DepthStencil);
+            node.clear = node.clear ? *node.clear : ClearCommand{};
+            Merge(*node.clear, clear);
+        }
+    }
+}
+
 void Continue(FrameNode& node, FrameNode& next)
 {
-    if (node.targets.depth != next.targets.depth)
-    {
-        IgnoreDepth(node.targets.depth ? next : node);
-        node.targets.depth = node.targets.depth ? node.targets.depth : next.targets.depth;
-    }
+    JoinColors(node, next);
+    JoinDepth(node, next);
     const bool hasViewport =
         std::any_of(node.commands.begin(), node.commands.end(),
                     [](const PassCommand& command)
                     { return std::holds_alternative<SetViewportCommand>(command); });
     if (hasViewport)
     {
-        const RenderTexture& target = *node.targets.colors.front();
+        const RenderTexture& target = AnyTarget(node);
         node.commands.emplace_back(SetViewportCommand{{0, 0, target.width(), target.height()}});
     }
     node.commands.insert(node.commands.end(), std::make_move_iterator(next.commands.begin()),
                          std::make_move_iterator(next.commands.end()));
     CollectReads(node);
+}
+
+/// The node that `next` can go on with, past all that it may change places with.
+FrameNode* FindBegun(std::vector<FrameNode>& nodes, const FrameNode& next)
+{
+    const bool canMove = SamplesAreBalanced(next);
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+    {
+        const bool isNeighbour = node == nodes.rbegin();
+        if ((isNeighbour || SharesTarget(*node, next)) && CanContinue(*node, next))
+        {
+            return &*node;
+        }
+        if (!canMove || !MayChangePlaces(*node, next))
+        {
+            return nullptr;
+        }
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -68,9 +227,10 @@ void MergeNodes(std::vector<FrameNode>& nodes)
     std::vector<FrameNode> merged;
     for (FrameNode& node : nodes)
     {
-        if (!merged.empty() && CanContinue(merged.back(), node))
+        FrameNode* begun = FindBegun(merged, node);
+        if (begun)
         {
-            Continue(merged.back(), node);
+            Continue(*begun, node);
         }
         else
         {

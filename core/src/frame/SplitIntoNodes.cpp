@@ -16,6 +16,12 @@ ViewportRect WholeOf(const SetRenderTargetCommand& target)
     return {0, 0, any.width(), any.height()};
 }
 
+ClearFlag AspectsOf(const SetRenderTargetCommand& target)
+{
+    return (target.colors.empty() ? ClearFlag::None : ClearFlag::Color) |
+           (target.depth ? AspectsOf(*target.depth) : ClearFlag::None);
+}
+
 /// @throws DrawError if the draw samples what it draws into
 void ExpectOtherTextures(const FrameNode& node, const DrawCommand& draw)
 {
@@ -60,8 +66,9 @@ private:
 
     void Take(const SetViewportCommand& command) { m_Viewport = command.rect; }
 
-    void Take(const ClearCommand& command)
+    void Take(ClearCommand& command)
     {
+        command.flags = m_Target ? Only(command.flags, AspectsOf(*m_Target)) : command.flags;
         if (command.flags == ClearFlag::None)
         {
             return;
@@ -88,7 +95,8 @@ private:
     void Take(const BeginSampleCommand& command)
     {
         m_Samples.push_back(command.name);
-        Place(command);
+        m_Pending.emplace_back(command);
+        ++m_PendingBegins;
     }
 
     void Take(const EndSampleCommand& command)
@@ -98,13 +106,9 @@ private:
             throw ContractError("EndSample without a BeginSample before it");
         }
         m_Samples.pop_back();
-        Place(command);
-    }
-
-    void Place(const PassCommand& sample)
-    {
-        m_Pending.push_back(sample);
-        if (IsOnTarget())
+        m_Pending.emplace_back(command);
+        m_PendingBegins = std::max(m_PendingBegins - 1, 0);
+        if (m_PendingBegins == 0 && !m_Nodes.empty())
         {
             FlushPending();
         }
@@ -150,6 +154,7 @@ private:
         commands.insert(commands.end(), std::make_move_iterator(m_Pending.begin()),
                         std::make_move_iterator(m_Pending.end()));
         m_Pending.clear();
+        m_PendingBegins = 0;
     }
 
     std::vector<FrameNode> m_Nodes;
@@ -157,8 +162,9 @@ private:
     bool m_Started = false;                     ///< the last node holds a draw or a clear
     std::optional<ViewportRect> m_Viewport;     ///< as recorded; none = the whole target
     std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
-    std::vector<PassCommand> m_Pending;         ///< samples begun or ended between nodes
-    std::vector<std::string> m_Samples;         ///< open ones, outermost first
+    std::vector<PassCommand> m_Pending; ///< samples begun, which are the next node's, or empty
+    int m_PendingBegins = 0;            ///< of them, those that have not ended
+    std::vector<std::string> m_Samples; ///< open ones, outermost first
 };
 
 } // namespace

@@ -131,9 +131,20 @@ TEST_F(FrameCompilerLoadStore, StoresATransientTextureThatALaterPassSamples)
 TEST_F(FrameCompilerLoadStore, StoresATransientTextureThatALaterPassDrawsOver)
 {
     m_Frame.Bind(m_Transient).Draw(1).Bind(m_A).Draw(2).Bind(m_Transient).Draw(3);
+    m_Frame.Bind(m_A).Draw(4, {m_Transient}).Bind(m_Transient).Draw(5);
     const CompiledFrame frame = Compile(m_Frame);
     EXPECT_EQ(frame.passes.at(0).colors[0].store, StoreOp::Store);
     EXPECT_EQ(frame.passes.at(2).colors[0].load, LoadOp::Load);
+    EXPECT_EQ(frame.passes.at(2).colors[0].store, StoreOp::Store);
+    EXPECT_EQ(frame.passes.at(4).colors[0].store, StoreOp::DontCare);
+}
+
+TEST_F(FrameCompilerLoadStore, NeitherLoadsNorStoresWhatNobodyReads)
+{
+    m_Frame.Bind(m_Transient).Draw(1).Bind(m_A).Draw(2).Bind(m_Transient).Draw(3);
+    const CompiledFrame frame = Compile(m_Frame);
+    EXPECT_EQ(frame.passes.at(0).colors[0].store, StoreOp::DontCare);
+    EXPECT_EQ(frame.passes.at(2).colors[0].load, LoadOp::DontCare);
     EXPECT_EQ(frame.passes.at(2).colors[0].store, StoreOp::DontCare);
 }
 
@@ -166,6 +177,7 @@ TEST_F(FrameCompilerLoadStore, StoresWhatALaterPassClearsOnlyInAViewport)
 {
     m_Frame.Bind(m_Transient).Draw(1).Bind(m_B).Draw(2);
     m_Frame.Bind(m_Transient).Viewport(0, 0, 1, 1).Clear(ClearFlag::Color);
+    m_Frame.Bind(m_B).Draw(3, {m_Transient});
     const CompiledFrame frame = Compile(m_Frame);
     EXPECT_EQ(frame.passes.at(0).colors[0].store, StoreOp::Store);
     EXPECT_EQ(frame.passes.at(2).colors[0].load, LoadOp::Load);

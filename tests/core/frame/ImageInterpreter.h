@@ -218,13 +218,12 @@ private:
                 continue;
             }
             const long value = Fragment(draw, sample / count);
-            const RenderTargetBlendState& blend = draw.state.targets[0];
-            for (const auto& color : targets.colors)
+            for (std::size_t target = 0; target < targets.colors.size(); ++target)
             {
-                long& stored = Of(*color)[sample];
-                stored =
-                    ((blend.destinationColorBlendMode != BlendMode::Zero ? stored : 0) + value) %
-                    k_Modulus;
+                const RenderTargetBlendState& blend = draw.state.targets[target];
+                const bool keeps = blend.destinationColorBlendMode != BlendMode::Zero;
+                long& texel = Of(*targets.colors[target])[sample];
+                texel = blend.writeMask == 0 ? texel : ((keeps ? texel : 0) + value) % k_Modulus;
             }
         }
     }

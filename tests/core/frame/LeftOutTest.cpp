@@ -84,7 +84,7 @@ TEST_F(LeftOutOfAFrame, IsNothingOfTheOutlineWhereSomethingIsSelected)
 {
     RecordOutline(true);
     EXPECT_THAT(Compile({m_Camera}),
-                ElementsAre("Scene: begin Scene draw 1 end begin Outline", "Outline: draw 2",
+                ElementsAre("Scene: begin Scene draw 1 end", "Outline: begin Outline draw 2",
                             "Outline: draw 3",
                             "Outline: draw 4 end begin Transparents draw 5 end"));
     EXPECT_THAT(Reasons(), IsEmpty());
@@ -122,12 +122,14 @@ TEST_F(LeftOutOfAFrame, IsNoClearOfAnOutput)
     EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, Color::green);
 }
 
-TEST_F(LeftOutOfAFrame, AreSeveralClearedTargetsOfOnePassOnlyOneByOne)
+TEST_F(LeftOutOfAFrame, IsAClearOfOneOfSeveralTargets)
 {
     m_Frame.Bind(m_Mask).Clear(ClearFlag::Color, Color::red);
     m_Frame.Bind({m_Camera, m_Mask}, nullptr).Draw(1);
-    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre("Clear Mask:", ": draw 1"));
-    EXPECT_EQ(m_Last.passes[1].colors[1].load, LoadOp::Load);
+    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre(": draw 1"));
+    EXPECT_EQ(m_Last.passes.at(0).colors[0].load, LoadOp::DontCare);
+    EXPECT_EQ(m_Last.passes[0].colors[1].load, LoadOp::Clear);
+    EXPECT_EQ(m_Last.passes[0].colors[1].clearColor, Color::red);
 }
 
 TEST_F(LeftOutOfAFrame, IsATransientTextureThatNothingReads)
@@ -232,6 +234,51 @@ TEST_F(LeftOutOfAFrame, IsACopyThatCanBeDrawnIntoDirectly)
     EXPECT_EQ(draw.state.targets[0].writeMask, ColorWriteMask::All & ~ColorWriteMask::Alpha);
     EXPECT_THAT(Reasons(), ElementsAre("Final Blit: 'Camera' is drawn into directly: nothing else "
                                        "reads 'Scene', nor blends with it"));
+}
+
+TEST_F(LeftOutOfAFrame, IsAClearOfDepthWhereNoneIsBound)
+{
+    m_Frame.Bind(m_Camera, m_Depth).Clear(ClearFlag::All, Color::red, 0.5f).Draw(1);
+    m_Frame.Bind(m_Mask).Draw(2, {m_Camera});
+    m_Frame.Bind(m_Camera).Clear(ClearFlag::All).Draw(3).Clear(ClearFlag::All).Draw(4);
+    m_Frame.Bind(m_Camera, m_Depth).Draw(5);
+    EXPECT_THAT(Compile({m_Camera, m_Mask}),
+                ElementsAre(": draw 1", ": draw 2", ": draw 3 clear 1 draw 4 draw 5"));
+    ASSERT_TRUE(m_Last.passes.at(2).depth);
+    EXPECT_EQ(m_Last.passes[2].depth->load, LoadOp::Load);
+    EXPECT_EQ(m_Last.passes[2].colors[0].load, LoadOp::Clear);
+}
+
+TEST_F(LeftOutOfAFrame, IsAPassThatCanGoOnInOneBeforeIt)
+{
+    m_Frame.Bind(m_Camera, m_Depth).Clear(ClearFlag::All).Draw(1);
+    m_Frame.Begin("Mask").Bind(m_Mask).Draw(2).End();
+    m_Frame.Begin("Sky").Bind(m_Camera, m_Depth).Draw(3).End();
+    EXPECT_THAT(Compile({m_Camera, m_Mask}),
+                ElementsAre(": draw 1 begin Sky draw 3 end", "Mask: begin Mask draw 2 end"));
+    m_Frame.Bind(m_Camera).Draw(1).Bind(m_Mask).Draw(2, {m_Camera}).Bind(m_Camera).Draw(3);
+    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre(": draw 1", ": draw 2", ": draw 3"));
+    m_Frame.Bind(m_Camera).Draw(1).Bind(m_Mask).Draw(2).Bind(m_Camera).Draw(3, {m_Mask});
+    EXPECT_THAT(Compile({m_Camera, m_Mask}), ElementsAre(": draw 1", ": draw 2", ": draw 3"));
+}
+
+TEST_F(LeftOutOfAFrame, IsNoLoadOfAColourBesideOneThatIsCovered)
+{
+    m_Frame.Bind(m_Edges).Draw(1);
+    Compile({m_Edges});
+    m_Frame.Bind(m_Camera).Blit(2, {}, "True").Bind({m_Camera, m_Edges}, nullptr).Draw(3);
+    Compile({m_Camera, m_Edges});
+    ASSERT_EQ(m_Last.passes.back().colors.size(), 2u);
+    EXPECT_EQ(m_Last.passes.back().colors[1].load, LoadOp::Load);
+}
+
+// Its own passes are written in the order: a pass that opens a sample for others keeps its place.
+TEST_F(LeftOutOfAFrame, IsNoPassThatHoldsHalfASample)
+{
+    m_Frame.Bind(m_Camera).Draw(1).Bind(m_Mask).Draw(2);
+    m_Frame.Begin("Half").Bind(m_Camera).Draw(3).Bind(m_Edges).Draw(4).End();
+    EXPECT_THAT(Compile({m_Camera, m_Mask, m_Edges}),
+                ElementsAre(": draw 1", ": draw 2", "Half: begin Half draw 3", "Half: draw 4 end"));
 }
 
 struct CopyCase

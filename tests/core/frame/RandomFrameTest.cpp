@@ -101,14 +101,20 @@ private:
         {
             return;
         }
-        m_Frame.Bind(color, depth);
-        const bool clears = !IsKnown(color) || Pick(0, 3) == 0;
+        std::vector<RenderTexturePtr> colors{color};
+        const RenderTexturePtr second = m_Colors[static_cast<std::size_t>(Pick(0, 9))];
+        if (second != color && HasSamples(*second) == HasSamples(*color) && Pick(0, 2) == 0)
+        {
+            colors.push_back(second);
+        }
+        m_Frame.Bind(colors, depth);
+        const bool clears = !IsKnown(color) || !IsKnown(colors.back()) || Pick(0, 3) == 0;
         const bool clearsDepth = depth && (!IsKnown(depth) || Pick(0, 3) == 0);
         m_Frame.Clear((clears ? ClearFlag::Color : ClearFlag::None) |
                           (clearsDepth ? ClearFlag::DepthStencil : ClearFlag::None),
                       {static_cast<float>(Pick(0, 1) * Pick(0, 3)), 0, 0, 0},
                       static_cast<float>(Pick(0, 8)) / 8.0f);
-        Know(color);
+        std::for_each(colors.begin(), colors.end(), [&](const auto& c) { Know(c); });
         if (depth)
         {
             Know(depth);
@@ -116,17 +122,19 @@ private:
         const int draws = Pick(0, 2);
         for (int i = 0; i < draws; ++i)
         {
-            RecordDraw(color);
+            RecordDraw(colors);
         }
     }
 
-    /// What can be sampled beside drawing into `target`.
-    std::vector<test::TexturePtr> Sampled(const RenderTexturePtr& target, int most)
+    /// What can be sampled beside drawing into `targets`.
+    std::vector<test::TexturePtr> Sampled(const std::vector<RenderTexturePtr>& targets, int most)
     {
         std::vector<test::TexturePtr> result;
         for (const RenderTexturePtr& texture : m_Known)
         {
-            if (texture != target && !IsDepthFormat(texture->graphicsFormat()) &&
+            const bool isTarget =
+                std::find(targets.begin(), targets.end(), texture) != targets.end();
+            if (!isTarget && !IsDepthFormat(texture->graphicsFormat()) &&
                 static_cast<int>(result.size()) < most && Pick(0, 2) == 0)
             {
                 result.push_back(texture);
@@ -137,7 +145,7 @@ private:
 
     bool RecordCopy(const RenderTexturePtr& color)
     {
-        const std::vector<test::TexturePtr> from = Sampled(color, 1);
+        const std::vector<test::TexturePtr> from = Sampled({color}, 1);
         if (from.empty())
         {
             return false;
@@ -147,11 +155,11 @@ private:
         return true;
     }
 
-    void RecordDraw(const RenderTexturePtr& color)
+    void RecordDraw(const std::vector<RenderTexturePtr>& colors)
     {
         const RenderTargetBlendState blend =
             Pick(0, 1) == 0 ? RenderTargetBlendState{} : FrameBuilder::Additive();
-        const std::vector<test::TexturePtr> sampled = Sampled(color, 2);
+        const std::vector<test::TexturePtr> sampled = Sampled(colors, 2);
         const int kind = Pick(0, 3);
         if (kind == 0 && sampled.size() == 1)
         {
@@ -165,6 +173,8 @@ private:
         {
             m_Frame.Draw(m_Number++, sampled);
         }
+        m_Frame.last().state.targets[1] =
+            Pick(0, 1) == 0 ? RenderTargetBlendState{} : FrameBuilder::Additive();
     }
 
     std::mt19937 m_Random;
@@ -210,6 +220,16 @@ bool HasPending(const TextureStates& states)
                        [](const auto& entry) { return entry.second.isPending; });
 }
 
+std::string NamesOf(const std::vector<RenderTexturePtr>& textures)
+{
+    std::string names;
+    for (const RenderTexturePtr& texture : textures)
+    {
+        names += " " + texture->name();
+    }
+    return names;
+}
+
 /// For a person who has to find out why a frame went wrong.
 std::string Describe(const FrameCommands& frame)
 {
@@ -218,7 +238,7 @@ std::string Describe(const FrameCommands& frame)
     {
         if (const auto* bind = std::get_if<SetRenderTargetCommand>(&command))
         {
-            text += "\n  " + bind->colors.at(0)->name() + (bind->depth ? "+depth:" : ":");
+            text += "\n " + NamesOf(bind->colors) + (bind->depth ? " depth:" : ":");
         }
         else if (const auto* clear = std::get_if<ClearCommand>(&command))
         {
@@ -236,16 +256,6 @@ std::string Describe(const FrameCommands& frame)
         }
     }
     return text;
-}
-
-std::string NamesOf(const std::vector<RenderTexturePtr>& textures)
-{
-    std::string names;
-    for (const RenderTexturePtr& texture : textures)
-    {
-        names += " " + texture->name();
-    }
-    return names;
 }
 
 /// What the frames of one sequence came to.

@@ -39,7 +39,22 @@ Shader "Test/Frame"
             float4 F() : SV_Target { return _Tint; }
             ENDHLSL
         }
-        Pass // 1: a mesh that adds what a texture holds
+        Pass // 1: a mesh in two colours
+        {
+            ZTest LEqual
+            HLSLPROGRAM
+            struct Colors { float4 first : SV_Target0; float4 second : SV_Target1; };
+            float4 V(float4 p : POSITION) : SV_POSITION { return float4(p.yx * 1.5, p.z + 0.5, 1); }
+            Colors F()
+            {
+                Colors colors;
+                colors.first = _Tint.gbra;
+                colors.second = _Tint.brga;
+                return colors;
+            }
+            ENDHLSL
+        }
+        Pass // 2: a mesh that adds what a texture holds
         {
             Blend One One
             HLSLPROGRAM
@@ -53,21 +68,21 @@ Shader "Test/Frame"
             return float4(id == 1 ? 3 : -1, id == 2 ? 3 : -1, 0.5, 1);
         }
         ENDHLSL
-        Pass // 2: mixed, promises to cover only
+        Pass // 3: mixed, promises to cover only
         {
             Tags { "LimnFullScreen" = "True" }
             HLSLPROGRAM
             float4 F(float4 p : SV_POSITION) : SV_Target { return Fetch(p) * 0.5 + _Tint * 0.5; }
             ENDHLSL
         }
-        Pass // 3: nothing of nothing
+        Pass // 4: nothing of nothing
         {
             Tags { "LimnFullScreen" = "0 0 0 0 where _BlitTexture is 0" }
             HLSLPROGRAM
             float4 F(float4 p : SV_POSITION) : SV_Target { return Fetch(p).grba; }
             ENDHLSL
         }
-        Pass // 4: added, nothing of nothing
+        Pass // 5: added, nothing of nothing
         {
             Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0" }
             Blend One SrcAlpha, Zero One
@@ -75,7 +90,7 @@ Shader "Test/Frame"
             float4 F(float4 p : SV_POSITION) : SV_Target { return float4(Fetch(p).rgb * _Tint.rgb, 1); }
             ENDHLSL
         }
-        Pass // 5: a copy
+        Pass // 6: a copy
         {
             Tags { "LimnFullScreen" = "_BlitTexture with alpha 1" }
             HLSLPROGRAM
@@ -85,8 +100,8 @@ Shader "Test/Frame"
     }
 }
 )";
-constexpr int k_MeshPasses = 2;
-constexpr int k_FramePasses = 6;
+constexpr int k_MeshPasses = 3;
+constexpr int k_FramePasses = 7;
 
 /// The same frames for the same seed, on textures of its own.
 class RandomDeviceFrames
@@ -161,18 +176,24 @@ private:
     void Record(CommandBuffer& cmd)
     {
         const RTHandle color = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
+        const RTHandle second = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
         RTHandle source = m_Colors.at(static_cast<std::size_t>(Pick(0, 7)));
-        const bool canFetch = IsKnown(source) && source != color;
-        const bool isSmooth = color.rt()->descriptor().msaaSamples > 1;
-        const RTHandle depth = Pick(0, 2) != 0 ? RTHandle() : isSmooth ? m_SmoothDepth : m_Depth;
-        cmd.SetRenderTarget(color, depth);
-        const bool clears = !IsKnown(color) || Pick(0, 3) == 0;
+        const int samples = color.rt()->descriptor().msaaSamples;
+        std::vector<RTHandle> colors{color};
+        if (second != color && second.rt()->descriptor().msaaSamples == samples && Pick(0, 2) == 0)
+        {
+            colors.push_back(second);
+        }
+        const bool canFetch = IsKnown(source) && source != color && source != colors.back();
+        const RTHandle depth = Pick(0, 2) != 0 ? RTHandle() : samples > 1 ? m_SmoothDepth : m_Depth;
+        cmd.SetRenderTarget(colors, depth);
+        const bool clears = !IsKnown(color) || !IsKnown(colors.back()) || Pick(0, 3) == 0;
         const bool clearsDepth = depth && (!IsKnown(depth) || Pick(0, 3) == 0);
         const float level = Pick(0, 1) == 0 ? 0.0f : Part();
         cmd.ClearRenderTarget((clears ? ClearFlag::Color : ClearFlag::None) |
                                   (clearsDepth ? ClearFlag::Depth : ClearFlag::None),
                               {level, level, level, level}, Part());
-        Know(color);
+        std::for_each(colors.begin(), colors.end(), [this](const RTHandle& c) { Know(c); });
         if (depth)
         {
             Know(depth);
@@ -186,7 +207,7 @@ private:
 
     void RecordDraw(CommandBuffer& cmd, const RTHandle& source)
     {
-        const int pass = source ? Pick(0, k_FramePasses - 1) : 0;
+        const int pass = Pick(0, source ? k_FramePasses - 1 : 1);
         const auto material = std::make_shared<Material>(FrameShader());
         material->SetVector(ShaderPropertyId("_Tint"), {Part(), Part(), Part(), Part()});
         if (source)

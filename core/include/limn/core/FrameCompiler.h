@@ -36,7 +36,8 @@ struct FrameCompilerOptions
 /// - LeaveOutUnread: a node whose targets nothing reads goes;
 /// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;
-/// - MergeNodes: neighbours on the same colours become one;
+/// - MergeNodes: nodes whose colours are the same, as far as both have some, and whose depth is not
+///   another become one, if nothing between them minds;
 /// - ResolveSamples: several samples a texel become one where something reads that;
 /// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,
 ///   and stored if it is read later, is an output, or may be read by a next frame.
