@@ -83,10 +83,10 @@ TEST(SceneFile, SaysHowManySamplesAPixelHas)
     EXPECT_EQ(1, folder.LoadWithCamera("").msaaSampleCount);
     EXPECT_EQ(4, folder.LoadWithCamera("msaaSampleCount: 4\n").msaaSampleCount);
     EXPECT_EQ(8, folder.LoadWithCamera("msaaSampleCount: _8x\n").msaaSampleCount);
-    EXPECT_EQ(folder.ProblemsOf("camera:\nmsaaSampleCount: 3\n"),
-              std::vector<std::string>{
-                  "2:18: msaaSampleCount: 3 is none of Disabled 1, _2x 2, _4x 4, "
-                  "_8x 8"});
+    EXPECT_EQ(
+        folder.ProblemsOf("camera:\nmsaaSampleCount: 3\n"),
+        std::vector<std::string>{"2:18: msaaSampleCount: 3 is none of Disabled 1, _2x 2, _4x 4, "
+                                 "_8x 8"});
 }
 
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)
