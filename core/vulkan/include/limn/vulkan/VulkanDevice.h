@@ -40,7 +40,7 @@ struct VulkanDeviceStatistics
     std::size_t pipelines = 0;
     std::size_t descriptorSets = 0;
     std::uint64_t descriptorWrites = 0; ///< sets written since construction
-    std::uint64_t meshUploads = 0; ///< since construction; grows by one for each mesh written
+    std::uint64_t meshUploads = 0;      ///< since construction; grows by one for each mesh written
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
@@ -75,6 +75,8 @@ public:
     Image ReadBackStencil(const RenderTexture& texture);
 
     const TextureStates& textureStates() const override;
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;
