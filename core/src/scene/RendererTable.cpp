@@ -409,7 +409,7 @@ void RendererTable::Release(std::uint32_t row)
 
 PerDrawData RendererTable::Get(std::uint32_t object) const
 {
-    glm::dmat4 localToWorld(glm::dmat3(m_Axes[object]));
+    glm::dmat4 localToWorld{glm::dmat3(m_Axes[object])};
     localToWorld[3] = glm::dvec4(m_Place[object], 1.0);
     return MakePerDrawData(localToWorld, RenderingLayerMask{m_RenderingLayers[object]}, m_Origin);
 }
