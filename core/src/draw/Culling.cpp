@@ -1,13 +1,17 @@
+#include "draw/ObjectDraws.h"
 #include "draw/PerDraw.h"
-#include "material/RequireFinite.h"
-#include "scene/WorldMatrices.h"
+#include "draw/SortEntries.h"
+#include "scene/ParallelFor.h"
+#include "scene/RendererTable.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <limn/core/Camera.h>
 #include <limn/core/Culling.h>
+#include <stdexcept>
 #include <tuple>
 
 namespace limn
@@ -15,6 +19,10 @@ namespace limn
 
 namespace
 {
+
+// What the camera has to do with a class of rows.
+constexpr std::uint8_t k_InCullingMask = 1;
+constexpr std::uint8_t k_Draws = 2;
 
 /// The six planes of a clip matrix, pointing inwards (not normalised).
 std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
@@ -28,158 +36,326 @@ std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
             row(3) - row(1), row(2),          row(3) - row(2)};
 }
 
-/// @param center  of the result
-Bounds TransformBounds(const Bounds& bounds, const glm::mat4& matrix, const glm::vec3& center)
+/// What a run of rows comes to.
+struct PartOfCulling
 {
-    Bounds result;
-    result.center = center;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        result.extents += glm::abs(glm::vec3(matrix[axis])) * bounds.extents[axis];
-    }
-    return result;
-}
+    std::vector<std::uint32_t> visible;
+    int renderers = 0;
+    int outsideFrustum = 0;
+    int outsideCullingMask = 0;
+};
 
-/// False only if the box is wholly outside one plane; not-a-number counts as inside, so that
-/// nothing disappears silently.
-bool TouchesFrustum(const Bounds& bounds, const std::array<glm::vec4, 6>& planes)
+constexpr std::size_t k_BlockRows = 512; ///< few enough for the caches
+
+/// How far inside the plane that they are least inside of the boxes reach; below 0 they are wholly
+/// outside. Not-a-number counts as inside, so that nothing disappears silently.
+void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, std::size_t begin,
+            std::size_t count, float* depths)
 {
+    const float* x = table.centers(0).data() + begin;
+    const float* y = table.centers(1).data() + begin;
+    const float* z = table.centers(2).data() + begin;
+    const float* dx = table.extents(0).data() + begin;
+    const float* dy = table.extents(1).data() + begin;
+    const float* dz = table.extents(2).data() + begin;
+    std::fill_n(depths, count, std::numeric_limits<float>::max());
     for (const glm::vec4& plane : planes)
     {
-        const glm::vec3 normal(plane);
-        const float reach = glm::dot(glm::abs(normal), bounds.extents);
-        if (glm::dot(normal, bounds.center) + plane.w + reach < 0.0f)
+        const glm::vec3 reach = glm::abs(glm::vec3(plane));
+        for (std::size_t i = 0; i < count; ++i)
         {
-            return false;
+            const float depth = plane.x * x[i] + plane.y * y[i] + plane.z * z[i] + plane.w +
+                                (reach.x * dx[i] + reach.y * dy[i] + reach.z * dz[i]);
+            depths[i] = depth < depths[i] ? depth : depths[i];
         }
     }
-    return true;
 }
 
-void AppendItems(const GameObject& object, const glm::dvec3& boundsCenter, CullingResults& results)
+/// @param classes  by class: whether the camera's cullingMask has its layer, and draws anything
+void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes,
+              const std::vector<std::uint8_t>& classes, std::size_t begin, std::size_t end,
+              PartOfCulling& result)
 {
-    const MeshRenderer& renderer = *object.renderer;
-    for (std::size_t i = 0; i < renderer.sharedMaterials.size(); ++i)
+    std::array<float, k_BlockRows> depths;
+    result.visible.resize(end - begin);
+    std::size_t visible = 0;
+    for (std::size_t block = begin; block < end; block += k_BlockRows)
     {
-        const std::shared_ptr<const Material>& material = renderer.sharedMaterials[i];
-        if (!material)
+        const std::size_t count = std::min(k_BlockRows, end - block);
+        Depths(table, planes, block, count, depths.data());
+        for (std::size_t i = 0; i < count; ++i)
         {
-            continue; // an empty material slot draws nothing, as in Unity's builds
+            const std::size_t row = block + i;
+            const std::uint8_t flags = table.flags()[row];
+            const std::uint8_t kind = classes[table.classOf()[row]];
+            const bool isActive = (flags & RendererTable::k_Active) != 0;
+            const bool counts = isActive && (flags & RendererTable::k_First) != 0;
+            const bool inMask = (kind & k_InCullingMask) != 0;
+            const bool inside = !(depths[i] < 0.0f);
+            result.renderers += counts;
+            result.outsideCullingMask += counts & !inMask;
+            result.outsideFrustum += counts & inMask & !inside;
+            result.visible[visible] = static_cast<std::uint32_t>(row);
+            visible += isActive & inside & (kind == (k_InCullingMask | k_Draws));
         }
-        RendererItem item;
-        item.object = &object;
-        item.material = material;
-        item.materialIndex = static_cast<int>(i);
-        item.subMesh = std::min(static_cast<int>(i), renderer.mesh->subMeshCount() - 1);
-        item.filter = {material->renderQueue(), object.layer, renderer.renderingLayerMask,
-                       material->shader().get()};
-        item.perDraw = results.perDraw.size() - 1;
-        item.boundsCenter = boundsCenter;
-        results.items.push_back(std::move(item));
     }
+    result.visible.resize(visible);
 }
 
-/// Distance to the camera with everything that is no number at the far end: comparisons of NaN
-/// would leave the order undefined.
-float SortDistance(const glm::dvec3& center, const SortingSettings& sorting)
+/// Numbers 0, 1 ... in the order of `values`, equal ones for equal values.
+template <typename Value>
+std::vector<std::uint32_t> Ranks(const std::vector<Value>& values)
 {
-    const glm::vec3 offset(center - sorting.cameraPosition);
-    const float distance = sorting.distanceMetric == DistanceMetric::Perspective
-                               ? glm::length(offset)
-                               : glm::dot(offset, sorting.cameraForward);
-    return std::isfinite(distance) ? distance : std::numeric_limits<float>::max();
-}
-
-/// Equal for distances within the same eighth of an octave.
-int Quantise(float distance)
-{
-    if (!(distance > 1e-3f))
+    std::vector<Value> sorted = values;
+    std::ranges::sort(sorted);
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    std::vector<std::uint32_t> ranks;
+    for (const Value& value : values)
     {
-        return std::numeric_limits<int>::min();
+        ranks.push_back(
+            static_cast<std::uint32_t>(std::ranges::lower_bound(sorted, value) - sorted.begin()));
     }
-    return static_cast<int>(std::floor(8.0f * std::log2(distance)));
+    return ranks;
+}
+
+/// What OptimizeStateChanges brings together: first the shader, then the material, then the mesh.
+using StateId = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
+
+StateId StateOf(const Material* material, const Mesh* mesh)
+{
+    return {material ? material->shader()->id() : 0, material ? material->id() : 0,
+            mesh ? mesh->id() : 0};
+}
+
+/// What the order needs of each class of rows, worked out once a call.
+class ClassOrder
+{
+public:
+    ClassOrder(const RendererTable& table, const SortingSettings& settings)
+        : sorting(settings), camera(settings.cameraPosition - table.origin())
+    {
+        const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
+        std::vector<StateId> states;
+        for (const RendererTable::RowClass& rowClass : table.classes())
+        {
+            const Material* material = rowClass.material.get();
+            const Mesh* mesh = table.meshParts()[rowClass.meshPart].mesh.get();
+            states.push_back(byState ? StateOf(material, mesh) : StateId());
+            queues.push_back(material ? material->renderQueue() : 0);
+        }
+        ranks = Ranks(states);
+        const std::uint32_t most = ranks.empty() ? 0 : *std::ranges::max_element(ranks);
+        m_RankBits = std::bit_width(most);
+        m_HasClasses = m_RankBits + std::bit_width(ranks.size()) <= 32;
+        for (std::uint32_t i = 0; m_HasClasses && m_RankBits < 32 && i < ranks.size(); ++i)
+        {
+            ranks[i] |= i << m_RankBits;
+        }
+    }
+
+    /// Of an entry's state; the rest of it says the class, if there is room.
+    int rankBits() const { return m_HasClasses ? m_RankBits : 32; }
+    std::uint32_t ClassOf(const SortEntry& entry, const RendererTable& table) const
+    {
+        return m_HasClasses ? entry.state >> m_RankBits : table.classOf()[entry.index];
+    }
+
+    const SortingSettings sorting;
+    const glm::vec3 camera; ///< relative to the table's origin
+    // By class.
+    std::vector<int> queues;
+    std::vector<std::uint32_t> ranks; ///< the entry's state
+
+private:
+    int m_RankBits = 0;
+    bool m_HasClasses = false;
+};
+
+/// @param entries  gets `count` of them
+void MakeEntries(const RendererTable& table, const ClassOrder& order, const std::uint32_t* rows,
+                 SortEntry* entries, std::size_t count)
+{
+    const SortingSettings sorting = order.sorting;
+    const glm::vec3 camera = order.camera;
+    const int* queues = order.queues.data();
+    const std::uint32_t* ranks = order.ranks.data();
+    const std::uint32_t* classOf = table.classOf().data();
+    const std::uint16_t* materialIndices = table.materialIndices().data();
+    const float* x = table.centers(0).data();
+    const float* y = table.centers(1).data();
+    const float* z = table.centers(2).data();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::uint32_t row = rows[i];
+        const std::uint32_t rowClass = classOf[row];
+        const glm::vec3 offset = glm::vec3(x[row], y[row], z[row]) - camera;
+        entries[i] = {SortKey(sorting.criteria, queues[rowClass], SortDistance(offset, sorting),
+                              materialIndices[row]),
+                      ranks[rowClass], row};
+    }
 }
 
 } // namespace
+
+RendererItem RendererItems::operator[](std::size_t index) const
+{
+    const RendererTable& table = *m_Table;
+    const std::uint32_t row = m_Rows[index];
+    const RendererTable::RowClass& kind = table.classes()[table.classOf()[row]];
+    RendererItem item;
+    item.objectIndex = table.objectOf()[row];
+    item.object = &table.object(item.objectIndex);
+    item.material = kind.material;
+    item.materialIndex = table.materialIndices()[row];
+    item.subMesh = table.meshParts()[kind.meshPart].subMesh;
+    item.filter = kind.item();
+    item.boundsCenter = table.origin() + glm::dvec3(table.center(row));
+    return item;
+}
+
+RendererItem RendererItems::at(std::size_t index) const
+{
+    if (index >= size())
+    {
+        throw std::out_of_range("RendererItems: there is no item " + std::to_string(index));
+    }
+    return (*this)[index];
+}
 
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
 {
     const glm::dvec3 origin = camera.renderOrigin();
     const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
                                                 RelativeTo(origin, camera.viewMatrix())));
-    WorldMatrices worldMatrices;
-    CullingResults results;
-    for (const auto& object : scene.objects())
+    const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
+    std::vector<std::uint8_t> classes;
+    for (const RendererTable::RowClass& kind : table->classes())
     {
-        if (!object->activeSelf || !object->renderer || !object->renderer->enabled ||
-            !object->renderer->mesh)
+        const bool inMask = LayerMask::FromIndex(kind.layer).Intersects(camera.cullingMask);
+        classes.push_back(static_cast<std::uint8_t>((inMask ? k_InCullingMask : 0) |
+                                                    (kind.material ? k_Draws : 0)));
+    }
+    std::vector<PartOfCulling> parts(PartsOf(table->rowCount()));
+    ForEachPart(table->rowCount(), parts.size(),
+                [&](std::size_t part, std::size_t begin, std::size_t end)
+                { CullRows(*table, planes, classes, begin, end, parts[part]); });
+
+    CullingResults results;
+    std::vector<std::uint32_t> visible = std::move(parts.front().visible);
+    for (const PartOfCulling& part : parts)
+    {
+        visible.insert(visible.end(), part.visible.begin(), part.visible.end());
+        results.rendererCount += part.renderers;
+        results.outsideFrustum += part.outsideFrustum;
+        results.outsideCullingMask += part.outsideCullingMask;
+    }
+    results.items = RendererItems(table, std::move(visible));
+    results.objects = table;
+    for (const std::uint32_t index : table->beyondFloat())
+    {
+        const GameObject& object = table->object(index);
+        if (object.activeSelf && object.renderer->enabled &&
+            LayerMask::FromIndex(object.layer).Intersects(camera.cullingMask))
         {
-            continue;
+            results.beyondFloat.push_back(&object);
         }
-        ++results.rendererCount;
-        if (!LayerMask::FromIndex(object->layer).Intersects(camera.cullingMask))
-        {
-            ++results.outsideCullingMask;
-            continue;
-        }
-        const glm::dmat4 localToWorld = worldMatrices.Of(object->transform);
-        const Bounds& local = object->renderer->mesh->bounds();
-        const glm::dvec3 center(localToWorld * glm::dvec4(local.center, 1.0));
-        const glm::mat4 rounded(localToWorld);
-        if (!isFinite(rounded))
-        {
-            results.beyondFloat.push_back(object.get());
-        }
-        if (!TouchesFrustum(TransformBounds(local, rounded, glm::vec3(center - origin)), planes))
-        {
-            ++results.outsideFrustum;
-            continue;
-        }
-        results.perDraw.push_back(
-            MakePerDrawData(localToWorld, object->renderer->renderingLayerMask, origin));
-        AppendItems(*object, center, results);
     }
     return results;
+}
+
+JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering,
+                  const DrawingSettings& drawing)
+{
+    JudgedItems judged;
+    if (items.empty())
+    {
+        return judged;
+    }
+    const RendererTable& table = *items.table();
+    std::vector<std::uint8_t> verdicts;
+    for (const RendererTable::RowClass& kind : table.classes())
+    {
+        verdicts.push_back(static_cast<std::uint8_t>(
+            kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
+    }
+    std::vector<std::uint32_t> drawn(items.size());
+    std::array<std::uint32_t, k_FilterVerdictCount> counts{};
+    std::size_t count = 0;
+    for (const std::uint32_t row : items.rows())
+    {
+        const std::uint8_t verdict = verdicts[table.classOf()[row]];
+        ++counts[verdict];
+        drawn[count] = row;
+        count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);
+    }
+    drawn.resize(count);
+    std::ranges::copy(counts, judged.counts.begin());
+    judged.drawn = RendererItems(items.table(), std::move(drawn));
+    return judged;
+}
+
+void Sort(RendererItems& items, const SortingSettings& sorting)
+{
+    SortIntoRuns(items, sorting);
+}
+
+std::vector<ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting)
+{
+    std::vector<ClassRun> runs;
+    if (items.empty())
+    {
+        return runs;
+    }
+    const RendererTable& table = *items.table();
+    const ClassOrder order(table, sorting);
+    // Kept from call to call: new memory would cost as much as the work on it.
+    static thread_local std::vector<SortEntry> entries;
+    static thread_local std::vector<SortEntry> spare;
+    std::vector<std::uint32_t>& rows = items.rows();
+    entries.resize(rows.size());
+    ForEachPart(rows.size(), PartsOf(rows.size()),
+                [&, out = entries.data()](std::size_t, std::size_t begin, std::size_t end)
+                { MakeEntries(table, order, rows.data() + begin, out + begin, end - begin); });
+    RadixSort(entries, spare, order.rankBits());
+    std::uint32_t last = ~std::uint32_t{0};
+    for (std::uint32_t i = 0; i < entries.size(); ++i)
+    {
+        rows[i] = entries[i].index;
+        const std::uint32_t rowClass = order.ClassOf(entries[i], table);
+        if (rowClass != last)
+        {
+            last = rowClass;
+            runs.push_back({rowClass, i, 0});
+        }
+        ++runs.back().count;
+    }
+    return runs;
 }
 
 void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
           std::vector<int>& indices)
 {
-    struct Key
+    std::vector<StateId> states;
+    for (const RendererItem& item : items)
     {
-        int queue = 0;
-        float backToFront = 0.0f;
-        int materialIndex = 0;
-        int frontToBack = 0;
-        std::tuple<std::uint64_t, std::uint64_t, std::uint64_t> state;
-
-        auto tie() const { return std::tie(queue, backToFront, materialIndex, frontToBack, state); }
-    };
-    const SortingCriteria criteria = sorting.criteria;
-    std::vector<Key> keys(items.size());
+        states.push_back(StateOf(item.material.get(), item.object->renderer->mesh.get()));
+    }
+    const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
+    const std::vector<std::uint32_t> ranks = Ranks(states);
+    std::vector<SortEntry> entries;
     for (const int index : indices)
     {
-        const RendererItem& item = items[static_cast<std::size_t>(index)];
-        Key& key = keys[static_cast<std::size_t>(index)];
-        const float distance = SortDistance(item.boundsCenter, sorting);
-        key.queue = criteria & SortingCriteria::RenderQueue ? item.filter.renderQueue : 0;
-        if (criteria & SortingCriteria::BackToFront)
-        {
-            key.backToFront = -distance;
-            key.materialIndex = item.materialIndex;
-        }
-        key.frontToBack = criteria & SortingCriteria::QuantizedFrontToBack ? Quantise(distance) : 0;
-        if (criteria & SortingCriteria::OptimizeStateChanges)
-        {
-            key.state = {item.material->shader()->id(), item.material->id(),
-                         item.object->renderer->mesh->id()};
-        }
+        const auto i = static_cast<std::size_t>(index);
+        const glm::vec3 offset(items[i].boundsCenter - sorting.cameraPosition);
+        entries.push_back(
+            {SortKey(sorting.criteria, items[i].filter.renderQueue, SortDistance(offset, sorting),
+                     static_cast<std::uint16_t>(items[i].materialIndex)),
+             byState ? ranks[i] : 0, static_cast<std::uint32_t>(index)});
     }
-    std::stable_sort(indices.begin(), indices.end(),
-                     [&](int a, int b) {
-                         return keys[static_cast<std::size_t>(a)].tie() <
-                                keys[static_cast<std::size_t>(b)].tie();
-                     });
+    std::vector<SortEntry> spare;
+    RadixSort(entries, spare);
+    std::ranges::transform(entries, indices.begin(),
+                           [](const SortEntry& entry) { return static_cast<int>(entry.index); });
 }
 
 } // namespace limn

@@ -212,6 +212,10 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
     }
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
+        if (buffer.name == "limn_Instances")
+        {
+            continue; // the device's own
+        }
         if (buffer.name != "limn_PerDraw")
         {
             throw DrawError("material '" + sources.material->name() + "': structured buffer '" +

@@ -40,7 +40,7 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     ForgetContents(frame.states);
     RememberOverwritten(overwritten, frame.states);
     frame.uniformData = std::move(commands.uniformData);
-    frame.perDraw = std::move(commands.perDraw);
+    static_cast<FrameInstances&>(frame) = std::move(static_cast<FrameInstances&>(commands));
     return frame;
 }
 

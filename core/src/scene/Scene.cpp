@@ -1,3 +1,5 @@
+#include "scene/RendererTable.h"
+
 #include <algorithm>
 #include <limn/core/Scene.h>
 
@@ -16,6 +18,16 @@ GameObject* Scene::Find(std::string_view name)
     const auto it = std::find_if(m_Objects.begin(), m_Objects.end(),
                                  [&](const auto& object) { return object->name == name; });
     return it == m_Objects.end() ? nullptr : it->get();
+}
+
+std::shared_ptr<const RendererTable> Scene::UpdateRenderers(const glm::dvec3& origin) const
+{
+    if (!m_Renderers)
+    {
+        m_Renderers = std::make_shared<RendererTable>();
+    }
+    m_Renderers->Update(m_Objects, origin);
+    return m_Renderers;
 }
 
 } // namespace limn

@@ -15,10 +15,10 @@ public:
     /// The same as Transform::worldMatrix.
     /// @throws ContractError if the parents form a circle
     glm::dmat4 Of(const Transform& transform);
-
-private:
+    /// @pre it has a parent
     const glm::dmat4& OfParent(const Transform& transform);
 
+private:
     std::unordered_map<const Transform*, glm::dmat4> m_Parents; ///< of the world, for the children
     std::vector<const Transform*> m_Climbed; ///< parents not known yet, the nearest first
 };

@@ -52,14 +52,14 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
                : "its layer is not in the camera's culling mask";
 }
 
-using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<const RendererItem*>>;
+using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<RendererItem>>;
 
 ItemsOfObjects Group(const CullingResults& culled)
 {
     ItemsOfObjects items;
     for (const RendererItem& item : culled.items)
     {
-        items[item.object].push_back(&item);
+        items[item.object].push_back(item);
     }
     return items;
 }
@@ -74,12 +74,12 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
         explained.absence = AbsenceOf(object, camera);
         return explained;
     }
-    for (const RendererItem* item : own->second)
+    for (const RendererItem& item : own->second)
     {
         for (const DrawRenderersReport& draw : report.draws)
         {
-            explained.draws.push_back({draw.pass, item->material->name(),
-                                       Judge(item->filter, draw.filtering, draw.drawing)});
+            explained.draws.push_back({draw.pass, item.material->name(),
+                                       Judge(item.filter, draw.filtering, draw.drawing)});
         }
     }
     return explained;

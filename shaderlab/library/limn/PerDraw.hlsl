@@ -1,4 +1,4 @@
-// Per-draw values come from one buffer with an element per instance, so that draws of equal mesh and
+// Per-draw values come from one buffer with an element per object, so that draws of equal mesh and
 // state can run as one. The names that shaders use are macros over it. The layout is
 // limn::PerDrawData.
 #pragma once
@@ -12,9 +12,11 @@ struct limn_PerDrawData
 };
 
 StructuredBuffer<limn_PerDrawData> limn_PerDraw;
+// The element of each instance.
+StructuredBuffer<uint> limn_Instances;
 
-// Set by the generated entry function: the instance's index in the vertex stage, limn_FirstInstance
-// in the others.
+// Set by the generated entry function: the instance's element in the vertex stage, that of
+// limn_FirstInstance in the others.
 static uint limn_DrawIndex;
 
 #define unity_ObjectToWorld (limn_PerDraw[limn_DrawIndex].objectToWorld)

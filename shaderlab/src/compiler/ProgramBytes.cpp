@@ -73,6 +73,7 @@ void TransferLayout(Stream& stream, Layout& layout)
     stream.Value(layout.colorOutputs);
     stream.Value(layout.geometryInput);
     stream.Value(layout.pushStages);
+    stream.Value(layout.fragmentHasInputs);
 }
 
 template <typename Stream, typename Pass>

@@ -13,7 +13,7 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Magic = "limn pass 5\n";
+constexpr std::string_view k_Magic = "limn pass 6\n";
 constexpr const char* k_Extension = ".limnpass";
 
 /// The bytes between magic and trailing hash, or nothing if the file is torn.

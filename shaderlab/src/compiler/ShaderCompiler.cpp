@@ -21,7 +21,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 8;
+constexpr int k_CompilerVersion = 9;
 
 std::string HashName(const std::string& text)
 {

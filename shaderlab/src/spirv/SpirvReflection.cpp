@@ -69,6 +69,11 @@ public:
         {
             m_Layout.pushStages = m_Layout.pushStages | m_Stage;
         }
+        if (m_Stage == ShaderStage::Fragment)
+        {
+            m_Layout.fragmentHasInputs =
+                !resources.stage_inputs.empty() || !resources.builtin_inputs.empty();
+        }
         WriteBindings();
     }
 

@@ -15,7 +15,7 @@ const std::string k_FirstInstance = "limn_FirstInstance";
 
 std::string DrawIndexText(const std::string& index)
 {
-    return "limn_DrawIndex = " + index + ";\n";
+    return "limn_DrawIndex = limn_Instances[" + index + "];\n";
 }
 
 class EntryWriter

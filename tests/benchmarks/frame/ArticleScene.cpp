@@ -189,8 +189,10 @@ private:
             materials.push_back(draw.bindings);
         }
         auto& objects = m_Objects[{material, draw.mesh}];
-        const auto first = m_Frame.perDraw.begin() + draw.firstInstance;
-        objects.insert(objects.end(), first, first + draw.instanceCount);
+        for (std::uint32_t i = 0; i < draw.instanceCount; ++i)
+        {
+            objects.push_back(m_Frame.PerDraw(draw, i));
+        }
     }
 
     void MakeGroups()

@@ -117,5 +117,7 @@ private:
 VkDescriptorType DescriptorTypeOf(const TextureBinding& texture);
 /// Of the objects in Slot::data.
 std::size_t ObjectsOffset(const ArticleNumbers& numbers);
+/// And of the instances, which are the objects in their order.
+std::size_t InstancesOffset(const ArticleNumbers& numbers);
 
 } // namespace limn::benchmarks

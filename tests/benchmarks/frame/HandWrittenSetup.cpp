@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limn/core/VertexAttribute.h>
+#include <numeric>
 
 namespace limn::benchmarks
 {
@@ -57,6 +58,12 @@ std::size_t ObjectsOffset(const ArticleNumbers& numbers)
 {
     return (numbers.uniforms.size() + k_UniformAlignment - 1) / k_UniformAlignment *
            k_UniformAlignment;
+}
+
+std::size_t InstancesOffset(const ArticleNumbers& numbers)
+{
+    const std::size_t end = ObjectsOffset(numbers) + numbers.objects.size() * sizeof(PerDrawData);
+    return (end + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
 }
 
 HandWrittenFrame::HandWrittenFrame(const ArticleNumbers& numbers, const std::string& device)
@@ -251,13 +258,16 @@ void HandWrittenFrame::CreateSlot(Slot& slot)
     VkQueryPool queries = VK_NULL_HANDLE;
     Check(vkCreateQueryPool(device, &queryInfo, nullptr, &queries), "vkCreateQueryPool");
     slot.queries = vulkan::UniqueQueryPool{device, queries};
-    slot.data =
-        vulkan::Buffer{device,
-                       m_Allocator,
-                       ObjectsOffset(m_Numbers) + m_Numbers.objects.size() * sizeof(PerDrawData),
-                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                       vulkan::MemoryUse::Upload,
-                       "frame data"};
+    slot.data = vulkan::Buffer{
+        device,
+        m_Allocator,
+        InstancesOffset(m_Numbers) + m_Numbers.objects.size() * sizeof(std::uint32_t),
+        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+        vulkan::MemoryUse::Upload,
+        "frame data"};
+    auto* const instances =
+        reinterpret_cast<std::uint32_t*>(slot.data.memory.mapped() + InstancesOffset(m_Numbers));
+    std::iota(instances, instances + m_Numbers.objects.size(), 0u);
     for (const auto& bindings : m_Numbers.materials)
     {
         slot.materials.push_back(CreateSet(slot, m_LitStage, *bindings));
@@ -309,8 +319,13 @@ VkDescriptorSet HandWrittenFrame::CreateSet(Slot& slot, const Stage& stage,
     }
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
-        const VkDescriptorBufferInfo info{slot.data.handle.get(), ObjectsOffset(m_Numbers),
-                                          VK_WHOLE_SIZE};
+        const std::size_t objectBytes = m_Numbers.objects.size() * sizeof(PerDrawData);
+        const VkDescriptorBufferInfo info =
+            buffer.name == "limn_Instances"
+                ? VkDescriptorBufferInfo{slot.data.handle.get(), InstancesOffset(m_Numbers),
+                                         VK_WHOLE_SIZE}
+                : VkDescriptorBufferInfo{slot.data.handle.get(), ObjectsOffset(m_Numbers),
+                                         objectBytes};
         write(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, &info, nullptr);
     }
     return set;

@@ -203,12 +203,12 @@ TEST_F(Culling, TellsFilteringWhatItNeedsOfEachItem)
     object.renderer->sharedMaterials = {material};
     object.renderer->renderingLayerMask = RenderingLayerMask(5);
     const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
-    const RendererItem& item = results.items.at(0);
+    const RendererItem item = results.items.at(0);
     EXPECT_EQ(item.object, &object);
     EXPECT_EQ(item.material, material);
     EXPECT_EQ(item.filter, (FilterItem{4000, 6, RenderingLayerMask(5), material->shader().get()}));
     EXPECT_EQ(item.boundsCenter, glm::dvec3(1, 2, 10));
-    EXPECT_THAT(results.perDraw.at(item.perDraw).objectToWorld,
+    EXPECT_THAT(results.objects->Get(item.objectIndex).objectToWorld,
                 testing::ElementsAre(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 10, 1));
 }
 

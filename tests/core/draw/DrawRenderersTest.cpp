@@ -56,10 +56,9 @@ TEST_F(DrawRenderersCalls, MergeObjectsThatDifferInTheirTransformOnly)
     EXPECT_EQ(draws[0].mesh, test::Cube());
     EXPECT_EQ(draws[0].firstInstance, 0u);
     EXPECT_EQ(draws[0].instanceCount, 3u);
-    ASSERT_EQ(m_Frame.perDraw.size(), 3u);
     for (int i = 0; i < 3; ++i)
     {
-        const PerDrawData& data = m_Frame.perDraw[static_cast<std::size_t>(i)];
+        const PerDrawData data = m_Frame.PerDraw(draws[0], static_cast<std::uint32_t>(i));
         EXPECT_EQ(data.objectToWorld[12], static_cast<float>(i + 1));
         EXPECT_EQ(data.worldToObject[12], static_cast<float>(-i - 1));
         EXPECT_EQ(data.worldTransformParams[3], 1.0f);
@@ -98,7 +97,7 @@ TEST_F(DrawRenderersCalls, KeepMirroredObjectsApart)
     EXPECT_FALSE(draws[0].state.frontFaceFlipped);
     EXPECT_TRUE(draws[1].state.frontFaceFlipped);
     EXPECT_FALSE(draws[2].state.frontFaceFlipped);
-    EXPECT_EQ(m_Frame.perDraw[1].worldTransformParams[3], -1.0f);
+    EXPECT_EQ(m_Frame.PerDraw(draws[1]).worldTransformParams[3], -1.0f);
 }
 
 /// A material whose geometry function hands triangles on, moved by `offset`.
@@ -226,9 +225,10 @@ TEST_F(DrawRenderersCalls, DrawInTheOrderOfTheSorting)
     test::AddCube(m_Scene, "near", {0, 0, 1}, {m_Plain});
     test::AddCube(m_Scene, "far", {0, 0, 9}, {other});
     m_Drawing.sortingSettings.criteria = SortingCriteria::BackToFront;
-    Draw();
-    EXPECT_EQ(m_Frame.perDraw.at(0).objectToWorld[14], 9.0f);
-    EXPECT_EQ(m_Frame.perDraw.at(1).objectToWorld[14], 1.0f);
+    const auto draws = Draw();
+    ASSERT_EQ(draws.size(), 2u);
+    EXPECT_EQ(m_Frame.PerDraw(draws[0]).objectToWorld[14], 9.0f);
+    EXPECT_EQ(m_Frame.PerDraw(draws[1]).objectToWorld[14], 1.0f);
 }
 
 TEST_F(DrawRenderersCalls, CountEachObjectUnderTheFirstRuleThatLeavesItOut)
@@ -273,7 +273,7 @@ TEST_F(DrawRenderersCalls, CountEachObjectUnderTheFirstRuleThatLeavesItOut)
     EXPECT_EQ(m_Report.draws[0].pass, "Outline");
     EXPECT_EQ(m_Report.draws[0].filtering, filtering);
     EXPECT_EQ(m_Report.draws[0].counts, expected);
-    EXPECT_EQ(m_Frame.perDraw.size(), static_cast<std::size_t>(expected[0]));
+    EXPECT_EQ(m_Frame.instances.size(), static_cast<std::size_t>(expected[0]));
 }
 
 /// The per-draw data of one cube of this scale.

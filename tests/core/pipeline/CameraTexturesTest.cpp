@@ -154,7 +154,7 @@ TEST_F(CameraTextures, AreNotMadeWhereTheyAreAskedForAndNotRead)
     EXPECT_THAT(Ran(result), ElementsAre("250 Draw Opaque Objects", "300 asks",
                                          "450 Draw Transparent Objects", "1001 Final Blit"));
     EXPECT_EQ(result.report.draws.size(), 2u);
-    EXPECT_EQ(result.frame.perDraw.size(), 2u); // the cube and the blit
+    EXPECT_EQ(result.frame.instances.size(), 2u); // the cube and the blit
 }
 
 TEST_F(CameraTextures, HaveTheDepthCopiedBeforeTheEarliestPassThatAsks)

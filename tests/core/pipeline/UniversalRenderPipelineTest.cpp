@@ -100,7 +100,7 @@ TEST_F(Pipeline, DrawsEqualCubesAsInstances)
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_EQ(draws[0].mesh, test::Cube());
     EXPECT_EQ(draws[0].instanceCount, 2u);
-    EXPECT_EQ(result.frame.perDraw.at(draws[0].firstInstance).objectToWorld[12], -1.0f);
+    EXPECT_EQ(result.frame.PerDraw(draws[0]).objectToWorld[12], -1.0f);
 }
 
 TEST_F(Pipeline, AddsNoPassForASceneWithoutTransparentObjects)
@@ -337,8 +337,7 @@ TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
     const auto draws = DrawsOf(frame.passes.at(0));
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].instanceCount, 1u) << "what stayed at the origin is out of sight";
-    const float* const place = frame.perDraw.at(draws[0].firstInstance).worldTransformParams;
-    EXPECT_THAT(std::vector(place, place + 4), ElementsAre(1, 2, 5, 1));
+    EXPECT_THAT(frame.PerDraw(draws[0]).worldTransformParams, ElementsAre(1, 2, 5, 1));
 
     const auto global = [&](const char* name)
     {

@@ -32,10 +32,15 @@ TEST(ShaderLibrary, FindsPerDrawDataByInstanceInTheVertexStage)
     EXPECT_THAT(text, Not(HasSubstr("PushConstant")));
     EXPECT_THAT(text, HasSubstr("ArrayStride 160"));
     EXPECT_THAT(text, HasSubstr("OpMemberDecorate %limn_PerDrawData 0 RowMajor"));
-    ASSERT_EQ(pass->layout.storageBuffers.size(), 1u);
-    EXPECT_EQ(pass->layout.storageBuffers[0].name, "limn_PerDraw");
-    EXPECT_EQ(pass->layout.storageBuffers[0].stride, sizeof(PerDrawData));
-    EXPECT_EQ(pass->layout.storageBuffers[0].stages, ShaderStage::Vertex);
+    std::vector<StorageBufferBinding> buffers = pass->layout.storageBuffers;
+    std::ranges::sort(buffers, {}, &StorageBufferBinding::name);
+    ASSERT_EQ(buffers.size(), 2u);
+    EXPECT_EQ(buffers[0].name, "limn_Instances");
+    EXPECT_EQ(buffers[0].stride, sizeof(std::uint32_t));
+    EXPECT_EQ(buffers[1].name, "limn_PerDraw");
+    EXPECT_EQ(buffers[1].stride, sizeof(PerDrawData));
+    EXPECT_EQ(buffers[0].stages, ShaderStage::Vertex);
+    EXPECT_EQ(buffers[1].stages, ShaderStage::Vertex);
     EXPECT_TRUE(pass->layout.buffers.empty());
 }
 

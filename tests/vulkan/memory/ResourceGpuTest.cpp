@@ -233,7 +233,9 @@ TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)
         {
             return float4(asuint(unity_RenderingLayer.x), 0, 0, 1);
         })");
-    ASSERT_EQ(1u, pass->layout.storageBuffers.size());
+    const auto& buffers = pass->layout.storageBuffers;
+    const auto perDraw = std::ranges::find(buffers, "limn_PerDraw", &StorageBufferBinding::name);
+    ASSERT_NE(buffers.end(), perDraw);
     const TargetPtr target = MakeTarget(4, 1, GraphicsFormat::R32G32B32A32_SFloat);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     for (int i = 0; i < 5; ++i)
@@ -246,7 +248,7 @@ TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)
         frame.perDraw.push_back(data);
     }
     DrawBindings bindings;
-    bindings.perDrawBinding = pass->layout.storageBuffers[0].binding;
+    bindings.perDrawBinding = perDraw->binding;
     DrawCommand draw = MakeDraw(pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
     draw.firstInstance = 2; // the quad over column 0 is moved to columns 1 and 2
     draw.instanceCount = 2;

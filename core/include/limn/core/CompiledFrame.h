@@ -85,12 +85,11 @@ struct LeftOut
 };
 
 /// A frame ready to run: the device adds nothing to it and leaves nothing out.
-struct CompiledFrame
+struct CompiledFrame : FrameInstances
 {
     std::vector<CompiledRenderPass> passes;
     std::vector<TextureBarrier> finalBarriers; ///< after the last pass: outputs → CopySource
     std::vector<std::byte> uniformData;
-    std::vector<PerDrawData> perDraw;
     std::vector<LeftOut> leftOut;
     std::vector<std::string> notes; ///< sentences for the user
     TextureStates states;           ///< of the textures once it has run

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <iterator>
 #include <limn/core/Judge.h>
+#include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
-#include <limn/shaderlab/ShaderProgram.h>
 #include <vector>
 
 namespace limn
 {
 
 struct Camera;
+
+class RendererTable;
 
 /// One (renderer, material) pair that the camera may see.
 struct RendererItem
@@ -18,17 +21,74 @@ struct RendererItem
     int materialIndex = 0; ///< among the renderer's materials
     int subMesh = 0;
     FilterItem filter;
-    std::size_t perDraw = 0;      ///< index into CullingResults::perDraw
-    glm::dvec3 boundsCenter{0.0}; ///< world
+    std::uint32_t objectIndex = 0; ///< in CullingResults::objects
+    glm::dvec3 boundsCenter{0.0};  ///< world
+};
+
+/// The pairs that a camera may see, in the scene's order; each is put together when it is asked
+/// for.
+class RendererItems
+{
+public:
+    /// Holds the item it points at.
+    class Iterator
+    {
+    public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = RendererItem;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const RendererItem*;
+        using reference = const RendererItem&;
+
+        Iterator(const RendererItems& items, std::size_t index) : m_Items(&items), m_Index(index) {}
+        reference operator*() const { return m_Item = (*m_Items)[m_Index]; }
+        pointer operator->() const { return &**this; }
+        Iterator& operator++()
+        {
+            ++m_Index;
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return m_Index == other.m_Index; }
+
+    private:
+        const RendererItems* m_Items;
+        std::size_t m_Index;
+        mutable RendererItem m_Item;
+    };
+
+    RendererItems() = default;
+    /// @param rows  of the table
+    RendererItems(std::shared_ptr<const RendererTable> table, std::vector<std::uint32_t> rows)
+        : m_Table(std::move(table)), m_Rows(std::move(rows))
+    {
+    }
+
+    std::size_t size() const { return m_Rows.size(); }
+    bool empty() const { return m_Rows.empty(); }
+    RendererItem operator[](std::size_t index) const;
+    /// @throws std::out_of_range
+    RendererItem at(std::size_t index) const;
+    RendererItem back() const { return at(size() - 1); }
+    Iterator begin() const { return {*this, 0}; }
+    Iterator end() const { return {*this, size()}; }
+
+    /// Null = nothing was culled.
+    const std::shared_ptr<const RendererTable>& table() const { return m_Table; }
+    std::vector<std::uint32_t>& rows() { return m_Rows; }
+    const std::vector<std::uint32_t>& rows() const { return m_Rows; }
+
+private:
+    std::shared_ptr<const RendererTable> m_Table;
+    std::vector<std::uint32_t> m_Rows;
 };
 
 /// What culling found. Valid as long as the scene is neither changed nor destroyed.
 /// Unity: UnityEngine.Rendering.CullingResults (2022.3).
 struct CullingResults
 {
-    std::vector<RendererItem> items;  ///< scene order
-    std::vector<PerDrawData> perDraw; ///< of the visible objects, relative to the camera's
-                                      ///< renderOrigin(), whatever the number of draws
+    RendererItems items;
+    /// What shaders get to know of the scene's objects, relative to the camera's renderOrigin().
+    std::shared_ptr<const ObjectTable> objects;
     /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
     /// float: nothing of them is seen.
     std::vector<const GameObject*> beyondFloat;
@@ -38,12 +98,25 @@ struct CullingResults
 };
 
 /// The renderers of active objects in the camera's culling mask whose world bounds touch its
-/// frustum. Unity: ScriptableRenderContext.Cull.
+/// frustum. One thread at a time may cull a scene. Unity: ScriptableRenderContext.Cull.
 /// @param aspect  width / height of the picture
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect);
 
-/// The order in which a DrawRenderers call draws: indices into `items`, stable.
-/// @param indices  which items take part, in scene order
+/// What a DrawRenderers call makes of items.
+struct JudgedItems
+{
+    FilterCounts counts{};
+    RendererItems drawn; ///< in the same order
+};
+
+/// Judge for all items, asked once for each kind of them.
+JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering,
+                  const DrawingSettings& drawing);
+
+/// Puts items into the order in which a DrawRenderers call draws; stable.
+void Sort(RendererItems& items, const SortingSettings& sorting);
+/// The same for some of a list.
+/// @param indices  into `items`; which take part, in the scene's order
 void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
           std::vector<int>& indices);
 

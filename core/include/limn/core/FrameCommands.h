@@ -2,9 +2,9 @@
 
 #include <limn/core/Color.h>
 #include <limn/core/Mesh.h>
+#include <limn/core/ObjectTable.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
-#include <limn/shaderlab/ShaderProgram.h>
 #include <optional>
 #include <string>
 #include <variant>
@@ -131,8 +131,9 @@ struct DrawCommand
     std::shared_ptr<const Mesh> mesh; ///< null = no vertex buffers, SV_VertexID only
     int subMesh = 0;
     std::uint32_t vertexCount = 0;   ///< without a mesh
-    std::uint32_t firstInstance = 0; ///< index into FrameCommands::perDraw
+    std::uint32_t firstInstance = 0; ///< index into FrameCommands::instances
     std::uint32_t instanceCount = 1;
+    bool drawsObjects = false; ///< its instances are of FrameCommands::objects, else of perDraw
     std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
     std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
     std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
@@ -174,12 +175,28 @@ struct EndSampleCommand
 using FrameCommand = std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand,
                                   DrawCommand, BeginSampleCommand, EndSampleCommand>;
 
+/// What is drawn how often: each instance is an element of one of two lists.
+struct FrameInstances
+{
+    std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
+    std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
+    std::shared_ptr<const ObjectTable> objects; ///< of the scene; null = no draw has any
+
+    /// The element of an instance.
+    std::uint32_t Element(std::uint32_t instance) const
+    {
+        return instances.empty() ? instance : instances[instance];
+    }
+    /// What shaders get to know of an instance, now.
+    /// @pre the draw has so many instances
+    PerDrawData PerDraw(const DrawCommand& draw, std::uint32_t instance = 0) const;
+};
+
 /// All that a frame recorded, in order, with nothing left to look up: plain data.
-struct FrameCommands
+struct FrameCommands : FrameInstances
 {
     std::vector<FrameCommand> commands;
     std::vector<std::byte> uniformData;
-    std::vector<PerDrawData> perDraw;
 };
 
 } // namespace limn

@@ -13,6 +13,8 @@
 namespace limn
 {
 
+class RendererTable;
+
 /// Draws a mesh, sub-mesh i with material i. More materials than sub-meshes: the last sub-mesh is
 /// drawn once for each further one. Unity: UnityEngine.MeshRenderer with its MeshFilter (2022.3).
 struct MeshRenderer
@@ -58,8 +60,13 @@ public:
     /// The first object of this name, or null.
     GameObject* Find(std::string_view name);
 
+    /// The renderers as arrays, up to date; for Cull. One thread at a time.
+    /// @param origin  what places are relative to
+    std::shared_ptr<const RendererTable> UpdateRenderers(const glm::dvec3& origin) const;
+
 private:
     std::vector<std::unique_ptr<GameObject>> m_Objects;
+    mutable std::shared_ptr<RendererTable> m_Renderers; ///< follows the objects
 };
 
 } // namespace limn

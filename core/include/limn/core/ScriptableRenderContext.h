@@ -9,6 +9,8 @@
 namespace limn
 {
 
+class DrawRecorder;
+
 /// Turns what passes record into the frame's list of commands, with materials, globals and
 /// LightMode tags looked up: the list is plain data.
 /// Unity: UnityEngine.Rendering.ScriptableRenderContext (2022.3).
@@ -57,17 +59,12 @@ public:
     FrameCommands TakeCommands();
 
 private:
-    class Resolver;
-
-    void DrawItem(const RendererItem& item, const PerDrawData& perDraw,
-                  const DrawingSettings& drawing, const RenderStateBlock& stateBlock);
-
     RenderReport& m_Report;
     const glm::dvec3 m_Origin;
     std::string m_PassName;
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;
-    std::unique_ptr<Resolver> m_Resolver;
+    std::unique_ptr<DrawRecorder> m_Recorder;
 };
 
 } // namespace limn

@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include <algorithm>
+#include <cstring>
 
 namespace limn::vulkan
 {
@@ -156,58 +157,142 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
     }
 }
 
+/// How many per-draw elements are bound at once; so many that the next begin where a binding may.
+std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
+{
+    constexpr std::uint32_t k_Aligned = 8;
+    static_assert(k_Aligned * sizeof(PerDrawData) % k_UniformAlignment == 0);
+    const std::uint32_t most = limits.maxStorageBufferRange / std::uint32_t{sizeof(PerDrawData)};
+    return most / k_Aligned * k_Aligned;
+}
+
 } // namespace
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
-                                   FrameSlot& slot, const CompiledFrame& frame)
+                                   FrameSlot& slot, const CompiledFrame& frame, VkBuffer objects)
     : m_Context(context),
       m_Resources(resources),
       m_Slot(slot),
       m_Frame(frame),
-      m_PieceElements(context.capabilities().limits.maxStorageBufferRange /
-                      std::uint32_t{sizeof(PerDrawData)})
+      m_PieceElements(PieceElements(context.capabilities().limits))
 {
     if (!frame.uniformData.empty())
     {
         m_Uniforms = slot.upload().Upload(frame.uniformData);
     }
-    for (std::span rest{frame.perDraw}; !rest.empty();)
+    if (!frame.perDraw.empty())
     {
-        const auto piece = rest.first(std::min<std::size_t>(rest.size(), m_PieceElements));
-        const UploadedBytes bytes = slot.upload().Upload(std::as_bytes(piece));
-        m_PerDraw.push_back({bytes.buffer, bytes.offset, piece.size_bytes()});
-        rest = rest.subspan(piece.size());
+        const UploadedBytes bytes = slot.upload().Upload(std::as_bytes(std::span{frame.perDraw}));
+        m_Pieces[0] = Pieces(bytes.buffer, bytes.offset, frame.perDraw.size());
+    }
+    if (objects != VK_NULL_HANDLE)
+    {
+        m_Pieces[1] = Pieces(objects, 0, frame.objects->count());
+    }
+    UploadInstances();
+}
+
+/// Elements count from the beginning of their piece.
+void FrameDescriptors::UploadInstances()
+{
+    const std::size_t count =
+        m_Frame.instances.empty() ? m_Frame.perDraw.size() : m_Frame.instances.size();
+    if (count == 0)
+    {
+        return;
+    }
+    const VkDeviceSize size = count * sizeof(std::uint32_t);
+    if (size > m_Context.capabilities().limits.maxStorageBufferRange)
+    {
+        throw ContractError("the frame draws " + std::to_string(count) +
+                            " instances; the device takes at most " +
+                            std::to_string(m_Context.capabilities().limits.maxStorageBufferRange /
+                                           sizeof(std::uint32_t)));
+    }
+    const UploadedBytes bytes = m_Slot.upload().Allocate(size);
+    auto* const target = reinterpret_cast<std::uint32_t*>(bytes.mapped);
+    const bool isWhole = std::max(m_Pieces[0].size(), m_Pieces[1].size()) <= 1;
+    if (isWhole && !m_Frame.instances.empty())
+    {
+        std::memcpy(target, m_Frame.instances.data(), size);
+    }
+    else
+    {
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+            target[i] = m_Frame.Element(i) % m_PieceElements;
+        }
+    }
+    m_Instances = {bytes.buffer, bytes.offset, size};
+}
+
+std::vector<VkDescriptorBufferInfo> FrameDescriptors::Pieces(VkBuffer buffer, VkDeviceSize offset,
+                                                             std::size_t count) const
+{
+    constexpr VkDeviceSize k_Size = sizeof(PerDrawData);
+    std::vector<VkDescriptorBufferInfo> pieces;
+    for (std::size_t first = 0; first < count; first += m_PieceElements)
+    {
+        pieces.push_back({buffer, offset + first * k_Size,
+                          std::min<std::size_t>(count - first, m_PieceElements) * k_Size});
+    }
+    return pieces;
+}
+
+void FrameDescriptors::RequireInstances(const DrawCommand& draw) const
+{
+    const std::uint64_t end = std::uint64_t{draw.firstInstance} + draw.instanceCount;
+    const std::size_t count =
+        m_Frame.instances.empty() ? m_Frame.perDraw.size() : m_Frame.instances.size();
+    if (end > count)
+    {
+        throw ContractError("a draw reads per-draw elements " + std::to_string(draw.firstInstance) +
+                            " to " + std::to_string(end) + "; the frame has " +
+                            std::to_string(count));
     }
 }
 
 InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t skipped) const
 {
-    const std::uint32_t element = draw.firstInstance + skipped;
+    const std::uint32_t first = draw.firstInstance + skipped;
     const std::uint32_t left = draw.instanceCount - skipped;
     if (draw.program->layout.storageBuffers.empty())
     {
-        return {0, element, left, draw.firstInstance};
+        return {0, first, left, draw.firstInstance};
     }
-    const std::uint32_t first = element % m_PieceElements;
-    // May lie before the piece; SV_InstanceID, the difference, wraps around to what it should be.
-    const std::uint32_t base = first - skipped;
-    return {element / m_PieceElements, first, std::min(left, m_PieceElements - first), base};
+    RequireInstances(draw);
+    const std::size_t pieces = m_Pieces[draw.drawsObjects ? 1 : 0].size();
+    const std::uint32_t piece = m_Frame.Element(first) / m_PieceElements;
+    if (piece >= pieces)
+    {
+        throw ContractError("a draw reads per-draw element " +
+                            std::to_string(m_Frame.Element(first)) + ", which the frame lacks");
+    }
+    std::uint32_t count = pieces == 1 ? left : 1;
+    while (count < left && m_Frame.Element(first + count) / m_PieceElements == piece)
+    {
+        ++count;
+    }
+    return {piece, first, count, draw.firstInstance};
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
                                       std::size_t piece)
 {
-    VkDescriptorSet& set = m_Sets[{draw.bindings.get(), pass.setLayout.get(), piece}];
+    VkDescriptorSet& set =
+        m_Sets[{draw.bindings.get(), pass.setLayout.get(), draw.drawsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
         set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,
-                     pass.setLayout.get(), piece);
+                     pass.setLayout.get(), m_Pieces[draw.drawsObjects ? 1 : 0], piece);
     }
     return set;
 }
 
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
-                                         VkDescriptorSetLayout setLayout, std::size_t piece)
+                                         VkDescriptorSetLayout setLayout,
+                                         const std::vector<VkDescriptorBufferInfo>& pieces,
+                                         std::size_t piece)
 {
     const VkDescriptorSet set = m_Slot.descriptors().Allocate(setLayout);
     SetWriter writer{set, layout};
@@ -215,11 +300,13 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
     AddTextures(writer, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
-        if (bindings.perDrawBinding != buffer.binding)
+        const bool isInstances = buffer.name == "limn_Instances";
+        if (!isInstances && bindings.perDrawBinding != buffer.binding)
         {
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
-        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, m_PerDraw.at(piece));
+        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                         isInstances ? m_Instances : pieces.at(piece));
     }
     writer.Write(m_Context.device());
     return set;

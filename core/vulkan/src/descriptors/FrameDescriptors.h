@@ -12,7 +12,7 @@ struct InstanceRun
     std::size_t piece = 0;
     std::uint32_t first = 0; ///< its element's index in the piece
     std::uint32_t count = 0;
-    std::uint32_t base = 0; ///< the index that the draw's first instance has, counted from `first`
+    std::uint32_t base = 0; ///< the draw's first instance
 };
 
 /// The descriptor sets of one frame; draws of equal bindings and layout share one. Per-draw data
@@ -21,8 +21,9 @@ class FrameDescriptors
 {
 public:
     /// Uploads the frame's uniform and per-draw data. @lifetime keeps `frame` by reference
+    /// @param objects  those of the frame's ObjectTable; may be null if no draw has any
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
-                     const CompiledFrame& frame);
+                     const CompiledFrame& frame, VkBuffer objects);
 
     /// The longest run that begins with the draw's instance `skipped`, counted from 0. All
     /// instances are one run where the shader reads no per-draw data.
@@ -33,17 +34,24 @@ public:
     VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece);
 
 private:
+    void UploadInstances();
+    std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,
+                                               std::size_t count) const;
+    void RequireInstances(const DrawCommand& draw) const;
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
-                           VkDescriptorSetLayout setLayout, std::size_t piece);
+                           VkDescriptorSetLayout setLayout,
+                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece);
 
     const VulkanContext& m_Context;
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
     UploadedBytes m_Uniforms;
-    std::uint32_t m_PieceElements;                 ///< of per-draw data, the last piece apart
-    std::vector<VkDescriptorBufferInfo> m_PerDraw; ///< the pieces
-    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, std::size_t>, VkDescriptorSet>
+    std::uint32_t m_PieceElements; ///< of per-draw data, the last piece apart
+    std::array<std::vector<VkDescriptorBufferInfo>, 2> m_Pieces; ///< of perDraw and of objects
+    VkDescriptorBufferInfo m_Instances{};
+    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>,
+             VkDescriptorSet>
         m_Sets;
 };
 

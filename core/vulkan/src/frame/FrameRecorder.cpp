@@ -47,13 +47,19 @@ void FrameRecorder::Record(const CompiledFrame& frame)
     Prepare(frame);
     m_Resources.images.RecordUploads(m_Slot.commands(), m_Slot.upload());
     m_Resources.meshes.RecordUploads(m_Slot.commands(), m_Slot.upload());
-    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
+    VkBuffer objects = VK_NULL_HANDLE;
+    if (m_DrawsObjects && frame.objects)
+    {
+        objects =
+            m_Resources.objects.Update(frame.objects, m_Number, m_Slot.commands(), m_Slot.upload());
+    }
+    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, objects};
     for (const CompiledRenderPass& pass : frame.passes)
     {
         m_Slot.BeginTiming(pass.name);
         RecordBarrierList(pass.barriers, PassTitle(pass));
-        PassRecorder recorder{m_Context, m_Resources, m_Slot.commands(),   descriptors,
-                              pass,      m_Number,    frame.perDraw.size()};
+        PassRecorder recorder{m_Context,   m_Resources, m_Slot.commands(),
+                              descriptors, pass,        m_Number};
         recorder.Record();
         m_Slot.EndTiming();
     }
@@ -95,6 +101,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
 
 void FrameRecorder::PrepareDraw(const DrawCommand& draw)
 {
+    m_DrawsObjects = m_DrawsObjects || draw.drawsObjects;
     if (draw.mesh)
     {
         m_Resources.meshes.Use(draw.mesh, m_Number);

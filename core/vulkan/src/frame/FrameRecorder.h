@@ -26,6 +26,7 @@ private:
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     std::uint64_t m_Number;
+    bool m_DrawsObjects = false; ///< the frame has draws of the scene's objects
 };
 
 } // namespace limn::vulkan

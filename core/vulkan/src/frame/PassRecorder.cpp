@@ -23,17 +23,6 @@ SubMesh IndicesOf(const DrawCommand& draw)
     return draw.mesh->subMesh(draw.subMesh);
 }
 
-void RequirePerDraw(const DrawCommand& draw, std::size_t count)
-{
-    const std::uint64_t end = std::uint64_t{draw.firstInstance} + draw.instanceCount;
-    if (!draw.program->layout.storageBuffers.empty() && end > count)
-    {
-        throw ContractError("a draw reads per-draw elements " + std::to_string(draw.firstInstance) +
-                            " to " + std::to_string(end) + "; the frame has " +
-                            std::to_string(count));
-    }
-}
-
 void RequireBuffersFit(const DrawCommand& draw, const VkPhysicalDeviceLimits& limits)
 {
     for (const UniformBuffer& buffer : draw.program->layout.buffers)
@@ -61,15 +50,13 @@ bool HasBindings(const PropertyLayout& layout)
 
 PassRecorder::PassRecorder(const VulkanContext& context, DeviceResources& resources,
                            VkCommandBuffer commands, FrameDescriptors& descriptors,
-                           const CompiledRenderPass& pass, std::uint64_t number,
-                           std::size_t perDrawCount)
+                           const CompiledRenderPass& pass, std::uint64_t number)
     : m_Context(context),
       m_Resources(resources),
       m_Commands(commands),
       m_Descriptors(descriptors),
       m_Pass(pass),
       m_Number(number),
-      m_PerDrawCount(perDrawCount),
       m_Formats(TargetsOf(pass, resources.images, context.capabilities().limits))
 {
 }
@@ -156,7 +143,6 @@ void PassRecorder::LimitTo(const std::optional<ViewportRect>& part)
 
 void PassRecorder::Run(const DrawCommand& draw)
 {
-    RequirePerDraw(draw, m_PerDrawCount);
     RequireBuffersFit(draw, m_Context.capabilities().limits);
     LimitTo(draw.scissor);
     ProgramObjects& objects = m_Resources.programs.Use(draw.program, m_Number);

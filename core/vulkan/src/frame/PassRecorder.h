@@ -12,7 +12,7 @@ class PassRecorder
 public:
     PassRecorder(const VulkanContext& context, DeviceResources& resources, VkCommandBuffer commands,
                  FrameDescriptors& descriptors, const CompiledRenderPass& pass,
-                 std::uint64_t number, std::size_t perDrawCount);
+                 std::uint64_t number);
 
     void Record();
 
@@ -36,7 +36,6 @@ private:
     FrameDescriptors& m_Descriptors;
     const CompiledRenderPass& m_Pass;
     std::uint64_t m_Number;
-    std::size_t m_PerDrawCount;
     TargetFormats m_Formats;
     VkRect2D m_Scissor{};                ///< of the viewport
     std::optional<ViewportRect> m_Limit; ///< of the last draw

@@ -59,6 +59,7 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
         // None of it may throw: what went wrong first is what is reported.
         resources.images.Rollback(number);
         resources.meshes.Rollback(number);
+        resources.objects.Rollback(number);
         slot.Abandon();
         throw;
     }
@@ -86,6 +87,7 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     const std::uint64_t finished = m_Impl->queue.finishedNumber();
     m_Impl->resources.images.Sweep(finished);
     m_Impl->resources.meshes.Sweep(finished);
+    m_Impl->resources.objects.Sweep(finished);
     m_Impl->resources.programs.Sweep(finished);
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();

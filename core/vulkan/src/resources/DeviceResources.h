@@ -3,6 +3,7 @@
 #include "programs/ProgramPool.h"
 #include "resources/ImagePool.h"
 #include "resources/MeshPool.h"
+#include "resources/ObjectPool.h"
 #include "resources/SamplerCache.h"
 
 namespace limn::vulkan
@@ -13,6 +14,7 @@ struct DeviceResources
 {
     ImagePool images;
     MeshPool meshes;
+    ObjectPool objects;
     ProgramPool programs;
     SamplerCache samplers;
 
@@ -20,6 +22,7 @@ struct DeviceResources
                     const std::filesystem::path& cacheFolder)
         : images(context, allocator),
           meshes(context.device(), allocator),
+          objects(context.device(), allocator),
           programs(context, cacheFolder),
           samplers(context)
     {

@@ -98,7 +98,7 @@ struct SamplerBinding
 /// A read-only structured buffer.
 struct StorageBufferBinding
 {
-    std::string name; ///< "limn_PerDraw" is the per-draw array, see PerDrawData
+    std::string name; ///< "limn_PerDraw" and "limn_Instances": see PerDrawData
     ShaderStage stages = ShaderStage::None;
     std::uint32_t binding = 0;
     std::uint32_t stride = 0; ///< bytes of one element
@@ -142,6 +142,9 @@ struct PropertyLayout
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
     GeometryInput geometryInput = GeometryInput::None;
     ShaderStage pushStages = ShaderStage::None; ///< that read the DrawConstants
+    /// Whether the fragment function looks at anything that differs from one place to another, its
+    /// own place included.
+    bool fragmentHasInputs = true;
 
     bool operator==(const PropertyLayout&) const = default;
 };
@@ -163,8 +166,8 @@ struct ShaderProgram
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
-/// Vertex functions find their element by the instance's index on the device, the others by
-/// DrawConstants::firstInstance.
+/// Which one is told by the structured buffer `limn_Instances` (of uint): vertex functions look it up
+/// by the instance's index on the device, the others by DrawConstants::firstInstance.
 struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major
@@ -178,7 +181,7 @@ static_assert(sizeof(PerDrawData) == 160);
 /// The push constants of a draw, at offset 0.
 struct DrawConstants
 {
-    std::uint32_t firstInstance = 0; ///< element of limn_PerDraw
+    std::uint32_t firstInstance = 0; ///< element of limn_Instances
     /// Index on the device of the instance whose SV_InstanceID is 0: as in Direct3D it counts from
     /// 0 in every draw. Only vertex functions that take SV_InstanceID read this.
     std::uint32_t instanceBase = 0;

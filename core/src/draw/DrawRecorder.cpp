@@ -1,0 +1,274 @@
+#include "draw/DrawRecorder.h"
+
+#include "draw/PerDraw.h"
+#include "draw/ProjectedBounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <limn/core/DrawError.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
+{
+    const auto* texture = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture ? *texture : nullptr;
+}
+
+/// Of a number, vector or colour.
+bool isZero(const ShaderPropertyValue& value)
+{
+    return std::visit(
+        [](const auto& v)
+        {
+            using Value = std::decay_t<decltype(v)>;
+            if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec4>)
+            {
+                return v == Value(0);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return v == Color::clear;
+            }
+            return false;
+        },
+        value);
+}
+
+float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
+{
+    if (tag.reachProperty)
+    {
+        const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
+        const auto* number = value ? std::get_if<float>(value) : nullptr;
+        return number ? std::abs(*number) : -1.0f;
+    }
+    return tag.reach.value_or(-1.0f);
+}
+
+} // namespace
+
+bool isInstanceable(const ShaderProgram& program)
+{
+    const auto& buffers = program.layout.storageBuffers;
+    return !(program.layout.pushStages & ShaderStage::Vertex) &&
+           std::all_of(buffers.begin(), buffers.end(),
+                       [](const StorageBufferBinding& buffer)
+                       { return buffer.stages == ShaderStage::Vertex; });
+}
+
+void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
+{
+    if (m_KeepsChanges)
+    {
+        const ShaderPropertyValue* before = m_Globals.Find(command.id);
+        m_Changes.push_back({command.id, before ? std::optional(*before) : std::nullopt});
+    }
+    m_Globals.Set(command.id, command.value);
+    ++m_GlobalsVersion;
+}
+
+DrawRecorder::Place DrawRecorder::MarkPlace()
+{
+    m_KeepsChanges = true;
+    return {m_Frame.commands.size(), m_Changes.size()};
+}
+
+void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>& record)
+{
+    MaterialPropertyBlock now = m_Globals;
+    const std::size_t count = m_Changes.size();
+    for (std::size_t i = count; i-- > place.globalChange;)
+    {
+        const GlobalChange& change = m_Changes[i];
+        if (change.before)
+        {
+            m_Globals.Set(change.id, *change.before);
+        }
+        else
+        {
+            m_Globals.Remove(change.id);
+        }
+    }
+    ++m_GlobalsVersion;
+    record();
+    m_Changes.resize(count);
+    m_Globals = std::move(now);
+    ++m_GlobalsVersion;
+}
+
+void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
+{
+    const auto set = [&](const char* name, const ShaderPropertyValue& value)
+    {
+        SetGlobal({ShaderPropertyId(name), value});
+    };
+    const glm::dmat4 projection(command.gpuProjection);
+    const glm::dvec4 origin = RelativeTo(m_Origin, command.view)[3];
+    set("unity_MatrixV", glm::mat4(command.view));
+    set("glstate_matrix_projection", command.gpuProjection);
+    set("unity_MatrixVP", glm::mat4(projection * command.view));
+    set("limn_OriginVS", glm::vec4(origin));
+    set("limn_OriginCS", glm::vec4(projection * origin));
+    if (command.inverses)
+    {
+        const glm::dmat4 viewToWorld = glm::inverse(command.view);
+        const glm::dmat4 clipToView = glm::inverse(projection);
+        set("unity_MatrixInvV", glm::mat4(viewToWorld));
+        set("unity_MatrixInvP", glm::mat4(clipToView));
+        set("unity_MatrixInvVP", glm::mat4(viewToWorld * clipToView));
+    }
+}
+
+DrawCommand DrawRecorder::LookUp(const Material& material, int shaderPass,
+                                 const MaterialPropertyBlock* properties,
+                                 const RenderStateBlock& stateBlock)
+{
+    DrawCommand draw;
+    draw.program = material.Compile(shaderPass);
+    draw.shader = material.shader();
+    draw.shaderPass = shaderPass;
+    draw.state = Override(
+        ResolveState(material.shader()->passState(shaderPass), material, m_Globals), stateBlock);
+    ExpectStencil(draw.state, material, shaderPass);
+    draw.bindings = m_Resolver.Resolve(draw.program, {properties, &material, &m_Globals},
+                                       m_GlobalsVersion, m_Frame.uniformData);
+    return draw;
+}
+
+void DrawRecorder::Draw(const RecordedDraw& recorded)
+{
+    DrawCommand draw =
+        LookUp(*recorded.material, recorded.shaderPass, &recorded.properties, RenderStateBlock());
+    const PerDrawData perDraw =
+        MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
+    draw.fullScreen = Promise(recorded);
+    if (recorded.mesh && draw.shader->staysWithinMesh(draw.shaderPass))
+    {
+        draw.bounds = Project(recorded.mesh->bounds(), perDraw);
+    }
+    draw.mesh = recorded.mesh;
+    draw.subMesh = recorded.subMesh;
+    draw.vertexCount = recorded.vertexCount;
+    draw.firstInstance = static_cast<std::uint32_t>(m_Frame.instances.size());
+    m_Frame.instances.push_back(static_cast<std::uint32_t>(m_Frame.perDraw.size()));
+    m_Frame.perDraw.push_back(perDraw);
+    const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
+    // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
+    // Unity's render textures, which are upside down: counter-clockwise is the front there.
+    draw.state.frontFaceFlipped = isMirrored != (draw.mesh == nullptr);
+    if (!MergeIntoLast(draw))
+    {
+        m_Frame.commands.emplace_back(std::move(draw));
+    }
+}
+
+std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
+                                                  const PerDrawData& perDraw) const
+{
+    static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+    static const ShaderPropertyId limn_OriginCS{"limn_OriginCS"};
+    const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
+    const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+    if (viewProjection == nullptr)
+    {
+        return std::nullopt;
+    }
+    // As shaders do it: relative to the origin where that is not the world's.
+    glm::mat4 relative = glm::make_mat4(perDraw.objectToWorld);
+    glm::mat4 toClip = *viewProjection;
+    const ShaderPropertyValue* originCS = m_Globals.Find(limn_OriginCS);
+    if (m_Origin != glm::dvec3(0.0) && originCS != nullptr)
+    {
+        relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
+        toClip[3] = std::get<glm::vec4>(*originCS);
+    }
+    return ProjectBounds(bounds, relative, toClip);
+}
+
+std::shared_ptr<const Material>
+DrawRecorder::WithShader(const std::shared_ptr<const Material>& material,
+                         const std::shared_ptr<const Shader>& shader)
+{
+    auto& result = m_WithShader[{material, material->version(), shader}];
+    if (!result)
+    {
+        result = std::make_shared<const Material>(*material, shader);
+    }
+    return result;
+}
+
+void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)
+{
+    m_Depth = command.depth;
+    m_Frame.commands.emplace_back(command);
+}
+
+/// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil
+/// is a mistake in the set-up.
+void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& material,
+                                 int shaderPass) const
+{
+    if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
+    {
+        throw DrawError("material '" + material.name() + "': pass " + std::to_string(shaderPass) +
+                        " of shader '" + material.shader()->name() +
+                        "' uses the stencil, but the depth target '" + m_Depth->name() +
+                        "' has the format " + ToString(m_Depth->graphicsFormat()) +
+                        "; give it depthBufferBits 24 or 32");
+    }
+}
+
+/// What the pass's LimnFullScreen tag comes to with the values of this draw.
+std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded) const
+{
+    const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
+    if (recorded.mesh || tag == nullptr)
+    {
+        return nullptr;
+    }
+    const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
+    auto promise = std::make_shared<FullScreenPromise>();
+    promise->output = tag->output;
+    for (const ShaderPropertyId id : tag->zeroes)
+    {
+        const ShaderPropertyValue* value = sources.Find(id);
+        if (const auto texture = TextureIn(value))
+        {
+            promise->zeroTextures.push_back(texture);
+        }
+        else if (value && isZero(*value))
+        {
+            promise->zeroProperty = id.name();
+        }
+    }
+    promise->reach = ReachOf(*tag, sources);
+    promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    return promise;
+}
+
+/// Draws that differ in their transform only become instances of one.
+bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
+{
+    auto* last =
+        m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
+    if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
+        last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects ||
+        last->program != draw.program || last->bindings != draw.bindings ||
+        last->state != draw.state || !isInstanceable(*draw.program))
+    {
+        return false;
+    }
+    ++last->instanceCount;
+    last->bounds = last->bounds && draw.bounds ? std::optional(Union(*last->bounds, *draw.bounds))
+                                               : std::nullopt;
+    return true;
+}
+
+} // namespace limn

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "draw/DrawResolver.h"
+
+#include <functional>
+#include <limn/core/CommandBuffer.h>
+#include <limn/core/RenderStateBlock.h>
+#include <limn/core/ScriptableRenderContext.h>
+#include <map>
+#include <tuple>
+
+namespace limn
+{
+
+/// Looks recorded draws up and appends them to the frame.
+class DrawRecorder
+{
+public:
+    using Place = ScriptableRenderContext::Place;
+
+    /// @param notes     for sentences to the user
+    /// @param passName  whose draws these are at the time
+    /// @param origin    what the device sees positions relative to
+    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals,
+                 std::vector<std::string>& notes, const std::string& passName,
+                 const glm::dvec3& origin)
+        : m_Frame(frame), m_Globals(globals), m_Origin(origin), m_Resolver(notes, passName)
+    {
+    }
+
+    void SetGlobal(const SetGlobalCommand& command);
+    void SetViewProjection(const SetViewProjectionCommand& command);
+    void SetRenderTarget(const SetRenderTargetCommand& command);
+    void Draw(const RecordedDraw& recorded);
+
+    Place MarkPlace();
+    /// Runs `record` with what was global at that place.
+    void WithGlobalsOf(const Place& place, const std::function<void()>& record);
+    bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
+
+    /// A draw with what all draws of this pass have in common: program, state and bindings.
+    /// @throws AssetError if the pass does not compile
+    DrawCommand LookUp(const Material& material, int shaderPass,
+                       const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock);
+    /// The material's values with another shader; the same one for the rest of the frame.
+    std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
+                                               const std::shared_ptr<const Shader>& shader);
+    /// Where a box is seen, as shaders find it; nothing where it may be anywhere.
+    std::optional<TargetRegion> Project(const Bounds& bounds, const PerDrawData& perDraw) const;
+
+    FrameCommands& frame() { return m_Frame; }
+    const glm::dvec3& origin() const { return m_Origin; }
+    bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
+
+private:
+    void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded) const;
+    bool MergeIntoLast(const DrawCommand& draw);
+
+    struct GlobalChange
+    {
+        ShaderPropertyId id;
+        std::optional<ShaderPropertyValue> before; ///< nothing: it was not set
+    };
+
+    FrameCommands& m_Frame;
+    MaterialPropertyBlock& m_Globals;
+    std::vector<GlobalChange> m_Changes; ///< since the first place was marked
+    bool m_KeepsChanges = false;
+    std::uint64_t m_GlobalsVersion = 0;
+    const glm::dvec3 m_Origin;
+    std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
+    DrawResolver m_Resolver;
+    std::map<
+        std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
+        std::shared_ptr<const Material>>
+        m_WithShader;
+};
+
+/// Whether draws that differ in their transform may become instances of one. Only a vertex function
+/// learns which instance it works on; and one that takes SV_InstanceID finds 0 in each draw.
+bool isInstanceable(const ShaderProgram& program);
+
+} // namespace limn

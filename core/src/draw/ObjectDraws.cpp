@@ -1,0 +1,357 @@
+#include "draw/ObjectDraws.h"
+
+#include "draw/PerDraw.h"
+#include "draw/ProjectedBounds.h"
+#include "scene/RendererTable.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace limn
+{
+
+namespace
+{
+
+/// A pass of a material, looked up once for all objects that are drawn with it.
+struct ObjectPass
+{
+    std::shared_ptr<const Material> material;
+    int shaderPass = 0;
+    DrawCommand draw; ///< without mesh and instances
+};
+
+bool Compiles(const Material& material, int pass)
+{
+    try
+    {
+        material.Compile(pass);
+        return true;
+    }
+    catch (const AssetError&)
+    {
+        return false;
+    }
+}
+
+/// The passes of one DrawRenderers call.
+class PassList
+{
+public:
+    PassList(const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
+             DrawRecorder& recorder)
+        : m_Drawing(drawing), m_StateBlock(stateBlock), m_Recorder(recorder)
+    {
+    }
+
+    /// The passes that a renderer of this material draws.
+    std::vector<std::uint32_t> Of(const std::shared_ptr<const Material>& material)
+    {
+        if (m_Drawing.overrideMaterial)
+        {
+            return {Add(m_Drawing.overrideMaterial, m_Drawing.overrideMaterialPassIndex)};
+        }
+        if (m_Drawing.overrideShader)
+        {
+            return {Add(m_Recorder.WithShader(material, m_Drawing.overrideShader),
+                        m_Drawing.overrideShaderPassIndex)};
+        }
+        std::vector<std::uint32_t> passes;
+        for (const ShaderTagId tag : m_Drawing.shaderTagIds)
+        {
+            const int pass = material->shader()->FindPassByLightMode(tag);
+            if (pass >= 0 && m_Drawing.fallbackMaterial && !Compiles(*material, pass))
+            {
+                passes.push_back(Add(m_Drawing.fallbackMaterial, 0));
+                break;
+            }
+            if (pass >= 0)
+            {
+                passes.push_back(Add(material, pass));
+            }
+        }
+        return passes;
+    }
+
+    const std::vector<ObjectPass>& passes() const { return m_Passes; }
+
+private:
+    std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass)
+    {
+        const auto [known, isNew] = m_Index.try_emplace(
+            {material.get(), shaderPass}, static_cast<std::uint32_t>(m_Passes.size()));
+        if (isNew)
+        {
+            m_Passes.push_back({material, shaderPass,
+                                m_Recorder.LookUp(*material, shaderPass, nullptr, m_StateBlock)});
+        }
+        return known->second;
+    }
+
+    const DrawingSettings& m_Drawing;
+    const RenderStateBlock& m_StateBlock;
+    DrawRecorder& m_Recorder;
+    std::vector<ObjectPass> m_Passes;
+    std::map<std::pair<const Material*, int>, std::uint32_t> m_Index;
+};
+
+bool Blends(const RenderTargetBlendState& target)
+{
+    return target.sourceColorBlendMode != BlendMode::One ||
+           target.destinationColorBlendMode != BlendMode::Zero ||
+           target.sourceAlphaBlendMode != BlendMode::One ||
+           target.destinationAlphaBlendMode != BlendMode::Zero ||
+           target.colorBlendOperation != BlendOp::Add || target.alphaBlendOperation != BlendOp::Add;
+}
+
+/// A number for passes whose draws give the same picture in any order, one with another too if
+/// their numbers are equal; 0 if the order counts, or nobody wants equal states together. Known are
+/// two cases: the nearest wins; and all write the same, because the fragment function looks at
+/// nothing but what is bound.
+std::uint32_t Commutes(const ObjectPass& pass, std::uint32_t index, const SortingSettings& sorting,
+                       bool hasDepth)
+{
+    constexpr std::uint32_t k_NearestWins = 0x10000;
+    const PipelineState& state = pass.draw.state;
+    if (!(sorting.criteria & SortingCriteria::OptimizeStateChanges) || state.stencilEnabled ||
+        state.alphaToMask || std::ranges::any_of(state.targets, Blends))
+    {
+        return 0;
+    }
+    const bool nearestWins =
+        state.zTest == CompareFunction::LessEqual || state.zTest == CompareFunction::Less;
+    const bool writesDepth = hasDepth && state.zWrite && state.zTest != CompareFunction::Disabled;
+    if (!pass.draw.program->layout.fragmentHasInputs && (!writesDepth || nearestWins))
+    {
+        return 1 + index;
+    }
+    const bool isInOrder = sorting.criteria & SortingCriteria::BackToFront;
+    return nearestWins && writesDepth && !isInOrder
+               ? k_NearestWins + static_cast<std::uint32_t>(pass.material->renderQueue())
+               : 0;
+}
+
+/// The box around the world boxes of rows, as per-draw data of a box mesh would place it: nothing
+/// but relative to the origin.
+std::optional<TargetRegion> RegionOf(const RendererTable& table,
+                                     std::span<const std::uint32_t> rows,
+                                     const DrawRecorder& recorder)
+{
+    glm::vec3 low(std::numeric_limits<float>::max());
+    glm::vec3 high(-std::numeric_limits<float>::max());
+    for (const std::uint32_t row : rows)
+    {
+        low = glm::min(low, table.center(row) - table.extent(row));
+        high = glm::max(high, table.center(row) + table.extent(row));
+    }
+    const PerDrawData atOrigin =
+        MakePerDrawData(glm::translate(glm::dmat4(1.0), table.origin()), {}, table.origin());
+    return recorder.Project({(low + high) * 0.5f, (high - low) * 0.5f}, atOrigin);
+}
+
+/// Where a batch draws, if its pass promises to stay within the mesh. Few objects are looked at one
+/// by one; many are seldom apart.
+std::optional<TargetRegion> BoundsOf(const DrawCommand& draw, const RendererTable& table,
+                                     std::span<const std::uint32_t> rows,
+                                     const DrawRecorder& recorder)
+{
+    constexpr std::size_t k_OneByOne = 64;
+    constexpr std::size_t k_Most = 4096;
+    if (!draw.shader->staysWithinMesh(draw.shaderPass) || rows.size() > k_Most)
+    {
+        return std::nullopt;
+    }
+    if (rows.size() > k_OneByOne)
+    {
+        return RegionOf(table, rows, recorder);
+    }
+    std::optional<TargetRegion> region;
+    for (const std::uint32_t row : rows)
+    {
+        const auto seen = recorder.Project(draw.mesh->bounds(), table.Get(table.objectOf()[row]));
+        if (!seen)
+        {
+            return std::nullopt;
+        }
+        region = region ? Union(*region, *seen) : *seen;
+    }
+    return region;
+}
+
+} // namespace
+
+namespace
+{
+
+/// Puts runs of rows into batches.
+class BatchMaker
+{
+public:
+    BatchMaker(const RendererTable& table, const std::vector<std::uint32_t>& commutes)
+        : m_Table(table), m_Commutes(commutes), m_Parts(table.meshParts().size())
+    {
+        const std::size_t kinds = commutes.size() * m_Parts * 2;
+        m_Seen.resize(kinds <= k_MostKinds ? kinds : 0);
+    }
+
+    /// Rows of one class that follow upon each other, for one pass.
+    void Add(std::uint32_t pass, std::uint32_t classIndex, std::uint32_t first, std::uint32_t count)
+    {
+        const RendererTable::RowClass& rowClass = m_Table.classes()[classIndex];
+        const std::size_t kind =
+            (pass * m_Parts + rowClass.meshPart) * 2 + (rowClass.isMirrored ? 1 : 0);
+        if (m_Runs.empty() || kind != m_LastKind)
+        {
+            m_LastKind = kind;
+            m_Batch = BatchOf(kind, pass, rowClass);
+        }
+        m_Batches[m_Batch].count += count;
+        m_Runs.push_back({m_Batch, first, count});
+    }
+
+    /// @param rows  what the runs are of
+    ObjectBatches Take(const std::vector<std::uint32_t>& rows)
+    {
+        ObjectBatches result;
+        std::vector<std::uint32_t> next;
+        std::uint32_t first = 0;
+        for (ObjectBatch& batch : m_Batches)
+        {
+            batch.first = first;
+            next.push_back(first);
+            first += batch.count;
+        }
+        result.rows.resize(first);
+        for (const Run& run : m_Runs)
+        {
+            std::copy_n(rows.begin() + run.first, run.count, result.rows.begin() + next[run.batch]);
+            next[run.batch] += run.count;
+        }
+        result.batches = std::move(m_Batches);
+        return result;
+    }
+
+private:
+    struct Run
+    {
+        std::uint32_t batch = 0;
+        std::uint32_t first = 0; ///< among the items
+        std::uint32_t count = 0;
+    };
+    /// The batch of a kind, if it belongs to the current stretch of draws that may change places.
+    struct Seen
+    {
+        std::uint32_t stretch = 0;
+        std::uint32_t batch = 0;
+    };
+    /// With more, only neighbours are put together.
+    static constexpr std::size_t k_MostKinds = 1 << 22;
+
+    std::uint32_t BatchOf(std::size_t kind, std::uint32_t pass,
+                          const RendererTable::RowClass& rowClass)
+    {
+        const std::uint32_t number = rowClass.isAgain ? 0 : m_Commutes[pass];
+        m_Stretch += number == 0 || number != m_Number || m_Seen.empty() ? 1 : 0;
+        m_Number = number;
+        if (!m_Seen.empty() && m_Seen[kind].stretch == m_Stretch)
+        {
+            return m_Seen[kind].batch;
+        }
+        m_Batches.push_back({pass, rowClass.meshPart, rowClass.isMirrored, 0, 0});
+        const auto batch = static_cast<std::uint32_t>(m_Batches.size() - 1);
+        if (!m_Seen.empty())
+        {
+            m_Seen[kind] = {m_Stretch, batch};
+        }
+        return batch;
+    }
+
+    const RendererTable& m_Table;
+    const std::vector<std::uint32_t>& m_Commutes;
+    const std::size_t m_Parts;
+    std::vector<Seen> m_Seen; ///< by kind
+    std::vector<Run> m_Runs;
+    std::vector<ObjectBatch> m_Batches;
+    std::size_t m_LastKind = 0;
+    std::uint32_t m_Batch = 0;
+    std::uint32_t m_Stretch = 0;
+    std::uint32_t m_Number = 0;
+};
+
+} // namespace
+
+ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
+                          const std::vector<std::vector<std::uint32_t>>& passesOf,
+                          const std::vector<std::uint32_t>& commutes)
+{
+    BatchMaker maker(*items.table(), commutes);
+    for (const ClassRun& run : runs)
+    {
+        const std::vector<std::uint32_t>& passes = passesOf[run.rowClass];
+        if (passes.size() == 1)
+        {
+            maker.Add(passes.front(), run.rowClass, run.first, run.count);
+            continue;
+        }
+        for (std::uint32_t row = run.first; row < run.first + run.count; ++row)
+        {
+            for (const std::uint32_t pass : passes)
+            {
+                maker.Add(pass, run.rowClass, row, 1);
+            }
+        }
+    }
+    return maker.Take(items.rows());
+}
+
+void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
+                 const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
+                 DrawRecorder& recorder)
+{
+    const RendererTable& table = *items.table();
+    PassList passes(drawing, stateBlock, recorder);
+    std::vector<std::vector<std::uint32_t>> passesOf(table.classes().size());
+    std::vector<std::uint8_t> isKnown(table.classes().size());
+    for (const ClassRun& run : runs)
+    {
+        if (isKnown[run.rowClass] == 0)
+        {
+            isKnown[run.rowClass] = 1;
+            passesOf[run.rowClass] = passes.Of(table.classes()[run.rowClass].material);
+        }
+    }
+    std::vector<std::uint32_t> commutes;
+    for (const ObjectPass& pass : passes.passes())
+    {
+        commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),
+                                    drawing.sortingSettings, recorder.hasDepth()));
+    }
+    const ObjectBatches batches = MakeBatches(items, runs, passesOf, commutes);
+
+    FrameCommands& frame = recorder.frame();
+    const auto offset = static_cast<std::uint32_t>(frame.instances.size());
+    frame.objects = items.table();
+    frame.instances.resize(offset + batches.rows.size());
+    std::ranges::transform(batches.rows, frame.instances.begin() + offset,
+                           [&](std::uint32_t row) { return table.objectOf()[row]; });
+    for (const ObjectBatch& batch : batches.batches)
+    {
+        const RendererTable::MeshPart& part = table.meshParts()[batch.meshPart];
+        DrawCommand draw = passes.passes()[batch.pass].draw;
+        draw.drawsObjects = true;
+        draw.mesh = part.mesh;
+        draw.subMesh = part.subMesh;
+        draw.state.frontFaceFlipped = batch.isMirrored;
+        const std::uint32_t step = isInstanceable(*draw.program) ? batch.count : 1;
+        for (std::uint32_t done = 0; done < batch.count; done += step)
+        {
+            draw.firstInstance = offset + batch.first + done;
+            draw.instanceCount = step;
+            draw.bounds = BoundsOf(
+                draw, table, std::span(batches.rows).subspan(batch.first + done, step), recorder);
+            frame.commands.emplace_back(draw);
+        }
+    }
+}
+
+} // namespace limn

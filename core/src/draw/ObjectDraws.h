@@ -1,0 +1,55 @@
+#pragma once
+
+#include "draw/DrawRecorder.h"
+
+#include <limn/core/Culling.h>
+
+namespace limn
+{
+
+/// Instances of one pass, mesh and winding.
+struct ObjectBatch
+{
+    std::uint32_t pass = 0;
+    std::uint32_t meshPart = 0; ///< of the table
+    bool isMirrored = false;
+    std::uint32_t first = 0; ///< in ObjectBatches::rows
+    std::uint32_t count = 0;
+};
+
+struct ObjectBatches
+{
+    std::vector<ObjectBatch> batches; ///< in the order in which they are drawn
+    std::vector<std::uint32_t> rows;  ///< of the table
+};
+
+/// Rows of one class of the table that follow upon each other.
+struct ClassRun
+{
+    std::uint32_t rowClass = 0;
+    std::uint32_t first = 0; ///< among the items
+    std::uint32_t count = 0;
+};
+
+/// Sort, and what it finds: all runs.
+std::vector<ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
+
+/// What rows draw. Draws that may change places become one batch whatever lies between them, at
+/// the place of the first; others only where they follow upon each other.
+/// @param items     in the order in which they are drawn
+/// @param runs      all of them
+/// @param passesOf  by the table's class: the passes that each of its rows draws, in this order
+/// @param commutes  by pass: passes of equal numbers other than 0 give the same picture in any
+///                  order
+ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
+                          const std::vector<std::vector<std::uint32_t>>& passesOf,
+                          const std::vector<std::uint32_t>& commutes);
+
+/// Appends the draws of a DrawRenderers call.
+/// @param items  in the order in which they are drawn; not empty
+/// @param runs   all of them
+void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
+                 const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
+                 DrawRecorder& recorder);
+
+} // namespace limn

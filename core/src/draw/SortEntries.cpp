@@ -1,0 +1,67 @@
+#include "draw/SortEntries.h"
+
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_DigitBits = 11;
+constexpr std::size_t k_DigitCount = std::size_t{1} << k_DigitBits;
+
+/// Passes over the digits of `value` that are not the same in all entries, the lowest first.
+template <typename Value>
+void SortBy(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, Value value)
+{
+    std::uint64_t differing = 0;
+    for (const SortEntry& entry : entries)
+    {
+        differing |= value(entry) ^ value(entries.front());
+    }
+    while (differing != 0)
+    {
+        const int shift = std::countr_zero(differing);
+        const auto digit = [&](const SortEntry& entry)
+        {
+            return (value(entry) >> shift) & (k_DigitCount - 1);
+        };
+        std::array<std::uint32_t, k_DigitCount> place{};
+        for (const SortEntry& entry : entries)
+        {
+            ++place[digit(entry)];
+        }
+        std::uint32_t next = 0;
+        for (std::uint32_t& count : place)
+        {
+            next += std::exchange(count, next);
+        }
+        for (const SortEntry& entry : entries)
+        {
+            spare[place[digit(entry)]++] = entry;
+        }
+        entries.swap(spare);
+        differing = shift + k_DigitBits < 64
+                        ? differing >> (shift + k_DigitBits) << (shift + k_DigitBits)
+                        : 0;
+    }
+}
+
+} // namespace
+
+void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits)
+{
+    if (entries.empty())
+    {
+        return;
+    }
+    spare.resize(entries.size());
+    const std::uint64_t mask = (std::uint64_t{1} << stateBits) - 1;
+    SortBy(entries, spare, [mask](const SortEntry& entry) { return entry.state & mask; });
+    SortBy(entries, spare, [](const SortEntry& entry) { return entry.key; });
+}
+
+} // namespace limn

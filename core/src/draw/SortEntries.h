@@ -1,0 +1,84 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <limn/core/SortingSettings.h>
+#include <vector>
+
+namespace limn
+{
+
+/// One of many things to be sorted.
+struct SortEntry
+{
+    std::uint64_t key = 0;   ///< queue and distance
+    std::uint32_t state = 0; ///< decides between equal keys
+    std::uint32_t index = 0; ///< what is sorted
+};
+
+/// By key, then by the lowest bits of the state; stable. Digits in which all are equal take no
+/// time.
+/// @param spare      room for as many
+/// @param stateBits  that count
+void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits = 32);
+
+/// The square of the distance to the camera, with the sign of the distance, and everything that is
+/// no number at the far end: comparisons of NaN would leave the order undefined.
+inline float SortDistance(const glm::vec3& offset, const SortingSettings& sorting)
+{
+    const float along = glm::dot(offset, sorting.cameraForward);
+    const float square = sorting.distanceMetric == DistanceMetric::Perspective
+                             ? glm::dot(offset, offset)
+                             : along * std::abs(along);
+    constexpr float k_Largest = std::numeric_limits<float>::max();
+    return std::abs(square) <= k_Largest ? square : k_Largest;
+}
+
+/// The order of floats as one of integers.
+inline std::uint32_t OrderedBits(float value)
+{
+    const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f); // -0 is 0
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
+
+/// Equal for distances within the same eighth of an octave, growing; 0 up to a millimetre.
+/// @param square  of the distance: a quarter of an octave for each eighth
+inline std::uint32_t Quantised(float square)
+{
+    // What is behind the point of 2^(1/4), 2^(2/4) and 2^(3/4), as a float has it.
+    constexpr std::uint32_t k_First = 0x1837F1;
+    constexpr std::uint32_t k_Second = 0x3504F4;
+    constexpr std::uint32_t k_Third = 0x5744FD;
+    const auto bits = std::bit_cast<std::uint32_t>(square);
+    const std::uint32_t fraction = bits & 0x7FFFFFu;
+    const std::uint32_t quarter = (fraction >= k_First ? 1u : 0u) +
+                                  (fraction >= k_Second ? 1u : 0u) +
+                                  (fraction >= k_Third ? 1u : 0u);
+    return square > 1e-6f ? 1 + (bits >> 23) * 4 + quarter : 0;
+}
+
+/// The part of the order that RenderQueue and the distances decide.
+/// @param queue          0...5000
+/// @param distance       as SortDistance gives it
+/// @param materialIndex  among the renderer's materials
+inline std::uint64_t SortKey(SortingCriteria criteria, int queue, float distance,
+                             std::uint16_t materialIndex)
+{
+    std::uint64_t key =
+        criteria & SortingCriteria::RenderQueue ? static_cast<std::uint64_t>(queue) << 48 : 0;
+    if (criteria & SortingCriteria::BackToFront)
+    {
+        // Equal distances are equal eighths too, so QuantizedFrontToBack has nothing to add.
+        key |= std::uint64_t{~OrderedBits(distance)} << 16 | materialIndex;
+    }
+    else if (criteria & SortingCriteria::QuantizedFrontToBack)
+    {
+        key |= std::uint64_t{Quantised(distance)} << 16;
+    }
+    return key;
+}
+
+} // namespace limn

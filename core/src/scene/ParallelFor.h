@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace limn
+{
+
+/// How many parts a loop over `count` elements is worth: a thread takes some 30 us to start, and
+/// longer on a busy machine.
+inline std::size_t PartsOf(std::size_t count)
+{
+    constexpr std::size_t k_LeastElements = 200'000;
+    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1u);
+    return std::max<std::size_t>(std::min(count / k_LeastElements, cores), 1);
+}
+
+/// Runs function(part, begin, end) for each of `parts` runs of elements, in threads of their own
+/// but the last. An exception of any of them goes on to the caller.
+template <typename Function>
+void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
+{
+    std::vector<std::exception_ptr> failures(parts);
+    const auto run = [&](std::size_t part)
+    {
+        try
+        {
+            function(part, count * part / parts, count * (part + 1) / parts);
+        }
+        catch (...)
+        {
+            failures[part] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t part = 0; part + 1 < parts; ++part)
+        {
+            threads.emplace_back(run, part);
+        }
+        run(parts - 1);
+    }
+    for (const std::exception_ptr& failure : failures)
+    {
+        if (failure)
+        {
+            std::rethrow_exception(failure);
+        }
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,404 @@
+#include "scene/RendererTable.h"
+
+#include "draw/PerDraw.h"
+#include "scene/ParallelFor.h"
+#include "scene/UniqueId.h"
+#include "scene/WorldMatrices.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace limn
+{
+
+namespace
+{
+
+/// A sum of products with odd numbers, each a function of its own: which 64-bit words there were,
+/// in which order.
+class WordHash
+{
+public:
+    void Add(std::uint64_t word)
+    {
+        m_Sum += std::rotl((word ^ m_Factor) * m_Factor, 29);
+        m_Factor = m_Factor * 0x9E3779B97F4A7C15u + 2;
+    }
+
+    void AddPointer(const void* pointer) { Add(reinterpret_cast<std::uintptr_t>(pointer)); }
+
+    template <typename T>
+    void AddBytes(const T& value)
+    {
+        static_assert(sizeof(T) % sizeof(std::uint64_t) == 0);
+        std::array<std::uint64_t, sizeof(T) / sizeof(std::uint64_t)> words;
+        std::memcpy(words.data(), &value, sizeof value);
+        for (const std::uint64_t word : words)
+        {
+            Add(word);
+        }
+    }
+
+    std::uint64_t value() const { return m_Sum; }
+
+private:
+    std::uint64_t m_Sum = 0;
+    std::uint64_t m_Factor = 0xD6E8FEB86659FD93u; ///< odd, and so are those that follow
+};
+
+/// Of all that an object's rows are made from, but what its materials and meshes hold.
+std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
+{
+    WordHash hash;
+    hash.AddBytes(object.transform); // no padding: its size is that of its members
+    static_assert(sizeof(Transform) == 10 * sizeof(float) + sizeof(void*));
+    if (object.transform.parent != nullptr)
+    {
+        hash.AddBytes(matrices.OfParent(object.transform));
+    }
+    hash.Add(static_cast<std::uint64_t>(object.layer) << 2 |
+             static_cast<std::uint64_t>(object.activeSelf) << 1 |
+             static_cast<std::uint64_t>(object.renderer.has_value()));
+    if (object.renderer)
+    {
+        const MeshRenderer& renderer = *object.renderer;
+        hash.AddPointer(renderer.mesh.get());
+        hash.Add(std::uint64_t{renderer.renderingLayerMask.bits} << 1 |
+                 static_cast<std::uint64_t>(renderer.enabled));
+        for (const auto& material : renderer.sharedMaterials)
+        {
+            hash.AddPointer(material.get());
+        }
+    }
+    return hash.value();
+}
+
+/// A renderer has a row for each material; one without any has one, which draws nothing.
+std::uint32_t RowsOf(const GameObject& object)
+{
+    if (!object.renderer || !object.renderer->mesh)
+    {
+        return 0;
+    }
+    const auto& materials = object.renderer->sharedMaterials;
+    const auto count = std::ranges::count_if(materials, [](const auto& m) { return m != nullptr; });
+    return static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(count, 1));
+}
+
+bool isFinite(const glm::dvec3& place, const glm::mat3& axes)
+{
+    float sum = 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        sum += 0.0f * static_cast<float>(place[axis]);
+        for (int row = 0; row < 3; ++row)
+        {
+            sum += 0.0f * axes[axis][row];
+        }
+    }
+    return sum == 0.0f;
+}
+
+/// Fetches what HashOf reads some objects on: they lie anywhere in memory, and waiting for them one
+/// by one would take most of the time.
+void Prefetch(const std::vector<const GameObject*>& objects, std::size_t index)
+{
+    constexpr std::size_t k_Ahead = 16;
+    constexpr std::size_t k_LineBytes = 64;
+    if (index + k_Ahead < objects.size())
+    {
+        const auto* object = reinterpret_cast<const std::byte*>(objects[index + k_Ahead]);
+        for (std::size_t offset = 0; offset < sizeof(GameObject); offset += k_LineBytes)
+        {
+            __builtin_prefetch(object + offset);
+        }
+    }
+}
+
+/// The place of a new value: one that is free, or one more.
+template <typename Value>
+std::uint32_t Put(std::vector<Value>& values, std::vector<std::uint32_t>& free, const Value& value)
+{
+    if (free.empty())
+    {
+        values.push_back(value);
+        return static_cast<std::uint32_t>(values.size() - 1);
+    }
+    const std::uint32_t place = free.back();
+    free.pop_back();
+    values[place] = value;
+    return place;
+}
+
+} // namespace
+
+RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
+{
+    return {rowClass.material.get(), rowClass.layer, rowClass.renderingLayerMask.bits,
+            rowClass.meshPart, (rowClass.isMirrored ? 1 : 0) + (rowClass.isAgain ? 2 : 0)};
+}
+
+FilterItem RendererTable::RowClass::item() const
+{
+    return {material->renderQueue(), layer, renderingLayerMask, material->shader().get()};
+}
+
+RendererTable::RendererTable() : m_Id(NextUniqueId()), m_FirstRow{0} {}
+
+void RendererTable::Update(const std::vector<std::unique_ptr<GameObject>>& objects,
+                           const glm::dvec3& origin)
+{
+    for (std::size_t i = m_Objects.size(); i < objects.size(); ++i)
+    {
+        m_Objects.push_back(objects[i].get());
+    }
+    if (origin != m_Origin)
+    {
+        MoveTo(origin);
+    }
+    const std::size_t known = m_Hash.size();
+    m_Hash.resize(m_Objects.size());
+    m_Place.resize(m_Objects.size());
+    m_Axes.resize(m_Objects.size());
+    m_RenderingLayers.resize(m_Objects.size());
+    m_FirstRow.resize(m_Objects.size() + 1, m_FirstRow.back());
+    FindChanges(known);
+}
+
+/// @param known  how many objects there were last time
+void RendererTable::FindChanges(std::size_t known)
+{
+    const std::size_t parts = PartsOf(m_Objects.size());
+    std::vector<std::vector<std::uint32_t>> changed(parts);
+    const auto find = [&](std::size_t part, std::size_t begin, std::size_t end)
+    {
+        WorldMatrices matrices;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            Prefetch(m_Objects, i);
+            const std::uint64_t hash = HashOf(*m_Objects[i], matrices);
+            if (hash != m_Hash[i] || i >= known)
+            {
+                m_Hash[i] = hash;
+                Place(static_cast<std::uint32_t>(i), matrices.Of(m_Objects[i]->transform));
+                changed[part].push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+    };
+    try
+    {
+        ForEachPart(m_Objects.size(), parts, find);
+    }
+    catch (...)
+    {
+        m_Hash.clear(); // what was found is lost: next time everything is new
+        throw;
+    }
+    if (std::ranges::all_of(changed, [](const auto& part) { return part.empty(); }))
+    {
+        return;
+    }
+    m_Changed.clear();
+    for (const auto& part : changed)
+    {
+        m_Changed.insert(m_Changed.end(), part.begin(), part.end());
+    }
+    m_LastChanges = m_Version++;
+    const auto other = std::ranges::find_if(
+        m_Changed, [&](std::uint32_t object)
+        { return RowsOf(*m_Objects[object]) != m_FirstRow[object + 1] - m_FirstRow[object]; });
+    std::for_each(m_Changed.begin(), other, [&](std::uint32_t object) { SetRows(object); });
+    if (other != m_Changed.end())
+    {
+        SetRowsFrom(*other);
+    }
+    // An object that has a renderer only, or has lost it, is in nobody's way.
+    std::erase_if(m_BeyondFloat, [&](std::uint32_t object)
+                  { return std::ranges::binary_search(m_Changed, object); });
+    for (const std::uint32_t object : m_Changed)
+    {
+        if (RowsOf(*m_Objects[object]) > 0 && !isFinite(m_Place[object], m_Axes[object]))
+        {
+            m_BeyondFloat.push_back(object);
+        }
+    }
+    std::ranges::sort(m_BeyondFloat);
+}
+
+void RendererTable::MoveTo(const glm::dvec3& origin)
+{
+    m_Origin = origin;
+    ++m_Version;
+    m_LastChanges = m_Version; // who asks for an earlier one gets everything
+    m_Changed.clear();
+    for (std::uint32_t row = 0; row < rowCount(); ++row)
+    {
+        SetBox(row);
+    }
+}
+
+void RendererTable::Place(std::uint32_t object, const glm::dmat4& localToWorld)
+{
+    m_Place[object] = glm::dvec3(localToWorld[3]);
+    m_Axes[object] = glm::mat3(localToWorld);
+}
+
+/// All rows of this object and those behind it.
+void RendererTable::SetRowsFrom(std::uint32_t object)
+{
+    const std::uint32_t begin = m_FirstRow[object];
+    for (std::uint32_t row = begin; row < rowCount(); ++row)
+    {
+        Release(row);
+    }
+    for (std::size_t i = object; i < m_Objects.size(); ++i)
+    {
+        m_FirstRow[i + 1] = m_FirstRow[i] + RowsOf(*m_Objects[i]);
+    }
+    ResizeRows(begin);
+    ResizeRows(m_FirstRow.back());
+    for (std::size_t i = object; i < m_Objects.size(); ++i)
+    {
+        SetRows(static_cast<std::uint32_t>(i));
+    }
+}
+
+void RendererTable::SetRows(std::uint32_t object)
+{
+    const GameObject& source = *m_Objects[object];
+    if (m_FirstRow[object] == m_FirstRow[object + 1])
+    {
+        return;
+    }
+    m_RenderingLayers[object] = source.renderer->renderingLayerMask.bits;
+    std::uint32_t row = m_FirstRow[object];
+    for (std::size_t slot = 0; slot < source.renderer->sharedMaterials.size(); ++slot)
+    {
+        if (source.renderer->sharedMaterials[slot])
+        {
+            SetRow(row, object, slot, row == m_FirstRow[object] ? k_First : k_NoFlag);
+            ++row;
+        }
+    }
+    if (row == m_FirstRow[object])
+    {
+        SetRow(row, object, 0, k_First);
+    }
+}
+
+void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first)
+{
+    const GameObject& source = *m_Objects[object];
+    const MeshRenderer& renderer = *source.renderer;
+    Release(row);
+    const bool isActive = source.activeSelf && renderer.enabled;
+    m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : k_NoFlag));
+    m_Slot[row] = static_cast<std::uint16_t>(slot);
+    m_ObjectOf[row] = object;
+    RowClass rowClass;
+    rowClass.material =
+        slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
+    rowClass.layer = source.layer;
+    rowClass.renderingLayerMask = renderer.renderingLayerMask;
+    rowClass.isMirrored = glm::determinant(glm::dmat3(m_Axes[object])) < 0.0;
+    rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
+    const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
+    SetClass(row, rowClass, {renderer.mesh, subMesh, 0});
+    SetBox(row);
+}
+
+/// @param part  the class's
+void RendererTable::SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part)
+{
+    const auto [knownPart, isNewPart] = m_PartIndex.try_emplace({part.mesh.get(), part.subMesh}, 0);
+    if (isNewPart)
+    {
+        knownPart->second = Put(m_MeshParts, m_FreeParts, part);
+    }
+    RowClass own = rowClass;
+    own.meshPart = knownPart->second;
+    const auto [known, isNew] = m_ClassIndex.try_emplace(KeyOf(own), 0);
+    if (isNew)
+    {
+        known->second = Put(m_Classes, m_FreeClasses, own);
+        ++m_MeshParts[own.meshPart].uses;
+    }
+    ++m_Classes[known->second].uses;
+    m_ClassOf[row] = known->second;
+}
+
+void RendererTable::SetBox(std::uint32_t row)
+{
+    const std::uint32_t object = m_ObjectOf[row];
+    const Bounds& bounds = m_MeshParts[m_Classes[m_ClassOf[row]].meshPart].mesh->bounds();
+    const glm::mat3& axes = m_Axes[object];
+    const glm::dvec3 center = glm::dmat3(axes) * glm::dvec3(bounds.center) + m_Place[object];
+    for (std::size_t axis = 0; axis < k_Axes; ++axis)
+    {
+        const int a = static_cast<int>(axis);
+        m_Center[axis][row] = static_cast<float>(center[a] - m_Origin[a]);
+        m_Extent[axis][row] = std::abs(axes[0][a]) * bounds.extents.x +
+                              std::abs(axes[1][a]) * bounds.extents.y +
+                              std::abs(axes[2][a]) * bounds.extents.z;
+    }
+}
+
+void RendererTable::ResizeRows(std::size_t count)
+{
+    for (std::size_t axis = 0; axis < k_Axes; ++axis)
+    {
+        m_Center[axis].resize(count);
+        m_Extent[axis].resize(count);
+    }
+    m_Flags.resize(count);
+    m_Slot.resize(count);
+    m_ClassOf.resize(count, k_Free);
+    m_ObjectOf.resize(count);
+}
+
+/// A class that no row has lets go of its material and mesh.
+void RendererTable::Release(std::uint32_t row)
+{
+    if (m_ClassOf[row] == k_Free)
+    {
+        return;
+    }
+    RowClass& old = m_Classes[m_ClassOf[row]];
+    if (--old.uses == 0)
+    {
+        MeshPart& part = m_MeshParts[old.meshPart];
+        if (--part.uses == 0)
+        {
+            m_PartIndex.erase({part.mesh.get(), part.subMesh});
+            m_FreeParts.push_back(old.meshPart);
+            part = {};
+        }
+        m_ClassIndex.erase(KeyOf(old));
+        m_FreeClasses.push_back(m_ClassOf[row]);
+        old = {};
+    }
+    m_ClassOf[row] = k_Free;
+}
+
+PerDrawData RendererTable::Get(std::uint32_t object) const
+{
+    glm::dmat4 localToWorld(glm::dmat3(m_Axes[object]));
+    localToWorld[3] = glm::dvec4(m_Place[object], 1.0);
+    return MakePerDrawData(localToWorld, RenderingLayerMask{m_RenderingLayers[object]}, m_Origin);
+}
+
+std::optional<std::span<const std::uint32_t>>
+RendererTable::ChangedSince(std::uint64_t version) const
+{
+    if (version == m_Version)
+    {
+        return std::span<const std::uint32_t>();
+    }
+    return version == m_LastChanges && m_LastChanges != m_Version
+               ? std::optional(std::span(m_Changed))
+               : std::nullopt;
+}
+
+} // namespace limn

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <limn/core/Judge.h>
+#include <limn/core/ObjectTable.h>
+#include <limn/core/Scene.h>
+#include <map>
+#include <tuple>
+
+namespace limn
+{
+
+/// The renderers of a scene as arrays, one row for each (renderer, material) pair in the scene's
+/// order: what a frame goes through lies side by side. Kept from frame to frame; only objects that
+/// have changed are worked out again.
+class RendererTable final : public ObjectTable
+{
+public:
+    static constexpr std::size_t k_Axes = 3;
+
+    enum RowFlag : std::uint8_t
+    {
+        k_NoFlag = 0,
+        k_Active = 1, ///< the object is active and its renderer enabled
+        k_First = 2,  ///< the first row of its renderer
+    };
+
+    struct MeshPart
+    {
+        std::shared_ptr<const Mesh> mesh;
+        int subMesh = 0;
+        std::uint32_t uses = 0; ///< classes that have it; 0 = free
+    };
+    /// What filtering and drawing look at besides the place; few combinations are shared by many
+    /// rows.
+    struct RowClass
+    {
+        std::shared_ptr<const Material> material; ///< null: it draws nothing
+        int layer = 0;
+        RenderingLayerMask renderingLayerMask;
+        std::uint32_t meshPart = 0;
+        bool isMirrored = false; ///< the transform turns triangles over
+        bool isAgain = false;    ///< another row of its renderer draws the sub-mesh too
+        std::uint32_t uses = 0;  ///< rows that have it; 0 = free
+
+        /// @pre there is a material
+        FilterItem item() const;
+    };
+
+    RendererTable();
+
+    /// Takes over what has changed.
+    /// @param origin  what the rows' boxes are relative to, see Camera::renderOrigin
+    void Update(const std::vector<std::unique_ptr<GameObject>>& objects, const glm::dvec3& origin);
+
+    std::size_t rowCount() const { return m_Flags.size(); }
+    const glm::dvec3& origin() const { return m_Origin; }
+    // World boxes, by axis and row: middle, relative to origin(), and half the size.
+    const std::vector<float>& centers(std::size_t axis) const { return m_Center[axis]; }
+    const std::vector<float>& extents(std::size_t axis) const { return m_Extent[axis]; }
+    glm::vec3 center(std::uint32_t row) const
+    {
+        return {m_Center[0][row], m_Center[1][row], m_Center[2][row]};
+    }
+    glm::vec3 extent(std::uint32_t row) const
+    {
+        return {m_Extent[0][row], m_Extent[1][row], m_Extent[2][row]};
+    }
+    // By row.
+    const std::vector<std::uint8_t>& flags() const { return m_Flags; } ///< RowFlag
+    const std::vector<std::uint16_t>& materialIndices() const { return m_Slot; }
+    const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }
+    const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }
+
+    const std::vector<RowClass>& classes() const { return m_Classes; }
+    const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
+    const GameObject& object(std::uint32_t index) const { return *m_Objects[index]; }
+    /// Objects with a renderer whose world matrix is beyond a float.
+    const std::vector<std::uint32_t>& beyondFloat() const { return m_BeyondFloat; }
+
+    std::uint64_t id() const override { return m_Id; }
+    std::uint64_t version() const override { return m_Version; }
+    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_Place.size()); }
+    PerDrawData Get(std::uint32_t object) const override;
+    std::optional<std::span<const std::uint32_t>>
+    ChangedSince(std::uint64_t version) const override;
+
+private:
+    void FindChanges(std::size_t known);
+    void MoveTo(const glm::dvec3& origin);
+    void Place(std::uint32_t object, const glm::dmat4& localToWorld);
+    void SetRowsFrom(std::uint32_t object);
+    void SetRows(std::uint32_t object);
+    void SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first);
+    void SetBox(std::uint32_t row);
+    void ResizeRows(std::size_t count);
+    void SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part);
+    void Release(std::uint32_t row);
+
+    static constexpr std::uint32_t k_Free = ~std::uint32_t{0}; ///< a row without class
+
+    std::uint64_t m_Id;
+    std::uint64_t m_Version = 0;
+    std::uint64_t m_LastChanges = 0; ///< the version before m_Changed
+    std::vector<std::uint32_t> m_Changed;
+    glm::dvec3 m_Origin{0.0};
+
+    // By object.
+    std::vector<const GameObject*> m_Objects;
+    std::vector<std::uint64_t> m_Hash;     ///< of all that its rows are made from
+    std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
+    std::vector<glm::dvec3> m_Place;       ///< world
+    std::vector<glm::mat3> m_Axes;         ///< of the world matrix
+    std::vector<std::uint32_t> m_RenderingLayers;
+    std::vector<std::uint32_t> m_BeyondFloat;
+
+    // By row.
+    std::vector<float> m_Center[k_Axes];
+    std::vector<float> m_Extent[k_Axes];
+    std::vector<std::uint8_t> m_Flags;
+    std::vector<std::uint16_t> m_Slot;
+    std::vector<std::uint32_t> m_ClassOf;
+    std::vector<std::uint32_t> m_ObjectOf;
+
+    std::vector<RowClass> m_Classes;
+    std::vector<MeshPart> m_MeshParts;
+    using PartKey = std::tuple<const Mesh*, int>;
+    using ClassKey = std::tuple<const Material*, int, std::uint32_t, std::uint32_t, int>;
+    static ClassKey KeyOf(const RowClass& rowClass);
+    std::map<ClassKey, std::uint32_t> m_ClassIndex;
+    std::map<PartKey, std::uint32_t> m_PartIndex;
+    std::vector<std::uint32_t> m_FreeClasses;
+    std::vector<std::uint32_t> m_FreeParts;
+};
+
+} // namespace limn

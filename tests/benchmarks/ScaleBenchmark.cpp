@@ -1,0 +1,286 @@
+// What a frame of many renderers costs the CPU, against plain loops over arrays that do the least
+// that has to be done. Both take turns in one run. No device draws.
+//
+//   cmake --preset release -DLIMN_BUILD_TESTS=ON
+//   cmake --build --preset release --target scale_benchmark
+//   build/release/tests/scale_benchmark [--quick] [COUNT...]
+
+#include "Samples.h"
+#include "draw/SortEntries.h"
+#include "scale/PlainLoops.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
+#include <limn/limn.h>
+#include <new>
+#include <numeric>
+#include <random>
+#include <string>
+#include <unistd.h>
+
+namespace
+{
+
+std::atomic<long> allocationCount{0};
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+    ++allocationCount;
+    if (void* memory = std::malloc(size))
+    {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+namespace limn::benchmarks
+{
+
+namespace
+{
+
+/// Of this process, in bytes.
+double ResidentBytes()
+{
+    std::ifstream file("/proc/self/statm");
+    double total = 0.0;
+    double resident = 0.0;
+    file >> total >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Takes frames and forgets them.
+class NoDevice final : public GraphicsDevice
+{
+public:
+    void Execute(const CompiledFrame& frame) override { m_States = frame.states; }
+    const TextureStates& textureStates() const override { return m_States; }
+    Image ReadBack(const RenderTexture&) override { return {}; }
+    std::vector<PassTiming> LastFrameTimings() override { return {}; }
+
+private:
+    TextureStates m_States;
+};
+
+/// Cubes and quads of ten materials; the outline of every hundredth is drawn.
+class ManyRenderers
+{
+public:
+    explicit ManyRenderers(std::size_t count)
+    {
+        const auto compiler = std::make_shared<ShaderCompiler>();
+        std::vector<std::shared_ptr<const Mesh>> meshes;
+        for (std::size_t i = 0; i < k_MeshCount; ++i)
+        {
+            meshes.push_back(
+                CreatePrimitive(i % 2 != 0 ? PrimitiveType::Cube : PrimitiveType::Quad));
+        }
+        std::vector<std::shared_ptr<const Material>> materials;
+        for (std::size_t i = 0; i < k_MaterialCount; ++i)
+        {
+            materials.push_back(std::make_shared<Material>(
+                FindShippedShader("Universal Render Pipeline/Lit", compiler)));
+        }
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            GameObject& object = m_Scene.Add("object");
+            const std::array<float, 3> place = PlaceOf(i);
+            object.layer = static_cast<int>(i % 8);
+            object.transform.localPosition = {place[0], place[1], place[2]};
+            object.renderer = MeshRenderer{meshes[i % k_MeshCount],
+                                           {materials[i / k_MeshCount % k_MaterialCount]},
+                                           RenderingLayerMask{1u | (i % 100 == 0 ? 256u : 0u)}};
+        }
+        ScreenSpaceOutlineSettings settings;
+        settings.m_ScreenSpaceOutlineShader =
+            FindShippedShader("Hidden/ScreenSpaceOutline", compiler);
+        settings.m_LayerMask = LayerMask::Everything();
+        settings.m_RenderingLayerMask = 8;
+        m_Renderer = std::make_unique<UniversalRenderer>(compiler);
+        m_Renderer->AddFeature(std::make_unique<ScreenSpaceOutlineRenderFeature>(settings));
+        RegisterVolumeComponents(m_Components);
+        m_Volumes = std::make_unique<VolumeManager>(m_Components);
+        m_Stack = std::make_unique<VolumeStack>(m_Volumes->CreateStack());
+        auto profile = std::make_shared<VolumeProfile>();
+        profile->Add<ScreenSpaceOutline>().m_Enable.Override(true);
+        m_Volume.sharedProfile = std::move(profile);
+        m_Volumes->Register(&m_Volume);
+        m_Volumes->Update(*m_Stack, glm::vec3(0.0f), m_Camera.volumeLayerMask);
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = 1920;
+        m_Request.height = 1080;
+        m_Request.volumeStack = m_Stack.get();
+    }
+
+    CullingResults Cull() { return limn::Cull(m_Scene, m_Camera, 16.0f / 9.0f); }
+    RenderResult Frame() { return m_Pipeline.RenderSingleCamera(*m_Renderer, m_Request); }
+
+    /// A hundredth of the objects, others each time.
+    void Move()
+    {
+        const auto& objects = m_Scene.objects();
+        for (std::size_t i = 0; i < objects.size() / 100 + 1; ++i)
+        {
+            objects[m_Random() % objects.size()]->transform.localPosition.y += 0.01f;
+        }
+    }
+
+private:
+    Scene m_Scene;
+    Camera m_Camera;
+    VolumeComponentRegistry m_Components;
+    Volume m_Volume;
+    std::unique_ptr<VolumeManager> m_Volumes;
+    std::unique_ptr<VolumeStack> m_Stack;
+    std::unique_ptr<UniversalRenderer> m_Renderer;
+    NoDevice m_Device;
+    UniversalRenderPipeline m_Pipeline{m_Device};
+    RenderRequest m_Request;
+    std::minstd_rand m_Random{1};
+};
+
+std::size_t DrawsOf(const CompiledFrame& frame)
+{
+    std::size_t count = 0;
+    for (const CompiledRenderPass& pass : frame.passes)
+    {
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(pass.commands, [](const PassCommand& command)
+                                  { return std::holds_alternative<DrawCommand>(command); }));
+    }
+    return count;
+}
+
+/// Judging against summing what is judged: as FilterItem for each, and as the table holds it.
+void CompareJudging(ManyRenderers& scene, int pairs)
+{
+    const CullingResults culled = scene.Cull();
+    const FilteringSettings filtering(RenderQueueRange::opaque, LayerMask::Everything(),
+                                      RenderingLayerMask{256u});
+    DrawingSettings drawing;
+    drawing.shaderTagIds = {ShaderTagId("UniversalForward")};
+    std::vector<FilterItem> items;
+    for (const RendererItem& item : culled.items)
+    {
+        items.push_back(item.filter);
+    }
+    std::vector<std::uint32_t> words(items.size() * sizeof(FilterItem) / sizeof(std::uint32_t));
+    std::memcpy(words.data(), items.data(), words.size() * sizeof(std::uint32_t));
+    Comparison comparison;
+    std::uint32_t sum = 0;
+    int drawn = 0;
+    for (int pair = 0; pair < pairs; ++pair)
+    {
+        const double a = Time([&] { drawn += Judge(culled.items, filtering, drawing).counts[0]; });
+        const double b = Time([&] { sum = std::accumulate(words.begin(), words.end(), sum); });
+        comparison.Add(a, b);
+    }
+    comparison.Print("judging / summing their 24 bytes each");
+    std::printf("%s", sum == 1 && drawn == 1 ? " " : "");
+}
+
+void CompareSorting(std::size_t count, int pairs)
+{
+    PlainLoops plain(count);
+    plain.Cull();
+    std::vector<SortEntry> source(plain.visibleCount());
+    for (std::size_t i = 0; i < source.size(); ++i)
+    {
+        const std::array<float, 3> place = PlaceOf(i);
+        const glm::vec3 offset(place[0], place[1], place[2]);
+        source[i] = {SortKey(SortingCriteria::CommonOpaque, 2000,
+                             SortDistance(offset, SortingSettings()), 0),
+                     static_cast<std::uint32_t>(i % 100), static_cast<std::uint32_t>(i)};
+    }
+    std::vector<SortEntry> spare;
+    Comparison comparison;
+    for (int pair = 0; pair < pairs; ++pair)
+    {
+        std::vector<SortEntry> entries = source;
+        plain.MakeKeys();
+        const double a = Time([&] { RadixSort(entries, spare); });
+        comparison.Add(a, Time([&] { plain.Sort(); }));
+    }
+    comparison.Print("sorting / the plain radix loop");
+}
+
+void CompareFrames(std::size_t count, int pairs)
+{
+    std::printf("\n%zu renderers: limn, the plain loops, ratio [tenth-ninetieth part]\n", count);
+    const double before = ResidentBytes();
+    ManyRenderers scene(count);
+    RenderResult result = scene.Frame();
+    const double bytes = ResidentBytes() - before;
+    PlainLoops plain(count);
+    plain.Frame();
+    Comparison still;
+    Comparison moving;
+    Comparison cull;
+    long allocations = 0;
+    for (int pair = 0; pair < pairs; ++pair)
+    {
+        const long counted = allocationCount;
+        const double frame = Time([&] { result = scene.Frame(); });
+        allocations = allocationCount - counted;
+        const double loops = Time([&] { plain.Frame(); });
+        still.Add(frame, loops);
+        cull.Add(Time([&] { scene.Cull(); }), Time([&] { plain.Cull(); }));
+        scene.Move();
+        moving.Add(Time([&] { result = scene.Frame(); }), frame);
+    }
+    still.Print("a frame in which nothing moves / all loops");
+    cull.Print("keeping the table and culling / culling");
+    CompareJudging(scene, pairs);
+    CompareSorting(count, pairs);
+    moving.Print("a hundredth moves / nothing moves");
+    std::printf("%zu visible, %zu draws of %zu instances; %ld allocations in a steady frame; "
+                "%.0f bytes a renderer\n",
+                plain.visibleCount(), DrawsOf(result.frame), result.frame.instances.size(),
+                allocations, bytes / static_cast<double>(count));
+}
+
+} // namespace
+
+} // namespace limn::benchmarks
+
+int main(int argc, char** argv)
+{
+    std::vector<std::size_t> counts;
+    bool isQuick = false;
+    for (int i = 1; i < argc; ++i)
+    {
+        const std::string argument = argv[i];
+        isQuick = isQuick || argument == "--quick";
+        if (argument != "--quick")
+        {
+            counts.push_back(std::stoul(argument));
+        }
+    }
+    if (counts.empty())
+    {
+        counts = isQuick ? std::vector<std::size_t>{1000}
+                         : std::vector<std::size_t>{1'000, 10'000, 100'000, 1'000'000};
+    }
+    for (const std::size_t count : counts)
+    {
+        limn::benchmarks::CompareFrames(count, isQuick ? 2 : 21);
+    }
+}
