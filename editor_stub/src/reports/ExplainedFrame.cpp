@@ -188,6 +188,17 @@ ExplainedFrame ExplainFrame(const CompiledFrame& frame)
     return FrameExplainer().Explain(frame);
 }
 
+std::string DrawsText(const ExplainedPass& pass)
+{
+    const std::string before =
+        pass.instances == pass.draws ? "" : std::to_string(pass.instances) + " → ";
+    const std::string part = pass.limited == 0 ? ""
+                             : pass.limited == pass.draws
+                                 ? " in a part only"
+                                 : ", " + std::to_string(pass.limited) + " of them in a part";
+    return before + std::to_string(pass.draws) + (pass.draws == 1 ? " draw" : " draws") + part;
+}
+
 std::string BytesText(std::uint64_t bytes)
 {
     constexpr std::array k_Units{"KiB", "MiB", "GiB"};

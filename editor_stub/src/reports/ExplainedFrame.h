@@ -60,6 +60,9 @@ struct ExplainedFrame
 
 ExplainedFrame ExplainFrame(const CompiledFrame& frame);
 
+/// "370 → 159 draws", or "2 draws, 1 of them in a part" of the targets.
+std::string DrawsText(const ExplainedPass& pass);
+
 /// "3.5 MiB"
 std::string BytesText(std::uint64_t bytes);
 

@@ -248,12 +248,9 @@ std::string Objects(const std::vector<ExplainedObject>& objects, const std::stri
 std::string RunText(const ExplainedFrame& frame, std::size_t index)
 {
     const ExplainedPass& pass = frame.passes[index];
-    std::string text =
-        std::to_string(index + 1) + " " + pass.name + ", " + std::to_string(pass.width) + "x" +
-        std::to_string(pass.height) + ": " +
-        (pass.instances == pass.draws ? "" : std::to_string(pass.instances) + " → ") +
-        Several(static_cast<std::size_t>(pass.draws), "draw");
-    text += pass.limited > 0 ? ", " + std::to_string(pass.limited) + " in a part only" : "";
+    std::string text = std::to_string(index + 1) + " " + pass.name + ", " +
+                       std::to_string(pass.width) + "x" + std::to_string(pass.height) + ": " +
+                       DrawsText(pass);
     for (const ExplainedAttachment& target : pass.targets)
     {
         text += (&target == &pass.targets.front() ? "; " : ", ") +

@@ -102,12 +102,7 @@ private:
     {
         const ExplainedPass& pass = m_Frame.passes[index];
         const std::string node = "pass" + std::to_string(index + 1);
-        std::string counts =
-            pass.draws == 0 ? "only clears"
-            : pass.draws == pass.instances
-                ? std::to_string(pass.draws) + (pass.draws == 1 ? " draw" : " draws")
-                : std::to_string(pass.instances) + " → " + std::to_string(pass.draws) + " draws";
-        counts += pass.limited > 0 ? ", " + std::to_string(pass.limited) + " in a part" : "";
+        const std::string counts = pass.draws == 0 ? "only clears" : DrawsText(pass);
         AddNode(node,
                 "shape=box, style=\"filled\", fillcolor=\"#2f6f9f\", color=\"#1f4f74\", "
                 "fontcolor=\"white\", group=passes",
