@@ -160,7 +160,7 @@ TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUs
     EXPECT_THAT(run.out, HasSubstr("variants:\n  Test/Own, pass 0 'Only': WARM\n"));
     EXPECT_THAT(run.out, HasSubstr("full screen: no keywords\n"));
     EXPECT_THAT(run.out, HasSubstr("  red 1x1 R8G8B8A8_UNorm, 4 B, pass 1\n"));
-    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB, 8.0 KiB, pass 1 and after\n"));
+    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB, 8.0 KiB, pass 2 and after\n"));
     const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
     EXPECT_EQ(nlohmann::json::parse(R"({"shader": "Test/Own", "pass": 0, "name": "Only",
                                         "keywords": ["WARM"], "fullScreen": false})"),
