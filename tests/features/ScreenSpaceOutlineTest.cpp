@@ -99,6 +99,42 @@ TEST(ScreenSpaceOutlineRenderFeature, DrawsMaskEdgesAndCompositeInThatOrder)
     EXPECT_EQ(result.frame.passes[3].colors[0].load, LoadOp::Load);
 }
 
+TEST(ScreenSpaceOutlineRenderFeature, DrawsTheMaskOnceForEachMesh)
+{
+    Rendered r;
+    AddOutline(r.renderer);
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    for (int i = 0; i < 10; ++i)
+    {
+        meshes.push_back(CreatePrimitive(i % 2 == 0 ? PrimitiveType::Cube : PrimitiveType::Quad));
+    }
+    const auto material = r.content.scene.Find("Cube")->renderer->sharedMaterials.at(0);
+    r.content.scene = Scene();
+    for (int i = 0; i < 10000; ++i)
+    {
+        // Anywhere, so that meshes and distances have nothing to do with each other.
+        const float across = static_cast<float>(i * 37 % 100) * 0.02f - 1.0f;
+        r.content.Add("cube", PrimitiveType::Quad,
+                      {across, 0.0f, static_cast<float>(i * 61 % 10007) * 1e-3f}, material, true);
+        r.content.scene.objects().back()->renderer->mesh = meshes[static_cast<std::size_t>(i) % 10];
+    }
+    const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
+    const CompiledRenderPass& mask = result.frame.passes.at(1);
+    ASSERT_EQ(mask.colors[0].texture->name(), "_RendererDrawingTexture");
+    std::size_t draws = 0;
+    std::uint32_t instances = 0;
+    for (const PassCommand& command : mask.commands)
+    {
+        if (const auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            ++draws;
+            instances += draw->instanceCount;
+        }
+    }
+    EXPECT_EQ(draws, 10u);
+    EXPECT_EQ(instances, 10000u);
+}
+
 struct NothingToDraw
 {
     const char* name;

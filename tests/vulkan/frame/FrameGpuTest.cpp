@@ -197,6 +197,40 @@ TEST_F(Frames, FreeWhatNobodyOwns)
     EXPECT_EQ(before.allocatedBytes, after.allocatedBytes);
 }
 
+TEST_F(Frames, WriteNoDescriptorsThatDidNotChange)
+{
+    const TargetPtr mask = MakeTarget(4, 4, GraphicsFormat::R8_UNorm, "mask");
+    const TargetPtr target = MakeTarget(8, 8);
+    const CompiledFrame frame = MaskThenCopy(mask, target);
+    SharedDevice().Execute(frame);
+    SharedDevice().Execute(frame); // one for each of the frames in flight
+    const VulkanDeviceStatistics before = SharedDevice().statistics();
+    for (int i = 0; i < 10; ++i)
+    {
+        SharedDevice().Execute(frame);
+    }
+    EXPECT_EQ(before.descriptorWrites, SharedDevice().statistics().descriptorWrites);
+    const auto other = MakeTarget(4, 4, GraphicsFormat::R8_UNorm, "other");
+    SharedDevice().Execute(MaskThenCopy(other, target));
+    EXPECT_EQ(before.descriptorWrites + 1, SharedDevice().statistics().descriptorWrites);
+}
+
+// What is made anew may get the handles of what has gone.
+TEST_F(Frames, ReadTexturesThatTakeThePlaceOfOthers)
+{
+    const TargetPtr target = MakeTarget(8, 8);
+    for (int i = 0; i < 40; ++i)
+    {
+        const std::vector<std::byte> texel(4, std::byte(6 * i));
+        const auto texture = std::make_shared<Texture2D>(
+            "texture", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel);
+        CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+        frame.passes[0].commands.emplace_back(MakeCopy(texture));
+        SharedDevice().Execute(frame);
+        EXPECT_EQ(6 * i, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
+    }
+}
+
 TEST_F(Frames, DoNotGrowInMemory)
 {
     VulkanDeviceStatistics early;

@@ -12,6 +12,7 @@ namespace
 
 /// What a draw without bindings binds.
 const DrawBindings k_NoBindings;
+const std::vector<TextureSlot> k_NoTextures;
 
 [[noreturn]] void RefuseMissing(const std::string& kind, const std::string& name,
                                 std::uint32_t binding)
@@ -33,54 +34,7 @@ const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, cons
     return *found;
 }
 
-/// Descriptor writes together with what they point at.
-class SetWriter
-{
-public:
-    SetWriter(VkDescriptorSet set, const PropertyLayout& layout) : m_Set(set)
-    {
-        // The writes hold addresses of elements: no vector may grow.
-        m_Buffers.reserve(layout.buffers.size() + layout.storageBuffers.size());
-        m_Images.reserve(layout.textures.size() + layout.samplers.size());
-    }
-
-    void AddBuffer(std::uint32_t binding, VkDescriptorType type, VkDescriptorBufferInfo buffer)
-    {
-        m_Buffers.push_back(buffer);
-        Add(binding, type).pBufferInfo = &m_Buffers.back();
-    }
-
-    void AddImage(std::uint32_t binding, VkDescriptorType type, VkDescriptorImageInfo image)
-    {
-        m_Images.push_back(image);
-        Add(binding, type).pImageInfo = &m_Images.back();
-    }
-
-    void Write(VkDevice device) const
-    {
-        vkUpdateDescriptorSets(device, static_cast<std::uint32_t>(m_Writes.size()), m_Writes.data(),
-                               0, nullptr);
-    }
-
-private:
-    VkWriteDescriptorSet& Add(std::uint32_t binding, VkDescriptorType type)
-    {
-        VkWriteDescriptorSet write{};
-        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        write.dstSet = m_Set;
-        write.dstBinding = binding;
-        write.descriptorCount = 1;
-        write.descriptorType = type;
-        return m_Writes.emplace_back(write);
-    }
-
-    VkDescriptorSet m_Set;
-    std::vector<VkWriteDescriptorSet> m_Writes;
-    std::vector<VkDescriptorBufferInfo> m_Buffers;
-    std::vector<VkDescriptorImageInfo> m_Images;
-};
-
-void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
                  const UploadedBytes& uploaded, std::size_t uploadedSize)
 {
     for (const UniformBuffer& buffer : layout.buffers)
@@ -98,8 +52,8 @@ void AddUniforms(SetWriter& writer, const PropertyLayout& layout, const DrawBind
                                 std::to_string(k_UniformAlignment) + ", of the frame's " +
                                 std::to_string(uploadedSize));
         }
-        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                         {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
+        content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                          {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
     }
 }
 
@@ -123,7 +77,7 @@ void RequireResolved(const PooledImage& image, const std::string& property)
     }
 }
 
-void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBindings& bindings,
+void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
                  DeviceResources& resources)
 {
     for (const TextureBinding& texture : layout.textures)
@@ -140,7 +94,7 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
-        writer.AddImage(
+        content.AddImage(
             texture.binding,
             texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                     : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
@@ -152,8 +106,9 @@ void AddTextures(SetWriter& writer, const PropertyLayout& layout, const DrawBind
         SamplerState state =
             FindSlot(bindings.samplers, sampler.binding, "sampler", sampler.name).state;
         state.comparison = sampler.comparison;
-        writer.AddImage(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
-                        {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
+        content.AddImage(
+            sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
+            {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
     }
 }
 
@@ -169,7 +124,7 @@ std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
 } // namespace
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
-                                   FrameSlot& slot, const CompiledFrame& frame, VkBuffer objects)
+                                   FrameSlot& slot, const CompiledFrame& frame)
     : m_Context(context),
       m_Resources(resources),
       m_Slot(slot),
@@ -185,9 +140,9 @@ FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources
         const UploadedBytes bytes = slot.upload().Upload(std::as_bytes(std::span{frame.perDraw}));
         m_Pieces[0] = Pieces(bytes.buffer, bytes.offset, frame.perDraw.size());
     }
-    if (objects != VK_NULL_HANDLE)
+    if (frame.objects)
     {
-        m_Pieces[1] = Pieces(objects, 0, frame.objects->count());
+        m_Pieces[1] = Pieces(VK_NULL_HANDLE, 0, frame.objects->count()); // see UseObjects
     }
     UploadInstances();
 }
@@ -277,16 +232,39 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
-                                      std::size_t piece)
+                                      std::size_t piece, std::uint64_t number)
 {
     VkDescriptorSet& set =
         m_Sets[{draw.bindings.get(), pass.setLayout.get(), draw.drawsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
+        if (draw.drawsObjects)
+        {
+            UseObjects(number);
+        }
+        for (const TextureSlot& slot : draw.bindings ? draw.bindings->textures : k_NoTextures)
+        {
+            m_Resources.images.UseResolved(slot.texture, number);
+        }
         set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,
                      pass.setLayout.get(), m_Pieces[draw.drawsObjects ? 1 : 0], piece);
     }
     return set;
+}
+
+void FrameDescriptors::UseObjects(std::uint64_t number)
+{
+    if (!m_Frame.objects || m_UsesObjects)
+    {
+        return;
+    }
+    m_UsesObjects = true;
+    const VkBuffer buffer =
+        m_Resources.objects.Update(m_Frame.objects, number, m_Slot.commands(), m_Slot.upload());
+    for (VkDescriptorBufferInfo& piece : m_Pieces[1])
+    {
+        piece.buffer = buffer;
+    }
 }
 
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
@@ -294,10 +272,9 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
                                          const std::vector<VkDescriptorBufferInfo>& pieces,
                                          std::size_t piece)
 {
-    const VkDescriptorSet set = m_Slot.descriptors().Allocate(setLayout);
-    SetWriter writer{set, layout};
-    AddUniforms(writer, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
-    AddTextures(writer, layout, bindings, m_Resources);
+    m_Content.Clear(setLayout);
+    AddUniforms(m_Content, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
+    AddTextures(m_Content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
         const bool isInstances = buffer.name == "limn_Instances";
@@ -305,11 +282,10 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
         {
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
-        writer.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                         isInstances ? m_Instances : pieces.at(piece));
+        m_Content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                            isInstances ? m_Instances : pieces.at(piece));
     }
-    writer.Write(m_Context.device());
-    return set;
+    return m_Slot.descriptors().Get(m_Content);
 }
 
 } // namespace limn::vulkan

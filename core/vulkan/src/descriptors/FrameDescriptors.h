@@ -21,9 +21,8 @@ class FrameDescriptors
 {
 public:
     /// Uploads the frame's uniform and per-draw data. @lifetime keeps `frame` by reference
-    /// @param objects  those of the frame's ObjectTable; may be null if no draw has any
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
-                     const CompiledFrame& frame, VkBuffer objects);
+                     const CompiledFrame& frame);
 
     /// The longest run that begins with the draw's instance `skipped`, counted from 0. All
     /// instances are one run where the shader reads no per-draw data.
@@ -31,10 +30,14 @@ public:
 
     /// @param piece  of the per-draw data
     /// @throws ContractError naming what the shader reads and the draw does not bind
-    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece);
+    /// @param number  of the frame's submission, which uses the draw's textures
+    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece,
+                        std::uint64_t number);
 
 private:
     void UploadInstances();
+    /// Where a draw has objects: brings their buffer up to date, before any pass.
+    void UseObjects(std::uint64_t number);
     std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,
                                                std::size_t count) const;
     void RequireInstances(const DrawCommand& draw) const;
@@ -46,9 +49,11 @@ private:
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
+    SetContent m_Content; ///< of the set that is being made
     UploadedBytes m_Uniforms;
     std::uint32_t m_PieceElements; ///< of per-draw data, the last piece apart
     std::array<std::vector<VkDescriptorBufferInfo>, 2> m_Pieces; ///< of perDraw and of objects
+    bool m_UsesObjects = false;
     VkDescriptorBufferInfo m_Instances{};
     std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>,
              VkDescriptorSet>

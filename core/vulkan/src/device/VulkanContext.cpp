@@ -121,7 +121,10 @@ void VulkanContext::LoadFunctions()
         function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
             vkGetDeviceProcAddr(device(), name));
     };
-    if (m_Instance.hasDebugUtils())
+    // Names and labels help a person with a capture, and cost everybody else.
+    std::uint32_t tools = 0;
+    vkGetPhysicalDeviceToolProperties(m_PhysicalDevice, &tools, nullptr);
+    if (m_Instance.hasDebugUtils() && tools > 0)
     {
         load(m_Functions.setObjectName, "vkSetDebugUtilsObjectNameEXT");
         load(m_Functions.beginLabel, "vkCmdBeginDebugUtilsLabelEXT");
@@ -140,7 +143,7 @@ void VulkanContext::SetObjectName(VkObjectType type, std::uint64_t handle,
 {
     if (m_Functions.setObjectName == nullptr)
     {
-        return; // names help a person with a capture and nobody else
+        return;
     }
     VkDebugUtilsObjectNameInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;

@@ -13,11 +13,6 @@ namespace limn::vulkan
 namespace
 {
 
-VkBool32 ToVkBool(bool value)
-{
-    return value ? VK_TRUE : VK_FALSE;
-}
-
 VkStencilOpState ToStencilFace(const PipelineState& state, const StencilFace& face)
 {
     const auto byte = [](int value)
@@ -30,44 +25,22 @@ VkStencilOpState ToStencilFace(const PipelineState& state, const StencilFace& fa
             byte(state.stencilReference)};
 }
 
-void RecordDepth(VkCommandBuffer commands, const FixedState& state)
+BlendState ToBlendState(const PipelineState& state, std::size_t targets, int colorOutputs)
 {
-    vkCmdSetDepthTestEnable(commands, ToVkBool(state.depthTest));
-    vkCmdSetDepthWriteEnable(commands, ToVkBool(state.depthWrite));
-    vkCmdSetDepthCompareOp(commands, state.depthCompare);
-    vkCmdSetDepthBiasEnable(commands, ToVkBool(state.depthBias));
-    vkCmdSetDepthBias(commands, state.depthBiasConstant, 0.0f, state.depthBiasSlope);
-}
-
-void RecordStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which,
-                       const VkStencilOpState& face)
-{
-    vkCmdSetStencilOp(commands, which, face.failOp, face.passOp, face.depthFailOp, face.compareOp);
-    vkCmdSetStencilCompareMask(commands, which, face.compareMask);
-    vkCmdSetStencilWriteMask(commands, which, face.writeMask);
-    vkCmdSetStencilReference(commands, which, face.reference);
-}
-
-void RecordBlend(VkCommandBuffer commands, const PipelineState& state, std::size_t targets,
-                 int colorOutputs, const ExtensionFunctions& functions)
-{
-    std::array<VkBool32, 8> enables{};
-    std::array<VkColorBlendEquationEXT, 8> equations{};
-    std::array<VkColorComponentFlags, 8> masks{};
+    BlendState result;
+    result.isDynamic = true;
+    result.targets = static_cast<std::uint32_t>(targets);
     for (std::size_t i = 0; i < targets; ++i)
     {
         const VkPipelineColorBlendAttachmentState blend =
             ToBlendAttachment(state.targets.at(i), i, colorOutputs);
-        enables.at(i) = blend.blendEnable;
-        equations.at(i) = {blend.srcColorBlendFactor, blend.dstColorBlendFactor,
-                           blend.colorBlendOp,        blend.srcAlphaBlendFactor,
-                           blend.dstAlphaBlendFactor, blend.alphaBlendOp};
-        masks.at(i) = blend.colorWriteMask;
+        result.enables.at(i) = blend.blendEnable;
+        result.equations.at(i) = {blend.srcColorBlendFactor, blend.dstColorBlendFactor,
+                                  blend.colorBlendOp,        blend.srcAlphaBlendFactor,
+                                  blend.dstAlphaBlendFactor, blend.alphaBlendOp};
+        result.masks.at(i) = blend.colorWriteMask;
     }
-    const auto count = static_cast<std::uint32_t>(targets);
-    functions.setColorBlendEnable(commands, 0, count, enables.data());
-    functions.setColorBlendEquation(commands, 0, count, equations.data());
-    functions.setColorWriteMask(commands, 0, count, masks.data());
+    return result;
 }
 
 void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabilities)
@@ -202,22 +175,15 @@ FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats
     return result;
 }
 
-void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
-                        const PipelineKey& key, int colorOutputs,
-                        const ExtensionFunctions& functions)
+DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs)
 {
-    const FixedState fixed = ToFixedState(state, key.formats);
-    vkCmdSetCullMode(commands, fixed.cullMode);
-    vkCmdSetFrontFace(commands, fixed.frontFace);
-    vkCmdSetPrimitiveTopology(commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
-    RecordDepth(commands, fixed);
-    vkCmdSetStencilTestEnable(commands, ToVkBool(fixed.stencilTest));
-    RecordStencilFace(commands, VK_STENCIL_FACE_FRONT_BIT, fixed.stencilFront);
-    RecordStencilFace(commands, VK_STENCIL_FACE_BACK_BIT, fixed.stencilBack);
-    if (key.dynamicBlend && !key.formats.colors.empty())
+    DynamicState result;
+    result.fixed = ToFixedState(state, key.formats);
+    if (key.dynamicBlend)
     {
-        RecordBlend(commands, state, key.formats.colors.size(), colorOutputs, functions);
+        result.blend = ToBlendState(state, key.formats.colors.size(), colorOutputs);
     }
+    return result;
 }
 
 } // namespace limn::vulkan

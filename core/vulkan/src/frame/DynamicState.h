@@ -29,10 +29,25 @@ struct FixedState
 /// Tests are off where the target has nothing to test against.
 FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats);
 
-/// Records the rest, for pipelines of this key. @param colorOutputs  of the pass, see
+/// Blending of the colour targets, as Vulkan's commands take it.
+struct BlendState
+{
+    bool isDynamic = false; ///< else it is part of the pipeline, and the rest is not set
+    std::uint32_t targets = 0;
+    std::array<VkBool32, 8> enables{};
+    std::array<VkColorBlendEquationEXT, 8> equations{};
+    std::array<VkColorComponentFlags, 8> masks{};
+};
+
+/// What is set for a draw besides its pipeline.
+struct DynamicState
+{
+    FixedState fixed;
+    BlendState blend;
+};
+
+/// The rest of the state, for pipelines of this key. @param colorOutputs  of the pass, see
 /// PropertyLayout
-void RecordDynamicState(VkCommandBuffer commands, const PipelineState& state,
-                        const PipelineKey& key, int colorOutputs,
-                        const ExtensionFunctions& functions);
+DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs);
 
 } // namespace limn::vulkan

@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include "frame/PassRecorder.h"
+#include "frame/PassTargets.h"
 
 namespace limn::vulkan
 {
@@ -9,36 +10,45 @@ namespace limn::vulkan
 namespace
 {
 
-void RequireBarrierFits(const TextureBarrier& barrier, const PooledImage& image,
-                        const std::string& where)
+/// What is wrong with a barrier; "" = nothing.
+std::string Objection(const TextureBarrier& barrier, const PooledImage& image)
 {
-    const std::string subject = where + ": texture '" + image.name + "': ";
     if (barrier.after == TextureUsage::Undefined)
     {
-        throw ContractError(subject + "a barrier cannot end in Undefined");
+        return "a barrier cannot end in Undefined";
     }
     if (!image.isRenderTexture)
     {
-        throw ContractError(subject + "it comes from the CPU and is ShaderRead always; it needs "
-                                      "no barrier");
+        return "it comes from the CPU and is ShaderRead always; it needs no barrier";
     }
     if (barrier.before != TextureUsage::Undefined && barrier.before != image.usage)
     {
-        throw ContractError(subject + "the barrier takes it from " + ToString(barrier.before) +
-                            ", and its use is " + ToString(image.usage));
+        return std::string("the barrier takes it from ") + ToString(barrier.before) +
+               ", and its use is " + ToString(image.usage);
     }
+    return {};
 }
 
-std::string PassTitle(const CompiledRenderPass& pass)
+/// @param pass  before which the barrier stands; null = at the end of the frame
+void RequireBarrierFits(const TextureBarrier& barrier, const PooledImage& image,
+                        const CompiledRenderPass* pass)
 {
-    return "pass '" + pass.name + "'";
+    if (const std::string objection = Objection(barrier, image); !objection.empty())
+    {
+        throw ContractError((pass != nullptr ? "pass '" + pass->name + "'" : "end of frame") +
+                            ": texture '" + image.name + "': " + objection);
+    }
 }
 
 } // namespace
 
 FrameRecorder::FrameRecorder(const VulkanContext& context, DeviceResources& resources,
-                             FrameSlot& slot, std::uint64_t number)
-    : m_Context(context), m_Resources(resources), m_Slot(slot), m_Number(number)
+                             FrameSlot& slot, std::uint64_t number, PreparedFrame& prepared)
+    : m_Context(context),
+      m_Resources(resources),
+      m_Slot(slot),
+      m_Number(number),
+      m_Prepared(prepared)
 {
 }
 
@@ -47,93 +57,100 @@ void FrameRecorder::Record(const CompiledFrame& frame)
     Prepare(frame);
     m_Resources.images.RecordUploads(m_Slot.commands(), m_Slot.upload());
     m_Resources.meshes.RecordUploads(m_Slot.commands(), m_Slot.upload());
-    VkBuffer objects = VK_NULL_HANDLE;
-    if (m_DrawsObjects && frame.objects)
-    {
-        objects =
-            m_Resources.objects.Update(frame.objects, m_Number, m_Slot.commands(), m_Slot.upload());
-    }
-    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, objects};
-    for (const CompiledRenderPass& pass : frame.passes)
-    {
-        m_Slot.BeginTiming(pass.name);
-        RecordBarrierList(pass.barriers, PassTitle(pass));
-        PassRecorder recorder{m_Context,   m_Resources, m_Slot.commands(),
-                              descriptors, pass,        m_Number};
-        recorder.Record();
-        m_Slot.EndTiming();
-    }
-    RecordBarrierList(frame.finalBarriers, "end of frame");
+    RecordPasses(frame);
 }
 
 void FrameRecorder::Prepare(const CompiledFrame& frame)
 {
-    ImagePool& images = m_Resources.images;
-    for (const CompiledRenderPass& pass : frame.passes)
+    m_Prepared.Clear();
+    m_Prepared.passes.resize(frame.passes.size());
+    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
+    DrawPreparer draws{m_Context, m_Resources, descriptors, m_Number, m_Prepared};
+    for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
-        for (const TextureBarrier& barrier : pass.barriers)
-        {
-            images.Use(barrier.texture, m_Number);
-        }
-        for (const ColorAttachment& color : pass.colors)
-        {
-            images.Use(color.texture, m_Number);
-            PrepareResolve(color.resolve);
-        }
-        if (pass.depth)
-        {
-            images.Use(pass.depth->texture, m_Number);
-            PrepareResolve(pass.depth->resolve);
-        }
-        for (const PassCommand& command : pass.commands)
-        {
-            if (const auto* draw = std::get_if<DrawCommand>(&command))
-            {
-                PrepareDraw(*draw);
-            }
-        }
+        PreparedPass& pass = m_Prepared.passes[i];
+        PrepareTargets(frame.passes[i]);
+        pass.firstBarrier = m_Prepared.barriers.size();
+        PrepareBarriers(frame.passes[i].barriers, &frame.passes[i]);
+        pass.barrierCount = m_Prepared.barriers.size() - pass.firstBarrier;
+        pass.formats =
+            TargetsOf(frame.passes[i], m_Resources.images, m_Context.capabilities().limits);
+        pass.firstDraw = m_Prepared.draws.size();
+        draws.BeginPass(pass.formats);
+        PrepareCommands(frame.passes[i], draws);
+        MarkSamples(frame.passes[i], m_Resources.images);
     }
-    for (const TextureBarrier& barrier : frame.finalBarriers)
+    m_Prepared.firstFinalBarrier = m_Prepared.barriers.size();
+    PrepareBarriers(frame.finalBarriers, nullptr);
+}
+
+void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)
+{
+    const auto use = [&](const auto& attachment)
     {
-        images.UseResolved(barrier.texture, m_Number);
+        m_Resources.images.Use(attachment.texture, m_Number);
+        if (attachment.resolve)
+        {
+            m_Resources.images.UseResolved(attachment.resolve, m_Number);
+        }
+    };
+    for (const ColorAttachment& color : pass.colors)
+    {
+        use(color);
+    }
+    if (pass.depth)
+    {
+        use(*pass.depth);
     }
 }
 
-void FrameRecorder::PrepareDraw(const DrawCommand& draw)
+void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const
 {
-    m_DrawsObjects = m_DrawsObjects || draw.drawsObjects;
-    if (draw.mesh)
+    const VkPhysicalDeviceLimits& limits = m_Context.capabilities().limits;
+    RequireViewport({0, 0, pass.width, pass.height}, pass, limits);
+    for (const PassCommand& command : pass.commands)
     {
-        m_Resources.meshes.Use(draw.mesh, m_Number);
-    }
-    if (draw.bindings)
-    {
-        for (const TextureSlot& slot : draw.bindings->textures)
+        if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            m_Resources.images.UseResolved(slot.texture, m_Number);
+            draws.Add(*draw);
+        }
+        else if (const auto* viewport = std::get_if<SetViewportCommand>(&command))
+        {
+            RequireViewport(viewport->rect, pass, limits);
         }
     }
 }
 
-void FrameRecorder::PrepareResolve(const std::shared_ptr<const RenderTexture>& target)
+void FrameRecorder::PrepareBarriers(const std::vector<TextureBarrier>& barriers,
+                                    const CompiledRenderPass* pass)
 {
-    if (target)
-    {
-        m_Resources.images.UseResolved(target, m_Number);
-    }
-}
-
-void FrameRecorder::RecordBarrierList(const std::vector<TextureBarrier>& barriers,
-                                      const std::string& where)
-{
-    std::vector<VkImageMemoryBarrier2> recorded;
     for (const TextureBarrier& barrier : barriers)
     {
-        PooledImage& image = *m_Resources.images.Find(*barrier.texture);
-        RequireBarrierFits(barrier, image, where);
-        ChangeUsage(image, barrier.before, barrier.after, recorded);
+        const bool isRead =
+            barrier.after == TextureUsage::ShaderRead || barrier.after == TextureUsage::CopySource;
+        PooledImage& image = isRead ? m_Resources.images.UseResolved(barrier.texture, m_Number)
+                                    : m_Resources.images.Use(barrier.texture, m_Number);
+        RequireBarrierFits(barrier, image, pass);
+        ChangeUsage(image, barrier.before, barrier.after, m_Prepared.barriers);
     }
-    RecordBarriers(m_Slot.commands(), recorded);
+}
+
+void FrameRecorder::RecordPasses(const CompiledFrame& frame) const
+{
+    VkCommandBuffer commands = m_Slot.commands();
+    const std::span<const VkImageMemoryBarrier2> barriers{m_Prepared.barriers};
+    BoundState bound{commands, m_Context.functions(), m_Resources.meshes.constants()};
+    for (std::size_t i = 0; i < frame.passes.size(); ++i)
+    {
+        const PreparedPass& pass = m_Prepared.passes[i];
+        m_Slot.BeginTiming(frame.passes[i].name);
+        RecordBarriers(commands, barriers.subspan(pass.firstBarrier, pass.barrierCount));
+        PassRecorder{m_Context, m_Resources.images, commands, frame.passes[i],
+                     pass,      m_Prepared,         bound}
+            .Record();
+        m_Slot.EndTiming();
+    }
+    RecordBarriers(commands, barriers.subspan(m_Prepared.firstFinalBarrier));
 }
 
 } // namespace limn::vulkan

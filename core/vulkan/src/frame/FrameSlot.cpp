@@ -27,12 +27,12 @@ FrameSlot::FrameSlot(const VulkanContext& context, MemoryAllocator& allocator)
           "vkAllocateCommandBuffers");
 }
 
-void FrameSlot::Begin(std::size_t passCount)
+void FrameSlot::Begin(std::size_t passCount, std::uint64_t destroyed)
 {
-    m_TimedPasses.clear();
+    m_TimedCount = 0;
     Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
     m_Upload.Reset();
-    m_Descriptors.Reset();
+    m_Descriptors.Begin(destroyed);
     VkCommandBufferBeginInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -73,8 +73,12 @@ void FrameSlot::BeginTiming(const std::string& name)
 {
     if (m_Context.capabilities().timestampValidBits > 0)
     {
-        const auto query = static_cast<std::uint32_t>(2 * m_TimedPasses.size());
-        m_TimedPasses.push_back(name);
+        const auto query = static_cast<std::uint32_t>(2 * m_TimedCount);
+        if (m_TimedPasses.size() == m_TimedCount)
+        {
+            m_TimedPasses.emplace_back();
+        }
+        m_TimedPasses[m_TimedCount++] = name; // keeps the memory of the frames before
         vkCmdWriteTimestamp2(m_Commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
                              query);
     }
@@ -84,7 +88,7 @@ void FrameSlot::EndTiming()
 {
     if (m_Context.capabilities().timestampValidBits > 0)
     {
-        const auto query = static_cast<std::uint32_t>(2 * m_TimedPasses.size() - 1);
+        const auto query = static_cast<std::uint32_t>(2 * m_TimedCount - 1);
         vkCmdWriteTimestamp2(m_Commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
                              query);
     }
@@ -93,17 +97,17 @@ void FrameSlot::EndTiming()
 std::vector<PassTiming> FrameSlot::ReadTimings() const
 {
     std::vector<PassTiming> timings;
-    if (m_TimedPasses.empty())
+    if (m_TimedCount == 0)
     {
         return timings;
     }
-    std::vector<std::uint64_t> ticks(2 * m_TimedPasses.size());
+    std::vector<std::uint64_t> ticks(2 * m_TimedCount);
     Check(vkGetQueryPoolResults(m_Context.device(), m_Queries.get(), 0,
                                 static_cast<std::uint32_t>(ticks.size()),
                                 ticks.size() * sizeof(std::uint64_t), ticks.data(),
                                 sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
           "vkGetQueryPoolResults");
-    for (std::size_t i = 0; i < m_TimedPasses.size(); ++i)
+    for (std::size_t i = 0; i < m_TimedCount; ++i)
     {
         const auto elapsed = static_cast<double>(ElapsedTicks(
             ticks[2 * i], ticks[2 * i + 1], m_Context.capabilities().timestampValidBits));

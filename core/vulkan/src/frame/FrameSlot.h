@@ -1,6 +1,6 @@
 #pragma once
 
-#include "descriptors/DescriptorAllocator.h"
+#include "descriptors/DescriptorCache.h"
 #include "frame/SubmitQueue.h"
 #include "memory/LinearMemory.h"
 
@@ -15,13 +15,15 @@ public:
 
     VkCommandBuffer commands() const { return m_Commands; }
     LinearMemory& upload() { return m_Upload; }
-    DescriptorAllocator& descriptors() { return m_Descriptors; }
+    DescriptorCache& descriptors() { return m_Descriptors; }
+    const DescriptorCache& descriptors() const { return m_Descriptors; }
     std::uint64_t number() const { return m_Number; } ///< of its last submission, 0 = none
 
     /// Starts recording. @pre the slot's last submission is finished
-    void Begin(std::size_t passCount);
+    /// @param destroyed  see DescriptorCache::Begin
+    void Begin(std::size_t passCount, std::uint64_t destroyed = 0);
     /// What was recorded will not be submitted; Begin() drops it.
-    void Abandon() noexcept { m_TimedPasses.clear(); }
+    void Abandon() noexcept { m_TimedCount = 0; }
     /// Ends recording and submits.
     void Submit(SubmitQueue& queue);
 
@@ -37,10 +39,11 @@ private:
     UniqueCommandPool m_Pool;
     VkCommandBuffer m_Commands = VK_NULL_HANDLE; ///< owned by the pool
     LinearMemory m_Upload;
-    DescriptorAllocator m_Descriptors;
+    DescriptorCache m_Descriptors;
     UniqueQueryPool m_Queries; ///< two a pass
     std::uint32_t m_QueryCapacity = 0;
-    std::vector<std::string> m_TimedPasses;
+    std::vector<std::string> m_TimedPasses; ///< the first `m_TimedCount` are of this frame
+    std::size_t m_TimedCount = 0;
     std::uint64_t m_Number = 0;
 };
 

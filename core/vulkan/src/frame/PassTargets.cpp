@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace limn::vulkan
@@ -26,27 +27,38 @@ std::int64_t Bottom(const ViewportRect& rect)
     return std::int64_t{rect.y} + rect.height;
 }
 
+/// What is wrong with a texture as a target; "" = nothing.
+std::string Objection(const CompiledRenderPass& pass, const RenderTexture& texture,
+                      TextureUsage usage, TextureUsage needed)
+{
+    const bool isDepth = needed == TextureUsage::DepthStencilAttachment;
+    if (IsDepthFormat(texture.graphicsFormat()) != isDepth)
+    {
+        return std::string(limn::ToString(texture.graphicsFormat())) + " is no " +
+               (isDepth ? "depth" : "colour") + " format";
+    }
+    if (texture.width() < pass.width || texture.height() < pass.height)
+    {
+        return "it is " + SizeText(texture.width(), texture.height()) + ", the pass draws " +
+               SizeText(pass.width, pass.height);
+    }
+    if (usage != needed)
+    {
+        return std::string("its use is ") + ToString(usage) + "; a barrier must make it " +
+               ToString(needed);
+    }
+    return {};
+}
+
 /// Checks the texture as a target and returns its sample count.
 int RequireTarget(const CompiledRenderPass& pass, const RenderTexture& texture, ImagePool& images,
                   TextureUsage needed)
 {
-    const std::string subject = "pass '" + pass.name + "': target '" + texture.name() + "': ";
-    const bool isDepth = needed == TextureUsage::DepthStencilAttachment;
-    if (IsDepthFormat(texture.graphicsFormat()) != isDepth)
-    {
-        throw ContractError(subject + limn::ToString(texture.graphicsFormat()) + " is no " +
-                            (isDepth ? "depth" : "colour") + " format");
-    }
-    if (texture.width() < pass.width || texture.height() < pass.height)
-    {
-        throw ContractError(subject + "it is " + SizeText(texture.width(), texture.height()) +
-                            ", the pass draws " + SizeText(pass.width, pass.height));
-    }
     const TextureUsage usage = images.Find(texture)->usage;
-    if (usage != needed)
+    if (const std::string objection = Objection(pass, texture, usage, needed); !objection.empty())
     {
-        throw ContractError(subject + "its use is " + ToString(usage) +
-                            "; a barrier must make it " + ToString(needed));
+        throw ContractError("pass '" + pass.name + "': target '" + texture.name() +
+                            "': " + objection);
     }
     return texture.descriptor().msaaSamples;
 }
@@ -155,43 +167,59 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
     return formats;
 }
 
-void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          ImagePool& images)
+void MarkSamples(const CompiledRenderPass& pass, ImagePool& images)
 {
-    std::vector<VkRenderingAttachmentInfo> colors;
+    const auto mark = [&](const auto& attachment)
+    {
+        PooledImage& image = *images.Find(*attachment.texture);
+        image.isStale = image.samples > 1 && attachment.resolve != attachment.texture;
+    };
     for (const ColorAttachment& color : pass.colors)
     {
-        PooledImage& image = *images.Find(*color.texture);
+        mark(color);
+    }
+    if (pass.depth)
+    {
+        mark(*pass.depth);
+    }
+}
+
+void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
+                          const ImagePool& images)
+{
+    std::array<VkRenderingAttachmentInfo, 8> colors{};
+    std::uint32_t count = 0;
+    for (const ColorAttachment& color : pass.colors)
+    {
+        const PooledImage& image = *images.Find(*color.texture);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         VkRenderingAttachmentInfo target = Attachment(
             image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
-        image.isStale = image.samples > 1 && color.resolve != color.texture;
         if (color.resolve)
         {
             Resolve(target, images.Find(*color.resolve)->resolveView(),
                     VK_RESOLVE_MODE_AVERAGE_BIT);
         }
-        colors.push_back(target);
+        colors.at(count++) = target;
     }
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea.extent = {static_cast<std::uint32_t>(pass.width),
                               static_cast<std::uint32_t>(pass.height)};
     info.layerCount = 1;
-    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+    info.colorAttachmentCount = count;
     info.pColorAttachments = colors.data();
     VkRenderingAttachmentInfo depth{};
     VkRenderingAttachmentInfo stencil{};
     if (pass.depth)
     {
         const DepthAttachment& target = *pass.depth;
-        PooledImage& image = *images.Find(*target.texture);
+        const PooledImage& image = *images.Find(*target.texture);
         const VkImageView view = image.view.get();
         const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         depth = Attachment(view, layout, target.load, target.store, clear);
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
-        image.isStale = image.samples > 1 && target.resolve != target.texture;
         if (target.resolve)
         {
             const VkImageView resolved = images.Find(*target.resolve)->resolveView();
@@ -207,11 +235,10 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                      const VkPhysicalDeviceLimits& limits)
 {
-    const std::string subject = "pass '" + pass.name + "': the viewport ";
     if (rect.width <= 0 || rect.height <= 0)
     {
-        throw ContractError(subject + "has the size " + SizeText(rect.width, rect.height) +
-                            "; it must be positive");
+        throw ContractError("pass '" + pass.name + "': the viewport has the size " +
+                            SizeText(rect.width, rect.height) + "; it must be positive");
     }
     const auto& most = limits.maxViewportDimensions;
     const auto [first, last] = limits.viewportBoundsRange;
@@ -221,10 +248,10 @@ void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                       static_cast<float>(std::max(Right(rect), Bottom(rect))) <= last;
     if (!fits)
     {
-        throw ContractError(subject + "is " + SizeText(rect.width, rect.height) + " at (" +
-                            std::to_string(rect.x) + ", " + std::to_string(rect.y) +
-                            "); the device draws at most " + std::to_string(most[0]) + "x" +
-                            std::to_string(most[1]) + " between " +
+        throw ContractError("pass '" + pass.name + "': the viewport is " +
+                            SizeText(rect.width, rect.height) + " at (" + std::to_string(rect.x) +
+                            ", " + std::to_string(rect.y) + "); the device draws at most " +
+                            std::to_string(most[0]) + "x" + std::to_string(most[1]) + " between " +
                             std::to_string(static_cast<std::int64_t>(first)) + " and " +
                             std::to_string(static_cast<std::int64_t>(last)));
     }

@@ -12,8 +12,11 @@ namespace limn::vulkan
 TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
                         const VkPhysicalDeviceLimits& limits);
 
+/// Notes which samples the pass leaves without resolving them.
+void MarkSamples(const CompiledRenderPass& pass, ImagePool& images);
+
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          ImagePool& images);
+                          const ImagePool& images);
 
 /// @throws ContractError if the rectangle is empty or more than the device draws into
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,

@@ -31,6 +31,7 @@ public:
     vulkan::DeviceResources resources;
     std::array<vulkan::FrameSlot, 2> slots;
     std::size_t nextSlot = 0;
+    vulkan::PreparedFrame prepared; ///< of the last frame
     std::uint64_t timedFrame = 0;
     std::vector<PassTiming> timings;
     TextureStates textureStates; ///< after the last frame submitted
@@ -50,8 +51,9 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     const std::uint64_t number = queue.nextNumber();
     try
     {
-        slot.Begin(frame.passes.size());
-        vulkan::FrameRecorder{context, resources, slot, number}.Record(frame);
+        slot.Begin(frame.passes.size(),
+                   allocator.returnedCount() + resources.programs.freedCount());
+        vulkan::FrameRecorder{context, resources, slot, number, prepared}.Record(frame);
         slot.Submit(queue);
     }
     catch (...)
@@ -184,6 +186,11 @@ VulkanDeviceStatistics VulkanDevice::statistics() const
     statistics.images = m_Impl->resources.images.size();
     statistics.meshes = m_Impl->resources.meshes.size();
     statistics.meshUploads = m_Impl->resources.meshes.uploadCount();
+    for (const vulkan::FrameSlot& slot : m_Impl->slots)
+    {
+        statistics.descriptorSets += slot.descriptors().size();
+        statistics.descriptorWrites += slot.descriptors().writeCount();
+    }
     statistics.pipelines = m_Impl->resources.programs.pipelineCount();
     return statistics;
 }

@@ -1,6 +1,7 @@
 #include "memory/LinearMemory.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limn/core/FrameCommands.h>
 
@@ -28,14 +29,21 @@ UploadedBytes LinearMemory::Allocate(VkDeviceSize size)
 {
     if (m_Chunks.empty() || m_Used + size > m_Chunks.back().size)
     {
-        m_Chunks.emplace_back(m_Device, *m_Allocator, std::max(size, k_ChunkBytes), k_Usage,
-                              MemoryUse::Upload, "frame upload memory");
+        m_Before += m_Used;
         m_Used = 0;
+        m_Chunks.emplace_back(m_Device, *m_Allocator, std::max(size, ChunkSize()), k_Usage,
+                              MemoryUse::Upload, "frame upload memory");
     }
     const Buffer& chunk = m_Chunks.back();
     const UploadedBytes result{chunk.handle.get(), m_Used, chunk.memory.mapped() + m_Used};
     m_Used = (m_Used + size + k_Alignment - 1) & ~(k_Alignment - 1);
     return result;
+}
+
+/// Where the frame before needed more, room for all of that at once.
+VkDeviceSize LinearMemory::ChunkSize() const
+{
+    return std::max(k_ChunkBytes, std::bit_ceil(m_Last));
 }
 
 UploadedBytes LinearMemory::Upload(std::span<const std::byte> bytes)
@@ -47,17 +55,15 @@ UploadedBytes LinearMemory::Upload(std::span<const std::byte> bytes)
 
 void LinearMemory::Reset()
 {
-    const auto keep = std::find_if(m_Chunks.begin(), m_Chunks.end(),
-                                   [](const Buffer& chunk) { return chunk.size == k_ChunkBytes; });
-    if (keep != m_Chunks.end())
-    {
-        std::iter_swap(m_Chunks.begin(), keep);
-        m_Chunks.erase(m_Chunks.begin() + 1, m_Chunks.end());
-    }
-    else
+    // What a single frame needs, as for uploads, is not kept for those after it.
+    const VkDeviceSize used = m_Before + m_Used;
+    m_Last = std::min(used, m_Previous);
+    m_Previous = used;
+    if (m_Chunks.size() != 1 || m_Chunks.front().size != ChunkSize())
     {
         m_Chunks.clear();
     }
+    m_Before = 0;
     m_Used = 0;
 }
 

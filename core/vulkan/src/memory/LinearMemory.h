@@ -24,14 +24,19 @@ public:
     UploadedBytes Allocate(VkDeviceSize size);
     UploadedBytes Upload(std::span<const std::byte> bytes);
 
-    /// Forgets everything; keeps one chunk of the usual size for the next frame.
+    /// Forgets everything; keeps one chunk that holds what both of the last two frames needed.
     void Reset();
 
 private:
+    VkDeviceSize ChunkSize() const;
+
     VkDevice m_Device;
     MemoryAllocator* m_Allocator;
     std::vector<Buffer> m_Chunks;
-    VkDeviceSize m_Used = 0; ///< of the last chunk
+    VkDeviceSize m_Used = 0;     ///< of the last chunk
+    VkDeviceSize m_Before = 0;   ///< of the chunks before it
+    VkDeviceSize m_Previous = 0; ///< by the frame before
+    VkDeviceSize m_Last = 0;     ///< by each of the two frames before
 };
 
 } // namespace limn::vulkan

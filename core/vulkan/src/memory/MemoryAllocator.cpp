@@ -175,6 +175,7 @@ MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32
 void MemoryAllocator::Return(Block& block, VkDeviceSize offset, VkDeviceSize size) noexcept
 {
     block.ranges.Free(offset, size);
+    m_Returned += block.use == MemoryUse::ReadBack ? 0 : 1;
     if (block.ranges.usedBytes() == 0)
     {
         const auto isIt = [&](const auto& candidate)

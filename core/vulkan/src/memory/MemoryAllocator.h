@@ -70,6 +70,9 @@ public:
 
     VkDeviceSize allocatedBytes() const; ///< taken from the driver
     VkDeviceSize usedBytes() const;      ///< of these, handed out
+    /// How many allocations have come back, with their resource gone; not those of read-backs,
+    /// which no shader sees.
+    std::uint64_t returnedCount() const { return m_Returned; }
 
 private:
     friend class MemoryAllocation;
@@ -83,6 +86,7 @@ private:
     VkDevice m_Device;
     VkPhysicalDeviceMemoryProperties m_Properties{};
     std::vector<std::unique_ptr<Block>> m_Blocks;
+    std::uint64_t m_Returned = 0;
 };
 
 /// A buffer with its memory.

@@ -169,8 +169,9 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
 
 void ProgramPool::Sweep(std::uint64_t finished)
 {
-    std::erase_if(m_Programs, [&](const auto& entry)
-                  { return entry.first.owner.expired() && entry.second.lastUse <= finished; });
+    m_Freed +=
+        std::erase_if(m_Programs, [&](const auto& entry)
+                      { return entry.first.owner.expired() && entry.second.lastUse <= finished; });
 }
 
 std::size_t ProgramPool::pipelineCount() const

@@ -70,6 +70,7 @@ public:
                         const PipelineKey& key);
     void Sweep(std::uint64_t finished);
     std::size_t pipelineCount() const;
+    std::uint64_t freedCount() const { return m_Freed; } ///< programs, so far
 
 private:
     /// Identity that survives the program: its owner's control block, which is never used again
@@ -92,6 +93,7 @@ private:
     const VulkanContext& m_Context;
     PipelineCacheFile m_Cache;
     std::map<Identity, ProgramObjects> m_Programs;
+    std::uint64_t m_Freed = 0;
 };
 
 } // namespace limn::vulkan

@@ -220,6 +220,7 @@ PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::
     PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
     if (auto source = std::dynamic_pointer_cast<const TexelTexture>(texture))
     {
+        stored.usage = TextureUsage::ShaderRead; // before the frame's first pass
         m_Uploads.push_back({&stored, std::move(source)});
     }
     return stored;
@@ -242,6 +243,12 @@ PooledImage* ImagePool::Find(const Texture& texture)
     return found == m_Images.end() ? nullptr : &found->second;
 }
 
+const PooledImage* ImagePool::Find(const Texture& texture) const
+{
+    const auto found = m_Images.find(texture.id());
+    return found == m_Images.end() ? nullptr : &found->second;
+}
+
 void ImagePool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
 {
     std::vector<VkImageMemoryBarrier2> before;
@@ -257,7 +264,6 @@ void ImagePool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
         after.back().oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
         after.back().srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
         after.back().srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        upload.image->usage = TextureUsage::ShaderRead;
     }
     RecordBarriers(commands, before);
     for (const Upload& upload : m_Uploads)

@@ -67,6 +67,7 @@ public:
 
     /// Null if no frame has used the texture.
     PooledImage* Find(const Texture& texture);
+    const PooledImage* Find(const Texture& texture) const;
 
     /// Records the copies of all queued texels. @param commands  outside of a render pass
     void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);

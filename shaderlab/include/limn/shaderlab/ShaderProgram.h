@@ -166,8 +166,8 @@ struct ShaderProgram
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
-/// Which one is told by the structured buffer `limn_Instances` (of uint): vertex functions look it up
-/// by the instance's index on the device, the others by DrawConstants::firstInstance.
+/// Which one is told by the structured buffer `limn_Instances` (of uint): vertex functions look it
+/// up by the instance's index on the device, the others by DrawConstants::firstInstance.
 struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major

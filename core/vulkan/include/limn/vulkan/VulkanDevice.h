@@ -38,6 +38,8 @@ struct VulkanDeviceStatistics
     std::size_t images = 0;
     std::size_t meshes = 0;
     std::size_t pipelines = 0;
+    std::size_t descriptorSets = 0;
+    std::uint64_t descriptorWrites = 0; ///< sets written since construction
     std::uint64_t meshUploads = 0; ///< since construction; grows by one for each mesh written
 };
 

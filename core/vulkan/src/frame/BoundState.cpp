@@ -1,0 +1,225 @@
+#include "frame/BoundState.h"
+
+#include <cstring>
+
+namespace limn::vulkan
+{
+
+namespace
+{
+
+VkBool32 ToVkBool(bool value)
+{
+    return value ? VK_TRUE : VK_FALSE;
+}
+
+/// Vulkan's structures of plain numbers.
+template <typename T>
+bool isSame(const T& a, const T& b)
+{
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// Whether a value has to be set: it is not known, or another one.
+template <typename T>
+bool Changes(const FixedState* known, const FixedState& state, T FixedState::*member)
+{
+    return known == nullptr || !isSame(known->*member, state.*member);
+}
+
+void SetStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which,
+                    const VkStencilOpState& face)
+{
+    vkCmdSetStencilOp(commands, which, face.failOp, face.passOp, face.depthFailOp, face.compareOp);
+    vkCmdSetStencilCompareMask(commands, which, face.compareMask);
+    vkCmdSetStencilWriteMask(commands, which, face.writeMask);
+    vkCmdSetStencilReference(commands, which, face.reference);
+}
+
+} // namespace
+
+BoundState::BoundState(VkCommandBuffer commands, const ExtensionFunctions& functions,
+                       VkBuffer constants)
+    : m_Commands(commands), m_Functions(functions), m_Constants(constants)
+{
+}
+
+void BoundState::SetViewport(const VkViewport& viewport)
+{
+    if (!m_Viewport || !isSame(*m_Viewport, viewport))
+    {
+        m_Viewport = viewport;
+        vkCmdSetViewport(m_Commands, 0, 1, &viewport);
+    }
+}
+
+void BoundState::SetScissor(const VkRect2D& scissor)
+{
+    if (!m_Scissor || !isSame(*m_Scissor, scissor))
+    {
+        m_Scissor = scissor;
+        vkCmdSetScissor(m_Commands, 0, 1, &scissor);
+    }
+}
+
+void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& state)
+{
+    if (draw.pipeline != m_Pipeline)
+    {
+        m_Pipeline = draw.pipeline;
+        m_State = nullptr;
+        vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
+        // What a pipeline has baked in is not set any more.
+        m_Blend = state.blend.isDynamic ? m_Blend : std::nullopt;
+        m_VertexProgram = draw.program->fetches.empty() ? nullptr : m_VertexProgram;
+    }
+    if (m_State != &state)
+    {
+        m_State = &state;
+        SetFixed(state.fixed);
+        if (state.blend.isDynamic)
+        {
+            SetBlend(state.blend);
+        }
+    }
+}
+
+void BoundState::SetFixed(const FixedState& state)
+{
+    const FixedState* known = m_Fixed ? &*m_Fixed : nullptr;
+    if (known == nullptr)
+    {
+        vkCmdSetPrimitiveTopology(m_Commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
+    }
+    if (Changes(known, state, &FixedState::cullMode))
+    {
+        vkCmdSetCullMode(m_Commands, state.cullMode);
+    }
+    if (Changes(known, state, &FixedState::frontFace))
+    {
+        vkCmdSetFrontFace(m_Commands, state.frontFace);
+    }
+    SetDepth(state, known);
+    SetStencil(state, known);
+    m_Fixed = state;
+}
+
+void BoundState::SetDepth(const FixedState& state, const FixedState* known)
+{
+    if (Changes(known, state, &FixedState::depthTest))
+    {
+        vkCmdSetDepthTestEnable(m_Commands, ToVkBool(state.depthTest));
+    }
+    if (Changes(known, state, &FixedState::depthWrite))
+    {
+        vkCmdSetDepthWriteEnable(m_Commands, ToVkBool(state.depthWrite));
+    }
+    if (Changes(known, state, &FixedState::depthCompare))
+    {
+        vkCmdSetDepthCompareOp(m_Commands, state.depthCompare);
+    }
+    if (Changes(known, state, &FixedState::depthBias))
+    {
+        vkCmdSetDepthBiasEnable(m_Commands, ToVkBool(state.depthBias));
+    }
+    if (Changes(known, state, &FixedState::depthBiasConstant) ||
+        Changes(known, state, &FixedState::depthBiasSlope))
+    {
+        vkCmdSetDepthBias(m_Commands, state.depthBiasConstant, 0.0f, state.depthBiasSlope);
+    }
+}
+
+void BoundState::SetStencil(const FixedState& state, const FixedState* known)
+{
+    if (Changes(known, state, &FixedState::stencilTest))
+    {
+        vkCmdSetStencilTestEnable(m_Commands, ToVkBool(state.stencilTest));
+    }
+    const bool front = Changes(known, state, &FixedState::stencilFront);
+    const bool back = Changes(known, state, &FixedState::stencilBack);
+    if (front && back && isSame(state.stencilFront, state.stencilBack))
+    {
+        SetStencilFace(m_Commands, VK_STENCIL_FACE_FRONT_AND_BACK, state.stencilFront);
+        return;
+    }
+    if (front)
+    {
+        SetStencilFace(m_Commands, VK_STENCIL_FACE_FRONT_BIT, state.stencilFront);
+    }
+    if (back)
+    {
+        SetStencilFace(m_Commands, VK_STENCIL_FACE_BACK_BIT, state.stencilBack);
+    }
+}
+
+void BoundState::SetBlend(const BlendState& state)
+{
+    if (state.targets == 0 ||
+        (m_Blend && m_Blend->targets >= state.targets && isSame(m_Blend->enables, state.enables) &&
+         isSame(m_Blend->equations, state.equations) && isSame(m_Blend->masks, state.masks)))
+    {
+        return;
+    }
+    m_Blend = state;
+    m_Functions.setColorBlendEnable(m_Commands, 0, state.targets, state.enables.data());
+    m_Functions.setColorBlendEquation(m_Commands, 0, state.targets, state.equations.data());
+    m_Functions.setColorWriteMask(m_Commands, 0, state.targets, state.masks.data());
+}
+
+void BoundState::BindMesh(const PreparedDraw& draw)
+{
+    const bool hasVertices = !draw.program->fetches.empty(); // else it makes them of SV_VertexID
+    if (hasVertices && (m_VertexProgram != draw.program || m_VertexMesh != draw.mesh))
+    {
+        m_VertexProgram = draw.program;
+        m_VertexMesh = draw.mesh;
+        BindVertices(*draw.program, draw.mesh);
+    }
+    if (draw.mesh != nullptr && m_IndexMesh != draw.mesh)
+    {
+        m_IndexMesh = draw.mesh;
+        vkCmdBindIndexBuffer(m_Commands, draw.mesh->buffer.handle.get(), draw.mesh->indexOffset,
+                             VK_INDEX_TYPE_UINT32);
+    }
+}
+
+void BoundState::BindVertices(const ProgramObjects& program, const PooledMesh* mesh)
+{
+    constexpr std::size_t k_Most = 32;
+    std::array<VkBuffer, k_Most> buffers{};
+    std::array<VkDeviceSize, k_Most> offsets{};
+    std::array<VkDeviceSize, k_Most> strides{};
+    const std::vector<VertexFetch>& fetches = program.fetches;
+    for (std::size_t i = 0; i < fetches.size(); ++i)
+    {
+        const std::size_t attribute = fetches[i].attribute;
+        const bool carried = mesh != nullptr && attribute < k_VertexAttributeCount &&
+                             mesh->arrays[attribute].stride != 0;
+        buffers.at(i) = carried ? mesh->buffer.handle.get() : m_Constants;
+        offsets.at(i) =
+            carried ? mesh->arrays[attribute].offset : MeshPool::ConstantOffset(attribute);
+        strides.at(i) = carried ? mesh->arrays[attribute].stride : 0;
+    }
+    vkCmdBindVertexBuffers2(m_Commands, 0, static_cast<std::uint32_t>(fetches.size()),
+                            buffers.data(), offsets.data(), nullptr, strides.data());
+}
+
+void BoundState::BindRun(const PreparedDraw& draw, const PreparedRun& run)
+{
+    const VkPipelineLayout layout = draw.program->layout.get();
+    if (run.set != VK_NULL_HANDLE && (run.set != m_Set || layout != m_SetLayout))
+    {
+        m_Set = run.set;
+        m_SetLayout = layout;
+        vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &m_Set,
+                                0, nullptr);
+    }
+    if (draw.program->pushStages != 0)
+    {
+        const DrawConstants constants{run.instances.first, run.instances.base};
+        vkCmdPushConstants(m_Commands, layout, draw.program->pushStages, 0, sizeof(constants),
+                           &constants);
+    }
+}
+
+} // namespace limn::vulkan

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "frame/PreparedFrame.h"
+
+namespace limn::vulkan
+{
+
+/// Looks up what a frame's draws need, and makes what there is not yet. Draws that follow each
+/// other mostly have most of it in common: that is looked up once.
+class DrawPreparer
+{
+public:
+    /// @param number  that the frame's submission will have
+    DrawPreparer(const VulkanContext& context, DeviceResources& resources,
+                 FrameDescriptors& descriptors, std::uint64_t number, PreparedFrame& frame);
+
+    /// The draws to come are drawn into these. @lifetime keeps `formats` until the next call
+    void BeginPass(const TargetFormats& formats);
+
+    /// Appends to the frame's draws.
+    /// @throws ContractError if the draw asks for what the frame, its mesh or the device lack
+    void Add(const DrawCommand& draw);
+
+private:
+    void UseProgram(const DrawCommand& draw);
+    void UseState(const DrawCommand& draw);
+    void UseMesh(const DrawCommand& draw);
+    void AddRuns(const DrawCommand& draw);
+
+    const VulkanContext& m_Context;
+    DeviceResources& m_Resources;
+    FrameDescriptors& m_Descriptors;
+    std::uint64_t m_Number;
+    PreparedFrame& m_Frame;
+    const TargetFormats* m_Formats = nullptr;
+    const DrawCommand* m_Last = nullptr; ///< of this pass
+    ProgramObjects* m_Program = nullptr; ///< of the last draw, as what follows
+    bool m_HasBindings = false;
+    PreparedDraw m_Draw;
+};
+
+} // namespace limn::vulkan
