@@ -1,3 +1,4 @@
+#include <limn/core/Timeline.h>
 #include <limn/vulkan/VulkanDevice.h>
 
 #include "device/Translate.h"
@@ -32,6 +33,7 @@ public:
     std::array<vulkan::FrameSlot, 2> slots;
     std::size_t nextSlot = 0;
     std::uint64_t timedFrame = 0;
+    Timeline* timeline = nullptr; ///< may be null
     std::vector<PassTiming> timings;
     TextureStates textureStates; ///< after the last frame submitted
     vulkan::SubmitQueue queue;
@@ -40,7 +42,7 @@ public:
 vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot()
 {
     vulkan::FrameSlot& slot = slots.at(nextSlot);
-    queue.Wait(slot.number());
+    Measure(timeline, "wait for a slot", [&] { queue.Wait(slot.number()); });
     KeepTimings(slot);
     return slot;
 }
@@ -51,8 +53,11 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     try
     {
         slot.Begin(frame.passes.size());
-        vulkan::FrameRecorder{context, resources, slot, number}.Record(frame);
-        slot.Submit(queue);
+        Measure(timeline, "record commands",
+                [&] {
+                    vulkan::FrameRecorder{context, resources, slot, number}.Record(frame);
+                });
+        Measure(timeline, "submit", [&] { slot.Submit(queue); });
     }
     catch (...)
     {
@@ -118,7 +123,9 @@ Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFl
         throw ContractError(subject + "the last pass that drew into it did not resolve its " +
                             std::to_string(image->samples) + " samples a texel");
     }
-    return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+    return Measure(
+        timeline, "wait",
+        [&] { return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect); });
 }
 
 Image VulkanDevice::ReadBack(const RenderTexture& texture)
@@ -149,6 +156,11 @@ std::vector<PassTiming> VulkanDevice::LastFrameTimings()
         }
     }
     return m_Impl->timings;
+}
+
+void VulkanDevice::SetTimeline(Timeline* timeline)
+{
+    m_Impl->timeline = timeline;
 }
 
 const TextureStates& VulkanDevice::textureStates() const

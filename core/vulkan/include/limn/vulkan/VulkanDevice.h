@@ -74,6 +74,8 @@ public:
 
     const TextureStates& textureStates() const override;
     std::vector<PassTiming> LastFrameTimings() override;
+    /// Gets "wait for a slot", "record commands", "submit", and of ReadBack "wait".
+    void SetTimeline(Timeline* timeline) override;
 
     const std::string& deviceName() const;
     /// What `#pragma require` and `#pragma target` may ask for and this device lacks; for
