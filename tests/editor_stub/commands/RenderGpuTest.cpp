@@ -339,7 +339,8 @@ TEST_F(Render, ATraceHasPhasesAndGpuPasses)
         submitted = event["name"] == "submit" ? event["ts"].get<double>() : submitted;
         if (event["ph"] == "X" && event["tid"] == 2)
         {
-            EXPECT_GE(event["ts"], std::max(submitted, gpuEnd)) << "passes run one by one";
+            EXPECT_GE(event["ts"].get<double>() + 0.01, std::max(submitted, gpuEnd))
+                << "passes run one by one";
             gpuEnd = event["ts"].get<double>() + event["dur"].get<double>();
         }
     }
