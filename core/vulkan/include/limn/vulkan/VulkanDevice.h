@@ -40,7 +40,7 @@ struct VulkanDeviceStatistics
     std::size_t pipelines = 0;
     std::size_t descriptorSets = 0;
     std::uint64_t descriptorWrites = 0; ///< sets written since construction
-    std::uint64_t meshUploads = 0; ///< since construction; grows by one for each mesh written
+    std::uint64_t meshUploads = 0;      ///< since construction; grows by one for each mesh written
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
@@ -76,6 +76,8 @@ public:
 
     const TextureStates& textureStates() const override;
     std::vector<PassTiming> LastFrameTimings() override;
+    /// Gets "wait for a slot", "prepare", "record commands", "submit", and of ReadBack "wait".
+    void SetTimeline(Timeline* timeline) override;
 
     const std::string& deviceName() const;
     /// What `#pragma require` and `#pragma target` may ask for and this device lacks; for
