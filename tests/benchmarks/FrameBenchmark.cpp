@@ -61,6 +61,11 @@ public:
         recordMilliseconds = CpuMilliseconds() - begin;
     }
     const TextureStates& textureStates() const override { return m_Device.textureStates(); }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return m_Device.GetRenderTextureSupportedMSAASampleCount(descriptor);
+    }
     Image ReadBack(const RenderTexture& texture) override { return m_Device.ReadBack(texture); }
     std::vector<PassTiming> LastFrameTimings() override
     {

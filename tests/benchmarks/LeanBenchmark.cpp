@@ -20,6 +20,10 @@ public:
     const TextureStates& textureStates() const override { return m_States; }
     Image ReadBack(const RenderTexture&) override { return {}; }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
+    int GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor&) const override
+    {
+        return 1;
+    }
 
 private:
     TextureStates m_States;

@@ -106,6 +106,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.volumeStack = &m_Stack;
     request.compile.isLast = isLast;
     request.timeline = timeline;
+    pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }
 

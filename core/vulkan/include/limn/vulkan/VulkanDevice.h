@@ -75,6 +75,8 @@ public:
     Image ReadBackStencil(const RenderTexture& texture);
 
     const TextureStates& textureStates() const override;
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;
     /// Gets "wait for a slot", "prepare", "record commands", "submit", and of ReadBack "wait".
     void SetTimeline(Timeline* timeline) override;
