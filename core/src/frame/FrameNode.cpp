@@ -151,7 +151,12 @@ void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
             kept.push_back(std::move(node));
             continue;
         }
-        frame.leftOut.push_back({node.name, std::move(node.whyLeftOut)});
+        LeftOut leftOut{node.name, std::move(node.whyLeftOut), {}, node.place};
+        for (const auto& target : TargetsOf(node))
+        {
+            leftOut.targets.push_back(target->name());
+        }
+        frame.leftOut.push_back(std::move(leftOut));
         for (PassCommand& command : node.commands)
         {
             if (isSample(command))
