@@ -1,4 +1,3 @@
-#include <chrono>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -178,7 +177,8 @@ TEST_F(Culling, JudgesAlikeFarAwayFromTheOrigin)
 
 TEST_F(Culling, WorksEachParentOfALongChainOutOnce)
 {
-    constexpr int k_Length = 100'000; // going up from each would be 5e9 matrices: minutes
+    // Going up from each would be 5e9 matrices, more than the time that tests may take.
+    constexpr int k_Length = 100'000;
     const Transform* parent = nullptr;
     for (int i = 0; i < k_Length; ++i)
     {
@@ -186,10 +186,7 @@ TEST_F(Culling, WorksEachParentOfALongChainOutOnce)
         object.transform.parent = parent;
         parent = &object.transform;
     }
-    const auto start = std::chrono::steady_clock::now();
     const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 10.0);
     // Up to where the near side of the box is behind the far plane.
     ASSERT_NEAR(static_cast<double>(results.items.size()), (100.5 - 10) * 1024, 1.0);
     EXPECT_NEAR(results.items.back().boundsCenter.z, 100.5, 1.0 / 1024);
