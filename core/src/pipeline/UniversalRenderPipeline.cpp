@@ -109,8 +109,16 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
+    FrameCompilerOptions options = request.compile;
+    if (options.leavesOut && !options.footprint)
+    {
+        options.footprint = [this](const RenderTexture& texture)
+        {
+            return m_Device->Footprint(texture);
+        };
+    }
     result.frame =
-        CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs, request.compile);
+        CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs, options);
     m_Device->Execute(result.frame);
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());

@@ -36,6 +36,10 @@ public:
     {
         return m_Timeline.Measure("wait", [&] { return m_Device.ReadBack(texture); });
     }
+    TextureFootprint Footprint(const RenderTexture& texture) override
+    {
+        return m_Device.Footprint(texture);
+    }
     std::vector<PassTiming> LastFrameTimings() override { return m_Device.LastFrameTimings(); }
     const TextureStates& textureStates() const override { return m_Device.textureStates(); }
 

@@ -35,12 +35,13 @@ struct VulkanDeviceStatistics
 {
     std::uint64_t allocatedBytes = 0; ///< taken from the driver
     std::uint64_t usedBytes = 0;      ///< of these, in use by images and buffers
+    std::uint64_t sharedBytes = 0;    ///< of these, in which textures take turns
     std::size_t images = 0;
     std::size_t meshes = 0;
     std::size_t pipelines = 0;
     std::size_t descriptorSets = 0;
     std::uint64_t descriptorWrites = 0; ///< sets written since construction
-    std::uint64_t meshUploads = 0; ///< since construction; grows by one for each mesh written
+    std::uint64_t meshUploads = 0;      ///< since construction; grows by one for each mesh written
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
@@ -75,6 +76,7 @@ public:
     Image ReadBackStencil(const RenderTexture& texture);
 
     const TextureStates& textureStates() const override;
+    TextureFootprint Footprint(const RenderTexture& texture) override;
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;
