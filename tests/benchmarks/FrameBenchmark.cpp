@@ -65,6 +65,11 @@ public:
     {
         return m_Device.Footprint(texture);
     }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return m_Device.GetRenderTextureSupportedMSAASampleCount(descriptor);
+    }
     Image ReadBack(const RenderTexture& texture) override { return m_Device.ReadBack(texture); }
     std::vector<PassTiming> LastFrameTimings() override
     {

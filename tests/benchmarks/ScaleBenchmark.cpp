@@ -73,6 +73,11 @@ public:
     void Execute(const CompiledFrame& frame) override { m_States = frame.states; }
     const TextureStates& textureStates() const override { return m_States; }
     Image ReadBack(const RenderTexture&) override { return {}; }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return descriptor.msaaSamples;
+    }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
 
 private:

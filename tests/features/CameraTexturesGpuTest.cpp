@@ -40,7 +40,7 @@ std::shared_ptr<Material> FullScreen(const std::string& body)
         "Shader \"Test/FullScreen\" { SubShader { Pass { ZTest Always ZWrite Off Cull Off\n"
         "HLSLPROGRAM\n#pragma vertex Vert\n#pragma fragment Frag\n" +
         Include("Core.hlsl") + Include("DeclareDepthTexture.hlsl") +
-        Include("DeclareNormalsTexture.hlsl") +
+        Include("DeclareNormalsTexture.hlsl") + Include("DeclareOpaqueTexture.hlsl") +
         "#include \"Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl\"\n"
         "float4 Frag(Varyings input) : SV_Target {" +
         body + "}\nENDHLSL\n} } }"));
@@ -164,14 +164,16 @@ protected:
         return ToField(SharedDevice().ReadBack(*m_Request.alsoReadBack.at(0).rt()));
     }
 
-    /// What is seen through a pixel's centre; nothing is nearer than what was met first.
+    /// What is seen through a place in a pixel; nothing is nearer than what was met first.
     Hit Reference(int x, int y) const
     {
         const double half = std::tan(m_Camera.fieldOfView * std::numbers::pi / 360.0);
         const double aspect = static_cast<double>(k_PictureWidth) / k_PictureHeight;
         const glm::dvec4 origin(glm::dvec3(m_Camera.transform.localPosition), 1.0);
-        const glm::dvec4 direction(((x + 0.5) / k_PictureWidth * 2.0 - 1.0) * half * aspect,
-                                   (1.0 - (y + 0.5) / k_PictureHeight * 2.0) * half, 1.0, 0.0);
+        const glm::dvec2 at = (glm::dvec2(x, y) + m_PlaceInPixel) /
+                                  glm::dvec2(k_PictureWidth, k_PictureHeight) * 2.0 -
+                              1.0;
+        const glm::dvec4 direction(at.x * half * aspect, -at.y * half, 1.0, 0.0);
         Hit nearest{m_Camera.farClipPlane};
         for (std::size_t i = 0; i < m_Shapes.size(); ++i)
         {
@@ -229,6 +231,23 @@ protected:
         return largest;
     }
 
+    /// @return the largest error of a component, likewise
+    std::array<double, 4> NormalErrors(const Field& picture) const
+    {
+        std::array<double, 4> largest{};
+        ForEachInside(
+            [&](int x, int y, const Hit& hit)
+            {
+                for (int channel = 0; channel < 3; ++channel)
+                {
+                    double& error = largest[static_cast<std::size_t>(hit.object + 1)];
+                    error =
+                        std::max(error, std::abs(picture.At(x, y, channel) - hit.normal[channel]));
+                }
+            });
+        return largest;
+    }
+
     std::vector<std::string> Ran() const
     {
         std::vector<std::string> names;
@@ -247,10 +266,12 @@ protected:
     UniversalRenderer m_Renderer{Compiler()};
     RenderRequest m_Request;
     RenderResult m_Result; ///< of the last Draw
-
-private:
     UniversalRenderPipeline m_Pipeline{SharedDevice()};
+    glm::dvec2 m_PlaceInPixel{0.5}; ///< from its left top
 };
+
+/// Where the first of four samples is, as Vulkan and D3D have it.
+constexpr glm::dvec2 k_FirstSample{0.375, 0.125};
 
 /// Half floats have steps of 0.5 below 1000 m, of 3e-5 below a sixteenth of a metre. The sphere has
 /// facets.
@@ -260,6 +281,15 @@ void ExpectDepths(const std::array<double, 4>& errors)
     EXPECT_LT(errors[1], 5e-5);
     EXPECT_LT(errors[2], 5e-5);
     EXPECT_LT(errors[3], 0.02);
+}
+
+/// The texture holds n/127; half a step, and what half floats round.
+void ExpectNormals(const std::array<double, 4>& errors)
+{
+    EXPECT_EQ(errors[0], 0.0);
+    EXPECT_LT(errors[1], 0.0045);
+    EXPECT_LT(errors[2], 0.0045);
+    EXPECT_LT(errors[3], 0.05);
 }
 
 TEST_F(CameraTexturesGpu, HaveTheDepthThatAReferenceSaysCopied)
@@ -291,22 +321,56 @@ TEST_F(CameraTexturesGpu, HaveTheSameDepthOfUnlitObjects)
 TEST_F(CameraTexturesGpu, HaveTheNormalsThatAReferenceSays)
 {
     AddFullScreen(k_ShowNormals, ScriptableRenderPassInput::Normal);
+    ExpectNormals(NormalErrors(Draw()));
+}
+
+TEST_F(CameraTexturesGpu, HaveTheDepthOfTheFirstSampleCopied)
+{
+    m_Pipeline.msaaSampleCount = 4;
+    m_PlaceInPixel = k_FirstSample;
+    AddFullScreen(k_ShowDepth, ScriptableRenderPassInput::Depth);
+    ExpectDepths(DepthErrors(Draw()));
+    EXPECT_THAT(Ran(), testing::Contains("CopyDepth"));
+}
+
+TEST_F(CameraTexturesGpu, HaveTheDepthOfOneSampleFromAPrepass)
+{
+    m_Pipeline.msaaSampleCount = 4;
+    AddFullScreen(k_ShowDepth, ScriptableRenderPassInput::Normal);
+    ExpectDepths(DepthErrors(Draw()));
+    EXPECT_THAT(Ran(), testing::Contains("DepthNormalPrepass"));
+}
+
+TEST_F(CameraTexturesGpu, HaveTheNormalsOfOneSample)
+{
+    m_Pipeline.msaaSampleCount = 4;
+    AddFullScreen(k_ShowNormals, ScriptableRenderPassInput::Normal);
+    ExpectNormals(NormalErrors(Draw()));
+}
+
+TEST_F(CameraTexturesGpu, HaveTheAverageOfTheOpaqueSamples)
+{
+    const Field plain = Draw();
+    m_Pipeline.msaaSampleCount = 4;
+    const Field opaque = Draw();
+    AddFullScreen("return float4(SampleSceneColor(input.texcoord).bgr, 1);",
+                  ScriptableRenderPassInput::Color);
     const Field picture = Draw();
-    std::array<double, 4> largest{};
-    ForEachInside(
-        [&](int x, int y, const Hit& hit)
+    int smoothed = 0;
+    for (int y = 0; y < k_PictureHeight; ++y)
+    {
+        for (int x = 0; x < k_PictureWidth; ++x)
         {
             for (int channel = 0; channel < 3; ++channel)
             {
-                double& error = largest[static_cast<std::size_t>(hit.object + 1)];
-                error = std::max(error, std::abs(picture.At(x, y, channel) - hit.normal[channel]));
+                ASSERT_EQ(picture.At(x, y, channel), opaque.At(x, y, 2 - channel))
+                    << x << ", " << y;
             }
-        });
-    // The texture holds n/127; half a step, and what half floats round.
-    EXPECT_EQ(largest[0], 0.0);
-    EXPECT_LT(largest[1], 0.0045);
-    EXPECT_LT(largest[2], 0.0045);
-    EXPECT_LT(largest[3], 0.05);
+            smoothed += std::abs(opaque.At(x, y, 0) - plain.At(x, y, 0)) > 0.05 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(smoothed, 50) << "pixels at edges";
+    EXPECT_THAT(Ran(), testing::Contains("CopyColor"));
 }
 
 TEST_F(CameraTexturesGpu, ShowTransparentObjectsTheOpaquePicture)

@@ -1,4 +1,7 @@
-#include <limn/core/Judge.h>
+#include "scene/RendererTable.h"
+
+#include <algorithm>
+#include <limn/core/Culling.h>
 #include <limn/core/Shader.h>
 #include <numeric>
 
@@ -39,6 +42,38 @@ FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,
         }
     }
     return FilterVerdict::NoMatchingPass;
+}
+
+JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering,
+                  const DrawingSettings& drawing)
+{
+    JudgedItems judged;
+    if (items.empty())
+    {
+        return judged;
+    }
+    const RendererTable& table = *items.table();
+    std::vector<std::uint8_t> verdicts;
+    for (const RendererTable::RowClass& kind : table.classes())
+    {
+        verdicts.push_back(static_cast<std::uint8_t>(
+            kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
+    }
+    std::vector<std::uint32_t> drawn = table.spareRows().Take(items.size());
+    std::array<std::uint32_t, k_FilterVerdictCount> counts{};
+    std::size_t count = 0;
+    const std::uint32_t* classOf = table.classOf().data();
+    for (const std::uint32_t row : items.rows())
+    {
+        const std::uint8_t verdict = verdicts[classOf[row]];
+        ++counts[verdict];
+        drawn[count] = row;
+        count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);
+    }
+    drawn.resize(count);
+    std::ranges::copy(counts, judged.counts.begin());
+    judged.drawn = RendererItems(items.table(), std::move(drawn));
+    return judged;
 }
 
 std::string Describe(const FilterCounts& counts, const FilteringSettings& filtering)

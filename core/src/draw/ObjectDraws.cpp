@@ -221,7 +221,7 @@ public:
             next.push_back(first);
             first += batch.count;
         }
-        result.rows.resize(first);
+        result.rows = m_Table.spareRows().Take(first);
         for (const Run& run : m_Runs)
         {
             std::copy_n(rows.begin() + run.first, run.count, result.rows.begin() + next[run.batch]);
@@ -326,7 +326,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
         commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),
                                     drawing.sortingSettings, recorder.hasDepth()));
     }
-    const ObjectBatches batches = MakeBatches(items, runs, passesOf, commutes);
+    ObjectBatches batches = MakeBatches(items, runs, passesOf, commutes);
 
     FrameCommands& frame = recorder.frame();
     const auto offset = static_cast<std::uint32_t>(frame.instances.size());
@@ -352,6 +352,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
             frame.commands.emplace_back(draw);
         }
     }
+    table.spareRows().Give(std::move(batches.rows));
 }
 
 } // namespace limn

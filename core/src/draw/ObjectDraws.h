@@ -23,11 +23,11 @@ struct ObjectBatches
     std::vector<std::uint32_t> rows;  ///< of the table
 };
 
-/// Rows of one class of the table that follow upon each other.
+/// Rows that follow upon each other and draw the same but for their place.
 struct ClassRun
 {
-    std::uint32_t rowClass = 0;
-    std::uint32_t first = 0; ///< among the items
+    std::uint32_t rowClass = 0; ///< of the table: the first of those that they have
+    std::uint32_t first = 0;    ///< among the items
     std::uint32_t count = 0;
 };
 

@@ -23,11 +23,24 @@ public:
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override
     {
+        SetAlphaToMaskAvailable(context, renderingData);
         const DrawingSettings drawing = CreateDrawingSettings(m_Tags, renderingData, m_Sorting);
         context.DrawRenderers(renderingData.cullResults, drawing, m_Filtering);
     }
 
 private:
+    /// What shaders go by that sharpen their alpha for AlphaToMask: 0 unless it is set.
+    void SetAlphaToMaskAvailable(ScriptableRenderContext& context, const RenderingData& data) const
+    {
+        if (data.cameraData.cameraTargetDescriptor.msaaSamples > 1 && !overrideCameraTarget())
+        {
+            const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+            const bool isOpaque = m_Filtering.renderQueueRange == RenderQueueRange::opaque;
+            cmd->SetGlobalFloat(ShaderPropertyId("_AlphaToMaskAvailable"), isOpaque ? 1.0f : 0.0f);
+            context.ExecuteCommandBuffer(*cmd);
+        }
+    }
+
     std::vector<ShaderTagId> m_Tags;
     FilteringSettings m_Filtering;
     SortingCriteria m_Sorting;

@@ -26,10 +26,26 @@ private:
     Function m_Function;
 };
 
-ClearFlag CameraClearFlag(const Camera& camera)
+bool HasSamples(const CameraData& data)
 {
-    return camera.clearFlags == CameraClearFlags::Nothing ? ClearFlag::DepthStencil
-                                                          : ClearFlag::All;
+    return data.cameraTargetDescriptor.msaaSamples > 1;
+}
+
+bool ClearsNothing(const CameraData& data)
+{
+    return data.camera->clearFlags == CameraClearFlags::Nothing;
+}
+
+/// Several samples a texel are not kept from frame to frame, as in Unity.
+ClearFlag CameraClearFlag(const CameraData& data)
+{
+    return ClearsNothing(data) && !HasSamples(data) ? ClearFlag::DepthStencil : ClearFlag::All;
+}
+
+Color BackgroundOf(const CameraData& data)
+{
+    return ClearsNothing(data) && HasSamples(data) ? Color::black
+                                                   : data.camera->backgroundColor.linear();
 }
 
 /// Lets each of the passes clean up, also behind one that cannot.
@@ -244,7 +260,7 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
     const std::string& name = pass.profilingSampler.name();
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     cmd->BeginSample(name);
-    BindTargets(*cmd, pass, *renderingData.cameraData.camera);
+    BindTargets(*cmd, pass, renderingData.cameraData);
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
     renderingData.report->passes.push_back({name, pass.renderPassEvent});
@@ -257,7 +273,7 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
 // The rules of ScriptableRenderer.SetRenderPassAttachments: whoever binds the camera's colour first
 // clears it with the camera's background, whatever that pass asked for.
 void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass,
-                                     const Camera& camera)
+                                     const CameraData& data)
 {
     const bool own = pass.overrideCameraTarget();
     if (!own && BlockOf(pass.renderPassEvent) == RenderPassBlock::BeforeRendering)
@@ -272,14 +288,14 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
                             "': ConfigureTarget was given empty handles; allocate them in "
                             "OnCameraSetup");
     }
-    const ClearFlag cameraClear = CameraClearFlag(camera);
+    const ClearFlag cameraClear = CameraClearFlag(data);
     ClearFlag clear = ClearFlag::None;
     Color clearColor = pass.clearColor();
     if (color && color == m_CameraColor && m_FirstColor)
     {
         m_FirstColor = false;
         clear = Only(cameraClear | pass.clearFlag(), ClearFlag::Color);
-        clearColor = camera.backgroundColor.linear();
+        clearColor = BackgroundOf(data);
     }
     else
     {

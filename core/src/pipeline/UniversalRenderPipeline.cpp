@@ -38,16 +38,57 @@ void ExpectRenderable(const RenderRequest& request)
     }
 }
 
+void ExpectSampleCount(int count)
+{
+    if (count != 1 && count != 2 && count != 4 && count != 8)
+    {
+        throw ContractError("UniversalRenderPipeline: msaaSampleCount is " + std::to_string(count) +
+                            "; it must be 1, 2, 4 or 8");
+    }
+}
+
+/// How many samples the device does of both colour and depth.
+int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor camera)
+{
+    RenderTextureDescriptor color = camera;
+    color.depthBufferBits = 0;
+    color.msaaSamples = device.GetRenderTextureSupportedMSAASampleCount(camera);
+    const int both = device.GetRenderTextureSupportedMSAASampleCount(color);
+    camera.msaaSamples = both;
+    return both == color.msaaSamples ? both : SupportedSampleCount(device, camera);
+}
+
+RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, int msaaSampleCount,
+                                               const GraphicsDevice& device, RenderReport& report)
+{
+    const Camera& camera = *request.camera;
+    RenderTextureDescriptor descriptor(
+        request.width, request.height,
+        camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32);
+    if (!camera.allowMSAA || msaaSampleCount == 1)
+    {
+        return descriptor;
+    }
+    descriptor.msaaSamples = msaaSampleCount;
+    descriptor.msaaSamples = SupportedSampleCount(device, descriptor);
+    if (descriptor.msaaSamples != msaaSampleCount)
+    {
+        report.notes.push_back("the camera is drawn with " +
+                               std::to_string(descriptor.msaaSamples) +
+                               " samples a texel in place of " + std::to_string(msaaSampleCount) +
+                               " (msaaSampleCount): the device does no more of its format");
+    }
+    return descriptor;
+}
+
 RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer& renderer,
-                                RenderReport& report)
+                                const RenderTextureDescriptor& descriptor, RenderReport& report)
 {
     const Camera& camera = *request.camera;
     const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
     RenderingData data;
     data.cameraData.camera = &camera;
-    data.cameraData.cameraTargetDescriptor = {
-        request.width, request.height,
-        camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32};
+    data.cameraData.cameraTargetDescriptor = descriptor;
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
@@ -90,12 +131,15 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
                                                          const RenderRequest& request)
 {
     ExpectRenderable(request);
+    ExpectSampleCount(msaaSampleCount);
     RenderResult result;
     AllocateOutput(m_Output, request);
     renderer.SetOutput(m_Output);
     result.output = m_Output;
 
-    RenderingData renderingData = MakeRenderingData(request, renderer, result.report);
+    RenderingData renderingData = MakeRenderingData(
+        request, renderer,
+        CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
     NoteBeyondFloat(renderingData.cullResults, result.report);
     ScriptableRenderContext context(result.report, request.camera->renderOrigin());
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();

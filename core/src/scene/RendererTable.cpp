@@ -134,6 +134,31 @@ std::uint32_t Put(std::vector<Value>& values, std::vector<std::uint32_t>& free, 
 
 } // namespace
 
+std::vector<std::uint32_t> SpareRows::Take(std::size_t size)
+{
+    std::vector<std::uint32_t> rows;
+    {
+        const std::scoped_lock lock(m_Mutex);
+        if (!m_Lists.empty())
+        {
+            rows.swap(m_Lists.back());
+            m_Lists.pop_back();
+        }
+    }
+    rows.resize(size);
+    return rows;
+}
+
+void SpareRows::Give(std::vector<std::uint32_t> rows) noexcept
+{
+    const std::scoped_lock lock(m_Mutex);
+    if (rows.capacity() > 0 && m_Lists.size() < k_Most)
+    {
+        m_Lists.reserve(k_Most);
+        m_Lists.push_back(std::move(rows));
+    }
+}
+
 RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 {
     return {rowClass.material.get(), rowClass.layer, rowClass.renderingLayerMask.bits,

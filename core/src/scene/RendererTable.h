@@ -4,10 +4,27 @@
 #include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
 #include <map>
+#include <mutex>
 #include <tuple>
 
 namespace limn
 {
+
+/// Lists of rows that are not in use: making them anew in each frame would cost as much as filling
+/// them. From any thread.
+class SpareRows
+{
+public:
+    /// A list of this length, its values any.
+    std::vector<std::uint32_t> Take(std::size_t size);
+    void Give(std::vector<std::uint32_t> rows) noexcept;
+
+private:
+    static constexpr std::size_t k_Most = 8;
+
+    std::mutex m_Mutex;
+    std::vector<std::vector<std::uint32_t>> m_Lists;
+};
 
 /// The renderers of a scene as arrays, one row for each (renderer, material) pair in the scene's
 /// order: what a frame goes through lies side by side. Kept from frame to frame; only objects that
@@ -71,6 +88,8 @@ public:
     const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }
     const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }
 
+    SpareRows& spareRows() const { return m_SpareRows; }
+
     const std::vector<RowClass>& classes() const { return m_Classes; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
     const GameObject& object(std::uint32_t index) const { return *m_Objects[index]; }
@@ -130,6 +149,7 @@ private:
     std::map<PartKey, std::uint32_t> m_PartIndex;
     std::vector<std::uint32_t> m_FreeClasses;
     std::vector<std::uint32_t> m_FreeParts;
+    mutable SpareRows m_SpareRows;
 };
 
 } // namespace limn

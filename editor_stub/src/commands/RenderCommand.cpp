@@ -42,6 +42,11 @@ public:
     }
     std::vector<PassTiming> LastFrameTimings() override { return m_Device.LastFrameTimings(); }
     const TextureStates& textureStates() const override { return m_Device.textureStates(); }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return m_Device.GetRenderTextureSupportedMSAASampleCount(descriptor);
+    }
 
 private:
     GraphicsDevice& m_Device;

@@ -73,6 +73,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     }
     map.Read("backgroundColor", camera.backgroundColor);
     map.Read("allowHDR", camera.allowHDR);
+    map.Read("allowMSAA", camera.allowMSAA);
     for (const auto& [key, mask] : {std::pair("cullingMask", &camera.cullingMask),
                                     std::pair("volumeLayerMask", &camera.volumeLayerMask)})
     {

@@ -16,6 +16,10 @@ inline constexpr ValueRange k_LayerBits{0.0, 4294967295.0};
 inline constexpr EnumEntry k_ClearFlags[] = {
     {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
 
+/// Unity: UnityEngine.Rendering.Universal.MsaaQuality.
+inline constexpr EnumEntry k_MsaaQualities[] = {
+    {"Disabled", 1}, {"_2x", 2}, {"_4x", 4}, {"_8x", 8}};
+
 /// What stands behind a key.
 enum class SceneValue
 {
@@ -31,6 +35,7 @@ enum class SceneValue
     Layers, ///< a set of them
     LayerNames,
     ClearFlags,
+    MsaaQuality,
     Mesh,
     ColliderType,
     Axis,
@@ -84,6 +89,7 @@ inline constexpr SceneKey k_Rotation{"rotation", Vector,
 inline constexpr SceneKey k_Scale{"scale", Scale};
 
 inline constexpr SceneKey k_Scene[] = {{"size", Size, "Width and height in pixels"},
+                                       {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
                                        {"layers", LayerNames},
                                        {"renderingLayers", LayerNames},
                                        Required({"camera", Camera}),
@@ -107,6 +113,7 @@ inline constexpr SceneKey k_Camera[] = {
     {"clearFlags", ClearFlags},
     {"backgroundColor", Color},
     {"allowHDR", Bool},
+    {"allowMSAA", Bool, "Several samples a pixel, if the scene's msaaSampleCount says so"},
     {"cullingMask", Layers},
     {"volumeLayerMask", Layers},
     {"volumeTrigger", Vector}};

@@ -1,4 +1,5 @@
 #include "scene/Loader.h"
+#include "scene/ReadEnum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,11 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
     SceneAsset& asset = loader.asset;
     ReadPart(map, "size", loader, ReadSize);
+    if (const YamlNode* node = map.Find("msaaSampleCount"))
+    {
+        asset.msaaSampleCount =
+            ReadEnum(*node, k_MsaaQualities, "msaaSampleCount", loader.diagnostics).value_or(1);
+    }
     if (const YamlNode* node = map.Find("layers"))
     {
         ReadLayerNames(*node, "layers", asset.layers, loader.diagnostics);

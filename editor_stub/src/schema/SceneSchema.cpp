@@ -110,6 +110,8 @@ private:
             return LayerNamesSchema();
         case SceneValue::ClearFlags:
             return EnumSchema(k_ClearFlags);
+        case SceneValue::MsaaQuality:
+            return EnumSchema(k_MsaaQualities);
         case SceneValue::Mesh:
             return MeshSchema();
         case SceneValue::ColliderType:

@@ -99,6 +99,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.time = time;
     request.volumeStack = &m_Stack;
     request.compile.isLast = isLast;
+    pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }
 

@@ -426,6 +426,10 @@ public:
     }
     const TextureStates& textureStates() const override { return m_States; }
     Image ReadBack(const RenderTexture&) override { return {}; }
+    int GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor&) const override
+    {
+        return 1;
+    }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
 
 private:

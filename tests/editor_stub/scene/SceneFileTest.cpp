@@ -55,6 +55,7 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
                                          "  backgroundColor: [0.25, 0.5, 0.75]\n"
                                          "  cullingMask: [Default, Furniture, 9]\n"
                                          "  allowHDR: false\n"
+                                         "  allowMSAA: false\n"
                                          "  volumeLayerMask: Everything\n"
                                          "  volumeTrigger: [4, 5, 6]\n");
     const Camera& camera = asset.camera;
@@ -71,8 +72,21 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
     EXPECT_EQ((Color{0.25f, 0.5f, 0.75f, 1.0f}), camera.backgroundColor);
     EXPECT_EQ(LayerMask(1u + 64u + 512u), camera.cullingMask);
     EXPECT_FALSE(camera.allowHDR);
+    EXPECT_FALSE(camera.allowMSAA);
     EXPECT_EQ(LayerMask::Everything(), camera.volumeLayerMask);
     EXPECT_EQ(glm::vec3(4, 5, 6), camera.volumeTrigger);
+}
+
+TEST(SceneFile, SaysHowManySamplesAPixelHas)
+{
+    SceneFolder folder;
+    EXPECT_EQ(1, folder.LoadWithCamera("").msaaSampleCount);
+    EXPECT_EQ(4, folder.LoadWithCamera("msaaSampleCount: 4\n").msaaSampleCount);
+    EXPECT_EQ(8, folder.LoadWithCamera("msaaSampleCount: _8x\n").msaaSampleCount);
+    EXPECT_EQ(
+        folder.ProblemsOf("camera:\nmsaaSampleCount: 3\n"),
+        std::vector<std::string>{"2:18: msaaSampleCount: 3 is none of Disabled 1, _2x 2, _4x 4, "
+                                 "_8x 8"});
 }
 
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)

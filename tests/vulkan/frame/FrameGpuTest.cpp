@@ -222,8 +222,8 @@ TEST_F(Frames, ReadTexturesThatTakeThePlaceOfOthers)
     for (int i = 0; i < 40; ++i)
     {
         const std::vector<std::byte> texel(4, std::byte(6 * i));
-        const auto texture = std::make_shared<Texture2D>(
-            "texture", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel);
+        const auto texture =
+            std::make_shared<Texture2D>("texture", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel);
         CompiledFrame frame = FrameOf({ClearPass(target)}, target);
         frame.passes[0].commands.emplace_back(MakeCopy(texture));
         SharedDevice().Execute(frame);

@@ -31,6 +31,7 @@ struct Camera
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
     bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
+    bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
     LayerMask volumeLayerMask{1}; ///< layers whose volumes apply
     std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position
 

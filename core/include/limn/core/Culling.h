@@ -57,11 +57,15 @@ public:
     };
 
     RendererItems() = default;
-    /// @param rows  of the table
+    /// @param rows  of the table; they go back to its spare ones in the end
     RendererItems(std::shared_ptr<const RendererTable> table, std::vector<std::uint32_t> rows)
         : m_Table(std::move(table)), m_Rows(std::move(rows))
     {
     }
+    RendererItems(const RendererItems&) = default;
+    RendererItems(RendererItems&&) = default;
+    RendererItems& operator=(RendererItems other) noexcept;
+    ~RendererItems();
 
     std::size_t size() const { return m_Rows.size(); }
     bool empty() const { return m_Rows.empty(); }

@@ -33,6 +33,11 @@ public:
     /// @throws ContractError if it was not
     virtual Image ReadBack(const RenderTexture& texture) = 0;
 
+    /// How many samples a texel it draws such a texture with: at most the descriptor's msaaSamples,
+    /// and at least 1. Unity: SystemInfo.GetRenderTextureSupportedMSAASampleCount.
+    virtual int
+    GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor& descriptor) const = 0;
+
     /// Times of the passes of the last finished frame, in order; empty where nothing is measured.
     virtual std::vector<PassTiming> LastFrameTimings() = 0;
 };

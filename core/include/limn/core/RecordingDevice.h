@@ -30,6 +30,11 @@ public:
         throw ContractError("RecordingDevice draws nothing, so '" + texture.name() +
                             "' has no texels to read back");
     }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return descriptor.msaaSamples;
+    }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
 
     const std::vector<CompiledFrame>& frames() const { return m_Frames; }

@@ -39,8 +39,8 @@ private:
 struct CameraData
 {
     const Camera* camera = nullptr; ///< never null during rendering
-    /// The camera's target: pixel size, colour format, 32 depth bits. A pass that wants a plain
-    /// colour texture sets depthBufferBits to 0, as in Unity.
+    /// The camera's target: pixel size, colour format, 32 depth bits, samples a texel. A pass that
+    /// wants a plain colour texture sets depthBufferBits to 0 and msaaSamples to 1, as in Unity.
     RenderTextureDescriptor cameraTargetDescriptor;
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;

@@ -73,7 +73,7 @@ private:
                        std::span<ScriptableRenderPass* const> featurePasses, CommandBuffer& cmd);
     void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
                            RenderingData& renderingData);
-    void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const Camera& camera);
+    void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const CameraData& data);
 
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;

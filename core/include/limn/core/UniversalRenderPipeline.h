@@ -40,6 +40,11 @@ public:
     /// @param device  must outlive this
     void SetDevice(GraphicsDevice& device) { m_Device = &device; }
 
+    /// Samples a texel of the camera's colour and depth, where the camera allows them: 1, 2, 4
+    /// or 8. Where the device lacks them there are fewer, with a note. Unity:
+    /// UniversalRenderPipelineAsset.msaaSampleCount.
+    int msaaSampleCount = 1;
+
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);

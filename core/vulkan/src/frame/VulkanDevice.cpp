@@ -164,6 +164,12 @@ const TextureStates& VulkanDevice::textureStates() const
     return m_Impl->textureStates;
 }
 
+int VulkanDevice::GetRenderTextureSupportedMSAASampleCount(
+    const RenderTextureDescriptor& descriptor) const
+{
+    return m_Impl->resources.images.SupportedSampleCount(RenderTexture("", descriptor));
+}
+
 const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const
 {
     return m_Impl->context.capabilities().missingShaderFeatures;

@@ -3,6 +3,7 @@
 #include "device/Check.h"
 #include "device/Translate.h"
 #include <algorithm>
+#include <bit>
 
 namespace limn::vulkan
 {
@@ -491,6 +492,18 @@ UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::str
                                   MemoryContent::Images, name);
     Bind(image, memory, 0, name);
     return image;
+}
+
+int ImagePool::SupportedSampleCount(const RenderTexture& texture) const
+{
+    const std::uint32_t most = SampleCount(texture);
+    const VkImageCreateInfo info = Describe(texture, most);
+    VkImageFormatProperties can{};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+        m_Context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage,
+        info.flags, &can);
+    const VkSampleCountFlags counts = result == VK_SUCCESS ? can.sampleCounts : 0;
+    return static_cast<int>(std::bit_floor(std::max(1U, counts & (most * 2U - 1U))));
 }
 
 void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const

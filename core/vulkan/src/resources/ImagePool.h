@@ -86,6 +86,9 @@ public:
     void Rollback(std::uint64_t number) noexcept; ///< it never will be
     void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
 
+    /// The samples a texel that the device does of the texture: at most as many as it has.
+    int SupportedSampleCount(const RenderTexture& texture) const;
+
     std::size_t size() const { return m_Images.size(); }
     std::uint64_t destroyedCount() const { return m_Destroyed; } ///< images, so far
     std::size_t sharedSize() const; ///< bytes of memory that textures share

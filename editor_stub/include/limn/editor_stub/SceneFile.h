@@ -37,6 +37,7 @@ struct SceneAsset
     std::filesystem::path path;
     int width = 1280; ///< of the picture, pixels
     int height = 720;
+    int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
     Scene scene;
     Camera camera;
     LayerNames layers;

@@ -77,6 +77,8 @@ public:
 
     const TextureStates& textureStates() const override;
     TextureFootprint Footprint(const RenderTexture& texture) override;
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;
 
     const std::string& deviceName() const;

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
+
+#include "ThrownMessage.h"
+#include "pipeline/RendererHarness.h"
+
+namespace limn
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Draws nothing, and of formats with a stencil with few samples.
+class LimitedDevice final : public GraphicsDevice
+{
+public:
+    void Execute(const CompiledFrame& frame) override { m_Device.Execute(frame); }
+    const TextureStates& textureStates() const override { return m_Device.textureStates(); }
+    Image ReadBack(const RenderTexture& texture) override { return m_Device.ReadBack(texture); }
+    std::vector<PassTiming> LastFrameTimings() override { return {}; }
+    int GetRenderTextureSupportedMSAASampleCount(
+        const RenderTextureDescriptor& descriptor) const override
+    {
+        return std::min(descriptor.msaaSamples, descriptor.depthBufferBits > 0 ? most : 4);
+    }
+
+    int most = 8;
+
+private:
+    RecordingDevice m_Device;
+};
+
+/// Writes down what descriptor passes are given.
+class DescriptorPass final : public ScriptableRenderPass
+{
+public:
+    void Configure(CommandBuffer&, const RenderTextureDescriptor& camera) override
+    {
+        seen = camera;
+    }
+    void Execute(ScriptableRenderContext&, RenderingData&) override {}
+
+    RenderTextureDescriptor seen;
+};
+
+/// A cube before a camera that is drawn with four samples a texel.
+class MultisampledCamera : public testing::Test
+{
+protected:
+    MultisampledCamera()
+    {
+        test::AddCube(m_Scene, "cube", {0, 0, 10},
+                      {std::make_shared<Material>(test::ShaderWithProgram("", "", "1"))});
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = 64;
+        m_Request.height = 32;
+        m_Pipeline.msaaSampleCount = 4;
+    }
+
+    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
+    int Samples() { return Render().frame.passes.at(0).depth->texture->descriptor().msaaSamples; }
+
+    LimitedDevice m_Device;
+    UniversalRenderPipeline m_Pipeline{m_Device};
+    UniversalRenderer m_Renderer{test::Compiler()};
+    Scene m_Scene;
+    Camera m_Camera;
+    RenderRequest m_Request;
+};
+
+TEST_F(MultisampledCamera, IsDrawnInSamplesThatAreResolvedForTheOutputAndNotKept)
+{
+    const RenderResult result = Render();
+    ASSERT_EQ(result.frame.passes.size(), 2u);
+    const auto& color = result.frame.passes[0].colors.at(0);
+    EXPECT_EQ(color.texture->descriptor().msaaSamples, 4);
+    EXPECT_EQ(color.resolve, color.texture);
+    EXPECT_EQ(color.store, StoreOp::DontCare);
+    const DepthAttachment& depth = result.frame.passes[0].depth.value();
+    EXPECT_EQ(depth.texture->descriptor().msaaSamples, 4);
+    EXPECT_EQ(depth.resolve, nullptr);
+    EXPECT_EQ(result.output.rt()->descriptor().msaaSamples, 1);
+    EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+TEST_F(MultisampledCamera, TellsPassesItsSamples)
+{
+    DescriptorPass pass;
+    test::Log log;
+    m_Renderer.AddFeature(std::make_unique<test::LoggingFeature>(
+        "feature", log, std::vector<ScriptableRenderPass*>{&pass}));
+    Render();
+    EXPECT_EQ(pass.seen.msaaSamples, 4);
+    EXPECT_EQ(pass.seen.depthBufferBits, 32);
+}
+
+TEST_F(MultisampledCamera, HasOneSampleIfTheCameraAllowsNoMore)
+{
+    m_Camera.allowMSAA = false;
+    EXPECT_EQ(Samples(), 1);
+    m_Camera.allowMSAA = true;
+    EXPECT_EQ(Samples(), 4);
+}
+
+TEST_F(MultisampledCamera, HasTheSamplesThatTheDeviceDoesOfColorAndDepth)
+{
+    m_Device.most = 2;
+    EXPECT_EQ(Samples(), 2);
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre("the camera is drawn with 2 samples a texel in place of 4 "
+                            "(msaaSampleCount): the device does no more of its format"));
+    m_Device.most = 8;
+    m_Pipeline.msaaSampleCount = 8;
+    EXPECT_EQ(Samples(), 4);
+}
+
+TEST_F(MultisampledCamera, RefusesOtherNumbersOfSamples)
+{
+    m_Pipeline.msaaSampleCount = 3;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
+              "UniversalRenderPipeline: msaaSampleCount is 3; it must be 1, 2, 4 or 8");
+}
+
+TEST_F(MultisampledCamera, IsClearedToBlackWhereItClearsNothing)
+{
+    m_Camera.clearFlags = CameraClearFlags::Nothing;
+    m_Camera.backgroundColor = Color::green;
+    const auto color = Render().frame.passes.at(0).colors.at(0);
+    EXPECT_EQ(color.load, LoadOp::Clear);
+    EXPECT_EQ(color.clearColor, Color::black);
+}
+
+} // namespace
+} // namespace limn

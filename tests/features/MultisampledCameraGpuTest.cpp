@@ -1,0 +1,172 @@
+#include "features/OutlineGpuReference.h"
+#include "vulkan/GpuTestDevice.h"
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/PrimitiveMesh.h>
+#include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
+
+#include "core/scene/TestScene.h"
+
+namespace limn::test
+{
+namespace
+{
+
+constexpr int k_Side = 32;
+/// Where four samples are in a pixel, from its left top, as Vulkan and D3D have them.
+constexpr glm::dvec2 k_Samples[] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+
+/// A square before a camera that sees 2 m of black, in linear colour.
+class MultisampledCameraGpu : public GpuTest
+{
+protected:
+    MultisampledCameraGpu()
+    {
+        m_Camera.transform.localPosition = {0.0f, 0.0f, -2.0f};
+        m_Camera.orthographic = true;
+        m_Camera.orthographicSize = 1.0f;
+        m_Camera.backgroundColor = Color::black;
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = k_Side;
+        m_Request.height = k_Side;
+        m_Pipeline.msaaSampleCount = 4;
+    }
+
+    /// @param state   of the pass
+    /// @param result  of the fragment function; p is its SV_POSITION
+    void AddSquare(const std::string& state, const std::string& result, float degrees, float side,
+                   int queue = 2000)
+    {
+        const auto material = std::make_shared<Material>(
+            ShaderOf("Shader \"Test/Square\" { SubShader { Pass { Tags { \"LightMode\" = "
+                     "\"UniversalForward\" } " +
+                     state +
+                     "\nHLSLPROGRAM\n#pragma vertex Vert\n#pragma fragment Frag\n#include "
+                     "\"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
+                     "float4 Vert(float4 p : POSITION) : SV_POSITION "
+                     "{ return TransformObjectToHClip(p.xyz); }\n"
+                     "float4 Frag(float4 p : SV_POSITION) : SV_Target { return " +
+                     result + "; }\nENDHLSL\n} } }"));
+        material->SetRenderQueue(queue);
+        GameObject& square = m_Scene.Add("square");
+        square.transform.localRotation = EulerToRotation({0.0f, 0.0f, degrees});
+        square.transform.localScale = glm::vec3(side);
+        square.renderer = MeshRenderer{CreatePrimitive(PrimitiveType::Quad), {material}};
+    }
+
+    /// The camera's colour before it goes to the output.
+    Field Draw()
+    {
+        m_Request.alsoReadBack.clear();
+        m_Request.compile.leavesOut = false;
+        const RenderResult first = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        m_Request.compile.leavesOut = true;
+        m_Request.alsoReadBack = {RTHandle(first.frame.passes.at(0).colors.at(0).texture)};
+        m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        return ToField(SharedDevice().ReadBack(*m_Request.alsoReadBack.at(0).rt()));
+    }
+
+    Scene m_Scene;
+    Camera m_Camera;
+    UniversalRenderer m_Renderer{Compiler()};
+    UniversalRenderPipeline m_Pipeline{SharedDevice()};
+    RenderRequest m_Request;
+};
+
+TEST_F(MultisampledCameraGpu, ShowsOfAPixelThePartOfItsSamplesThatIsCovered)
+{
+    constexpr double k_Turned = 20.0;
+    constexpr float k_HalfSide = 0.55f;
+    AddSquare("", "1", k_Turned, 2.0f * k_HalfSide);
+    const Field picture = Draw();
+    const double angle = glm::radians(k_Turned);
+    int partly = 0;
+    for (int y = 0; y < k_Side; ++y)
+    {
+        for (int x = 0; x < k_Side; ++x)
+        {
+            int covered = 0;
+            bool isClear = true; // no sample is so near to an edge that rounding decides
+            for (const glm::dvec2& sample : k_Samples)
+            {
+                const glm::dvec2 at = (glm::dvec2(x, y) + sample) * (2.0 / k_Side) - 1.0;
+                const double u = std::abs(at.x * std::cos(angle) - at.y * std::sin(angle));
+                const double v = std::abs(at.x * std::sin(angle) + at.y * std::cos(angle));
+                const double inside = static_cast<double>(k_HalfSide) - std::max(u, v);
+                covered += inside > 0.0 ? 1 : 0;
+                isClear = isClear && std::abs(inside) * k_Side / 2.0 > 0.02;
+            }
+            if (isClear)
+            {
+                ASSERT_EQ(picture.At(x, y, 0), covered / 4.0) << x << ", " << y;
+                partly += covered % 4 != 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(partly, 40) << "pixels at the edges";
+    ExpectNoValidationMessages();
+}
+
+TEST_F(MultisampledCameraGpu, CoversAsManySamplesAsAlphaSaysWithAlphaToMask)
+{
+    AddSquare("AlphaToMask On", "float4(1, 1, 1, (floor(p.x) + 0.5) / 32)", 0.0f, 2.0f);
+    const Field picture = Draw();
+    const bool isLavapipe = SharedDevice().deviceName().find("llvmpipe") != std::string::npos;
+    for (int x = 0; x < k_Side; ++x)
+    {
+        const double alpha = (x + 0.5) / k_Side;
+        const double shown = picture.At(x, k_Side / 2, 0);
+        EXPECT_EQ(shown * 4.0, std::round(shown * 4.0)) << "whole samples";
+        EXPECT_LT(std::abs(shown - alpha), isLavapipe ? 0.25 : 0.5);
+        if (isLavapipe) // how many samples an alpha stands for is each driver's own
+        {
+            EXPECT_EQ(shown, std::ceil(alpha * 4.0) / 4.0) << "alpha " << alpha;
+        }
+    }
+}
+
+TEST_F(MultisampledCameraGpu, TellsOpaqueShadersThatAlphaToMaskWorks)
+{
+    const auto shown = [this](int queue, int samples)
+    {
+        m_Scene = Scene();
+        AddSquare("", "float4(_AlphaToMaskAvailable, 0, 0, 1)", 0.0f, 2.0f, queue);
+        m_Pipeline.msaaSampleCount = samples;
+        return Draw().At(k_Side / 2, k_Side / 2, 0);
+    };
+    EXPECT_EQ(shown(2000, 4), 1.0);
+    EXPECT_EQ(shown(3000, 4), 0.0);
+    EXPECT_EQ(shown(2000, 1), 0.0);
+}
+
+TEST_F(MultisampledCameraGpu, GivesFullScreenPassesTheAverageOfTheSamples)
+{
+    AddSquare("", "float4(1, 0.5, 0.25, 1)", 20.0f, 1.1f);
+    const Field before = Draw();
+    auto feature = std::make_unique<FullScreenPassRendererFeature>();
+    feature->passMaterial = std::make_shared<Material>(ShaderOf(
+        "Shader \"Test/Swap\" { SubShader { Pass { ZTest Always ZWrite Off Cull Off\n"
+        "HLSLPROGRAM\n#pragma vertex Vert\n#pragma fragment Frag\n"
+        "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
+        "#include \"Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl\"\n"
+        "float4 Frag(Varyings input) : SV_Target { return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, "
+        "sampler_PointClamp, input.texcoord, 0).bgra; }\nENDHLSL\n} } }"));
+    m_Renderer.AddFeature(std::move(feature));
+    const Field after = Draw();
+    for (int y = 0; y < k_Side; ++y)
+    {
+        for (int x = 0; x < k_Side; ++x)
+        {
+            ASSERT_EQ(after.At(x, y, 0), before.At(x, y, 2)) << x << ", " << y;
+            ASSERT_EQ(after.At(x, y, 2), before.At(x, y, 0)) << x << ", " << y;
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+} // namespace
+} // namespace limn::test
