@@ -99,7 +99,7 @@ Shader "Hidden/ScreenSpaceOutline"
         Pass // 2: the edges in the outline's colour, added to the camera's colour; alpha is kept
         {
             Name "Outline Composite Pass"
-            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture is 0 within 0 texels" }
+            Tags { "LimnFullScreen" = "0 0 0 1 where _BlitTexture or _OutlineColor is 0 within 0 texels" }
 
             Cull Off
             ZTest NotEqual

@@ -168,5 +168,26 @@ TEST_F(MultisampledCameraGpu, GivesFullScreenPassesTheAverageOfTheSamples)
     ExpectNoValidationMessages();
 }
 
+TEST_F(MultisampledCameraGpu, IsDrawnStraightIntoAnOutputThatHoldsTheSame)
+{
+    m_Camera.allowHDR = false;
+    m_Camera.backgroundColor = {0.2f, 0.4f, 0.6f, 0.0f};
+    AddSquare("", "float4(1, 0.5, 0.25, 0)", 20.0f, 1.1f);
+    AddSquare("Blend SrcAlpha OneMinusSrcAlpha", "float4(0.3, 0.9, 0.1, 0.37)", 50.0f, 0.9f, 3000);
+    for (const int samples : {1, 4})
+    {
+        m_Pipeline.msaaSampleCount = samples;
+        m_Request.compile.leavesOut = false;
+        const RenderResult all = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        const Image expected = SharedDevice().ReadBack(*all.output.rt());
+        m_Request.compile.leavesOut = true;
+        const RenderResult lean = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        EXPECT_EQ(all.frame.passes.size(), 2u);
+        EXPECT_EQ(lean.frame.passes.size(), 1u);
+        EXPECT_EQ(SharedDevice().ReadBack(*lean.output.rt()), expected) << samples;
+    }
+    ExpectNoValidationMessages();
+}
+
 } // namespace
 } // namespace limn::test

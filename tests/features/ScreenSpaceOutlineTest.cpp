@@ -135,6 +135,24 @@ TEST(ScreenSpaceOutlineRenderFeature, DrawsTheMaskOnceForEachMesh)
     EXPECT_EQ(instances, 10000u);
 }
 
+/// Names of the outline's textures that a device has to make for the frame.
+std::vector<std::string> OutlineTextures(const CompiledFrame& frame)
+{
+    std::vector<std::string> names;
+    for (const CompiledRenderPass& pass : frame.passes)
+    {
+        for (const TextureBarrier& barrier : pass.barriers)
+        {
+            const std::string& name = barrier.texture->name();
+            if (name == "_RendererDrawingTexture" || name == "_OutlineTexture")
+            {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
+}
+
 struct NothingToDraw
 {
     const char* name;
@@ -161,6 +179,9 @@ TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereItDrawsNothing
              content.scene.Find("Torus")->transform.localPosition.x = 100.0f;
              content.scene.Find("Cube")->transform.localPosition.x = -100.0f;
          }},
+        {"the colour is 0", Color::clear, 4.0f,
+         [](OutlineScene&) {
+         }},
         {"the width is 0", Color::green, 0.0f, [](OutlineScene&) {
          }}};
     for (const NothingToDraw& c : cases)
@@ -173,10 +194,29 @@ TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereItDrawsNothing
         for (int frame = 0; frame < 3; ++frame)
         {
             const RenderResult result = r.Render(&stack);
-            const std::size_t first = c.width == 0.0f && frame == 0 ? 1 : 0; // may be read later
+            // What nothing reads in the first frame may be read later.
+            const std::size_t first = frame > 0                 ? 0
+                                      : c.width == 0.0f         ? 1
+                                      : c.color == Color::clear ? 2
+                                                                : 0;
             EXPECT_EQ(1 + first, result.frame.passes.size()) << c.name << ", frame " << frame;
             EXPECT_EQ("limn_Output", TargetNames(result).front()) << c.name;
+            EXPECT_TRUE(first > 0 || OutlineTextures(result.frame).empty()) << c.name;
         }
+    }
+}
+
+TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereNoVolumeEnablesIt)
+{
+    Rendered r;
+    r.leavesOut = true;
+    AddOutline(r.renderer);
+    const VolumeStack* stacks[] = {&r.volumes.With(false, Color::green, 4.0f), nullptr};
+    for (const VolumeStack* stack : stacks)
+    {
+        const RenderResult result = r.Render(stack);
+        EXPECT_THAT(TargetNames(result), ElementsAre("limn_Output"));
+        EXPECT_THAT(OutlineTextures(result.frame), IsEmpty());
     }
 }
 

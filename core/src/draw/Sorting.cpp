@@ -58,8 +58,9 @@ public:
         }
         ranks = Ranks(states);
         const std::uint32_t most = ranks.empty() ? 0 : *std::ranges::max_element(ranks);
-        m_RankBits = std::bit_width(most);
-        m_HasRoom = m_RankBits + std::bit_width(ranks.size()) <= 32 && m_RankBits < 32;
+        m_RankBits = static_cast<int>(std::bit_width(most));
+        const auto classBits = static_cast<int>(std::bit_width(ranks.size()));
+        m_HasRoom = m_RankBits + classBits <= 32 && m_RankBits < 32;
         FindFirsts(table);
     }
 

@@ -66,4 +66,15 @@ bool ReplacesTarget(const RenderTargetBlendState& blend)
     return blend == RenderTargetBlendState();
 }
 
+bool ReadsTargetAlpha(const RenderTargetBlendState& blend)
+{
+    const auto reads = [](BlendMode mode)
+    {
+        return mode == BlendMode::DstAlpha || mode == BlendMode::OneMinusDstAlpha ||
+               mode == BlendMode::SrcAlphaSaturate;
+    };
+    return reads(blend.sourceColorBlendMode) || reads(blend.destinationColorBlendMode) ||
+           blend.colorBlendOperation > BlendOp::Max;
+}
+
 } // namespace limn

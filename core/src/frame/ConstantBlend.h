@@ -13,4 +13,7 @@ bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color)
 /// Whether what a draw leaves in a target follows from what it draws alone.
 bool ReplacesTarget(const RenderTargetBlendState& blend);
 
+/// Whether the colour that a draw leaves depends on the alpha before.
+bool ReadsTargetAlpha(const RenderTargetBlendState& blend);
+
 } // namespace limn

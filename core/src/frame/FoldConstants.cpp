@@ -44,6 +44,7 @@ public:
 private:
     void Fold(FrameNode& node)
     {
+        m_Place = node.place;
         FoldDraws(node);
         LeaveOutDepth(node);
         CollectReads(node);
@@ -186,6 +187,7 @@ private:
         state.isPending = false;
         FrameNode node;
         node.name = "Clear " + texture->name();
+        node.place = m_Place;
         node.clear = state.constant;
         if (IsDepthFormat(texture->graphicsFormat()))
         {
@@ -231,6 +233,7 @@ private:
     TextureStates& m_States;
     std::vector<FrameNode> m_Nodes;
     std::string m_Why; ///< draws of the node went; "" = none
+    std::size_t m_Place = 0;
 };
 
 } // namespace

@@ -40,10 +40,11 @@ TexturePtr CopiedBy(const FrameNode& node)
                                         : nullptr;
 }
 
-bool SameShape(const RenderTexture& a, const RenderTexture& b)
+/// Whether what is drawn into `from` can be in `to`: straight away, or resolved.
+bool SameShape(const RenderTexture& from, const RenderTexture& to)
 {
-    return a.width() == b.width() && a.height() == b.height() && a.descriptor().msaaSamples == 1 &&
-           b.descriptor().msaaSamples == 1;
+    return from.width() == to.width() && from.height() == to.height() && !HasSamples(to) &&
+           (!HasSamples(from) || from.graphicsFormat() == to.graphicsFormat());
 }
 
 bool Uses(const FrameNode& node, const Texture& texture)
@@ -57,15 +58,17 @@ bool Uses(const FrameNode& node, const Texture& texture)
            std::any_of(node.reads.begin(), node.reads.end(), is);
 }
 
-/// Whether all that the node draws is what it would be in another format, but for rounding.
-bool ReplacesAll(const FrameNode& node)
+/// Whether all that the node draws is what it would be in another format, but for rounding; or, if
+/// the format is the same, where alpha is 1.
+bool DrawsTheSame(const FrameNode& node, bool isSameFormat)
 {
     return node.targets.colors.size() == 1 &&
            std::all_of(node.commands.begin(), node.commands.end(),
-                       [](const PassCommand& command)
+                       [&](const PassCommand& command)
                        {
                            const auto* draw = std::get_if<DrawCommand>(&command);
-                           return !draw || ReplacesTarget(draw->state.targets.at(0));
+                           return !draw || ReplacesTarget(draw->state.targets.at(0)) ||
+                                  (isSameFormat && !ReadsTargetAlpha(draw->state.targets.at(0)));
                        });
 }
 
@@ -73,6 +76,7 @@ bool ReplacesAll(const FrameNode& node)
 bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const RenderTexture& from)
 {
     const RenderTexture& to = *nodes[copy].targets.colors.front();
+    const bool isSameFormat = from.graphicsFormat() == to.graphicsFormat();
     bool isBegun = false;
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
@@ -83,8 +87,9 @@ bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const Ren
             continue;
         }
         if ((i < copy && Uses(node, to)) || (i > copy && usesFrom) ||
-            (usesFrom && (node.targets.colors.empty() ||
-                          node.targets.colors.front().get() != &from || !ReplacesAll(node))))
+            (usesFrom &&
+             (node.targets.colors.empty() || node.targets.colors.front().get() != &from ||
+              !DrawsTheSame(node, isSameFormat))))
         {
             return false;
         }
@@ -101,6 +106,12 @@ bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const Ren
 void DrawInto(FrameNode& node, const TexturePtr& to)
 {
     node.targets.colors.front() = to;
+    if (node.coversColor)
+    {
+        node.coversColor = false; // of the alpha something has to be left
+        node.clear = node.clear ? *node.clear : ClearCommand{};
+        Merge(*node.clear, {ClearFlag::Color, Color::black});
+    }
     if (node.clear)
     {
         node.clear->color.a = 1.0f;
@@ -134,15 +145,22 @@ void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
             continue;
         }
         const TexturePtr to = nodes[i].targets.colors.front();
+        FrameNode* last = nullptr;
         for (FrameNode& node : nodes)
         {
             if (Uses(node, *from) && node.whyLeftOut.empty() && &node != &nodes[i])
             {
-                DrawInto(node, to);
+                DrawInto(node, HasSamples(*from) ? from : to);
+                last = &node;
             }
         }
-        nodes[i].whyLeftOut = "'" + to->name() + "' is drawn into directly: nothing else reads '" +
-                              from->name() + "', nor blends with it";
+        if (HasSamples(*from))
+        {
+            last->resolves.push_back({from, to});
+        }
+        nodes[i].whyLeftOut =
+            "'" + to->name() + "' is " + (HasSamples(*from) ? "resolved" : "drawn") +
+            " into directly: nothing else reads '" + from->name() + "', nor blends with it";
     }
     EraseLeftOut(nodes, frame);
 }

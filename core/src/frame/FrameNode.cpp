@@ -76,6 +76,14 @@ bool HasDraws(const FrameNode& node)
 
 bool Overwrites(const FrameNode& node, const RenderTexture& target)
 {
+    const auto isResolved = [&](const SampleResolve& resolve)
+    {
+        return resolve.to.get() == &target && resolve.from.get() != &target;
+    };
+    if (std::any_of(node.resolves.begin(), node.resolves.end(), isResolved))
+    {
+        return true;
+    }
     const ClearFlag aspects = AspectsOf(target);
     return aspects == ClearFlag::Color ? node.coversColor || ClearColorOf(node, target)
                                        : Clears(node, aspects);
@@ -87,6 +95,13 @@ std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& nod
     if (node.targets.depth)
     {
         targets.push_back(node.targets.depth);
+    }
+    for (const SampleResolve& resolve : node.resolves)
+    {
+        if (resolve.to != resolve.from)
+        {
+            targets.push_back(resolve.to);
+        }
     }
     return targets;
 }
@@ -136,7 +151,12 @@ void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
             kept.push_back(std::move(node));
             continue;
         }
-        frame.leftOut.push_back({node.name, std::move(node.whyLeftOut)});
+        LeftOut leftOut{node.name, std::move(node.whyLeftOut), {}, node.place};
+        for (const auto& target : TargetsOf(node))
+        {
+            leftOut.targets.push_back(target->name());
+        }
+        frame.leftOut.push_back(std::move(leftOut));
         for (PassCommand& command : node.commands)
         {
             if (isSample(command))

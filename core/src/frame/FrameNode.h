@@ -30,6 +30,7 @@ struct FrameNode
     std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
     std::vector<SampleResolve> resolves;
     std::string whyLeftOut; ///< "" = it is not
+    std::size_t place = 0;  ///< see CompiledRenderPass
 };
 
 /// What an attachment or a clear is about.

@@ -82,6 +82,7 @@ private:
         FrameNode& node = m_Nodes[index];
         CompiledRenderPass result;
         result.name = node.name;
+        result.place = node.place;
         for (const auto& texture : node.reads)
         {
             Transition(texture, TextureUsage::ShaderRead, result.barriers);

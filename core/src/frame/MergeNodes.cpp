@@ -187,6 +187,7 @@ void Continue(FrameNode& node, FrameNode& next)
 {
     JoinColors(node, next);
     JoinDepth(node, next);
+    node.resolves.insert(node.resolves.end(), next.resolves.begin(), next.resolves.end());
     const bool hasViewport =
         std::any_of(node.commands.begin(), node.commands.end(),
                     [](const PassCommand& command)

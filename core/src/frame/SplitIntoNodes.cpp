@@ -128,6 +128,7 @@ private:
             FrameNode& node = m_Nodes.emplace_back();
             node.name = m_Samples.empty() ? std::string() : m_Samples.back();
             node.targets = *m_Target;
+            node.place = m_Nodes.size();
             m_NodeViewport.reset();
             m_Started = false;
         }

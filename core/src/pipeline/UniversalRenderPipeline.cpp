@@ -92,7 +92,8 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
-    data.cullResults = Cull(*request.scene, camera, aspect);
+    data.cullResults =
+        Measure(request.timeline, "cull", [&] { return Cull(*request.scene, camera, aspect); });
     data.volumeStack = request.volumeStack;
     data.report = &report;
     return data;
@@ -142,11 +143,15 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
     NoteBeyondFloat(renderingData.cullResults, result.report);
     ScriptableRenderContext context(result.report, request.camera->renderOrigin());
-    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    SetTimeUniforms(*cmd, request.time);
-    SetLightUniforms(*cmd, *request.scene);
-    context.ExecuteCommandBuffer(*cmd);
-    renderer.RenderCamera(context, renderingData);
+    Measure(request.timeline, "record",
+            [&]
+            {
+                const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+                SetTimeUniforms(*cmd, request.time);
+                SetLightUniforms(*cmd, *request.scene);
+                context.ExecuteCommandBuffer(*cmd);
+                renderer.RenderCamera(context, renderingData);
+            });
 
     std::vector<std::shared_ptr<const RenderTexture>> outputs{m_Output.rt()};
     for (const RTHandle& handle : request.alsoReadBack)
@@ -161,9 +166,12 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
             return m_Device->Footprint(texture);
         };
     }
-    result.frame =
-        CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs, options);
-    m_Device->Execute(result.frame);
+    result.frame = Measure(request.timeline, "compile",
+                           [&] {
+                               return CompileFrame(context.TakeCommands(),
+                                                   m_Device->textureStates(), outputs, options);
+                           });
+    Measure(request.timeline, "execute", [&] { m_Device->Execute(result.frame); });
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());
     return result;

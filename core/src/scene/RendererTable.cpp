@@ -317,7 +317,6 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t 
 {
     const GameObject& source = *m_Objects[object];
     const MeshRenderer& renderer = *source.renderer;
-    Release(row);
     const bool isActive = source.activeSelf && renderer.enabled;
     m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : k_NoFlag));
     m_Slot[row] = static_cast<std::uint16_t>(slot);
@@ -330,8 +329,26 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t 
     rowClass.isMirrored = glm::determinant(glm::dmat3(m_Axes[object])) < 0.0;
     rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
     const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
-    SetClass(row, rowClass, {renderer.mesh, subMesh, 0});
+    const MeshPart part{renderer.mesh, subMesh, 0};
+    if (!HasClass(row, rowClass, part))
+    {
+        Release(row);
+        SetClass(row, rowClass, part);
+    }
     SetBox(row);
+}
+
+/// Most changes are of the place only.
+bool RendererTable::HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const
+{
+    if (m_ClassOf[row] == k_Free)
+    {
+        return false;
+    }
+    const RowClass& own = m_Classes[m_ClassOf[row]];
+    rowClass.meshPart = own.meshPart;
+    return KeyOf(own) == KeyOf(rowClass) && m_MeshParts[own.meshPart].mesh == part.mesh &&
+           m_MeshParts[own.meshPart].subMesh == part.subMesh;
 }
 
 /// @param part  the class's
@@ -409,7 +426,7 @@ void RendererTable::Release(std::uint32_t row)
 
 PerDrawData RendererTable::Get(std::uint32_t object) const
 {
-    glm::dmat4 localToWorld(glm::dmat3(m_Axes[object]));
+    glm::dmat4 localToWorld{glm::dmat3(m_Axes[object])};
     localToWorld[3] = glm::dvec4(m_Place[object], 1.0);
     return MakePerDrawData(localToWorld, RenderingLayerMask{m_RenderingLayers[object]}, m_Origin);
 }

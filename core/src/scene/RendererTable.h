@@ -112,6 +112,7 @@ private:
     void SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first);
     void SetBox(std::uint32_t row);
     void ResizeRows(std::size_t count);
+    bool HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const;
     void SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part);
     void Release(std::uint32_t row);
 

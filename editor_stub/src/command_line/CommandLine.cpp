@@ -7,6 +7,7 @@
 #include "commands/DoctorCommand.h"
 #include "commands/SchemaCommand.h"
 #include "commands/WatchCommand.h"
+#include "reports/FrameGraph.h"
 #include "scene/Keys.h"
 
 #include <CLI/CLI.hpp>
@@ -115,6 +116,12 @@ std::string CheckPicture(const std::string& text)
                      "or - for stdout";
 }
 
+std::string CheckGraph(const std::string& text)
+{
+    return IsGraphFile(text) ? std::string()
+                             : "'" + text + "' is no graph by its name: .svg, .png, .pdf or .dot";
+}
+
 std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)
 {
     std::map<std::string, std::string> packages;
@@ -159,6 +166,25 @@ void OnceParsed(CLI::App* verb, CommandLine& line, std::function<int(Console&)> 
     verb->final_callback([&line, run = std::move(run)] { line.run = run; });
 }
 
+/// Other values than the scene's.
+void AddValueOptions(CLI::App& verb, std::string& profile, std::vector<std::string>& overrides)
+{
+    verb.add_option("--profile", profile,
+                    "Put this volume profile in place of that of every global volume")
+        ->type_name("FILE");
+    verb.add_option("--set", overrides,
+                    "Change one value; NAME is a volume component's type, a feature's name or a "
+                    "feature's type")
+        ->type_name("NAME.path=VALUE")
+        ->allow_extra_args(false)
+        ->check(
+            [](const std::string& text)
+            {
+                const std::string problem = OverrideFormProblem(text);
+                return problem.empty() ? problem : "'" + text + "': " + problem;
+            });
+}
+
 /// What `render` and `watch` have in common.
 CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                          const char* description)
@@ -178,20 +204,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
     verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
         ->type_name("SECONDS")
         ->check(CheckTime);
-    verb->add_option("--profile", options.profile,
-                     "Put this volume profile in place of that of every global volume")
-        ->type_name("FILE");
-    verb->add_option("--set", options.overrides,
-                     "Change one value; NAME is a volume component's type, a feature's name or a "
-                     "feature's type")
-        ->type_name("NAME.path=VALUE")
-        ->allow_extra_args(false)
-        ->check(
-            [](const std::string& text)
-            {
-                const std::string problem = OverrideFormProblem(text);
-                return problem.empty() ? problem : "'" + text + "': " + problem;
-            });
+    AddValueOptions(*verb, options.profile, options.overrides);
     AddDeviceOption(*verb, options.device);
     auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
                                    "Keep compiled shaders here, not in the user's cache folder; "
@@ -307,6 +320,12 @@ void AddExplain(CLI::App& app, CommandLine& line)
                      "Only objects of this name and what hangs below them")
         ->type_name("NAME");
     verb->add_flag("--json", options.json, "As JSON");
+    verb->add_option("--graph", options.graph,
+                     "Write the frame as a picture: its passes, the textures between them, what is "
+                     "left out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot")
+        ->type_name("FILE")
+        ->check(CheckGraph);
+    AddValueOptions(*verb, options.profile, options.overrides);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunExplain(line.explain, console); });

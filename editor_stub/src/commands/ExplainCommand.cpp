@@ -1,7 +1,9 @@
 #include "commands/ExplainCommand.h"
 
 #include "assets/FileKind.h"
+#include "assets/OutputFiles.h"
 #include "reports/ExplanationText.h"
+#include "reports/FrameGraph.h"
 #include "reports/Json.h"
 #include "view/SceneView.h"
 
@@ -60,6 +62,71 @@ Json ToJson(const std::vector<ExplainedObject>& objects)
     return all;
 }
 
+Json ToJson(const ExplainedFrame& frame, const std::vector<ExplainedBarrier>& barriers)
+{
+    Json all = Json::array();
+    for (const ExplainedBarrier& barrier : barriers)
+    {
+        all.push_back({{"texture", frame.textures[barrier.texture].name},
+                       {"before", barrier.before},
+                       {"after", barrier.after}});
+    }
+    return all;
+}
+
+Json ToJson(const ExplainedFrame& frame, const ExplainedPass& pass)
+{
+    Json targets = Json::array();
+    for (const ExplainedAttachment& target : pass.targets)
+    {
+        targets.push_back({{"texture", frame.textures[target.texture].name},
+                           {"load", target.load},
+                           {"store", target.store}});
+    }
+    Json reads = Json::array();
+    for (const std::size_t texture : pass.reads)
+    {
+        reads.push_back(frame.textures[texture].name);
+    }
+    return {{"name", pass.name},
+            {"width", pass.width},
+            {"height", pass.height},
+            {"targets", targets},
+            {"samples", reads},
+            {"barriers", ToJson(frame, pass.barriers)},
+            {"drawsBeforeInstancing", pass.instances},
+            {"draws", pass.draws},
+            {"drawsInAPart", pass.limited}};
+}
+
+Json ToJson(const ExplainedFrame& frame)
+{
+    Json passes = Json::array();
+    for (const ExplainedPass& pass : frame.passes)
+    {
+        passes.push_back(ToJson(frame, pass));
+    }
+    return {{"passes", passes}, {"finalBarriers", ToJson(frame, frame.finalBarriers)}};
+}
+
+Json ToJson(const std::vector<ExplainedTexture>& textures)
+{
+    Json all = Json::array();
+    for (const ExplainedTexture& texture : textures)
+    {
+        all.push_back({{"name", texture.name},
+                       {"size", texture.size},
+                       {"format", texture.format},
+                       {"samples", texture.samples},
+                       {"bytes", texture.bytes},
+                       {"firstPass", texture.first},
+                       {"lastPass", texture.last},
+                       {"drawnInto", texture.isDrawn},
+                       {"output", texture.isOutput}});
+    }
+    return all;
+}
+
 Json ToJson(const Explanation& explanation)
 {
     Json passes = Json::array();
@@ -77,9 +144,10 @@ Json ToJson(const Explanation& explanation)
                             {"fullScreen", variant.isFullScreen}});
     }
     Json leftOut = Json::array();
-    for (const LeftOut& item : explanation.leftOut)
+    for (const LeftOut& item : explanation.frame.leftOut)
     {
-        leftOut.push_back({{"pass", item.pass}, {"reason", item.reason}});
+        leftOut.push_back(
+            {{"pass", item.pass}, {"reason", item.reason}, {"targets", item.targets}});
     }
     const ExplainedTrigger& trigger = explanation.trigger;
     return {{"trigger",
@@ -88,8 +156,10 @@ Json ToJson(const Explanation& explanation)
             {"volumes", ToJson(explanation.volumes)},
             {"passes", passes},
             {"leftOut", leftOut},
-            {"textures", explanation.textures},
+            {"frame", ToJson(explanation.frame)},
+            {"textures", ToJson(explanation.frame.textures)},
             {"variants", variants},
+            {"variantsBuilt", explanation.builtVariants},
             {"objects", ToJson(explanation.objects)},
             {"notes", explanation.report.notes}};
 }
@@ -125,12 +195,20 @@ int RunExplain(const ExplainOptions& options, Console& console)
     RequireKind(options.scene, {FileKind::Scene}, "explain");
     RenderOptions rendering;
     rendering.scene = options.scene;
+    rendering.profile = options.profile;
+    rendering.overrides = options.overrides;
     rendering.packages = options.packages;
     rendering.roots = options.roots;
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);
     Explanation explanation = Explain(std::move(asset), assets);
+    if (!options.graph.empty())
+    {
+        const std::string outputs[] = {options.graph};
+        RequireOwnFiles(outputs, assets.reachedFiles());
+        WriteGraph(options.graph, FrameGraph(explanation.frame));
+    }
     if (!options.object.empty())
     {
         Select(explanation, options);

@@ -15,6 +15,9 @@ struct ExplainOptions
     std::string scene;
     std::string object; ///< "": all
     bool json = false;
+    std::string graph; ///< file for the frame as a picture; "": none
+    std::string profile;
+    std::vector<std::string> overrides;
     std::map<std::string, std::string> packages;
     std::vector<std::string> roots;
 };

@@ -19,55 +19,24 @@ namespace
 constexpr double k_FramesPerSecond = 60.0;
 constexpr const char* k_Stdout = "-";
 
-/// Hands everything on and measures how long starting frames and waiting for them takes.
-class MeasuredDevice final : public GraphicsDevice
-{
-public:
-    MeasuredDevice(GraphicsDevice& device, Timeline& timeline)
-        : m_Device(device), m_Timeline(timeline)
-    {
-    }
-
-    void Execute(const CompiledFrame& frame) override
-    {
-        m_Timeline.Measure("submit", [&] { m_Device.Execute(frame); });
-    }
-    Image ReadBack(const RenderTexture& texture) override
-    {
-        return m_Timeline.Measure("wait", [&] { return m_Device.ReadBack(texture); });
-    }
-    TextureFootprint Footprint(const RenderTexture& texture) override
-    {
-        return m_Device.Footprint(texture);
-    }
-    std::vector<PassTiming> LastFrameTimings() override { return m_Device.LastFrameTimings(); }
-    const TextureStates& textureStates() const override { return m_Device.textureStates(); }
-    int GetRenderTextureSupportedMSAASampleCount(
-        const RenderTextureDescriptor& descriptor) const override
-    {
-        return m_Device.GetRenderTextureSupportedMSAASampleCount(descriptor);
-    }
-
-private:
-    GraphicsDevice& m_Device;
-    Timeline& m_Timeline;
-};
-
 /// Renders all frames and reads the last one back.
 Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice& device,
                    RenderMeasurements& measurements)
 {
-    MeasuredDevice measured(device, measurements.timeline);
-    UniversalRenderPipeline pipeline(measured);
+    const bool isMeasured = !options.statsFile.empty() || !options.traceFile.empty();
+    Timeline* timeline = isMeasured ? &measurements.timeline : nullptr;
+    device.SetTimeline(timeline);
+    UniversalRenderPipeline pipeline(device);
     for (int frame = 0; frame < options.frames; ++frame)
     {
         const double time = options.time + frame / k_FramesPerSecond;
         const bool isLast = frame + 1 == options.frames;
-        measurements.lastFrame = measurements.timeline.Measure(
-            "frame", [&] { return view.Render(pipeline, time, isLast); });
+        measurements.lastFrame = Measure(
+            timeline, "frame", [&] { return view.Render(pipeline, time, isLast, timeline); });
     }
-    Image image = measured.ReadBack(*measurements.lastFrame.output.rt());
+    Image image = device.ReadBack(*measurements.lastFrame.output.rt());
     measurements.gpuPasses = device.LastFrameTimings();
+    device.SetTimeline(nullptr);
     return image;
 }
 
@@ -144,6 +113,7 @@ int RunRender(const RenderOptions& options, Console& console)
     SceneView view(std::move(asset), assets);
     Image image = RenderFrames(options, view, *device, measurements);
     measurements.shaders = assets.compiler()->statistics();
+    measurements.memory = device->statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
     timeline.Measure("write", [&] { WritePicture(options, image, console); });

@@ -85,64 +85,27 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
     return explained;
 }
 
-/// Gathers what the passes of a frame use, each thing once.
-class FrameReader
+/// The passes of shaders that a frame draws with.
+std::vector<ExplainedVariant> VariantsOf(const CompiledFrame& frame)
 {
-public:
-    explicit FrameReader(Explanation& explanation) : m_Explanation(explanation) {}
-
-    void Read(const CompiledRenderPass& pass)
+    std::vector<ExplainedVariant> variants;
+    std::set<std::tuple<const Shader*, int, bool>> known;
+    for (const CompiledRenderPass& pass : frame.passes)
     {
-        for (const ColorAttachment& color : pass.colors)
-        {
-            Add(*color.texture);
-        }
-        if (pass.depth)
-        {
-            Add(*pass.depth->texture);
-        }
         for (const PassCommand& command : pass.commands)
         {
-            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            const auto* draw = std::get_if<DrawCommand>(&command);
+            const bool isFullScreen = draw && draw->mesh == nullptr;
+            if (draw && known.insert({draw->shader.get(), draw->shaderPass, isFullScreen}).second)
             {
-                Read(*draw);
+                variants.push_back({draw->shader->name(), draw->shaderPass,
+                                    draw->shader->passName(draw->shaderPass),
+                                    draw->shader->keywords(draw->shaderPass), isFullScreen});
             }
         }
     }
-
-private:
-    void Read(const DrawCommand& draw)
-    {
-        if (m_Bindings.insert(draw.bindings.get()).second)
-        {
-            for (const TextureSlot& slot : draw.bindings->textures)
-            {
-                Add(*slot.texture);
-            }
-        }
-        const bool isFullScreen = draw.mesh == nullptr;
-        if (m_Variants.insert({draw.shader.get(), draw.shaderPass, isFullScreen}).second)
-        {
-            m_Explanation.variants.push_back(
-                {draw.shader->name(), draw.shaderPass, draw.shader->passName(draw.shaderPass),
-                 draw.shader->keywords(draw.shaderPass), isFullScreen});
-        }
-    }
-
-    void Add(const Texture& texture)
-    {
-        if (m_Textures.insert(&texture).second)
-        {
-            m_Explanation.textures.push_back(texture.name() + " " + texture.DescribeSize() + " " +
-                                             ToString(texture.graphicsFormat()));
-        }
-    }
-
-    Explanation& m_Explanation;
-    std::set<const DrawBindings*> m_Bindings;
-    std::set<const Texture*> m_Textures;
-    std::set<std::tuple<const Shader*, int, bool>> m_Variants;
-};
+    return variants;
+}
 
 } // namespace
 
@@ -169,12 +132,10 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     SceneView view(std::move(asset), assets);
     const RenderResult result = view.Render(pipeline, 0.0, true);
     explanation.report = result.report;
-    explanation.leftOut = result.frame.leftOut;
-    FrameReader reader(explanation);
-    for (const CompiledRenderPass& pass : result.frame.passes)
-    {
-        reader.Read(pass);
-    }
+    explanation.frame = ExplainFrame(result.frame);
+    explanation.variants = VariantsOf(result.frame);
+    const ShaderCompiler::Statistics built = assets.compiler()->statistics();
+    explanation.builtVariants = built.compiled + built.loadedFromCache;
     const ItemsOfObjects items = Group(culled);
     for (const GameObject* object : objects)
     {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reports/ExplainedFrame.h"
+
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeTrace.h>
@@ -50,10 +52,9 @@ struct Explanation
     VolumeTrace volumes;
     RenderReport report;
     ExplainedTrigger trigger;
-    /// "name 640x360 R8G8B8A8_SRGB", drawn into or sampled, once each, in the order of first use
-    std::vector<std::string> textures;
-    std::vector<LeftOut> leftOut;           ///< what was recorded and is not run
-    std::vector<ExplainedVariant> variants; ///< once each, in the order of first use
+    ExplainedFrame frame;                   ///< as the device runs it
+    std::vector<ExplainedVariant> variants; ///< drawn with, once each, in the order of first use
+    int builtVariants = 0;                  ///< those that had to be compiled or fetched
     std::vector<ExplainedObject> objects;   ///< scene order
 };
 

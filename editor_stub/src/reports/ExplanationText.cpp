@@ -244,10 +244,73 @@ std::string Objects(const std::vector<ExplainedObject>& objects, const std::stri
     return text;
 }
 
+/// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers"
+std::string RunText(const ExplainedFrame& frame, std::size_t index)
+{
+    const ExplainedPass& pass = frame.passes[index];
+    std::string text = std::to_string(index + 1) + " " + pass.name + ", " +
+                       std::to_string(pass.width) + "x" + std::to_string(pass.height) + ": " +
+                       DrawsText(pass);
+    for (const ExplainedAttachment& target : pass.targets)
+    {
+        text += (&target == &pass.targets.front() ? "; " : ", ") +
+                frame.textures[target.texture].name + " (" + target.load + ", " + target.store +
+                ")";
+    }
+    std::string sampled;
+    for (const std::size_t texture : pass.reads)
+    {
+        sampled += frame.textures[texture].isDrawn
+                       ? (sampled.empty() ? "; samples " : ", ") + frame.textures[texture].name
+                       : "";
+    }
+    return text + sampled + "; " + Several(pass.barriers.size(), "barrier");
+}
+
+ReportLines RunLines(const ExplainedFrame& frame)
+{
+    ReportLines lines;
+    for (std::size_t i = 0; i < frame.passes.size(); ++i)
+    {
+        lines.push_back(RunText(frame, i));
+    }
+    return lines;
+}
+
+/// "_Color 640x360 R8G8B8A8_SRGB, 900.0 KiB, pass 1 to 3"
+/// @param isLong  those that come from files, too
+ReportLines TextureLines(const ExplainedFrame& frame, bool isLong)
+{
+    ReportLines lines;
+    for (const ExplainedTexture& texture : frame.textures)
+    {
+        if (isLong || texture.isDrawn)
+        {
+            lines.push_back(
+                texture.name + " " + texture.size + " " + texture.format +
+                (texture.samples > 1 ? " of " + std::to_string(texture.samples) + " samples" : "") +
+                ", " + BytesText(texture.bytes) + ", pass " + std::to_string(texture.first) +
+                (texture.last > texture.first ? " to " + std::to_string(texture.last) : "") +
+                (texture.isOutput ? " and after" : ""));
+        }
+    }
+    return lines;
+}
+
+std::string TexturesText(const ExplainedFrame& frame)
+{
+    std::uint64_t bytes = 0;
+    for (const ExplainedTexture& texture : frame.textures)
+    {
+        bytes += texture.bytes;
+    }
+    return Several(frame.textures.size(), "texture") + " of " + BytesText(bytes);
+}
+
 ReportLines LeftOutLines(const Explanation& explanation)
 {
     ReportLines lines;
-    for (const LeftOut& item : explanation.leftOut)
+    for (const LeftOut& item : explanation.frame.leftOut)
     {
         lines.push_back((item.pass.empty() ? "" : item.pass + ": ") + item.reason);
     }
@@ -260,11 +323,13 @@ std::string ShortText(const Explanation& explanation)
 {
     return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
            Section("passes", PassLines(explanation.report), k_ListedLines) +
+           Section("the device runs", RunLines(explanation.frame), k_ListedLines) +
            Section("left out", LeftOutLines(explanation), k_ListedLines) +
-           Several(explanation.objects.size(), "object") + ", " +
-           Several(explanation.textures.size(), "texture") + ", " +
-           Several(explanation.variants.size(), "shader variant") +
-           ": -v lists them, --object NAME explains one\n";
+           Section("textures drawn into", TextureLines(explanation.frame, false), k_ListedLines) +
+           Several(explanation.objects.size(), "object") + ", " + TexturesText(explanation.frame) +
+           ", " + Several(explanation.variants.size(), "shader variant") + " of " +
+           std::to_string(explanation.builtVariants) +
+           " built: -v lists them, --object NAME explains one\n";
 }
 
 std::string LongText(const Explanation& explanation)
@@ -277,9 +342,10 @@ std::string LongText(const Explanation& explanation)
     const std::string objects = Objects(explanation.objects, "  ");
     return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
            Section("passes", PassLines(explanation.report)) +
+           Section("the device runs", RunLines(explanation.frame)) +
            Section("left out", LeftOutLines(explanation)) +
-           Section("textures", explanation.textures) + Section("variants", variants) +
-           (objects.empty() ? "" : "objects:\n" + objects);
+           Section("textures", TextureLines(explanation.frame, true)) +
+           Section("variants", variants) + (objects.empty() ? "" : "objects:\n" + objects);
 }
 
 std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong)

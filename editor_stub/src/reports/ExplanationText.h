@@ -6,7 +6,7 @@ namespace limn
 {
 
 /// What a frame draws and why on about a screen: what is odd, volume values, passes with counts by
-/// verdict.
+/// verdict, what the device runs, what is left out, the textures that are drawn into.
 std::string ShortText(const Explanation& explanation);
 
 /// All that is known: besides ShortText each volume's part in each value, textures, variants, and

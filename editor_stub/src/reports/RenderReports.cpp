@@ -1,4 +1,5 @@
 #include "reports/RenderReports.h"
+#include "reports/ExplainedFrame.h"
 #include "reports/Json.h"
 
 #include <limn/shaderlab/WriteFile.h>
@@ -13,13 +14,51 @@ namespace
 
 Json CpuTimes(const Timeline& timeline)
 {
-    const double submit = timeline.Total("submit");
-    return {{"load", timeline.Total("load")},
-            {"compileShaders", timeline.Total("compile shaders")},
-            {"device", timeline.Total("device")},
-            {"record", timeline.Total("frame") - submit},
-            {"submitAndWait", submit + timeline.Total("wait")},
-            {"write", timeline.Total("write")}};
+    Json times = Json::object();
+    const std::pair<const char*, const char*> phases[] = {
+        {"load", "load"},       {"compileShaders", "compile shaders"},
+        {"device", "device"},   {"frame", "frame"},
+        {"volumes", "volumes"}, {"cull", "cull"},
+        {"record", "record"},   {"compile", "compile"},
+        {"execute", "execute"}, {"waitForSlot", "wait for a slot"},
+        {"prepare", "prepare"}, {"recordCommands", "record commands"},
+        {"submit", "submit"},   {"wait", "wait"},
+        {"write", "write"}};
+    for (const auto& [key, span] : phases)
+    {
+        times[key] = timeline.Total(span);
+    }
+    return times;
+}
+
+/// What the last frame draws, and what it takes.
+Json FrameCounts(const RenderMeasurements& measurements)
+{
+    const CompiledFrame& frame = measurements.lastFrame.frame;
+    const ExplainedFrame explained = ExplainFrame(frame);
+    int draws = 0;
+    int instances = 0;
+    for (const ExplainedPass& pass : explained.passes)
+    {
+        draws += pass.draws;
+        instances += pass.instances;
+    }
+    std::uint64_t drawnTextures = 0;
+    for (const ExplainedTexture& texture : explained.textures)
+    {
+        drawnTextures += texture.isDrawn ? texture.bytes : 0;
+    }
+    return {{"passes", frame.passes.size()},
+            {"leftOut", frame.leftOut.size()},
+            {"drawsBeforeInstancing", instances},
+            {"draws", draws},
+            {"bytes",
+             {{"texturesDrawnInto", drawnTextures},
+              {"uniforms", frame.uniformData.size()},
+              {"perDraw", frame.perDraw.size() * sizeof(PerDrawData) +
+                              frame.instances.size() * sizeof(std::uint32_t)},
+              {"deviceInUse", measurements.memory.usedBytes},
+              {"deviceAllocated", measurements.memory.allocatedBytes}}}};
 }
 
 /// A pass of a feature may be several of the device's, all of its name.
@@ -123,6 +162,7 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
                      {"height", output.height()},
                      {"frames", measurements.frames},
                      {"cpuMilliseconds", CpuTimes(measurements.timeline)},
+                     {"lastFrame", FrameCounts(measurements)},
                      {"shaderPasses",
                       {{"compiled", measurements.shaders.compiled},
                        {"loadedFromCache", measurements.shaders.loadedFromCache}}},
@@ -147,8 +187,8 @@ void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& mea
     }
     for (const PassTiming& timing : measurements.gpuPasses)
     {
-        events.push_back(TraceEvent(timing.name, k_Gpu, gpuStart, timing.milliseconds));
-        gpuStart += timing.milliseconds;
+        events.push_back(
+            TraceEvent(timing.name, k_Gpu, gpuStart + timing.start, timing.milliseconds));
     }
     WriteFile(path, JsonText({{"displayTimeUnit", "ms"}, {"traceEvents", std::move(events)}}));
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "view/Timeline.h"
-
 #include <filesystem>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/vulkan/VulkanDevice.h>
 
 namespace limn
 {
@@ -14,18 +13,22 @@ struct RenderMeasurements
     std::string device;
     int frames = 1;
     ShaderCompiler::Statistics shaders;
-    Timeline
-        timeline; ///< spans "load", "compile shaders", "device", "frame", in it "submit", "wait"
+    /// Spans "load", "compile shaders", "device", "frame", "write", in a frame "volumes" and those
+    /// of RenderRequest::timeline and VulkanDevice::SetTimeline.
+    Timeline timeline;
+    VulkanDeviceStatistics memory;     ///< after the last frame
     std::vector<PassTiming> gpuPasses; ///< of the last frame
     RenderResult lastFrame;
 };
 
-/// Everything as JSON: milliseconds, pixels, counts.
+/// Everything as JSON: milliseconds (of all frames together), pixels, bytes, counts. Allocations
+/// are not in it: to count them, a program has to replace operator new, as tests/benchmarks do.
 /// @throws AssetError if the file cannot be written
 void WriteStats(const std::filesystem::path& path, const RenderMeasurements& measurements);
 
-/// The timeline in the format of chrome://tracing and Perfetto. The device tells durations only, so
-/// its passes stand one behind the other from the moment of submission.
+/// The timeline in the format of chrome://tracing and Perfetto. The passes of the last frame stand
+/// beside it as the device's clock tells, the first at the moment of submission, since Vulkan does
+/// not say how the device's clock stands to the CPU's.
 /// @throws AssetError if the file cannot be written
 void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& measurements);
 

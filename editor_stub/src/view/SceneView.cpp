@@ -85,12 +85,18 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
     }
 }
 
-RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, bool isLast)
+RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, bool isLast,
+                               Timeline* timeline)
 {
     TurnObjects(m_Asset.turns, time);
     const Camera& camera = m_Asset.camera;
-    m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
-                     camera.volumeLayerMask);
+    Measure(timeline, "volumes",
+            [&]
+            {
+                m_Volumes.Update(m_Stack,
+                                 camera.volumeTrigger.value_or(camera.transform.position()),
+                                 camera.volumeLayerMask);
+            });
     RenderRequest request;
     request.scene = &m_Asset.scene;
     request.camera = &camera;
@@ -99,6 +105,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.time = time;
     request.volumeStack = &m_Stack;
     request.compile.isLast = isLast;
+    request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }

@@ -33,7 +33,9 @@ public:
     /// Blends the volumes as they are now and draws.
     /// @param time    seconds, what _Time shows and where turning objects are
     /// @param isLast  nothing is drawn after this: what only a next frame could read is left out
-    RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false);
+    /// @param timeline  gets how long the phases take; may be null
+    RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false,
+                        Timeline* timeline = nullptr);
 
 private:
     SceneAsset m_Asset;

@@ -295,7 +295,7 @@ TEST_F(LeftOutOfAFrame, IsNoCopyOfWhatIsNeededOtherwise)
     const auto nothing = [](FrameBuilder&, const RenderTexturePtr&, const RenderTexturePtr&) {
     };
     const CopyCase cases[] = {
-        {"blending",
+        {"blending in a format that holds more",
          [](FrameBuilder& f, const RenderTexturePtr& scene, const RenderTexturePtr&)
          { f.Bind(scene).Blit(7, {}, "", FrameBuilder::Additive()); },
          nothing},
@@ -315,7 +315,8 @@ TEST_F(LeftOutOfAFrame, IsNoCopyOfWhatIsNeededOtherwise)
          nothing}};
     for (const CopyCase& c : cases)
     {
-        const RenderTexturePtr scene = test::Target("Scene", 8, 4, true);
+        const RenderTexturePtr scene =
+            test::Target("Scene", 8, 4, true, GraphicsFormat::R16G16B16A16_SFloat);
         const RenderTexturePtr other = test::Target("Other");
         m_Frame.Bind(scene).Clear(ClearFlag::Color).Draw(1);
         c.between(m_Frame, scene, other);
@@ -338,6 +339,43 @@ TEST_F(LeftOutOfAFrame, IsAllThatANextFrameWouldReadOfTheLast)
     const CompiledFrame last =
         CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true});
     EXPECT_EQ(last.passes.size(), 1u);
+}
+
+TEST_F(LeftOutOfAFrame, IsACopyIntoTheSameFormatAlsoOfWhatIsBlended)
+{
+    struct Case
+    {
+        BlendMode destination;
+        GraphicsFormat format;
+        std::size_t passes;
+    };
+    const Case k_Cases[] = {
+        {BlendMode::OneMinusSrcAlpha, GraphicsFormat::R8G8B8A8_UNorm, 1},
+        {BlendMode::OneMinusSrcAlpha, GraphicsFormat::R16G16B16A16_SFloat, 2}, // holds more
+        {BlendMode::DstAlpha, GraphicsFormat::R8G8B8A8_UNorm, 2}, // the copy's alpha is 1
+    };
+    for (const Case& one : k_Cases)
+    {
+        RenderTargetBlendState blend;
+        blend.destinationColorBlendMode = one.destination;
+        const RenderTexturePtr scene = test::Target("Scene", 8, 4, true, one.format);
+        m_Frame.Bind(scene).Clear(ClearFlag::Color).Draw(1);
+        m_Frame.last().state.targets[0] = blend;
+        m_Frame.Bind(m_Camera).Blit(2, {scene}, "copy");
+        EXPECT_EQ(Compile({m_Camera}).size(), one.passes) << static_cast<int>(one.destination);
+    }
+}
+
+TEST_F(LeftOutOfAFrame, IsACopyOfWhatIsCoveredAndItsAlphaIsOne)
+{
+    const RenderTexturePtr scene = test::Target("Scene", 8, 4, true);
+    m_Frame.Bind(scene).Blit(1, {m_Edges}, "True");
+    m_Frame.Bind(m_Camera).Blit(2, {scene}, "copy");
+    ASSERT_EQ(Compile({m_Camera}).size(), 1u);
+    const auto& color = m_Last.passes[0].colors[0];
+    EXPECT_EQ(color.texture, m_Camera);
+    EXPECT_EQ(color.load, LoadOp::Clear);
+    EXPECT_EQ(color.clearColor.a, 1.0f);
 }
 
 } // namespace

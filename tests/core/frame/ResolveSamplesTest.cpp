@@ -124,5 +124,35 @@ TEST_F(ResolvedSamples, OfDepthAreResolvedWhereSomethingReadsDepth)
     }
 }
 
+TEST_F(ResolvedSamples, GoStraightIntoTheCopyThatAloneReadsThem)
+{
+    const RenderTexturePtr output = test::Target("output", 8, 4, false, m_Smooth->graphicsFormat());
+    Begin(m_Smooth, 1);
+    m_Frame.Blit(2, {m_Other}, "", FrameBuilder::Additive());
+    m_Frame.Bind(output).Blit(3, {m_Smooth}, "copy");
+    const CompiledFrame frame = m_Compiler.Compile(m_Frame.Take(), {output});
+    ASSERT_EQ(frame.passes.size(), 1u);
+    const auto& color = frame.passes[0].colors[0];
+    EXPECT_EQ(color.texture, m_Smooth);
+    EXPECT_EQ(color.resolve, output);
+    EXPECT_EQ(color.store, StoreOp::DontCare);
+    EXPECT_EQ(color.clearColor.a, 1.0f) << "as the copy's";
+    EXPECT_THAT(frame.passes[0].barriers,
+                testing::Contains(TextureBarrier{output, TextureUsage::Undefined,
+                                                 TextureUsage::ColorAttachment}));
+    ASSERT_EQ(frame.leftOut.size(), 1u);
+    EXPECT_EQ(frame.leftOut[0].reason, "'output' is resolved into directly: nothing else reads "
+                                       "'smooth', nor blends with it");
+}
+
+TEST_F(ResolvedSamples, AreCopiedIntoAnotherFormat)
+{
+    const RenderTexturePtr output = test::Target("output", 8, 4);
+    Begin(m_Smooth, 1);
+    m_Frame.Bind(output).Blit(2, {m_Smooth}, "copy");
+    EXPECT_EQ(m_Compiler.Compile(m_Frame.Take(), {output}).passes.size(), 2u)
+        << "a resolve cannot convert";
+}
+
 } // namespace
 } // namespace limn

@@ -63,11 +63,17 @@ TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
               "  250  Draw Opaque Objects: 1 of 1 drawn\n"
               "  450  Draw Transparent Objects: 0 of 1 drawn; left out: 1 render queue\n"
               "  1001 Final Blit\n"
+              "the device runs:\n"
+              "  1 Draw Opaque Objects, 64x64: 1 draw; limn_Output (clear, store), "
+              "_CameraDepthAttachment (clear, -); 2 barriers\n"
               "left out:\n"
               "  Final Blit: 'limn_Output' is drawn into directly: nothing else reads "
               "'_CameraColorAttachmentA', nor blends with it\n"
-              "3 objects, 3 textures, 1 shader variant: -v lists them, --object NAME explains "
-              "one\n",
+              "textures drawn into:\n"
+              "  limn_Output 64x64 R8G8B8A8_SRGB, 16.0 KiB, pass 1 and after\n"
+              "  _CameraDepthAttachment 64x64 D32_SFloat, 16.0 KiB, pass 1\n"
+              "3 objects, 3 textures of 32.0 KiB, 1 shader variant of 2 built: -v lists them, "
+              "--object NAME explains one\n",
               run.out);
 }
 
@@ -153,8 +159,8 @@ TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUs
     EXPECT_EQ(0, run.exitCode) << run.err;
     EXPECT_THAT(run.out, HasSubstr("variants:\n  Test/Own, pass 0 'Only': WARM\n"));
     EXPECT_THAT(run.out, HasSubstr("full screen: no keywords\n"));
-    EXPECT_THAT(run.out, HasSubstr("  red 1x1 R8G8B8A8_UNorm\n"));
-    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB\n"));
+    EXPECT_THAT(run.out, HasSubstr("  red 1x1 R8G8B8A8_UNorm, 4 B, pass 1\n"));
+    EXPECT_THAT(run.out, HasSubstr(" 64x32 R8G8B8A8_SRGB, 8.0 KiB, pass 2 and after\n"));
     const auto json = nlohmann::json::parse(Explain({"--json"}, scene).out);
     EXPECT_EQ(nlohmann::json::parse(R"({"shader": "Test/Own", "pass": 0, "name": "Only",
                                         "keywords": ["WARM"], "fullScreen": false})"),

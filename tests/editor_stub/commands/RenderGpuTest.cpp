@@ -300,17 +300,52 @@ TEST_F(Render, StatsTellPassesCountsAndTextures)
     EXPECT_GT(stats["cpuMilliseconds"]["record"], 0.0);
 }
 
+TEST_F(Render, StatsTellThePhasesOfTheCpuAndWhatTheLastFrameTakes)
+{
+    ASSERT_EQ(0, Draw({"--profile", "on.profile.yaml", "--stats", Path("stats.json")}).exitCode);
+    const auto stats = nlohmann::json::parse(ReadText(folder / "stats.json"));
+    const auto& cpu = stats["cpuMilliseconds"];
+    double parts = 0.0;
+    for (const char* phase : {"volumes", "cull", "record", "compile", "execute"})
+    {
+        EXPECT_GT(cpu[phase], 0.0) << phase;
+        parts += cpu[phase].get<double>();
+    }
+    EXPECT_LE(parts, cpu["frame"].get<double>());
+    const double device = cpu["waitForSlot"].get<double>() + cpu["prepare"].get<double>() +
+                          cpu["recordCommands"].get<double>() + cpu["submit"].get<double>();
+    EXPECT_LE(device, cpu["execute"].get<double>());
+    EXPECT_GT(cpu["wait"], 0.0);
+    const auto& frame = stats["lastFrame"];
+    EXPECT_EQ(stats["gpuPasses"].size(), frame["passes"]);
+    EXPECT_GE(frame["drawsBeforeInstancing"], frame["draws"]);
+    EXPECT_GT(frame["draws"], 3) << "objects, mask, edges, composite";
+    EXPECT_GE(frame["bytes"]["texturesDrawnInto"], 64 * 48 * 4);
+    EXPECT_GT(frame["bytes"]["uniforms"], 0);
+    EXPECT_GE(frame["bytes"]["deviceAllocated"], frame["bytes"]["deviceInUse"]);
+}
+
 TEST_F(Render, ATraceHasPhasesAndGpuPasses)
 {
     ASSERT_EQ(0, Draw({"--profile", "on.profile.yaml", "--trace", Path("trace.json")}).exitCode);
     const auto trace = nlohmann::json::parse(ReadText(folder / "trace.json"));
     std::vector<std::string> names;
+    double submitted = 0.0;
+    double gpuEnd = 0.0;
     for (const auto& event : trace["traceEvents"])
     {
         names.push_back(event["name"]);
         EXPECT_TRUE(event["ph"] == "M" || event["dur"] >= 0.0);
+        submitted = event["name"] == "submit" ? event["ts"].get<double>() : submitted;
+        if (event["ph"] == "X" && event["tid"] == 2)
+        {
+            EXPECT_GE(event["ts"].get<double>() + 0.01, std::max(submitted, gpuEnd))
+                << "passes run one by one";
+            gpuEnd = event["ts"].get<double>() + event["dur"].get<double>();
+        }
     }
-    EXPECT_THAT(names, testing::IsSupersetOf({"load", "compile shaders", "device", "frame",
+    EXPECT_THAT(names, testing::IsSupersetOf({"load", "compile shaders", "device", "frame", "cull",
+                                              "record", "compile", "execute", "record commands",
                                               "submit", "wait", "write", "Outline"}));
 }
 

@@ -70,6 +70,7 @@ struct CompiledRenderPass
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;
+    std::size_t place = 0; ///< among what was recorded, with what is left out
 };
 
 /// Where a texture lies in memory that it shares with others, which hold nothing while it does.
@@ -86,8 +87,10 @@ struct PlacedTexture
 /// Something recorded that the frame does without.
 struct LeftOut
 {
-    std::string pass;   ///< the innermost sample it was recorded in, or ""
-    std::string reason; ///< "nothing reads 'X'"
+    std::string pass;                      ///< the innermost sample it was recorded in, or ""
+    std::string reason;                    ///< "nothing reads 'X'"
+    std::vector<std::string> targets = {}; ///< names of what it would have drawn into
+    std::size_t place = 0;                 ///< see CompiledRenderPass
 
     bool operator==(const LeftOut&) const = default;
 };

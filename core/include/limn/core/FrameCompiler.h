@@ -45,7 +45,7 @@ struct FrameCompilerOptions
 ///   what its targets hold from now on, and is run where something reads that; depth is attached
 ///   where a draw uses it;
 /// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
-///   draws into the copy;
+///   draws into the copy, or is resolved into it; what blends, where the copy holds the same;
 /// - LeaveOutUnread: a node whose targets nothing reads goes;
 /// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;

@@ -11,7 +11,10 @@ struct PassTiming
 {
     std::string name;
     double milliseconds = 0.0;
+    double start = 0.0; ///< milliseconds after the frame's first pass began
 };
+
+class Timeline;
 
 /// Runs compiled frames. VulkanDevice draws; RecordingDevice keeps what it was given.
 class GraphicsDevice
@@ -40,6 +43,10 @@ public:
 
     /// Times of the passes of the last finished frame, in order; empty where nothing is measured.
     virtual std::vector<PassTiming> LastFrameTimings() = 0;
+
+    /// Where the device records from now on how long the parts of its work on the CPU take.
+    /// @param timeline  null = nowhere; else it must outlive this, or another call
+    virtual void SetTimeline(Timeline* timeline) { static_cast<void>(timeline); }
 };
 
 } // namespace limn

@@ -2,6 +2,7 @@
 
 #include <limn/core/FrameCompiler.h>
 #include <limn/core/GraphicsDevice.h>
+#include <limn/core/Timeline.h>
 #include <limn/core/UniversalRenderer.h>
 
 namespace limn
@@ -18,6 +19,7 @@ struct RenderRequest
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
     std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
     FrameCompilerOptions compile;             ///< what may be left out
+    Timeline* timeline = nullptr; ///< gets "cull", "record", "compile", "execute"; may be null
 };
 
 /// What rendering gave.

@@ -54,7 +54,6 @@ FrameRecorder::FrameRecorder(const VulkanContext& context, DeviceResources& reso
 
 void FrameRecorder::Record(const CompiledFrame& frame)
 {
-    Prepare(frame);
     m_Resources.images.RecordUploads(m_Slot.commands(), m_Slot.upload());
     m_Resources.meshes.RecordUploads(m_Slot.commands(), m_Slot.upload());
     RecordPasses(frame);

@@ -15,10 +15,11 @@ public:
                   std::uint64_t number, PreparedFrame& prepared);
 
     /// @throws ContractError if the frame contradicts itself
+    void Prepare(const CompiledFrame& frame);
+    /// @pre Prepare, with the same frame
     void Record(const CompiledFrame& frame);
 
 private:
-    void Prepare(const CompiledFrame& frame);
     void PrepareBarriers(const std::vector<TextureBarrier>& barriers,
                          const CompiledRenderPass* pass);
     void PrepareTargets(const CompiledRenderPass& pass);

@@ -107,12 +107,16 @@ std::vector<PassTiming> FrameSlot::ReadTimings() const
                                 ticks.size() * sizeof(std::uint64_t), ticks.data(),
                                 sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
           "vkGetQueryPoolResults");
+    const auto milliseconds = [&](std::size_t from, std::size_t to)
+    {
+        const std::uint64_t elapsed =
+            ElapsedTicks(ticks[from], ticks[to], m_Context.capabilities().timestampValidBits);
+        return static_cast<double>(elapsed) * m_Context.capabilities().nanosecondsPerTick * 1e-6;
+    };
     for (std::size_t i = 0; i < m_TimedCount; ++i)
     {
-        const auto elapsed = static_cast<double>(ElapsedTicks(
-            ticks[2 * i], ticks[2 * i + 1], m_Context.capabilities().timestampValidBits));
         timings.push_back(
-            {m_TimedPasses[i], elapsed * m_Context.capabilities().nanosecondsPerTick * 1e-6});
+            {m_TimedPasses[i], milliseconds(2 * i, 2 * i + 1), milliseconds(0, 2 * i)});
     }
     return timings;
 }

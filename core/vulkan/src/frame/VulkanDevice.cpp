@@ -1,3 +1,4 @@
+#include <limn/core/Timeline.h>
 #include <limn/vulkan/VulkanDevice.h>
 
 #include "device/Translate.h"
@@ -33,6 +34,7 @@ public:
     std::size_t nextSlot = 0;
     vulkan::PreparedFrame prepared; ///< of the last frame
     std::uint64_t timedFrame = 0;
+    Timeline* timeline = nullptr; ///< may be null
     std::vector<PassTiming> timings;
     TextureStates textureStates; ///< after the last frame submitted
     vulkan::SubmitQueue queue;
@@ -41,7 +43,7 @@ public:
 vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot()
 {
     vulkan::FrameSlot& slot = slots.at(nextSlot);
-    queue.Wait(slot.number());
+    Measure(timeline, "wait for a slot", [&] { queue.Wait(slot.number()); });
     KeepTimings(slot);
     return slot;
 }
@@ -54,8 +56,10 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
         slot.Begin(frame.passes.size(), allocator.returnedCount() +
                                             resources.images.destroyedCount() +
                                             resources.programs.freedCount());
-        vulkan::FrameRecorder{context, resources, slot, number, prepared}.Record(frame);
-        slot.Submit(queue);
+        vulkan::FrameRecorder recorder{context, resources, slot, number, prepared};
+        Measure(timeline, "prepare", [&] { recorder.Prepare(frame); });
+        Measure(timeline, "record commands", [&] { recorder.Record(frame); });
+        Measure(timeline, "submit", [&] { slot.Submit(queue); });
     }
     catch (...)
     {
@@ -121,7 +125,9 @@ Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFl
         throw ContractError(subject + "the last pass that drew into it did not resolve its " +
                             std::to_string(image->samples) + " samples a texel");
     }
-    return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+    return Measure(
+        timeline, "wait",
+        [&] { return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect); });
 }
 
 Image VulkanDevice::ReadBack(const RenderTexture& texture)
@@ -157,6 +163,11 @@ std::vector<PassTiming> VulkanDevice::LastFrameTimings()
 TextureFootprint VulkanDevice::Footprint(const RenderTexture& texture)
 {
     return m_Impl->resources.images.Footprint(texture);
+}
+
+void VulkanDevice::SetTimeline(Timeline* timeline)
+{
+    m_Impl->timeline = timeline;
 }
 
 const TextureStates& VulkanDevice::textureStates() const

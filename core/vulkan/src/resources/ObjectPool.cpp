@@ -9,9 +9,8 @@ namespace limn::vulkan
 namespace
 {
 
-constexpr VkPipelineStageFlags2 k_Readers = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
-                                            VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT |
-                                            VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+constexpr VkPipelineStageFlags2 k_Readers =
+    VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
 
 void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier)
 {

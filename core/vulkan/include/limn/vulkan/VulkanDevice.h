@@ -80,6 +80,8 @@ public:
     int GetRenderTextureSupportedMSAASampleCount(
         const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;
+    /// Gets "wait for a slot", "prepare", "record commands", "submit", and of ReadBack "wait".
+    void SetTimeline(Timeline* timeline) override;
 
     const std::string& deviceName() const;
     /// What `#pragma require` and `#pragma target` may ask for and this device lacks; for

@@ -61,4 +61,11 @@ private:
     std::vector<Span> m_Spans;
 };
 
+/// Runs `work` and records it where there is a timeline; without one it costs nothing more.
+template <typename Work>
+auto Measure(Timeline* timeline, const char* name, Work&& work)
+{
+    return timeline != nullptr ? timeline->Measure(name, work) : work();
+}
+
 } // namespace limn

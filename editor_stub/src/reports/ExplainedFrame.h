@@ -1,0 +1,69 @@
+#pragma once
+
+#include <limn/core/CompiledFrame.h>
+
+namespace limn
+{
+
+/// What a pass does with one texture that it draws into.
+struct ExplainedAttachment
+{
+    std::size_t texture = 0; ///< index into ExplainedFrame::textures
+    std::string load;        ///< "load", "clear" or "-"
+    std::string store;       ///< "store", "resolve", "store and resolve" or "-"
+};
+
+struct ExplainedBarrier
+{
+    std::size_t texture = 0; ///< index into ExplainedFrame::textures
+    std::string before;      ///< a TextureUsage
+    std::string after;
+};
+
+/// A pass as the device runs it.
+struct ExplainedPass
+{
+    std::size_t place = 0; ///< among those recorded, with those that are left out
+    std::string name;      ///< of all that was recorded into it, in order: "Opaque + Sky"
+    int width = 0;         ///< texels
+    int height = 0;
+    std::vector<ExplainedAttachment> targets;
+    std::vector<std::size_t> reads; ///< indices into ExplainedFrame::textures
+    std::vector<ExplainedBarrier> barriers;
+    int instances = 0; ///< draws before instancing
+    int draws = 0;
+    int limited = 0; ///< draws that reach a part of the targets only
+};
+
+/// A texture that passes draw into or sample.
+struct ExplainedTexture
+{
+    std::string name;
+    std::string size; ///< "640x360"
+    std::string format;
+    int samples = 1;
+    std::uint64_t bytes = 0; ///< without what a device adds
+    int first = 0;           ///< the pass that uses it first, from 1
+    int last = 0;            ///< and last
+    bool isDrawn = false;    ///< into; else it comes from a file
+    bool isOutput = false;   ///< it is read after the frame
+};
+
+/// A compiled frame as people read it.
+struct ExplainedFrame
+{
+    std::vector<ExplainedPass> passes;
+    std::vector<ExplainedTexture> textures; ///< in the order of first use
+    std::vector<ExplainedBarrier> finalBarriers;
+    std::vector<LeftOut> leftOut; ///< in the order of recording
+};
+
+ExplainedFrame ExplainFrame(const CompiledFrame& frame);
+
+/// "370 → 159 draws", or "2 draws, 1 of them in a part" of the targets.
+std::string DrawsText(const ExplainedPass& pass);
+
+/// "3.5 MiB"
+std::string BytesText(std::uint64_t bytes);
+
+} // namespace limn
