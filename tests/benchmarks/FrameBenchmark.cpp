@@ -61,6 +61,10 @@ public:
         recordMilliseconds = CpuMilliseconds() - begin;
     }
     const TextureStates& textureStates() const override { return m_Device.textureStates(); }
+    TextureFootprint Footprint(const RenderTexture& texture) override
+    {
+        return m_Device.Footprint(texture);
+    }
     int GetRenderTextureSupportedMSAASampleCount(
         const RenderTextureDescriptor& descriptor) const override
     {

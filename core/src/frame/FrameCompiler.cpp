@@ -36,6 +36,7 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     std::for_each(nodes.begin(), nodes.end(), CollectReads);
     LeaveOutStencil(nodes, outputs, frame);
     ResolveSamples(nodes, outputs, frame);
+    PlaceTextures(nodes, outputs, options.footprint, frame);
     MakePasses(std::move(nodes), outputs, frame);
     ForgetContents(frame.states);
     RememberOverwritten(overwritten, frame.states);

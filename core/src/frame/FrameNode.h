@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/CompiledFrame.h>
+#include <limn/core/FrameCompiler.h>
 #include <span>
 
 namespace limn
@@ -85,6 +85,11 @@ void MergeNodes(std::vector<FrameNode>& nodes);
 /// Resolves samples where something reads them before the texture's next node: as late as possible,
 /// and not where they are only drawn on.
 void ResolveSamples(std::vector<FrameNode>& nodes, OutputSpan outputs, const CompiledFrame& frame);
+
+/// Puts textures into shared memory, where that saves any: `frame.placed`. What they held before
+/// the frame is gone. An empty `footprint` places none.
+void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
+                   const TextureFootprintFunction& footprint, CompiledFrame& frame);
 
 /// Load, store and barriers.
 void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame);

@@ -158,13 +158,19 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     {
         outputs.push_back(handle.rt());
     }
-    result.frame =
-        Measure(request.timeline, "compile",
-                [&]
-                {
-                    return CompileFrame(context.TakeCommands(), m_Device->textureStates(), outputs,
-                                        request.compile);
-                });
+    FrameCompilerOptions options = request.compile;
+    if (options.leavesOut && !options.footprint)
+    {
+        options.footprint = [this](const RenderTexture& texture)
+        {
+            return m_Device->Footprint(texture);
+        };
+    }
+    result.frame = Measure(request.timeline, "compile",
+                           [&] {
+                               return CompileFrame(context.TakeCommands(),
+                                                   m_Device->textureStates(), outputs, options);
+                           });
     Measure(request.timeline, "execute", [&] { m_Device->Execute(result.frame); });
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());

@@ -129,8 +129,6 @@ void HandWrittenFrame::Draw()
     WaitFor(slot.number);
     std::byte* data = slot.data.memory.mapped();
     std::memcpy(data, m_Numbers.uniforms.data(), m_Numbers.uniforms.size());
-    std::memcpy(data + ObjectsOffset(m_Numbers), m_Numbers.objects.data(),
-                m_Numbers.objects.size() * sizeof(PerDrawData));
     Record(slot);
 
     VkCommandBufferSubmitInfo buffer{};

@@ -268,6 +268,9 @@ void HandWrittenFrame::CreateSlot(Slot& slot)
     auto* const instances =
         reinterpret_cast<std::uint32_t*>(slot.data.memory.mapped() + InstancesOffset(m_Numbers));
     std::iota(instances, instances + m_Numbers.objects.size(), 0u);
+    // They stand still.
+    std::memcpy(slot.data.memory.mapped() + ObjectsOffset(m_Numbers), m_Numbers.objects.data(),
+                m_Numbers.objects.size() * sizeof(PerDrawData));
     for (const auto& bindings : m_Numbers.materials)
     {
         slot.materials.push_back(CreateSet(slot, m_LitStage, *bindings));

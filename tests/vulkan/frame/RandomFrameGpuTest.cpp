@@ -109,6 +109,13 @@ class RandomDeviceFrames
 public:
     RandomDeviceFrames(unsigned seed, bool leavesOut) : m_Random(seed), m_Options{false, leavesOut}
     {
+        if (leavesOut)
+        {
+            m_Options.footprint = [](const RenderTexture& texture)
+            {
+                return SharedDevice().Footprint(texture);
+            };
+        }
         for (int i = 0; i < 8; ++i)
         {
             RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8G8B8A8_UNorm);
@@ -143,6 +150,7 @@ public:
         const CompiledFrame frame = CompileFrame(
             context.TakeCommands(), SharedDevice().textureStates(), outputs, m_Options);
         leftOut += frame.leftOut.size();
+        placed += frame.placed.size();
         isSurprised = isSurprised || !frame.notes.empty();
         SharedDevice().Execute(frame);
         std::vector<std::vector<std::byte>> texels;
@@ -154,6 +162,7 @@ public:
     }
 
     std::size_t leftOut = 0;
+    std::size_t placed = 0; ///< textures in shared memory
     bool isSurprised = false;
 
 private:
@@ -252,6 +261,7 @@ private:
 TEST(RandomFrameOnDevice, GivesTheSameTexelsWithAndWithoutWhatCanBeLeftOut)
 {
     std::size_t leftOut = 0;
+    std::size_t placed = 0;
     int frames = 0;
     for (unsigned seed = k_FrameSeed; seed < k_FrameSeed + 200; ++seed)
     {
@@ -269,9 +279,11 @@ TEST(RandomFrameOnDevice, GivesTheSameTexelsWithAndWithoutWhatCanBeLeftOut)
             ++frames;
         }
         leftOut += lean.leftOut;
+        placed += lean.placed;
     }
     EXPECT_GT(frames, 200);
     EXPECT_GT(leftOut, 100u);
+    EXPECT_GT(placed, 50u);
     EXPECT_TRUE(Environment().NewMessages().empty()) << "validation is silent";
 }
 

@@ -73,6 +73,17 @@ struct CompiledRenderPass
     std::size_t place = 0; ///< among what was recorded, with what is left out
 };
 
+/// Where a texture lies in memory that it shares with others, which hold nothing while it does.
+struct PlacedTexture
+{
+    std::shared_ptr<const RenderTexture> texture;
+    std::uint32_t kind = 0;   ///< of memory, see TextureFootprint
+    std::uint64_t offset = 0; ///< bytes from the beginning of the shared memory of that kind
+    std::uint64_t size = 0;   ///< bytes
+
+    bool operator==(const PlacedTexture&) const = default;
+};
+
 /// Something recorded that the frame does without.
 struct LeftOut
 {
@@ -88,6 +99,7 @@ struct LeftOut
 struct CompiledFrame : FrameInstances
 {
     std::vector<CompiledRenderPass> passes;
+    std::vector<PlacedTexture> placed;         ///< the others have memory of their own
     std::vector<TextureBarrier> finalBarriers; ///< after the last pass: outputs → CopySource
     std::vector<std::byte> uniformData;
     std::vector<LeftOut> leftOut;

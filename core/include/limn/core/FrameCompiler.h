@@ -1,10 +1,21 @@
 #pragma once
 
+#include <functional>
 #include <limn/core/CompiledFrame.h>
 #include <span>
 
 namespace limn
 {
+
+/// What a texture takes of a device's memory.
+struct TextureFootprint
+{
+    std::uint64_t size = 0;      ///< bytes; 0 = it has to have memory of its own
+    std::uint64_t alignment = 1; ///< bytes
+    std::uint32_t kind = 0;      ///< textures of different kinds cannot share memory
+};
+
+using TextureFootprintFunction = std::function<TextureFootprint(const RenderTexture&)>;
 
 struct FrameCompilerOptions
 {
@@ -13,6 +24,8 @@ struct FrameCompilerOptions
     /// frames of a device.
     bool leavesOut = true;
     bool limitsRegions = true; ///< full-screen passes are drawn where they can be seen only
+    /// Of the device, so that textures share memory; none = each has its own.
+    TextureFootprintFunction footprint = nullptr;
 };
 
 /// Turns a frame's recorded commands into passes a device can run. The only place that decides what
@@ -39,6 +52,7 @@ struct FrameCompilerOptions
 /// - MergeNodes: nodes whose colours are the same, as far as both have some, and whose depth is not
 ///   another become one, if nothing between them minds;
 /// - ResolveSamples: several samples a texel become one where something reads that;
+/// - PlaceTextures: textures that nothing keeps share memory where no two hold something at once;
 /// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,
 ///   and stored if it is read later, is an output, or may be read by a next frame.
 ///

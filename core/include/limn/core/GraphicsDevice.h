@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/CompiledFrame.h>
+#include <limn/core/FrameCompiler.h>
 #include <limn/core/Image.h>
 
 namespace limn
@@ -27,6 +27,10 @@ public:
 
     /// What the frames so far leave to the next one, for CompileFrame.
     virtual const TextureStates& textureStates() const = 0;
+
+    /// What of its memory a render texture would take, for CompileFrame; of size 0 where this
+    /// device shares none.
+    virtual TextureFootprint Footprint(const RenderTexture&) { return {}; }
 
     /// The texels of a texture that was an output of the last frame; waits for it.
     /// @throws ContractError if it was not

@@ -16,6 +16,14 @@ public:
         m_TextureStates = frame.states;
     }
     const TextureStates& textureStates() const override { return m_TextureStates; }
+    /// Texels without padding, in units of 256 bytes.
+    TextureFootprint Footprint(const RenderTexture& texture) override
+    {
+        const auto bytes = static_cast<std::uint64_t>(texture.width()) *
+                           static_cast<std::uint64_t>(texture.height()) *
+                           static_cast<std::uint64_t>(BytesPerTexel(texture.graphicsFormat()));
+        return {(bytes + 255) / 256 * 256, 256, 0};
+    }
     /// @throws ContractError always: nothing was drawn
     Image ReadBack(const RenderTexture& texture) override
     {

@@ -30,6 +30,7 @@ struct TextureState
     std::weak_ptr<const Texture> texture;
     TextureUsage usage = TextureUsage::Undefined;
     bool isFilled = false; ///< it holds something
+    bool isPlaced = false; ///< the last frame that used it had it in shared memory
     /// What every texel of it is, of the aspects that `flags` names; what nobody has read may not
     /// be in the image yet.
     ClearCommand constant;

@@ -63,6 +63,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
 {
     m_Prepared.Clear();
     m_Prepared.passes.resize(frame.passes.size());
+    m_Resources.images.Place(frame.placed, m_Number);
     FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
     DrawPreparer draws{m_Context, m_Resources, descriptors, m_Number, m_Prepared};
     for (std::size_t i = 0; i < frame.passes.size(); ++i)

@@ -53,8 +53,9 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     const std::uint64_t number = queue.nextNumber();
     try
     {
-        slot.Begin(frame.passes.size(),
-                   allocator.returnedCount() + resources.programs.freedCount());
+        slot.Begin(frame.passes.size(), allocator.returnedCount() +
+                                            resources.images.destroyedCount() +
+                                            resources.programs.freedCount());
         vulkan::FrameRecorder recorder{context, resources, slot, number, prepared};
         Measure(timeline, "prepare", [&] { recorder.Prepare(frame); });
         Measure(timeline, "record commands", [&] { recorder.Record(frame); });
@@ -159,6 +160,11 @@ std::vector<PassTiming> VulkanDevice::LastFrameTimings()
     return m_Impl->timings;
 }
 
+TextureFootprint VulkanDevice::Footprint(const RenderTexture& texture)
+{
+    return m_Impl->resources.images.Footprint(texture);
+}
+
 void VulkanDevice::SetTimeline(Timeline* timeline)
 {
     m_Impl->timeline = timeline;
@@ -200,6 +206,7 @@ VulkanDeviceStatistics VulkanDevice::statistics() const
     VulkanDeviceStatistics statistics;
     statistics.allocatedBytes = m_Impl->allocator.allocatedBytes();
     statistics.usedBytes = m_Impl->allocator.usedBytes();
+    statistics.sharedBytes = m_Impl->resources.images.sharedSize();
     statistics.images = m_Impl->resources.images.size();
     statistics.meshes = m_Impl->resources.meshes.size();
     statistics.meshUploads = m_Impl->resources.meshes.uploadCount();

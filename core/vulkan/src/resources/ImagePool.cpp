@@ -2,6 +2,7 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
+#include <algorithm>
 #include <bit>
 
 namespace limn::vulkan
@@ -9,6 +10,9 @@ namespace limn::vulkan
 
 namespace
 {
+
+/// Images that ask for more have memory of their own.
+constexpr VkDeviceSize k_SharedAlignment = 65536;
 
 std::uint32_t SampleCount(const Texture& texture)
 {
@@ -206,18 +210,30 @@ ImagePool::ImagePool(const VulkanContext& context, MemoryAllocator& allocator)
 PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::uint64_t number)
 {
     const auto found = m_Images.find(texture->id());
-    if (found != m_Images.end())
+    if (found == m_Images.end())
     {
-        found->second.lastUse = number;
-        return found->second;
+        return Add(texture, number, nullptr);
     }
+    const bool isPlaced = std::ranges::find(m_Placed, texture->id()) != m_Placed.end();
+    if (found->second.shared && !isPlaced)
+    {
+        Retire(texture->id(), number); // others have its place now
+        return Add(texture, number, nullptr);
+    }
+    found->second.lastUse = number;
+    return found->second;
+}
+
+PooledImage& ImagePool::Add(const std::shared_ptr<const Texture>& texture, std::uint64_t number,
+                            const PlacedTexture* place)
+{
     PooledImage image;
     image.owner = texture;
     image.name = texture->name();
     image.createdBy = number;
     image.lastUse = number;
     image.samples = SampleCount(*texture);
-    Create(image, *texture);
+    Create(image, *texture, place);
     PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
     if (auto source = std::dynamic_pointer_cast<const TexelTexture>(texture))
     {
@@ -225,6 +241,94 @@ PooledImage& ImagePool::Use(const std::shared_ptr<const Texture>& texture, std::
         m_Uploads.push_back({&stored, std::move(source)});
     }
     return stored;
+}
+
+TextureFootprint ImagePool::Footprint(const RenderTexture& texture)
+{
+    const RenderTextureDescriptor& descriptor = texture.descriptor();
+    if (descriptor.msaaSamples > 1)
+    {
+        return {};
+    }
+    const auto key = (static_cast<std::uint64_t>(texture.graphicsFormat()) << 48U) |
+                     (static_cast<std::uint64_t>(texture.width()) << 24U) |
+                     static_cast<std::uint64_t>(texture.height());
+    const auto [found, isNew] = m_Footprints.try_emplace(key);
+    if (isNew)
+    {
+        const VkImageCreateInfo info = Describe(texture, 1);
+        RequireSupport(info, texture);
+        const UniqueImage image = CreateUnbound(info, texture.name());
+        VkMemoryRequirements needs{};
+        vkGetImageMemoryRequirements(m_Context.device(), image.get(), &needs);
+        if (needs.alignment <= k_SharedAlignment)
+        {
+            found->second = {needs.size, needs.alignment, needs.memoryTypeBits};
+        }
+    }
+    return found->second;
+}
+
+void ImagePool::Place(const std::vector<PlacedTexture>& placed, std::uint64_t number)
+{
+    Grow(placed);
+    m_Placed.clear();
+    for (const PlacedTexture& place : placed)
+    {
+        const std::uint64_t id = place.texture->id();
+        m_Placed.push_back(id);
+        const auto found = m_Images.find(id);
+        if (found != m_Images.end() && found->second.shared == m_Shared.at(place.kind).memory &&
+            found->second.sharedOffset == place.offset)
+        {
+            continue;
+        }
+        Retire(id, number);
+        Add(place.texture, number, &place);
+    }
+}
+
+/// Images in what was too small keep it until they move.
+void ImagePool::Grow(const std::vector<PlacedTexture>& placed)
+{
+    for (const PlacedTexture& place : placed)
+    {
+        SharedMemory& shared = m_Shared[place.kind];
+        shared.needed = std::max(shared.needed, place.offset + place.size);
+    }
+    for (auto& [kind, shared] : m_Shared)
+    {
+        if (shared.size < shared.needed)
+        {
+            VkMemoryRequirements needs{};
+            needs.size = shared.needed;
+            needs.alignment = k_SharedAlignment;
+            needs.memoryTypeBits = kind;
+            shared.memory = std::make_shared<MemoryAllocation>(m_Allocator.Allocate(
+                needs, MemoryUse::Gpu, MemoryContent::Images, "memory that textures share"));
+            shared.size = shared.needed;
+        }
+    }
+}
+
+void ImagePool::Retire(std::uint64_t id, std::uint64_t number)
+{
+    const auto found = m_Images.find(id);
+    if (found != m_Images.end())
+    {
+        m_Retired.push_back({id, std::move(found->second), number});
+        m_Images.erase(found);
+    }
+}
+
+std::size_t ImagePool::sharedSize() const
+{
+    std::size_t size = 0;
+    for (const auto& [kind, shared] : m_Shared)
+    {
+        size += shared.size;
+    }
+    return size;
 }
 
 PooledImage& ImagePool::UseResolved(const std::shared_ptr<const Texture>& texture,
@@ -291,7 +395,16 @@ void ImagePool::Commit()
 void ImagePool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
-    std::erase_if(m_Images, [&](const auto& entry) { return entry.second.createdBy == number; });
+    m_Destroyed += std::erase_if(m_Images, [&](const auto& entry)
+                                 { return entry.second.createdBy == number; });
+    for (Retired& retired : m_Retired)
+    {
+        if (retired.number == number)
+        {
+            m_Images[retired.id] = std::move(retired.image);
+        }
+    }
+    std::erase_if(m_Retired, [&](const Retired& retired) { return retired.number == number; });
     for (auto& [id, image] : m_Images)
     {
         image.usage = image.submittedUsage;
@@ -305,18 +418,32 @@ void ImagePool::Rollback(std::uint64_t number) noexcept
 
 void ImagePool::Sweep(std::uint64_t finished)
 {
-    std::erase_if(m_Images, [&](const auto& entry)
-                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+    m_Destroyed += std::erase_if(m_Retired, [&](const Retired& retired)
+                                 { return retired.image.lastUse <= finished; });
+    m_Destroyed +=
+        std::erase_if(m_Images, [&](const auto& entry)
+                      { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+    std::erase_if(m_Shared, [](const auto& entry) { return entry.second.memory.use_count() == 1; });
 }
 
-void ImagePool::Create(PooledImage& image, const Texture& texture) const
+void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const
 {
     const GraphicsFormat format = texture.graphicsFormat();
     image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
     image.aspects = Aspects(format);
     const VkImageCreateInfo info = Describe(texture, image.samples);
     RequireSupport(info, texture);
-    image.image = CreateImage(info, image.name, image.memory);
+    if (place != nullptr)
+    {
+        image.shared = m_Shared.at(place->kind).memory;
+        image.sharedOffset = place->offset;
+        image.image = CreateUnbound(info, image.name);
+        Bind(image.image, *image.shared, place->offset, image.name);
+    }
+    else
+    {
+        image.image = CreateImage(info, image.name, image.memory);
+    }
     image.view = CreateView(image.image.get(), texture, image.aspects);
     if (HasStencil(format) && image.samples == 1)
     {
@@ -338,21 +465,32 @@ void ImagePool::CreateResolved(PooledImage& image, const Texture& texture) const
     image.resolved = std::move(resolved);
 }
 
+UniqueImage ImagePool::CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const
+{
+    VkImage handle = VK_NULL_HANDLE;
+    Check(vkCreateImage(m_Context.device(), &info, nullptr, &handle), "vkCreateImage", name);
+    return {m_Context.device(), handle};
+}
+
+void ImagePool::Bind(const UniqueImage& image, const MemoryAllocation& memory, VkDeviceSize offset,
+                     const std::string& name) const
+{
+    Check(vkBindImageMemory(m_Context.device(), image.get(), memory.memory(),
+                            memory.offset() + offset),
+          "vkBindImageMemory", name);
+    m_Context.SetName(VK_OBJECT_TYPE_IMAGE, image.get(), name);
+}
+
 UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::string& name,
                                    MemoryAllocation& memory) const
 {
-    const VkDevice device = m_Context.device();
-    VkImage handle = VK_NULL_HANDLE;
-    Check(vkCreateImage(device, &info, nullptr, &handle), "vkCreateImage", name);
-    UniqueImage image{device, handle};
+    UniqueImage image = CreateUnbound(info, name);
     VkMemoryRequirements needs{};
-    vkGetImageMemoryRequirements(device, handle, &needs);
+    vkGetImageMemoryRequirements(m_Context.device(), image.get(), &needs);
     const bool isTransient = (info.usage & VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT) != 0;
     memory = m_Allocator.Allocate(needs, isTransient ? MemoryUse::Transient : MemoryUse::Gpu,
                                   MemoryContent::Images, name);
-    Check(vkBindImageMemory(device, handle, memory.memory(), memory.offset()), "vkBindImageMemory",
-          name);
-    m_Context.SetName(VK_OBJECT_TYPE_IMAGE, handle, name);
+    Bind(image, memory, 0, name);
     return image;
 }
 

@@ -2,7 +2,8 @@
 
 #include "device/VulkanContext.h"
 #include "memory/LinearMemory.h"
-#include <limn/core/CompiledFrame.h>
+#include <limn/core/FrameCompiler.h>
+#include <map>
 #include <unordered_map>
 
 namespace limn::vulkan
@@ -25,7 +26,9 @@ struct PooledImage
 {
     std::weak_ptr<const Texture> owner;
     std::string name;
-    MemoryAllocation memory;
+    MemoryAllocation memory;                  ///< empty where it lies in shared memory
+    std::shared_ptr<MemoryAllocation> shared; ///< null where it has its own
+    std::uint64_t sharedOffset = 0;           ///< from the beginning of `shared`
     UniqueImage image;
     UniqueImageView view;                  ///< all aspects, for attachments
     UniqueImageView depthView;             ///< the depth alone, where there is stencil too
@@ -57,6 +60,13 @@ class ImagePool
 public:
     ImagePool(const VulkanContext& context, MemoryAllocator& allocator);
 
+    /// What its image would take of memory that it shares; size 0 if it cannot.
+    TextureFootprint Footprint(const RenderTexture& texture);
+
+    /// Before all else of a frame: from now on these textures lie there, and no others in shared
+    /// memory. What a texture held is lost where it moves.
+    void Place(const std::vector<PlacedTexture>& placed, std::uint64_t number);
+
     /// The texture's image, used by submission `number`; a TexelTexture's texels are queued for
     /// RecordUploads.
     /// @throws ContractError if the device cannot make such an image
@@ -80,6 +90,8 @@ public:
     int SupportedSampleCount(const RenderTexture& texture) const;
 
     std::size_t size() const { return m_Images.size(); }
+    std::uint64_t destroyedCount() const { return m_Destroyed; } ///< images, so far
+    std::size_t sharedSize() const; ///< bytes of memory that textures share
 
 private:
     struct Upload
@@ -88,11 +100,34 @@ private:
         std::shared_ptr<const TexelTexture> texture;
     };
 
-    void Create(PooledImage& image, const Texture& texture) const;
+    /// An image that gave its place to another one of the same texture.
+    struct Retired
+    {
+        std::uint64_t id = 0; ///< Texture::id
+        PooledImage image;
+        std::uint64_t number = 0; ///< of the submission that moved it
+    };
+
+    /// Memory that textures share.
+    struct SharedMemory
+    {
+        std::shared_ptr<MemoryAllocation> memory;
+        VkDeviceSize size = 0;
+        VkDeviceSize needed = 0; ///< by the frames so far
+    };
+
+    PooledImage& Add(const std::shared_ptr<const Texture>& texture, std::uint64_t number,
+                     const PlacedTexture* place);
+    void Retire(std::uint64_t id, std::uint64_t number);
+    void Grow(const std::vector<PlacedTexture>& placed);
+    void Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const;
     void CreateResolved(PooledImage& image, const Texture& texture) const;
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
+    UniqueImage CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
                             MemoryAllocation& memory) const;
+    void Bind(const UniqueImage& image, const MemoryAllocation& memory, VkDeviceSize offset,
+              const std::string& name) const;
     UniqueImageView CreateView(VkImage image, const Texture& texture,
                                VkImageAspectFlags aspects) const;
 
@@ -100,6 +135,11 @@ private:
     MemoryAllocator& m_Allocator;
     std::unordered_map<std::uint64_t, PooledImage> m_Images; ///< by Texture::id
     std::vector<Upload> m_Uploads;
+    std::uint64_t m_Destroyed = 0;
+    std::vector<Retired> m_Retired;                 ///< may be in use by the GPU still
+    std::map<std::uint32_t, SharedMemory> m_Shared; ///< by TextureFootprint::kind
+    std::unordered_map<std::uint64_t, TextureFootprint> m_Footprints; ///< by format and size
+    std::vector<std::uint64_t> m_Placed; ///< ids of the textures of this frame that share memory
 };
 
 /// Adds the barriers that take the texture from one use to another, which it has then.

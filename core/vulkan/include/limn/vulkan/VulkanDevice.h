@@ -35,6 +35,7 @@ struct VulkanDeviceStatistics
 {
     std::uint64_t allocatedBytes = 0; ///< taken from the driver
     std::uint64_t usedBytes = 0;      ///< of these, in use by images and buffers
+    std::uint64_t sharedBytes = 0;    ///< of these, in which textures take turns
     std::size_t images = 0;
     std::size_t meshes = 0;
     std::size_t pipelines = 0;
@@ -75,6 +76,7 @@ public:
     Image ReadBackStencil(const RenderTexture& texture);
 
     const TextureStates& textureStates() const override;
+    TextureFootprint Footprint(const RenderTexture& texture) override;
     int GetRenderTextureSupportedMSAASampleCount(
         const RenderTextureDescriptor& descriptor) const override;
     std::vector<PassTiming> LastFrameTimings() override;

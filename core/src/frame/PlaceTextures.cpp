@@ -1,0 +1,175 @@
+#include "frame/TextureHistory.h"
+
+#include <algorithm>
+#include <limn/core/FrameCompiler.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// A texture that holds something from one node to another.
+struct Lifetime
+{
+    std::shared_ptr<const RenderTexture> texture;
+    std::size_t first = 0;
+    std::size_t last = 0; ///< included
+    TextureFootprint footprint;
+    std::uint64_t offset = 0;
+};
+
+class LifetimeFinder
+{
+public:
+    std::vector<Lifetime> Find(const std::vector<FrameNode>& nodes)
+    {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+            for (const auto& texture : nodes[i].reads)
+            {
+                Use(std::static_pointer_cast<const RenderTexture>(texture), i);
+            }
+            for (const auto& target : TargetsOf(nodes[i]))
+            {
+                Use(target, i);
+            }
+            for (const SampleResolve& resolve : nodes[i].resolves)
+            {
+                Use(resolve.to, i);
+            }
+        }
+        return std::move(m_Lifetimes);
+    }
+
+private:
+    void Use(const std::shared_ptr<const RenderTexture>& texture, std::size_t node)
+    {
+        const auto [found, isNew] = m_Index.try_emplace(texture->id(), m_Lifetimes.size());
+        if (isNew)
+        {
+            m_Lifetimes.push_back({texture, node, node, {}, 0});
+        }
+        m_Lifetimes[found->second].last = node;
+    }
+
+    std::vector<Lifetime> m_Lifetimes;
+    std::unordered_map<std::uint64_t, std::size_t> m_Index; ///< by Texture::id
+};
+
+bool MayShare(const Lifetime& a, const Lifetime& b)
+{
+    return a.footprint.kind != b.footprint.kind || a.last < b.first || b.last < a.first;
+}
+
+std::uint64_t AlignUp(std::uint64_t offset, std::uint64_t alignment)
+{
+    return (offset + alignment - 1) / alignment * alignment;
+}
+
+/// The lowest offset where nothing lies that is alive at the same time.
+std::uint64_t FreeOffset(const Lifetime& lifetime, const std::vector<Lifetime>& placed)
+{
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> taken; // begin and end
+    for (const Lifetime& other : placed)
+    {
+        if (!MayShare(lifetime, other))
+        {
+            taken.emplace_back(other.offset, other.offset + other.footprint.size);
+        }
+    }
+    std::sort(taken.begin(), taken.end());
+    std::uint64_t offset = 0;
+    for (const auto& [begin, end] : taken)
+    {
+        if (offset + lifetime.footprint.size <= begin)
+        {
+            break;
+        }
+        offset = std::max(offset, AlignUp(end, lifetime.footprint.alignment));
+    }
+    return offset;
+}
+
+/// Whether some of them lie in one place.
+bool Shares(const std::vector<Lifetime>& placed)
+{
+    return std::any_of(placed.begin(), placed.end(),
+                       [&](const Lifetime& a)
+                       {
+                           return std::any_of(placed.begin(), placed.end(),
+                                              [&](const Lifetime& b)
+                                              {
+                                                  return &a != &b &&
+                                                         a.footprint.kind == b.footprint.kind &&
+                                                         a.offset < b.offset + b.footprint.size &&
+                                                         b.offset < a.offset + a.footprint.size;
+                                              });
+                       });
+}
+
+/// Nothing of the contents is kept, since the memory is or was another texture's, too.
+void Forget(TextureState& state, bool isPlaced)
+{
+    if (state.isPlaced || isPlaced)
+    {
+        state.usage = TextureUsage::Undefined;
+        state.isFilled = false;
+    }
+    state.isPlaced = isPlaced;
+}
+
+} // namespace
+
+void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
+                   const TextureFootprintFunction& footprint, CompiledFrame& frame)
+{
+    std::vector<Lifetime> lifetimes = LifetimeFinder().Find(nodes);
+    std::vector<Lifetime> placed;
+    for (Lifetime& lifetime : lifetimes)
+    {
+        const RenderTexture& texture = *lifetime.texture;
+        const bool isOutput =
+            std::find(outputs.begin(), outputs.end(), lifetime.texture) != outputs.end();
+        if (footprint && !isOutput && !HasSamples(texture) && !OutlivesFrame(texture, frame.states))
+        {
+            lifetime.footprint = footprint(texture);
+            if (lifetime.footprint.size > 0)
+            {
+                placed.push_back(lifetime);
+            }
+        }
+    }
+    // The largest first: the smaller ones fit into what they leave.
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const Lifetime& a, const Lifetime& b)
+                     { return a.footprint.size > b.footprint.size; });
+    std::vector<Lifetime> done;
+    for (Lifetime& lifetime : placed)
+    {
+        lifetime.offset = FreeOffset(lifetime, done);
+        done.push_back(lifetime);
+    }
+    if (!Shares(done))
+    {
+        done.clear();
+    }
+    for (const Lifetime& lifetime : lifetimes)
+    {
+        const auto found = frame.states.textures.find(lifetime.texture->id());
+        if (found != frame.states.textures.end())
+        {
+            Forget(found->second, false);
+        }
+    }
+    for (const Lifetime& lifetime : done)
+    {
+        TextureState& state = frame.states.textures[lifetime.texture->id()];
+        state.texture = lifetime.texture;
+        Forget(state, true);
+        frame.placed.push_back(
+            {lifetime.texture, lifetime.footprint.kind, lifetime.offset, lifetime.footprint.size});
+    }
+}
+
+} // namespace limn
