@@ -7,6 +7,7 @@
 //   frame_benchmark build/release/tests/frame_benchmark [--quick] [--pairs N] [--device NAME]
 //   [frame|regions|disc]...
 
+#include "Samples.h"
 #include "frame/HandWrittenFrame.h"
 
 #include <algorithm>
@@ -84,41 +85,12 @@ private:
     VulkanDevice m_Device;
 };
 
-/// Numbers of one kind, one a frame or one a pair of frames.
-class Samples
+void PrintColumns(Comparison& comparison)
 {
-public:
-    void Add(double value) { m_Values.push_back(value); }
-    double Part(double part)
-    {
-        std::ranges::sort(m_Values);
-        return m_Values.at(
-            static_cast<std::size_t>(part * static_cast<double>(m_Values.size() - 1) + 0.5));
-    }
-    double Median() { return Part(0.5); }
-
-private:
-    std::vector<double> m_Values;
-};
-
-struct Comparison
-{
-    Samples first;
-    Samples second;
-    Samples ratio;
-
-    void Add(double a, double b)
-    {
-        first.Add(a);
-        second.Add(b);
-        ratio.Add(a / b);
-    }
-    void Print()
-    {
-        std::printf(" | %8.3f %8.3f %5.2f [%.2f-%.2f]", first.Median(), second.Median(),
-                    ratio.Median(), ratio.Part(0.1), ratio.Part(0.9));
-    }
-};
+    std::printf(" | %8.3f %8.3f %5.2f [%.2f-%.2f]", comparison.first.Median(),
+                comparison.second.Median(), comparison.ratio.Median(), comparison.ratio.Part(0.1),
+                comparison.ratio.Part(0.9));
+}
 
 double Sum(const std::vector<PassTiming>& timings, const std::string& name = {})
 {
@@ -180,9 +152,9 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
         whole.Add(limnWhole, handWhole);
         deviceTime.Add(limnDevice, hand.DeviceMilliseconds());
     }
-    record.Print();
-    whole.Print();
-    deviceTime.Print();
+    PrintColumns(record);
+    PrintColumns(whole);
+    PrintColumns(deviceTime);
     std::printf(" | ");
     ComparePictures(device.ReadBack(*first.output.rt()), hand.ReadBack());
 }
@@ -240,10 +212,10 @@ void CompareScenes(const char* what, const ArticleSettings& a, const ArticleSett
         }
     }
     std::printf("%-44s", what);
-    all.Print();
+    PrintColumns(all);
     if (!pass.empty())
     {
-        passes.Print();
+        PrintColumns(passes);
     }
     std::printf("\n");
 }

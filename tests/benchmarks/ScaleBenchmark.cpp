@@ -5,6 +5,7 @@
 //   cmake --build --preset release --target scale_benchmark
 //   build/release/tests/scale_benchmark [--quick] [COUNT...]
 
+#include "NoDevice.h"
 #include "Samples.h"
 #include "draw/SortEntries.h"
 #include "scale/PlainLoops.h"
@@ -65,24 +66,6 @@ double ResidentBytes()
     file >> total >> resident;
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
-
-/// Takes frames and forgets them.
-class NoDevice final : public GraphicsDevice
-{
-public:
-    void Execute(const CompiledFrame& frame) override { m_States = frame.states; }
-    const TextureStates& textureStates() const override { return m_States; }
-    Image ReadBack(const RenderTexture&) override { return {}; }
-    int GetRenderTextureSupportedMSAASampleCount(
-        const RenderTextureDescriptor& descriptor) const override
-    {
-        return descriptor.msaaSamples;
-    }
-    std::vector<PassTiming> LastFrameTimings() override { return {}; }
-
-private:
-    TextureStates m_States;
-};
 
 /// Cubes and quads of ten materials; the outline of every hundredth is drawn.
 class ManyRenderers
