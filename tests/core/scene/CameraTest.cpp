@@ -166,5 +166,19 @@ TEST(Camera, DoesNotCareAboutScale)
     }
 }
 
+TEST(RenderOrigin, IsTheWorldsOriginUpToAKilometreAndAPointNearTheCameraBeyond)
+{
+    Camera camera;
+    camera.transform.localPosition = {1, 2, -1024};
+    EXPECT_EQ(camera.renderOrigin(), glm::dvec3(0.0));
+    camera.transform.localPosition = {1, 2, -1025};
+    EXPECT_EQ(camera.renderOrigin(), glm::dvec3(0, 0, -1024)); // multiples of 8 m
+    Transform away;
+    away.localPosition = {1e9f, 0, 0};
+    camera.transform.localPosition = {5, 0, 0};
+    camera.transform.parent = &away;
+    EXPECT_EQ(camera.renderOrigin(), glm::dvec3(1'000'000'008.0, 0, 0));
+}
+
 } // namespace
 } // namespace limn

@@ -2,6 +2,7 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
+#include "resources/ImageDescription.h"
 #include <algorithm>
 #include <bit>
 
@@ -13,38 +14,6 @@ namespace
 
 /// Images that ask for more have memory of their own.
 constexpr VkDeviceSize k_SharedAlignment = 65536;
-
-std::uint32_t SampleCount(const Texture& texture)
-{
-    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
-    return target == nullptr ? 1 : static_cast<std::uint32_t>(target->descriptor().msaaSamples);
-}
-
-/// Several samples are drawn into and resolved only.
-VkImageUsageFlags UsageFlags(const Texture& texture, std::uint32_t samples)
-{
-    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
-    if (target == nullptr)
-    {
-        return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    }
-    const VkImageUsageFlags attachment = IsDepthFormat(texture.graphicsFormat())
-                                             ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                             : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    return samples == 1 ? attachment | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
-           : target->isTransient() ? attachment | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT
-                                   : attachment;
-}
-
-VkImageAspectFlags Aspects(GraphicsFormat format)
-{
-    if (!IsDepthFormat(format))
-    {
-        return VK_IMAGE_ASPECT_COLOR_BIT;
-    }
-    return HasStencil(format) ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
-                              : VK_IMAGE_ASPECT_DEPTH_BIT;
-}
 
 VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout before,
                                     VkImageLayout after)
@@ -58,62 +27,6 @@ VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout befo
     barrier.image = image.image.get();
     barrier.subresourceRange = {image.aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
     return barrier;
-}
-
-bool isCube(const Texture& texture)
-{
-    return texture.dimension() == TextureDimension::Cube ||
-           texture.dimension() == TextureDimension::CubeArray;
-}
-
-/// A 3D texture's slices are its depth.
-VkExtent3D Extent(const Texture& texture)
-{
-    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-    return {static_cast<std::uint32_t>(texture.width()),
-            static_cast<std::uint32_t>(texture.height()),
-            isVolume ? static_cast<std::uint32_t>(texture.slices()) : 1};
-}
-
-/// Every other texture's slices are layers.
-std::uint32_t LayerCount(const Texture& texture)
-{
-    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-    return isVolume ? 1 : static_cast<std::uint32_t>(texture.slices());
-}
-
-VkImageViewType ViewType(TextureDimension dimension)
-{
-    switch (dimension)
-    {
-    case TextureDimension::Tex3D:
-        return VK_IMAGE_VIEW_TYPE_3D;
-    case TextureDimension::Cube:
-        return VK_IMAGE_VIEW_TYPE_CUBE;
-    case TextureDimension::Tex2DArray:
-        return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
-    case TextureDimension::CubeArray:
-        return VK_IMAGE_VIEW_TYPE_CUBE_ARRAY;
-    case TextureDimension::Tex2D:
-        break;
-    }
-    return VK_IMAGE_VIEW_TYPE_2D;
-}
-
-void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
-{
-    const VkExtent3D extent = Extent(texture);
-    const VkExtent3D& most = can.maxExtent;
-    if (extent.width > most.width || extent.height > most.height || extent.depth > most.depth ||
-        LayerCount(texture) > can.maxArrayLayers)
-    {
-        const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-        throw ContractError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
-                            "; the device makes at most " + std::to_string(most.width) + "x" +
-                            std::to_string(most.height) + "x" +
-                            std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
-                            " of that kind");
-    }
 }
 
 VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
@@ -139,26 +52,6 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelT
     region.imageExtent = Extent(texture);
     vkCmdCopyBufferToImage(commands, bytes.buffer, image.image.get(),
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-}
-
-VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
-{
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    if (isCube(texture))
-    {
-        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
-    }
-    info.imageType =
-        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
-    info.format = ToVkFormat(texture.graphicsFormat());
-    info.extent = Extent(texture);
-    info.mipLevels = 1;
-    info.arrayLayers = LayerCount(texture);
-    info.samples = static_cast<VkSampleCountFlagBits>(samples);
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = UsageFlags(texture, samples);
-    return info;
 }
 
 } // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <limn/core/RenderTexture.h>
+#include <vulkan/vulkan.h>
+
+namespace limn::vulkan
+{
+
+// What textures are to Vulkan.
+
+/// Of a texel; 1 but for render textures.
+std::uint32_t SampleCount(const Texture& texture);
+VkImageAspectFlags Aspects(GraphicsFormat format);
+/// A 3D texture's slices are its depth.
+VkExtent3D Extent(const Texture& texture);
+/// Every other texture's slices are layers.
+std::uint32_t LayerCount(const Texture& texture);
+VkImageViewType ViewType(TextureDimension dimension);
+
+/// @param samples  several are drawn into and resolved only
+VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples);
+
+/// @param can  what the device makes of that kind
+/// @throws ContractError naming the texture, if it is larger
+void RequireFits(const Texture& texture, const VkImageFormatProperties& can);
+
+} // namespace limn::vulkan
