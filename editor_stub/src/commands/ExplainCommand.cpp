@@ -122,7 +122,8 @@ Json ToJson(const std::vector<ExplainedTexture>& textures)
                        {"firstPass", texture.first},
                        {"lastPass", texture.last},
                        {"drawnInto", texture.isDrawn},
-                       {"output", texture.isOutput}});
+                       {"output", texture.isOutput},
+                       {"sharesMemoryWith", texture.sharedWith}});
     }
     return all;
 }

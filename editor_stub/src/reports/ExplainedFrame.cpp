@@ -59,6 +59,7 @@ public:
             ExplainedTexture& texture = m_Result.textures[m_Result.finalBarriers.back().texture];
             texture.isOutput = texture.isOutput || barrier.after == TextureUsage::CopySource;
         }
+        ExplainShared(frame.placed);
         m_Result.leftOut = frame.leftOut;
         std::stable_sort(m_Result.leftOut.begin(), m_Result.leftOut.end(),
                          [](const LeftOut& a, const LeftOut& b) { return a.place < b.place; });
@@ -66,6 +67,22 @@ public:
     }
 
 private:
+    void ExplainShared(const std::vector<PlacedTexture>& placed)
+    {
+        for (const PlacedTexture& one : placed)
+        {
+            for (const PlacedTexture& other : placed)
+            {
+                if (one.texture != other.texture && one.kind == other.kind &&
+                    one.offset < other.offset + other.size && other.offset < one.offset + one.size)
+                {
+                    m_Result.textures[IndexOf(*one.texture)].sharedWith.push_back(
+                        other.texture->name());
+                }
+            }
+        }
+    }
+
     void Explain(const CompiledRenderPass& pass)
     {
         const std::size_t number = m_Result.passes.size();

@@ -42,11 +42,12 @@ struct ExplainedTexture
     std::string size; ///< "640x360"
     std::string format;
     int samples = 1;
-    std::uint64_t bytes = 0; ///< without what a device adds
-    int first = 0;           ///< the pass that uses it first, from 1
-    int last = 0;            ///< and last
-    bool isDrawn = false;    ///< into; else it comes from a file
-    bool isOutput = false;   ///< it is read after the frame
+    std::uint64_t bytes = 0;               ///< without what a device adds
+    int first = 0;                         ///< the pass that uses it first, from 1
+    int last = 0;                          ///< and last
+    bool isDrawn = false;                  ///< into; else it comes from a file
+    bool isOutput = false;                 ///< it is read after the frame
+    std::vector<std::string> sharedWith{}; ///< names of textures that have the same memory in turn
 };
 
 /// A compiled frame as people read it.

@@ -277,6 +277,17 @@ ReportLines RunLines(const ExplainedFrame& frame)
     return lines;
 }
 
+/// ", shares memory with _Depth and _Mask", or nothing.
+std::string SharedText(const ExplainedTexture& texture)
+{
+    std::string text;
+    for (const std::string& other : texture.sharedWith)
+    {
+        text += (text.empty() ? ", shares memory with " : " and ") + other;
+    }
+    return text;
+}
+
 /// "_Color 640x360 R8G8B8A8_SRGB, 900.0 KiB, pass 1 to 3"
 /// @param isLong  those that come from files, too
 ReportLines TextureLines(const ExplainedFrame& frame, bool isLong)
@@ -291,7 +302,7 @@ ReportLines TextureLines(const ExplainedFrame& frame, bool isLong)
                 (texture.samples > 1 ? " of " + std::to_string(texture.samples) + " samples" : "") +
                 ", " + BytesText(texture.bytes) + ", pass " + std::to_string(texture.first) +
                 (texture.last > texture.first ? " to " + std::to_string(texture.last) : "") +
-                (texture.isOutput ? " and after" : ""));
+                (texture.isOutput ? " and after" : "") + SharedText(texture));
         }
     }
     return lines;

@@ -105,6 +105,12 @@ TEST(ExplainedFrame, TellsTheBytesAndTheLifeOfEachTexture)
     EXPECT_EQ(3, mask.at("lastPass"));
     EXPECT_TRUE(TextureNamed(explained, "limn_Output").at("output"));
     EXPECT_FALSE(mask.at("output"));
+    // The depth is needed in the first pass only, and both textures of the outline behind it; these
+    // two are needed at once.
+    EXPECT_EQ(nlohmann::json::parse(R"(["_CameraDepthAttachment"])"), mask.at("sharesMemoryWith"));
+    EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture", "_OutlineTexture"])"),
+              TextureNamed(explained, "_CameraDepthAttachment").at("sharesMemoryWith"));
+    EXPECT_TRUE(camera.at("sharesMemoryWith").empty()) << "it lives through all passes";
 }
 
 TEST(ExplainedFrame, HasNoPassAndNoTextureOfAnOutlineOfNothing)
