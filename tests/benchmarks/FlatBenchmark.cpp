@@ -10,25 +10,14 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
-#include <unistd.h>
 
 namespace limn::benchmarks
 {
 
 namespace
 {
-
-double ResidentMebibytes()
-{
-    std::ifstream file("/proc/self/statm");
-    double total = 0.0;
-    double resident = 0.0;
-    file >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
-}
 
 void Run(GraphicsDevice& device, const char* name, int frames)
 {
@@ -62,7 +51,7 @@ void Run(GraphicsDevice& device, const char* name, int frames)
                 device.LastFrameTimings(); // waits for the last one
             });
         std::printf("%10d %22.2f %14.1f\n", frame + step, milliseconds * 1000.0 / step,
-                    ResidentMebibytes());
+                    ResidentBytes() / (1024.0 * 1024.0));
         std::fflush(stdout);
     }
 }

@@ -7,6 +7,7 @@
 //   frame_benchmark build/release/tests/frame_benchmark [--quick] [--pairs N] [--device NAME]
 //   [frame|regions|disc]...
 
+#include "CountDraws.h"
 #include "Samples.h"
 #include "frame/HandWrittenFrame.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
+#include <unistd.h>
 #include <vector>
 
 namespace limn::benchmarks
@@ -54,6 +56,16 @@ double Time(const Function& function)
     function();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
         .count();
+}
+
+/// Memory that this process has.
+inline double ResidentBytes()
+{
+    std::ifstream file("/proc/self/statm");
+    double total = 0.0;
+    double resident = 0.0;
+    file >> total >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 } // namespace limn::benchmarks

@@ -5,6 +5,7 @@
 //   cmake --build --preset release --target scale_benchmark
 //   build/release/tests/scale_benchmark [--quick] [COUNT...]
 
+#include "CountDraws.h"
 #include "NoDevice.h"
 #include "Samples.h"
 #include "draw/SortEntries.h"
@@ -13,7 +14,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -22,7 +22,6 @@
 #include <numeric>
 #include <random>
 #include <string>
-#include <unistd.h>
 
 namespace
 {
@@ -62,16 +61,6 @@ namespace limn::benchmarks
 
 namespace
 {
-
-/// Of this process, in bytes.
-double ResidentBytes()
-{
-    std::ifstream file("/proc/self/statm");
-    double total = 0.0;
-    double resident = 0.0;
-    file >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 /// Cubes and quads of ten materials; the outline of every hundredth is drawn.
 class ManyRenderers
@@ -150,18 +139,6 @@ private:
     RenderRequest m_Request;
     std::minstd_rand m_Random{1};
 };
-
-std::size_t DrawsOf(const CompiledFrame& frame)
-{
-    std::size_t count = 0;
-    for (const CompiledRenderPass& pass : frame.passes)
-    {
-        count += static_cast<std::size_t>(
-            std::ranges::count_if(pass.commands, [](const PassCommand& command)
-                                  { return std::holds_alternative<DrawCommand>(command); }));
-    }
-    return count;
-}
 
 /// Judging against summing what is judged: as FilterItem for each, and as the table holds it.
 void CompareJudging(ManyRenderers& scene, int pairs)
@@ -247,7 +224,7 @@ void CompareFrames(std::size_t count, int pairs)
     moving.Print("a hundredth moves / nothing moves");
     std::printf("%zu visible, %zu draws of %zu instances; %ld allocations in a steady frame; "
                 "%.0f bytes a renderer\n",
-                plain.visibleCount(), DrawsOf(result.frame), result.frame.instances.size(),
+                plain.visibleCount(), CountDraws(result.frame), result.frame.instances.size(),
                 allocations, bytes / static_cast<double>(count));
 }
 

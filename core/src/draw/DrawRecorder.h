@@ -49,7 +49,6 @@ public:
     std::optional<TargetRegion> Project(const Bounds& bounds, const PerDrawData& perDraw) const;
 
     FrameCommands& frame() { return m_Frame; }
-    const glm::dvec3& origin() const { return m_Origin; }
     bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
 
 private:

@@ -187,7 +187,6 @@ void RendererTable::Update(const std::vector<std::unique_ptr<GameObject>>& objec
     m_Hash.resize(m_Objects.size());
     m_Place.resize(m_Objects.size());
     m_Axes.resize(m_Objects.size());
-    m_RenderingLayers.resize(m_Objects.size());
     m_FirstRow.resize(m_Objects.size() + 1, m_FirstRow.back());
     FindChanges(known);
 }
@@ -297,7 +296,6 @@ void RendererTable::SetRows(std::uint32_t object)
     {
         return;
     }
-    m_RenderingLayers[object] = source.renderer->renderingLayerMask.bits;
     std::uint32_t row = m_FirstRow[object];
     for (std::size_t slot = 0; slot < source.renderer->sharedMaterials.size(); ++slot)
     {
@@ -428,7 +426,10 @@ PerDrawData RendererTable::Get(std::uint32_t object) const
 {
     glm::dmat4 localToWorld{glm::dmat3(m_Axes[object])};
     localToWorld[3] = glm::dvec4(m_Place[object], 1.0);
-    return MakePerDrawData(localToWorld, RenderingLayerMask{m_RenderingLayers[object]}, m_Origin);
+    const std::uint32_t row = m_FirstRow[object]; // all rows of an object have its mask
+    const auto layers = row < m_FirstRow[object + 1] ? m_Classes[m_ClassOf[row]].renderingLayerMask
+                                                     : RenderingLayerMask::Nothing();
+    return MakePerDrawData(localToWorld, layers, m_Origin);
 }
 
 std::optional<std::span<const std::uint32_t>>

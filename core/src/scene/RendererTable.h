@@ -130,7 +130,6 @@ private:
     std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
     std::vector<glm::dvec3> m_Place;       ///< world
     std::vector<glm::mat3> m_Axes;         ///< of the world matrix
-    std::vector<std::uint32_t> m_RenderingLayers;
     std::vector<std::uint32_t> m_BeyondFloat;
 
     // By row.

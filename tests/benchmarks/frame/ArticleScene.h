@@ -89,7 +89,4 @@ struct ArticleNumbers
 /// @param frame  of an ArticleScene with the outline and without regions
 ArticleNumbers NumbersOf(const CompiledFrame& frame);
 
-/// Draw commands of the frame.
-std::size_t CountDraws(const CompiledFrame& frame);
-
 } // namespace limn::benchmarks
