@@ -105,6 +105,10 @@ struct CompiledFrame : FrameTables
     std::vector<LeftOut> leftOut;
     std::vector<std::string> notes; ///< sentences for the user
     TextureStates states;           ///< of the textures once it has run
+    /// Equal numbers other than 0, of frames for one device: they differ in uniformData (not its
+    /// size), in instances, perDraw (not their number) and in what objects hold at most, and start
+    /// from equal states.
+    std::uint64_t structure = 0;
 };
 
 } // namespace limn
