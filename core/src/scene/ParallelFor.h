@@ -14,7 +14,8 @@ namespace limn
 inline std::size_t PartsOf(std::size_t count)
 {
     constexpr std::size_t k_LeastElements = 200'000;
-    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1u);
+    static const std::size_t cores =
+        std::max(std::thread::hardware_concurrency(), 1u); // asks files
     return std::max<std::size_t>(std::min(count / k_LeastElements, cores), 1);
 }
 
@@ -23,6 +24,11 @@ inline std::size_t PartsOf(std::size_t count)
 template <typename Function>
 void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
 {
+    if (parts == 1)
+    {
+        function(0, 0, count);
+        return;
+    }
     std::vector<std::exception_ptr> failures(parts);
     const auto run = [&](std::size_t part)
     {

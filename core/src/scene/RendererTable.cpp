@@ -87,6 +87,7 @@ std::uint32_t RowsOf(const GameObject& object)
     return static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(count, 1));
 }
 
+/// Rounded to float.
 bool isFinite(const glm::dvec3& place, const glm::mat3& axes)
 {
     float sum = 0.0f;
@@ -103,13 +104,13 @@ bool isFinite(const glm::dvec3& place, const glm::mat3& axes)
 
 /// Fetches what HashOf reads some objects on: they lie anywhere in memory, and waiting for them one
 /// by one would take most of the time.
-void Prefetch(const std::vector<const GameObject*>& objects, std::size_t index)
+void Prefetch(const GameObjects& objects, std::size_t index)
 {
     constexpr std::size_t k_Ahead = 16;
     constexpr std::size_t k_LineBytes = 64;
     if (index + k_Ahead < objects.size())
     {
-        const auto* object = reinterpret_cast<const std::byte*>(objects[index + k_Ahead]);
+        const auto* object = reinterpret_cast<const std::byte*>(objects[index + k_Ahead].get());
         for (std::size_t offset = 0; offset < sizeof(GameObject); offset += k_LineBytes)
         {
             __builtin_prefetch(object + offset);
@@ -170,83 +171,92 @@ FilterItem RendererTable::RowClass::item() const
     return {material->renderQueue(), layer, renderingLayerMask, material->shader().get()};
 }
 
-RendererTable::RendererTable() : m_Id(NextUniqueId()), m_FirstRow{0} {}
-
-void RendererTable::Update(const std::vector<std::unique_ptr<GameObject>>& objects,
-                           const glm::dvec3& origin)
+RendererTable::RendererTable(std::shared_ptr<const GameObjects> objects)
+    : m_Id(NextUniqueId()), m_Objects(std::move(objects)), m_FirstRow{0}
 {
-    for (std::size_t i = m_Objects.size(); i < objects.size(); ++i)
-    {
-        m_Objects.push_back(objects[i].get());
-    }
+}
+
+void RendererTable::Update(const glm::dvec3& origin)
+{
+    const std::size_t known = m_Hash.size();
+    m_Hash.resize(m_Objects->size());
+    m_FirstRow.resize(m_Objects->size() + 1, m_FirstRow.back());
+    m_Origin = known == 0 ? origin : m_Origin;
+    FindChanges(known);
     if (origin != m_Origin)
     {
         MoveTo(origin);
     }
-    const std::size_t known = m_Hash.size();
-    m_Hash.resize(m_Objects.size());
-    m_Place.resize(m_Objects.size());
-    m_Axes.resize(m_Objects.size());
-    m_FirstRow.resize(m_Objects.size() + 1, m_FirstRow.back());
-    FindChanges(known);
 }
 
 /// @param known  how many objects there were last time
 void RendererTable::FindChanges(std::size_t known)
 {
-    const std::size_t parts = PartsOf(m_Objects.size());
-    std::vector<std::vector<std::uint32_t>> changed(parts);
+    const std::size_t parts = PartsOf(m_Objects->size());
+    m_Matrices.resize(parts);
+    m_Found.resize(parts);
     const auto find = [&](std::size_t part, std::size_t begin, std::size_t end)
     {
-        WorldMatrices matrices;
+        WorldMatrices& matrices = m_Matrices[part];
+        std::vector<std::uint32_t>& found = m_Found[part];
+        matrices.Clear();
+        found.clear();
         for (std::size_t i = begin; i < end; ++i)
         {
-            Prefetch(m_Objects, i);
-            const std::uint64_t hash = HashOf(*m_Objects[i], matrices);
-            if (hash != m_Hash[i] || i >= known)
+            Prefetch(*m_Objects, i);
+            const std::uint64_t hash = HashOf(object(i), matrices);
+            if ((hash != m_Hash[i] || i >= known) && known > 0)
             {
-                m_Hash[i] = hash;
-                Place(static_cast<std::uint32_t>(i), matrices.Of(m_Objects[i]->transform));
-                changed[part].push_back(static_cast<std::uint32_t>(i));
+                found.push_back(static_cast<std::uint32_t>(i));
             }
+            m_Hash[i] = hash;
         }
     };
     try
     {
-        ForEachPart(m_Objects.size(), parts, find);
+        ForEachPart(m_Objects->size(), parts, find);
     }
     catch (...)
     {
         m_Hash.clear(); // what was found is lost: next time everything is new
         throw;
     }
-    if (std::ranges::all_of(changed, [](const auto& part) { return part.empty(); }))
+    const bool isUnchanged = std::ranges::all_of(m_Found, [](const auto& f) { return f.empty(); });
+    if (known == 0 ? m_Objects->empty() : isUnchanged)
     {
         return;
     }
-    m_Changed.clear();
-    for (const auto& part : changed)
-    {
-        m_Changed.insert(m_Changed.end(), part.begin(), part.end());
-    }
     m_LastChanges = m_Version++;
-    const auto other = std::ranges::find_if(
-        m_Changed, [&](std::uint32_t object)
-        { return RowsOf(*m_Objects[object]) != m_FirstRow[object + 1] - m_FirstRow[object]; });
-    std::for_each(m_Changed.begin(), other, [&](std::uint32_t object) { SetRows(object); });
+    m_Changed.clear();
+    if (known == 0)
+    {
+        m_LastChanges = m_Version; // nobody knows an earlier one
+        m_BeyondFloat.clear();
+        SetRowsFrom(0);
+        return;
+    }
+    for (const auto& found : m_Found)
+    {
+        m_Changed.insert(m_Changed.end(), found.begin(), found.end());
+    }
+    SetChanged();
+}
+
+void RendererTable::SetChanged()
+{
+    const auto other =
+        std::ranges::find_if(m_Changed, [&](std::uint32_t i)
+                             { return RowsOf(object(i)) != m_FirstRow[i + 1] - m_FirstRow[i]; });
+    // An object that has a renderer only, or has lost it, is in nobody's way.
+    std::erase_if(m_BeyondFloat,
+                  [&](std::uint32_t i) {
+                      return std::ranges::binary_search(m_Changed, i) ||
+                             (other != m_Changed.end() && i >= *other);
+                  });
+    std::for_each(m_Changed.begin(), other, [&](std::uint32_t i) { SetRows(i); });
     if (other != m_Changed.end())
     {
         SetRowsFrom(*other);
-    }
-    // An object that has a renderer only, or has lost it, is in nobody's way.
-    std::erase_if(m_BeyondFloat, [&](std::uint32_t object)
-                  { return std::ranges::binary_search(m_Changed, object); });
-    for (const std::uint32_t object : m_Changed)
-    {
-        if (RowsOf(*m_Objects[object]) > 0 && !isFinite(m_Place[object], m_Axes[object]))
-        {
-            m_BeyondFloat.push_back(object);
-        }
     }
     std::ranges::sort(m_BeyondFloat);
 }
@@ -257,74 +267,104 @@ void RendererTable::MoveTo(const glm::dvec3& origin)
     ++m_Version;
     m_LastChanges = m_Version; // who asks for an earlier one gets everything
     m_Changed.clear();
-    for (std::uint32_t row = 0; row < rowCount(); ++row)
+    const auto move = [&](std::size_t, std::size_t begin, std::size_t end)
     {
-        SetBox(row);
-    }
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            const World world = WorldOf(i);
+            for (std::uint32_t row = m_FirstRow[i]; row < m_FirstRow[i + 1]; ++row)
+            {
+                SetBox(row, world);
+            }
+        }
+    };
+    ForEachPart(m_Objects->size(), m_Matrices.size(), move);
 }
 
-void RendererTable::Place(std::uint32_t object, const glm::dmat4& localToWorld)
+glm::dmat4 RendererTable::MatrixOf(const Transform& transform) const
 {
-    m_Place[object] = glm::dvec3(localToWorld[3]);
-    m_Axes[object] = glm::mat3(localToWorld);
+    if (transform.parent == nullptr)
+    {
+        return LocalMatrix(transform);
+    }
+    for (const WorldMatrices& matrices : m_Matrices)
+    {
+        if (const glm::dmat4* parent = matrices.FindParent(transform.parent))
+        {
+            return *parent * LocalMatrix(transform);
+        }
+    }
+    return transform.worldMatrix(); // it has got another parent since
+}
+
+RendererTable::World RendererTable::WorldOf(std::size_t index) const
+{
+    const glm::dmat4 matrix = MatrixOf(object(index).transform);
+    return {glm::dvec3(matrix[3]), glm::mat3(matrix)};
 }
 
 /// All rows of this object and those behind it.
-void RendererTable::SetRowsFrom(std::uint32_t object)
+void RendererTable::SetRowsFrom(std::uint32_t first)
 {
-    const std::uint32_t begin = m_FirstRow[object];
+    const std::uint32_t begin = m_FirstRow[first];
     for (std::uint32_t row = begin; row < rowCount(); ++row)
     {
         Release(row);
     }
-    for (std::size_t i = object; i < m_Objects.size(); ++i)
+    for (std::size_t i = first; i < m_Objects->size(); ++i)
     {
-        m_FirstRow[i + 1] = m_FirstRow[i] + RowsOf(*m_Objects[i]);
+        m_FirstRow[i + 1] = m_FirstRow[i] + RowsOf(object(i));
     }
     ResizeRows(begin);
     ResizeRows(m_FirstRow.back());
-    for (std::size_t i = object; i < m_Objects.size(); ++i)
+    for (std::size_t i = first; i < m_Objects->size(); ++i)
     {
         SetRows(static_cast<std::uint32_t>(i));
     }
 }
 
-void RendererTable::SetRows(std::uint32_t object)
+void RendererTable::SetRows(std::uint32_t index)
 {
-    const GameObject& source = *m_Objects[object];
-    if (m_FirstRow[object] == m_FirstRow[object + 1])
+    const GameObject& source = object(index);
+    if (m_FirstRow[index] == m_FirstRow[index + 1])
     {
         return;
     }
-    std::uint32_t row = m_FirstRow[object];
+    const World world = WorldOf(index);
+    if (!isFinite(world.place, world.axes))
+    {
+        m_BeyondFloat.push_back(index);
+    }
+    std::uint32_t row = m_FirstRow[index];
     for (std::size_t slot = 0; slot < source.renderer->sharedMaterials.size(); ++slot)
     {
         if (source.renderer->sharedMaterials[slot])
         {
-            SetRow(row, object, slot, row == m_FirstRow[object] ? k_First : k_NoFlag);
+            SetRow(row, index, slot, row == m_FirstRow[index] ? k_First : k_NoFlag, world);
             ++row;
         }
     }
-    if (row == m_FirstRow[object])
+    if (row == m_FirstRow[index])
     {
-        SetRow(row, object, 0, k_First);
+        SetRow(row, index, 0, k_First, world);
     }
 }
 
-void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first)
+void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, RowFlag first,
+                           const World& world)
 {
-    const GameObject& source = *m_Objects[object];
+    const GameObject& source = object(index);
     const MeshRenderer& renderer = *source.renderer;
     const bool isActive = source.activeSelf && renderer.enabled;
     m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : k_NoFlag));
     m_Slot[row] = static_cast<std::uint16_t>(slot);
-    m_ObjectOf[row] = object;
+    m_ObjectOf[row] = index;
     RowClass rowClass;
     rowClass.material =
         slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
     rowClass.layer = source.layer;
     rowClass.renderingLayerMask = renderer.renderingLayerMask;
-    rowClass.isMirrored = glm::determinant(glm::dmat3(m_Axes[object])) < 0.0;
+    rowClass.isMirrored = glm::determinant(glm::dmat3(world.axes)) < 0.0;
     rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
     const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
     const MeshPart part{renderer.mesh, subMesh, 0};
@@ -333,7 +373,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t object, std::size_t 
         Release(row);
         SetClass(row, rowClass, part);
     }
-    SetBox(row);
+    SetBox(row, world);
 }
 
 /// Most changes are of the place only.
@@ -369,12 +409,11 @@ void RendererTable::SetClass(std::uint32_t row, const RowClass& rowClass, const 
     m_ClassOf[row] = known->second;
 }
 
-void RendererTable::SetBox(std::uint32_t row)
+void RendererTable::SetBox(std::uint32_t row, const World& world)
 {
-    const std::uint32_t object = m_ObjectOf[row];
     const Bounds& bounds = m_MeshParts[m_Classes[m_ClassOf[row]].meshPart].mesh->bounds();
-    const glm::mat3& axes = m_Axes[object];
-    const glm::dvec3 center = glm::dmat3(axes) * glm::dvec3(bounds.center) + m_Place[object];
+    const glm::mat3& axes = world.axes;
+    const glm::dvec3 center = glm::dmat3(axes) * glm::dvec3(bounds.center) + world.place;
     for (std::size_t axis = 0; axis < k_Axes; ++axis)
     {
         const int a = static_cast<int>(axis);
@@ -422,13 +461,14 @@ void RendererTable::Release(std::uint32_t row)
     m_ClassOf[row] = k_Free;
 }
 
-PerDrawData RendererTable::Get(std::uint32_t object) const
+PerDrawData RendererTable::Get(std::uint32_t index) const
 {
-    glm::dmat4 localToWorld{glm::dmat3(m_Axes[object])};
-    localToWorld[3] = glm::dvec4(m_Place[object], 1.0);
-    const std::uint32_t row = m_FirstRow[object]; // all rows of an object have its mask
-    const auto layers = row < m_FirstRow[object + 1] ? m_Classes[m_ClassOf[row]].renderingLayerMask
-                                                     : RenderingLayerMask::Nothing();
+    const World world = WorldOf(index);
+    glm::dmat4 localToWorld{glm::dmat3(world.axes)};
+    localToWorld[3] = glm::dvec4(world.place, 1.0);
+    const std::uint32_t row = m_FirstRow[index]; // all rows of an object have its mask
+    const auto layers = row < m_FirstRow[index + 1] ? m_Classes[m_ClassOf[row]].renderingLayerMask
+                                                    : RenderingLayerMask::Nothing();
     return MakePerDrawData(localToWorld, layers, m_Origin);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/WorldMatrices.h"
+
 #include <limn/core/Judge.h>
 #include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
@@ -28,7 +30,7 @@ private:
 
 /// The renderers of a scene as arrays, one row for each (renderer, material) pair in the scene's
 /// order: what a frame goes through lies side by side. Kept from frame to frame; only objects that
-/// have changed are worked out again.
+/// have changed are worked out again. Where an object is is not kept beside the object itself.
 class RendererTable final : public ObjectTable
 {
 public:
@@ -63,11 +65,12 @@ public:
         FilterItem item() const;
     };
 
-    RendererTable();
+    /// @param objects  kept as long as this is; may grow
+    explicit RendererTable(std::shared_ptr<const GameObjects> objects);
 
     /// Takes over what has changed.
     /// @param origin  what the rows' boxes are relative to, see Camera::renderOrigin
-    void Update(const std::vector<std::unique_ptr<GameObject>>& objects, const glm::dvec3& origin);
+    void Update(const glm::dvec3& origin);
 
     std::size_t rowCount() const { return m_Flags.size(); }
     const glm::dvec3& origin() const { return m_Origin; }
@@ -92,25 +95,35 @@ public:
 
     const std::vector<RowClass>& classes() const { return m_Classes; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
-    const GameObject& object(std::uint32_t index) const { return *m_Objects[index]; }
+    const GameObject& object(std::size_t index) const { return *(*m_Objects)[index]; }
     /// Objects with a renderer whose world matrix is beyond a float.
     const std::vector<std::uint32_t>& beyondFloat() const { return m_BeyondFloat; }
 
     std::uint64_t id() const override { return m_Id; }
     std::uint64_t version() const override { return m_Version; }
-    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_Place.size()); }
-    PerDrawData Get(std::uint32_t object) const override;
+    std::uint32_t count() const override { return static_cast<std::uint32_t>(m_Hash.size()); }
+    PerDrawData Get(std::uint32_t index) const override;
     std::optional<std::span<const std::uint32_t>>
     ChangedSince(std::uint64_t version) const override;
 
 private:
+    /// World matrix, not yet relative to the origin.
+    struct World
+    {
+        glm::dvec3 place;
+        glm::mat3 axes;
+    };
+
     void FindChanges(std::size_t known);
+    void SetChanged();
     void MoveTo(const glm::dvec3& origin);
-    void Place(std::uint32_t object, const glm::dmat4& localToWorld);
-    void SetRowsFrom(std::uint32_t object);
-    void SetRows(std::uint32_t object);
-    void SetRow(std::uint32_t row, std::uint32_t object, std::size_t slot, RowFlag first);
-    void SetBox(std::uint32_t row);
+    glm::dmat4 MatrixOf(const Transform& transform) const;
+    World WorldOf(std::size_t object) const;
+    void SetRowsFrom(std::uint32_t first);
+    void SetRows(std::uint32_t index);
+    void SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, RowFlag first,
+                const World& world);
+    void SetBox(std::uint32_t row, const World& world);
     void ResizeRows(std::size_t count);
     bool HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const;
     void SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part);
@@ -122,15 +135,16 @@ private:
     std::uint64_t m_Version = 0;
     std::uint64_t m_LastChanges = 0; ///< the version before m_Changed
     std::vector<std::uint32_t> m_Changed;
+    std::vector<std::vector<std::uint32_t>>
+        m_Found; ///< by thread: what m_Changed is put together from
     glm::dvec3 m_Origin{0.0};
 
     // By object.
-    std::vector<const GameObject*> m_Objects;
+    std::shared_ptr<const GameObjects> m_Objects;
     std::vector<std::uint64_t> m_Hash;     ///< of all that its rows are made from
     std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
-    std::vector<glm::dvec3> m_Place;       ///< world
-    std::vector<glm::mat3> m_Axes;         ///< of the world matrix
     std::vector<std::uint32_t> m_BeyondFloat;
+    std::vector<WorldMatrices> m_Matrices; ///< by thread: of the parents of some
 
     // By row.
     std::vector<float> m_Center[k_Axes];

@@ -8,25 +8,25 @@ namespace limn
 
 GameObject& Scene::Add(std::string name)
 {
-    m_Objects.push_back(std::make_unique<GameObject>());
-    m_Objects.back()->name = std::move(name);
-    return *m_Objects.back();
+    m_Objects->push_back(std::make_unique<GameObject>());
+    m_Objects->back()->name = std::move(name);
+    return *m_Objects->back();
 }
 
 GameObject* Scene::Find(std::string_view name)
 {
-    const auto it = std::find_if(m_Objects.begin(), m_Objects.end(),
+    const auto it = std::find_if(m_Objects->begin(), m_Objects->end(),
                                  [&](const auto& object) { return object->name == name; });
-    return it == m_Objects.end() ? nullptr : it->get();
+    return it == m_Objects->end() ? nullptr : it->get();
 }
 
 std::shared_ptr<const RendererTable> Scene::UpdateRenderers(const glm::dvec3& origin) const
 {
     if (!m_Renderers)
     {
-        m_Renderers = std::make_shared<RendererTable>();
+        m_Renderers = std::make_shared<RendererTable>(m_Objects);
     }
-    m_Renderers->Update(m_Objects, origin);
+    m_Renderers->Update(origin);
     return m_Renderers;
 }
 

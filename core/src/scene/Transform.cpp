@@ -35,6 +35,8 @@ private:
     bool m_Odd = false;
 };
 
+} // namespace
+
 glm::dmat4 LocalMatrix(const Transform& transform)
 {
     glm::dmat4 matrix(glm::mat3_cast(glm::dquat(transform.localRotation)));
@@ -45,8 +47,6 @@ glm::dmat4 LocalMatrix(const Transform& transform)
     matrix[3] = glm::dvec4(transform.localPosition, 1.0);
     return matrix;
 }
-
-} // namespace
 
 glm::dmat4 WorldMatrices::Of(const Transform& transform)
 {
@@ -62,8 +62,7 @@ const glm::dmat4& WorldMatrices::OfParent(const Transform& transform)
     for (const Transform* t = transform.parent; t != nullptr && known == nullptr; t = t->parent)
     {
         guard.Pass(t);
-        const auto found = m_Parents.find(t);
-        known = found != m_Parents.end() ? &found->second : nullptr;
+        known = FindParent(t);
         if (known == nullptr)
         {
             m_Climbed.push_back(t);

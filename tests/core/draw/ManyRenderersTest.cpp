@@ -293,6 +293,15 @@ TEST_F(ManyRenderers, AreCulledAsTheyAreAfterEveryChange)
     }
 }
 
+TEST_F(ManyRenderers, AreKnownToAFrameThatOutlivesTheirScene)
+{
+    Add();
+    m_Scene.objects()[0]->transform.localPosition = {3.0f, 0.0f, 0.0f};
+    const auto objects = Cull(m_Scene, m_Camera, 1.0f).objects;
+    m_Scene = Scene();
+    EXPECT_EQ(objects->Get(0).objectToWorld[12], 3.0f);
+}
+
 TEST_F(ManyRenderers, HaveThePerDrawDataOfTheirPlace)
 {
     for (int i = 0; i < 20; ++i)

@@ -35,6 +35,8 @@ struct GameObject
     std::optional<MeshRenderer> renderer;
 };
 
+using GameObjects = std::vector<std::unique_ptr<GameObject>>;
+
 /// A light infinitely far away. Unity: UnityEngine.Light of type Directional (2022.3).
 struct DirectionalLight
 {
@@ -45,17 +47,23 @@ struct DirectionalLight
     RenderingLayerMask renderingLayerMask{1};
 };
 
-/// What there is to draw. Objects keep their address, so that transforms can be parents.
+/// What there is to draw. Objects keep their address, so that transforms can be parents. One that
+/// was moved from can be destroyed and assigned to only.
 class Scene
 {
 public:
+    Scene() = default;
+    Scene(Scene&&) noexcept = default;
+    Scene& operator=(Scene&&) noexcept = default;
+    ~Scene() = default;
+
     DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
     Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f}; ///< sRGB; the same from all sides
 
     /// A new object at the end of the list; the reference holds as long as the scene.
     GameObject& Add(std::string name);
 
-    const std::vector<std::unique_ptr<GameObject>>& objects() const { return m_Objects; }
+    const GameObjects& objects() const { return *m_Objects; }
 
     /// The first object of this name, or null.
     GameObject* Find(std::string_view name);
@@ -65,7 +73,8 @@ public:
     std::shared_ptr<const RendererTable> UpdateRenderers(const glm::dvec3& origin) const;
 
 private:
-    std::vector<std::unique_ptr<GameObject>> m_Objects;
+    /// Frames drawn before the scene's end may look at them.
+    std::shared_ptr<GameObjects> m_Objects = std::make_shared<GameObjects>();
     mutable std::shared_ptr<RendererTable> m_Renderers; ///< follows the objects
 };
 
