@@ -18,7 +18,8 @@ namespace
 
 // What the camera has to do with a class of rows.
 constexpr std::uint8_t k_InCullingMask = 1;
-constexpr std::uint8_t k_Draws = 2;
+constexpr std::uint8_t k_Draws = 2;  ///< something, and it is in the mask
+constexpr std::uint8_t k_Counts = 4; ///< an active renderer has one row of these
 
 /// The six planes of a clip matrix, pointing inwards (not normalised).
 std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
@@ -67,13 +68,23 @@ void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, 
     }
 }
 
-/// @param classes  by class: whether the camera's cullingMask has its layer, and draws anything
+std::uint8_t KindOf(const RendererTable::RowClass& rowClass, const Camera& camera)
+{
+    const bool inMask = LayerMask::FromIndex(rowClass.layer).Intersects(camera.cullingMask);
+    const bool draws = inMask && rowClass.isActive && rowClass.material != nullptr;
+    const bool counts = rowClass.isActive && rowClass.isFirst;
+    return static_cast<std::uint8_t>((inMask ? k_InCullingMask : 0) | (draws ? k_Draws : 0) |
+                                     (counts ? k_Counts : 0));
+}
+
+/// @param kinds    by class
 /// @param rows     gets those in sight
 void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes,
-              const std::vector<std::uint8_t>& classes, std::size_t begin, std::size_t end,
-              std::uint32_t* rows, PartOfCulling& result)
+              const std::uint8_t* kinds, std::size_t begin, std::size_t end, std::uint32_t* rows,
+              PartOfCulling& result)
 {
     std::array<float, k_BlockRows> depths;
+    const std::uint32_t* classOf = table.classOf().data();
     std::size_t visible = 0;
     for (std::size_t block = begin; block < end; block += k_BlockRows)
     {
@@ -82,17 +93,15 @@ void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes
         for (std::size_t i = 0; i < count; ++i)
         {
             const std::size_t row = block + i;
-            const std::uint8_t flags = table.flags()[row];
-            const std::uint8_t kind = classes[table.classOf()[row]];
-            const bool isActive = (flags & RendererTable::k_Active) != 0;
-            const bool counts = isActive && (flags & RendererTable::k_First) != 0;
+            const std::uint8_t kind = kinds[classOf[row]];
+            const bool counts = (kind & k_Counts) != 0;
             const bool inMask = (kind & k_InCullingMask) != 0;
             const bool inside = !(depths[i] < 0.0f);
             result.renderers += counts;
             result.outsideCullingMask += counts & !inMask;
             result.outsideFrustum += counts & inMask & !inside;
             rows[visible] = static_cast<std::uint32_t>(row);
-            visible += isActive & inside & (kind == (k_InCullingMask | k_Draws));
+            visible += inside & ((kind & k_Draws) != 0);
         }
     }
     result.visible = visible;
@@ -124,7 +133,7 @@ RendererItem RendererItems::operator[](std::size_t index) const
     item.objectIndex = table.objectOf()[row];
     item.object = &table.object(item.objectIndex);
     item.material = kind.material;
-    item.materialIndex = table.materialIndices()[row];
+    item.materialIndex = kind.materialIndex;
     item.subMesh = table.meshParts()[kind.meshPart].subMesh;
     item.filter = kind.item();
     item.boundsCenter = table.origin() + glm::dvec3(table.center(row));
@@ -146,19 +155,20 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
     const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
                                                 RelativeTo(origin, camera.viewMatrix())));
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
-    std::vector<std::uint8_t> classes;
-    for (const RendererTable::RowClass& kind : table->classes())
+    static thread_local std::vector<std::uint8_t> kinds; // by class
+    kinds.clear();
+    for (const RendererTable::RowClass& rowClass : table->classes())
     {
-        const bool inMask = LayerMask::FromIndex(kind.layer).Intersects(camera.cullingMask);
-        classes.push_back(static_cast<std::uint8_t>((inMask ? k_InCullingMask : 0) |
-                                                    (kind.material ? k_Draws : 0)));
+        kinds.push_back(KindOf(rowClass, camera));
     }
-    std::vector<PartOfCulling> parts(PartsOf(table->rowCount()));
+    static thread_local std::vector<PartOfCulling> parts;
+    parts.assign(PartsOf(table->rowCount()), PartOfCulling());
     std::vector<std::uint32_t> visible = table->spareRows().Take(table->rowCount());
     ForEachPart(
         table->rowCount(), parts.size(),
-        [&](std::size_t part, std::size_t begin, std::size_t end)
-        { CullRows(*table, planes, classes, begin, end, visible.data() + begin, parts[part]); });
+        [&, kindOf = kinds.data(), results = parts.data()](std::size_t part, std::size_t begin,
+                                                           std::size_t end)
+        { CullRows(*table, planes, kindOf, begin, end, visible.data() + begin, results[part]); });
 
     CullingResults results;
     std::size_t count = 0;

@@ -53,7 +53,8 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
         return judged;
     }
     const RendererTable& table = *items.table();
-    std::vector<std::uint8_t> verdicts;
+    static thread_local std::vector<std::uint8_t> verdicts; // by class
+    verdicts.clear();
     for (const RendererTable::RowClass& kind : table.classes())
     {
         verdicts.push_back(static_cast<std::uint8_t>(
@@ -63,9 +64,10 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
     std::array<std::uint32_t, k_FilterVerdictCount> counts{};
     std::size_t count = 0;
     const std::uint32_t* classOf = table.classOf().data();
+    const std::uint8_t* verdictOf = verdicts.data();
     for (const std::uint32_t row : items.rows())
     {
-        const std::uint8_t verdict = verdicts[classOf[row]];
+        const std::uint8_t verdict = verdictOf[classOf[row]];
         ++counts[verdict];
         drawn[count] = row;
         count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);

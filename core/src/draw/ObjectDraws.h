@@ -31,8 +31,8 @@ struct ClassRun
     std::uint32_t count = 0;
 };
 
-/// Sort, and what it finds: all runs.
-std::vector<ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
+/// Sort, and what it finds: all runs, until the thread's next call.
+std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
 
 /// What rows draw. Draws that may change places become one batch whatever lies between them, at
 /// the place of the first; others only where they follow upon each other.

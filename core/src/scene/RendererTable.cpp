@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace limn
 {
@@ -162,8 +163,11 @@ void SpareRows::Give(std::vector<std::uint32_t> rows) noexcept
 
 RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 {
+    const std::uint32_t bits = (rowClass.isMirrored ? 1u : 0u) | (rowClass.isAgain ? 2u : 0u) |
+                               (rowClass.isActive ? 4u : 0u) | (rowClass.isFirst ? 8u : 0u) |
+                               std::uint32_t{rowClass.materialIndex} << 4;
     return {rowClass.material.get(), rowClass.layer, rowClass.renderingLayerMask.bits,
-            rowClass.meshPart, (rowClass.isMirrored ? 1 : 0) + (rowClass.isAgain ? 2 : 0)};
+            rowClass.meshPart, bits};
 }
 
 FilterItem RendererTable::RowClass::item() const
@@ -186,6 +190,10 @@ void RendererTable::Update(const glm::dvec3& origin)
     if (origin != m_Origin)
     {
         MoveTo(origin);
+    }
+    if (std::exchange(m_ClassesChanged, false))
+    {
+        m_Order.Update(*this);
     }
 }
 
@@ -340,30 +348,30 @@ void RendererTable::SetRows(std::uint32_t index)
     {
         if (source.renderer->sharedMaterials[slot])
         {
-            SetRow(row, index, slot, row == m_FirstRow[index] ? k_First : k_NoFlag, world);
+            SetRow(row, index, slot, row == m_FirstRow[index], world);
             ++row;
         }
     }
     if (row == m_FirstRow[index])
     {
-        SetRow(row, index, 0, k_First, world);
+        SetRow(row, index, 0, true, world);
     }
 }
 
-void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, RowFlag first,
+void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, bool isFirst,
                            const World& world)
 {
     const GameObject& source = object(index);
     const MeshRenderer& renderer = *source.renderer;
-    const bool isActive = source.activeSelf && renderer.enabled;
-    m_Flags[row] = static_cast<std::uint8_t>(first | (isActive ? k_Active : k_NoFlag));
-    m_Slot[row] = static_cast<std::uint16_t>(slot);
     m_ObjectOf[row] = index;
     RowClass rowClass;
     rowClass.material =
         slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
     rowClass.layer = source.layer;
     rowClass.renderingLayerMask = renderer.renderingLayerMask;
+    rowClass.materialIndex = static_cast<std::uint16_t>(slot);
+    rowClass.isActive = source.activeSelf && renderer.enabled;
+    rowClass.isFirst = isFirst;
     rowClass.isMirrored = glm::determinant(glm::dmat3(world.axes)) < 0.0;
     rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
     const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
@@ -404,6 +412,7 @@ void RendererTable::SetClass(std::uint32_t row, const RowClass& rowClass, const 
     {
         known->second = Put(m_Classes, m_FreeClasses, own);
         ++m_MeshParts[own.meshPart].uses;
+        m_ClassesChanged = true;
     }
     ++m_Classes[known->second].uses;
     m_ClassOf[row] = known->second;
@@ -431,8 +440,6 @@ void RendererTable::ResizeRows(std::size_t count)
         m_Center[axis].resize(count);
         m_Extent[axis].resize(count);
     }
-    m_Flags.resize(count);
-    m_Slot.resize(count);
     m_ClassOf.resize(count, k_Free);
     m_ObjectOf.resize(count);
 }
@@ -454,6 +461,7 @@ void RendererTable::Release(std::uint32_t row)
             m_FreeParts.push_back(old.meshPart);
             part = {};
         }
+        m_ClassesChanged = true;
         m_ClassIndex.erase(KeyOf(old));
         m_FreeClasses.push_back(m_ClassOf[row]);
         old = {};

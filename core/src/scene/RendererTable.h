@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/ClassOrder.h"
 #include "scene/WorldMatrices.h"
 
 #include <limn/core/Judge.h>
@@ -36,13 +37,6 @@ class RendererTable final : public ObjectTable
 public:
     static constexpr std::size_t k_Axes = 3;
 
-    enum RowFlag : std::uint8_t
-    {
-        k_NoFlag = 0,
-        k_Active = 1, ///< the object is active and its renderer enabled
-        k_First = 2,  ///< the first row of its renderer
-    };
-
     struct MeshPart
     {
         std::shared_ptr<const Mesh> mesh;
@@ -57,9 +51,12 @@ public:
         int layer = 0;
         RenderingLayerMask renderingLayerMask;
         std::uint32_t meshPart = 0;
-        bool isMirrored = false; ///< the transform turns triangles over
-        bool isAgain = false;    ///< another row of its renderer draws the sub-mesh too
-        std::uint32_t uses = 0;  ///< rows that have it; 0 = free
+        std::uint16_t materialIndex = 0; ///< among the renderer's
+        bool isActive = false;           ///< the object is, and its renderer enabled
+        bool isFirst = false;            ///< among the rows of its renderer
+        bool isMirrored = false;         ///< the transform turns triangles over
+        bool isAgain = false;            ///< another row of its renderer draws the sub-mesh too
+        std::uint32_t uses = 0;          ///< rows that have it; 0 = free
 
         /// @pre there is a material
         FilterItem item() const;
@@ -72,7 +69,7 @@ public:
     /// @param origin  what the rows' boxes are relative to, see Camera::renderOrigin
     void Update(const glm::dvec3& origin);
 
-    std::size_t rowCount() const { return m_Flags.size(); }
+    std::size_t rowCount() const { return m_ClassOf.size(); }
     const glm::dvec3& origin() const { return m_Origin; }
     // World boxes, by axis and row: middle, relative to origin(), and half the size.
     const std::vector<float>& centers(std::size_t axis) const { return m_Center[axis]; }
@@ -86,14 +83,13 @@ public:
         return {m_Extent[0][row], m_Extent[1][row], m_Extent[2][row]};
     }
     // By row.
-    const std::vector<std::uint8_t>& flags() const { return m_Flags; } ///< RowFlag
-    const std::vector<std::uint16_t>& materialIndices() const { return m_Slot; }
     const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }
     const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }
 
     SpareRows& spareRows() const { return m_SpareRows; }
 
     const std::vector<RowClass>& classes() const { return m_Classes; }
+    const ClassOrder& order() const { return m_Order; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
     const GameObject& object(std::size_t index) const { return *(*m_Objects)[index]; }
     /// Objects with a renderer whose world matrix is beyond a float.
@@ -121,7 +117,7 @@ private:
     World WorldOf(std::size_t object) const;
     void SetRowsFrom(std::uint32_t first);
     void SetRows(std::uint32_t index);
-    void SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, RowFlag first,
+    void SetRow(std::uint32_t row, std::uint32_t index, std::size_t slot, bool isFirst,
                 const World& world);
     void SetBox(std::uint32_t row, const World& world);
     void ResizeRows(std::size_t count);
@@ -149,20 +145,20 @@ private:
     // By row.
     std::vector<float> m_Center[k_Axes];
     std::vector<float> m_Extent[k_Axes];
-    std::vector<std::uint8_t> m_Flags;
-    std::vector<std::uint16_t> m_Slot;
     std::vector<std::uint32_t> m_ClassOf;
     std::vector<std::uint32_t> m_ObjectOf;
 
     std::vector<RowClass> m_Classes;
     std::vector<MeshPart> m_MeshParts;
     using PartKey = std::tuple<const Mesh*, int>;
-    using ClassKey = std::tuple<const Material*, int, std::uint32_t, std::uint32_t, int>;
+    using ClassKey = std::tuple<const Material*, int, std::uint32_t, std::uint32_t, std::uint32_t>;
     static ClassKey KeyOf(const RowClass& rowClass);
     std::map<ClassKey, std::uint32_t> m_ClassIndex;
     std::map<PartKey, std::uint32_t> m_PartIndex;
     std::vector<std::uint32_t> m_FreeClasses;
     std::vector<std::uint32_t> m_FreeParts;
+    ClassOrder m_Order; ///< of the classes, unless they have changed
+    bool m_ClassesChanged = false;
     mutable SpareRows m_SpareRows;
 };
 

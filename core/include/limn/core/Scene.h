@@ -3,6 +3,7 @@
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
+#include <limn/core/MaterialList.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/Transform.h>
 #include <memory>
@@ -20,7 +21,7 @@ class RendererTable;
 struct MeshRenderer
 {
     std::shared_ptr<const Mesh> mesh;
-    std::vector<std::shared_ptr<const Material>> sharedMaterials;
+    MaterialList sharedMaterials;
     RenderingLayerMask renderingLayerMask{1}; ///< a new renderer is in rendering layer 0 only
     bool enabled = true;
 };

@@ -1,0 +1,35 @@
+#include "scene/ClassOrder.h"
+
+#include "scene/RendererTable.h"
+
+#include <bit>
+
+namespace limn
+{
+
+void ClassOrder::Update(const RendererTable& table)
+{
+    std::vector<StateId> ids;
+    std::map<std::tuple<const Material*, std::uint32_t, bool, bool>, std::uint32_t> known;
+    firsts.clear();
+    for (const RendererTable::RowClass& own : table.classes())
+    {
+        const Material* material = own.material.get();
+        ids.push_back(StateOf(material, table.meshParts()[own.meshPart].mesh.get()));
+        const auto first = known.try_emplace({material, own.meshPart, own.isMirrored, own.isAgain},
+                                             static_cast<std::uint32_t>(firsts.size()));
+        firsts.push_back(first.first->second);
+    }
+    states = Ranks(ids);
+    const std::uint32_t most = states.empty() ? 0 : *std::ranges::max_element(states);
+    const auto rankBits = static_cast<int>(std::bit_width(most));
+    const auto classBits = static_cast<int>(std::bit_width(states.size()));
+    const bool hasRoom = rankBits + classBits <= 32 && rankBits < 32;
+    stateBits = hasRoom ? rankBits : 32;
+    for (std::size_t i = 0; hasRoom && i < states.size(); ++i)
+    {
+        states[i] |= firsts[i] << rankBits;
+    }
+}
+
+} // namespace limn
