@@ -42,16 +42,16 @@ protected:
     }
 
     /// The names of the textures that the pass's only draw samples.
-    static std::vector<std::string> Sampled(const CompiledRenderPass& pass)
+    static std::vector<std::string> Sampled(const CompiledFrame& frame, std::size_t pass)
     {
         std::vector<std::string> names;
         int draws = 0;
-        for (const PassCommand& command : pass.commands)
+        for (const PassCommand& command : frame.passes.at(pass).commands)
         {
             if (const auto* draw = std::get_if<DrawCommand>(&command))
             {
                 ++draws;
-                for (const TextureSlot& slot : draw->bindings->textures)
+                for (const TextureSlot& slot : frame.Setup(*draw).bindings->textures)
                 {
                     names.push_back(slot.texture->name());
                 }
@@ -91,8 +91,8 @@ TEST_F(FullScreenPass, ReadsACopyOfThePictureAndDrawsIntoThePicture)
                                              "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_FALSE(result.frame.passes[2].depth);
     EXPECT_TRUE(result.report.notes.empty());
-    EXPECT_THAT(Sampled(result.frame.passes.at(1)), ElementsAre("_CameraColorAttachmentA"));
-    EXPECT_THAT(Sampled(result.frame.passes.at(2)), ElementsAre("_FullscreenPassColorCopy"));
+    EXPECT_THAT(Sampled(result.frame, 1), ElementsAre("_CameraColorAttachmentA"));
+    EXPECT_THAT(Sampled(result.frame, 2), ElementsAre("_FullscreenPassColorCopy"));
 }
 
 TEST_F(FullScreenPass, LeavesTheCopyOutWhereNothingIsFetched)

@@ -53,10 +53,10 @@ protected:
         return pipeline.RenderSingleCamera(renderer, request);
     }
 
-    /// The draws recorded between the pass's samples.
-    std::vector<DrawCommand> Draws(const RenderResult& result) const
+    /// What is drawn between the pass's samples is set up with.
+    std::vector<DrawSetup> Draws(const RenderResult& result) const
     {
-        std::vector<DrawCommand> draws;
+        std::vector<DrawSetup> draws;
         int depth = 0;
         for (const CompiledRenderPass& pass : result.frame.passes)
         {
@@ -72,7 +72,7 @@ protected:
                 }
                 else if (const auto* draw = std::get_if<DrawCommand>(&command); draw && depth > 0)
                 {
-                    draws.push_back(*draw);
+                    draws.push_back(result.frame.Setup(*draw));
                 }
             }
         }
@@ -229,32 +229,30 @@ protected:
     {
         const RenderResult result = Render();
         std::vector<std::pair<float, float>> values;
-        FrameCommands frame;
-        frame.uniformData = result.frame.uniformData;
         for (const CompiledRenderPass& pass : result.frame.passes)
         {
             for (const PassCommand& command : pass.commands)
             {
                 const auto* draw = std::get_if<DrawCommand>(&command);
-                if (draw == nullptr || draw->mesh == nullptr)
+                if (draw == nullptr || draw->mesh == DrawCommand::k_NoMesh)
                 {
                     continue;
                 }
-                values.emplace_back(Member(frame, *draw, "unity_MatrixV", 3, 2),
-                                    Member(frame, *draw, "glstate_matrix_projection", 1, 1));
+                values.emplace_back(Member(result.frame, *draw, "unity_MatrixV", 3, 2),
+                                    Member(result.frame, *draw, "glstate_matrix_projection", 1, 1));
             }
         }
         return values;
     }
 
-    static float Member(const FrameCommands& frame, const DrawCommand& draw, const char* name,
+    static float Member(const CompiledFrame& frame, const DrawCommand& draw, const char* name,
                         int column, int row)
     {
-        for (const UniformBuffer& buffer : draw.program->layout.buffers)
+        for (const UniformBuffer& buffer : frame.Setup(draw).program->layout.buffers)
         {
             for (const UniformMember& member : buffer.members)
             {
-                for (const UniformSlice& slice : draw.bindings->uniforms)
+                for (const UniformSlice& slice : frame.Setup(draw).bindings->uniforms)
                 {
                     if (member.name == name && slice.binding == buffer.binding)
                     {

@@ -98,14 +98,30 @@ UniformSlice AddUniform(CompiledFrame& frame, std::uint32_t binding, const T& va
     return {binding, static_cast<std::uint32_t>(offset), sizeof(T)};
 }
 
-inline DrawCommand MakeDraw(PassPtr pass, MeshPtr mesh, PipelineState state = PlainState(),
-                            DrawBindings bindings = {})
+/// A draw of the frame that is yet to be put into one of its passes.
+inline DrawCommand MakeDraw(FrameTables& frame, PassPtr pass, MeshPtr mesh,
+                            PipelineState state = PlainState(), DrawBindings bindings = {})
 {
     DrawCommand draw;
-    draw.program = std::move(pass);
-    draw.mesh = std::move(mesh);
-    draw.state = state;
-    draw.bindings = std::make_shared<DrawBindings>(std::move(bindings));
+    draw.setup = static_cast<std::uint32_t>(frame.setups.size());
+    DrawSetup& setup = frame.setups.emplace_back();
+    setup.program = std::move(pass);
+    setup.bindings = std::make_shared<DrawBindings>(std::move(bindings));
+    setup.state = state;
+    if (mesh)
+    {
+        draw.mesh = static_cast<std::uint32_t>(frame.meshes.size());
+        frame.meshes.push_back(std::move(mesh));
+    }
+    return draw;
+}
+
+/// The same draw in another state.
+inline DrawCommand WithState(FrameTables& frame, DrawCommand draw, const PipelineState& state)
+{
+    frame.setups.push_back(frame.Setup(draw));
+    frame.setups.back().state = state;
+    draw.setup = static_cast<std::uint32_t>(frame.setups.size() - 1);
     return draw;
 }
 
@@ -159,7 +175,7 @@ inline DrawCommand MakeColorDraw(CompiledFrame& frame, const MeshPtr& mesh, Colo
     DrawBindings bindings;
     const std::uint32_t binding = ColorPass()->layout.buffers.at(0).binding;
     bindings.uniforms.push_back(AddUniform(frame, binding, color.vector()));
-    return MakeDraw(ColorPass(), mesh, state, std::move(bindings));
+    return MakeDraw(frame, ColorPass(), mesh, state, std::move(bindings));
 }
 
 } // namespace limn::test

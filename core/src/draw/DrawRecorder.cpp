@@ -126,11 +126,11 @@ void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
     }
 }
 
-DrawCommand DrawRecorder::LookUp(const Material& material, int shaderPass,
-                                 const MaterialPropertyBlock* properties,
-                                 const RenderStateBlock& stateBlock)
+DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
+                               const MaterialPropertyBlock* properties,
+                               const RenderStateBlock& stateBlock)
 {
-    DrawCommand draw;
+    DrawSetup draw;
     draw.program = material.Compile(shaderPass);
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
@@ -142,18 +142,44 @@ DrawCommand DrawRecorder::LookUp(const Material& material, int shaderPass,
     return draw;
 }
 
+std::uint32_t DrawRecorder::Add(DrawSetup setup)
+{
+    auto& setups = m_Frame.setups;
+    if (setups.empty() || setups.back() != setup)
+    {
+        setups.push_back(std::move(setup));
+    }
+    return static_cast<std::uint32_t>(setups.size() - 1);
+}
+
+std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
+{
+    if (!mesh)
+    {
+        return DrawCommand::k_NoMesh;
+    }
+    const auto [known, isNew] =
+        m_MeshIndex.try_emplace(mesh.get(), static_cast<std::uint32_t>(m_Frame.meshes.size()));
+    if (isNew)
+    {
+        m_Frame.meshes.push_back(mesh);
+    }
+    return known->second;
+}
+
 void DrawRecorder::Draw(const RecordedDraw& recorded)
 {
-    DrawCommand draw =
+    DrawSetup setup =
         LookUp(*recorded.material, recorded.shaderPass, &recorded.properties, RenderStateBlock());
     const PerDrawData perDraw =
         MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
-    draw.fullScreen = Promise(recorded);
-    if (recorded.mesh && draw.shader->staysWithinMesh(draw.shaderPass))
+    setup.fullScreen = Promise(recorded);
+    DrawCommand draw;
+    if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
     {
         draw.bounds = Project(recorded.mesh->bounds(), perDraw);
     }
-    draw.mesh = recorded.mesh;
+    draw.mesh = Add(recorded.mesh);
     draw.subMesh = recorded.subMesh;
     draw.vertexCount = recorded.vertexCount;
     draw.firstInstance = static_cast<std::uint32_t>(m_Frame.instances.size());
@@ -162,10 +188,11 @@ void DrawRecorder::Draw(const RecordedDraw& recorded)
     const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
     // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
     // Unity's render textures, which are upside down: counter-clockwise is the front there.
-    draw.state.frontFaceFlipped = isMirrored != (draw.mesh == nullptr);
+    setup.state.frontFaceFlipped = isMirrored != (recorded.mesh == nullptr);
+    draw.setup = Add(std::move(setup));
     if (!MergeIntoLast(draw))
     {
-        m_Frame.commands.emplace_back(std::move(draw));
+        m_Frame.commands.emplace_back(draw);
     }
 }
 
@@ -258,10 +285,9 @@ bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
 {
     auto* last =
         m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
-    if (last == nullptr || draw.mesh == nullptr || last->mesh != draw.mesh ||
+    if (last == nullptr || draw.mesh == DrawCommand::k_NoMesh || last->mesh != draw.mesh ||
         last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects ||
-        last->program != draw.program || last->bindings != draw.bindings ||
-        last->state != draw.state || !isInstanceable(*draw.program))
+        last->setup != draw.setup || !isInstanceable(*m_Frame.Setup(draw).program))
     {
         return false;
     }

@@ -38,15 +38,19 @@ public:
     void WithGlobalsOf(const Place& place, const std::function<void()>& record);
     bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
-    /// A draw with what all draws of this pass have in common: program, state and bindings.
+    /// What all draws of this pass have in common.
     /// @throws AssetError if the pass does not compile
-    DrawCommand LookUp(const Material& material, int shaderPass,
-                       const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock);
+    DrawSetup LookUp(const Material& material, int shaderPass,
+                     const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock);
     /// The material's values with another shader; the same one for the rest of the frame.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);
     /// Where a box is seen, as shaders find it; nothing where it may be anywhere.
     std::optional<TargetRegion> Project(const Bounds& bounds, const PerDrawData& perDraw) const;
+
+    /// The number of a setup, or of a mesh, in the frame's tables.
+    std::uint32_t Add(DrawSetup setup);
+    std::uint32_t Add(const std::shared_ptr<const Mesh>& mesh);
 
     FrameCommands& frame() { return m_Frame; }
     bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
@@ -70,6 +74,7 @@ private:
     const glm::dvec3 m_Origin;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
+    std::unordered_map<const Mesh*, std::uint32_t> m_MeshIndex; ///< in the frame's table
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
         std::shared_ptr<const Material>>

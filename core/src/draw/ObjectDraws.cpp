@@ -18,7 +18,7 @@ struct ObjectPass
 {
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
-    DrawCommand draw; ///< without mesh and instances
+    DrawSetup draw; ///< not mirrored
 };
 
 bool Compiles(const Material& material, int pass)
@@ -151,7 +151,8 @@ std::optional<TargetRegion> RegionOf(const RendererTable& table,
 
 /// Where a batch draws, if its pass promises to stay within the mesh. Few objects are looked at one
 /// by one; many are seldom apart.
-std::optional<TargetRegion> BoundsOf(const DrawCommand& draw, const RendererTable& table,
+std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
+                                     const RendererTable& table,
                                      std::span<const std::uint32_t> rows,
                                      const DrawRecorder& recorder)
 {
@@ -168,7 +169,7 @@ std::optional<TargetRegion> BoundsOf(const DrawCommand& draw, const RendererTabl
     std::optional<TargetRegion> region;
     for (const std::uint32_t row : rows)
     {
-        const auto seen = recorder.Project(draw.mesh->bounds(), table.Get(table.objectOf()[row]));
+        const auto seen = recorder.Project(mesh.bounds(), table.Get(table.objectOf()[row]));
         if (!seen)
         {
             return std::nullopt;
@@ -334,21 +335,31 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
     frame.instances.resize(offset + batches.rows.size());
     std::ranges::transform(batches.rows, frame.instances.begin() + offset,
                            [&](std::uint32_t row) { return table.objectOf()[row]; });
+    std::vector<std::array<std::optional<std::uint32_t>, 2>> setups(passes.passes().size());
     for (const ObjectBatch& batch : batches.batches)
     {
         const RendererTable::MeshPart& part = table.meshParts()[batch.meshPart];
-        DrawCommand draw = passes.passes()[batch.pass].draw;
+        const DrawSetup& pass = passes.passes()[batch.pass].draw;
+        std::optional<std::uint32_t>& setup = setups[batch.pass][batch.isMirrored ? 1 : 0];
+        if (!setup)
+        {
+            DrawSetup turned = pass;
+            turned.state.frontFaceFlipped = batch.isMirrored;
+            setup = recorder.Add(std::move(turned));
+        }
+        DrawCommand draw;
         draw.drawsObjects = true;
-        draw.mesh = part.mesh;
+        draw.setup = *setup;
+        draw.mesh = recorder.Add(part.mesh);
         draw.subMesh = part.subMesh;
-        draw.state.frontFaceFlipped = batch.isMirrored;
-        const std::uint32_t step = isInstanceable(*draw.program) ? batch.count : 1;
+        const std::uint32_t step = isInstanceable(*pass.program) ? batch.count : 1;
         for (std::uint32_t done = 0; done < batch.count; done += step)
         {
             draw.firstInstance = offset + batch.first + done;
             draw.instanceCount = step;
-            draw.bounds = BoundsOf(
-                draw, table, std::span(batches.rows).subspan(batch.first + done, step), recorder);
+            draw.bounds =
+                BoundsOf(pass, *part.mesh, table,
+                         std::span(batches.rows).subspan(batch.first + done, step), recorder);
             frame.commands.emplace_back(draw);
         }
     }

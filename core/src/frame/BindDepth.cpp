@@ -8,12 +8,12 @@ namespace limn
 namespace
 {
 
-bool UsesStencil(const FrameNode& node)
+bool UsesStencil(const FrameNode& node, const FrameTables& tables)
 {
     for (const PassCommand& command : node.commands)
     {
         const auto* draw = std::get_if<DrawCommand>(&command);
-        if (draw != nullptr && draw->state.stencilEnabled)
+        if (draw != nullptr && tables.Setup(*draw).state.stencilEnabled)
         {
             return true;
         }
@@ -22,7 +22,8 @@ bool UsesStencil(const FrameNode& node)
 }
 
 /// The ids of textures that have to stay as they are.
-std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, OutputSpan outputs)
+std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, OutputSpan outputs,
+                                       const FrameTables& tables)
 {
     std::unordered_set<std::uint64_t> kept;
     for (const auto& output : outputs)
@@ -35,7 +36,7 @@ std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, Outp
         {
             kept.insert(texture->id());
         }
-        if (node.targets.depth && UsesStencil(node))
+        if (node.targets.depth && UsesStencil(node, tables))
         {
             kept.insert(node.targets.depth->id());
         }
@@ -86,7 +87,7 @@ void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, Compiled
 {
     auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });
-    const std::unordered_set<std::uint64_t> kept = Kept(nodes, outputs);
+    const std::unordered_set<std::uint64_t> kept = Kept(nodes, outputs, frame);
     for (FrameNode& node : nodes)
     {
         std::shared_ptr<const RenderTexture>& depth = node.targets.depth;

@@ -10,19 +10,23 @@ namespace
 {
 
 /// Whether nothing of the colour from before the draw is left.
-bool Covers(const FrameNode& node, const DrawCommand& draw)
+bool Covers(const FrameNode& node, const DrawSetup& draw)
 {
+    if (!draw.fullScreen)
+    {
+        return false;
+    }
     const bool hasViewport =
         std::any_of(node.commands.begin(), node.commands.end(),
                     [](const PassCommand& command)
                     { return std::holds_alternative<SetViewportCommand>(command); });
-    return draw.fullScreen && node.targets.colors.size() == 1 && !hasViewport &&
+    return node.targets.colors.size() == 1 && !hasViewport &&
            !(node.targets.depth && UsesDepth(draw.state)) && !draw.state.alphaToMask &&
            ReplacesTarget(draw.state.targets.at(0));
 }
 
 /// Of what comes before a draw that covers the colour, only depth and stencil are of use.
-void DropWhatIsCovered(FrameNode& node, std::size_t& covering)
+void DropWhatIsCovered(FrameNode& node, const FrameTables& tables, std::size_t& covering)
 {
     std::vector<PassCommand> kept;
     for (std::size_t i = 0; i < covering; ++i)
@@ -34,7 +38,7 @@ void DropWhatIsCovered(FrameNode& node, std::size_t& covering)
         {
             clear->flags = Without(clear->flags, ClearFlag::Color);
         }
-        const bool isOfUse = draw    ? node.targets.depth && UsesDepth(draw->state)
+        const bool isOfUse = draw    ? node.targets.depth && UsesDepth(tables.Setup(*draw).state)
                              : clear ? clear->flags != ClearFlag::None
                                      : true;
         if (isOfUse)
@@ -65,20 +69,20 @@ bool UsesDepth(const PipelineState& state)
     return isTested || isWritten || state.stencilEnabled;
 }
 
-void FindAccess(std::vector<FrameNode>& nodes)
+void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables)
 {
     for (FrameNode& node : nodes)
     {
         for (std::size_t i = 0; i < node.commands.size(); ++i)
         {
             const auto* draw = std::get_if<DrawCommand>(&node.commands[i]);
-            if (draw && Covers(node, *draw))
+            if (draw && Covers(node, tables.Setup(*draw)))
             {
-                DropWhatIsCovered(node, i);
+                DropWhatIsCovered(node, tables, i);
                 node.coversColor = true;
             }
         }
-        CollectReads(node);
+        CollectReads(node, tables);
     }
 }
 

@@ -9,14 +9,14 @@ namespace limn
 namespace
 {
 
-bool UsesDepth(const FrameNode& node)
+bool UsesDepth(const FrameNode& node, const FrameTables& tables)
 {
     return std::any_of(node.commands.begin(), node.commands.end(),
-                       [](const PassCommand& command)
+                       [&](const PassCommand& command)
                        {
                            const auto* draw = std::get_if<DrawCommand>(&command);
                            const auto* clear = std::get_if<ClearCommand>(&command);
-                           return (draw && UsesDepth(draw->state)) ||
+                           return (draw && UsesDepth(tables.Setup(*draw).state)) ||
                                   (clear && (clear->flags & ClearFlag::DepthStencil));
                        });
 }
@@ -26,7 +26,7 @@ bool UsesDepth(const FrameNode& node)
 class ConstantFolder
 {
 public:
-    explicit ConstantFolder(TextureStates& states) : m_States(states) {}
+    explicit ConstantFolder(CompiledFrame& frame) : m_Tables(frame), m_States(frame.states) {}
 
     void Fold(std::vector<FrameNode>& nodes, OutputSpan outputs)
     {
@@ -47,7 +47,7 @@ private:
         m_Place = node.place;
         FoldDraws(node);
         LeaveOutDepth(node);
-        CollectReads(node);
+        CollectReads(node, m_Tables);
         const bool draws = HasDraws(node);
         const bool clearsParts =
             std::any_of(node.commands.begin(), node.commands.end(),
@@ -87,15 +87,19 @@ private:
                       [&](const PassCommand& command)
                       {
                           const auto* draw = std::get_if<DrawCommand>(&command);
-                          const bool folds = draw && draw->fullScreen && Fold(node, *draw, isFirst);
+                          const bool folds = draw && Fold(node, m_Tables.Setup(*draw), isFirst);
                           isFirst = isFirst && (draw == nullptr || folds);
                           return folds;
                       });
     }
 
     /// @return whether the draw can go
-    bool Fold(FrameNode& node, const DrawCommand& draw, bool isFirst)
+    bool Fold(FrameNode& node, const DrawSetup& draw, bool isFirst)
     {
+        if (!draw.fullScreen)
+        {
+            return false;
+        }
         const std::string zero = WhyConstant(*draw.fullScreen);
         if (zero.empty() || (node.targets.depth && UsesDepth(draw.state)))
         {
@@ -137,7 +141,7 @@ private:
         return {};
     }
 
-    static bool ChangesNothing(const FrameNode& node, const DrawCommand& draw)
+    static bool ChangesNothing(const FrameNode& node, const DrawSetup& draw)
     {
         return node.targets.colors.size() == 1 &&
                LeavesTargetAsItIs(draw.state.targets.at(0), draw.fullScreen->output);
@@ -146,7 +150,7 @@ private:
     /// Depth that no draw uses is not attached.
     void LeaveOutDepth(FrameNode& node)
     {
-        if (!node.targets.depth || node.targets.colors.empty() || UsesDepth(node))
+        if (!node.targets.depth || node.targets.colors.empty() || UsesDepth(node, m_Tables))
         {
             return;
         }
@@ -230,6 +234,7 @@ private:
         }
     }
 
+    const FrameTables& m_Tables;
     TextureStates& m_States;
     std::vector<FrameNode> m_Nodes;
     std::string m_Why; ///< draws of the node went; "" = none
@@ -240,7 +245,7 @@ private:
 
 void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
-    ConstantFolder(frame.states).Fold(nodes, outputs);
+    ConstantFolder(frame).Fold(nodes, outputs);
     EraseLeftOut(nodes, frame);
 }
 

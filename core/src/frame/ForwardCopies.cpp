@@ -28,14 +28,14 @@ const DrawCommand* OnlyDraw(const FrameNode& node)
 }
 
 /// What the node is a copy of; null if it is none, or more than one.
-TexturePtr CopiedBy(const FrameNode& node)
+TexturePtr CopiedBy(const FrameNode& node, const FrameTables& tables)
 {
     const DrawCommand* draw = OnlyDraw(node);
     if (draw == nullptr || !node.coversColor || node.targets.depth || node.reads.size() != 1)
     {
         return nullptr;
     }
-    const auto& copied = draw->fullScreen->copied;
+    const auto& copied = tables.Setup(*draw).fullScreen->copied;
     return copied == node.reads.front() ? std::static_pointer_cast<const RenderTexture>(copied)
                                         : nullptr;
 }
@@ -60,20 +60,26 @@ bool Uses(const FrameNode& node, const Texture& texture)
 
 /// Whether all that the node draws is what it would be in another format, but for rounding; or, if
 /// the format is the same, where alpha is 1.
-bool DrawsTheSame(const FrameNode& node, bool isSameFormat)
+bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameFormat)
 {
     return node.targets.colors.size() == 1 &&
-           std::all_of(node.commands.begin(), node.commands.end(),
-                       [&](const PassCommand& command)
-                       {
-                           const auto* draw = std::get_if<DrawCommand>(&command);
-                           return !draw || ReplacesTarget(draw->state.targets.at(0)) ||
-                                  (isSameFormat && !ReadsTargetAlpha(draw->state.targets.at(0)));
-                       });
+           std::all_of(
+               node.commands.begin(), node.commands.end(),
+               [&](const PassCommand& command)
+               {
+                   const auto* draw = std::get_if<DrawCommand>(&command);
+                   if (draw == nullptr)
+                   {
+                       return true;
+                   }
+                   const RenderTargetBlendState& blend = tables.Setup(*draw).state.targets.at(0);
+                   return ReplacesTarget(blend) || (isSameFormat && !ReadsTargetAlpha(blend));
+               });
 }
 
 /// What goes through `from` alone to the copy, node `copy`.
-bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const RenderTexture& from)
+bool CanForward(const std::vector<FrameNode>& nodes, const FrameTables& tables, std::size_t copy,
+                const RenderTexture& from)
 {
     const RenderTexture& to = *nodes[copy].targets.colors.front();
     const bool isSameFormat = from.graphicsFormat() == to.graphicsFormat();
@@ -89,7 +95,7 @@ bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const Ren
         if ((i < copy && Uses(node, to)) || (i > copy && usesFrom) ||
             (usesFrom &&
              (node.targets.colors.empty() || node.targets.colors.front().get() != &from ||
-              !DrawsTheSame(node, isSameFormat))))
+              !DrawsTheSame(node, tables, isSameFormat))))
         {
             return false;
         }
@@ -103,7 +109,7 @@ bool CanForward(const std::vector<FrameNode>& nodes, std::size_t copy, const Ren
 }
 
 /// The copy has alpha 1, so that is what draws leave there.
-void DrawInto(FrameNode& node, const TexturePtr& to)
+void DrawInto(FrameNode& node, FrameTables& tables, const TexturePtr& to)
 {
     node.targets.colors.front() = to;
     if (node.coversColor)
@@ -118,15 +124,14 @@ void DrawInto(FrameNode& node, const TexturePtr& to)
     }
     for (PassCommand& command : node.commands)
     {
-        if (auto* draw = std::get_if<DrawCommand>(&command))
-        {
-            draw->state.targets.at(0).writeMask &= ~ColorWriteMask::Alpha;
-        }
-        else if (auto* clear = std::get_if<ClearCommand>(&command))
+        if (auto* clear = std::get_if<ClearCommand>(&command))
         {
             clear->color.a = 1.0f;
         }
     }
+    ChangeSetups(node, tables,
+                 [](DrawSetup& setup)
+                 { setup.state.targets.at(0).writeMask &= ~ColorWriteMask::Alpha; });
 }
 
 } // namespace
@@ -135,11 +140,11 @@ void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
-        const TexturePtr from = CopiedBy(nodes[i]);
+        const TexturePtr from = CopiedBy(nodes[i], frame);
         const bool isKept = !from || OutlivesFrame(*from, frame.states) ||
                             std::find(outputs.begin(), outputs.end(), from) != outputs.end() ||
                             !SameShape(*from, *nodes[i].targets.colors.front()) ||
-                            !CanForward(nodes, i, *from);
+                            !CanForward(nodes, frame, i, *from);
         if (isKept)
         {
             continue;
@@ -150,7 +155,7 @@ void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
         {
             if (Uses(node, *from) && node.whyLeftOut.empty() && &node != &nodes[i])
             {
-                DrawInto(node, HasSamples(*from) ? from : to);
+                DrawInto(node, frame, HasSamples(*from) ? from : to);
                 last = &node;
             }
         }

@@ -13,11 +13,12 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     frame.states = states;
     std::erase_if(frame.states.textures,
                   [](const auto& entry) { return entry.second.texture.expired(); });
-    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands));
+    static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
+    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
     std::vector<std::uint64_t> overwritten;
     if (options.leavesOut)
     {
-        FindAccess(nodes);
+        FindAccess(nodes, frame);
         overwritten = LearnHistory(nodes, outputs, frame);
         if (options.isLast)
         {
@@ -28,12 +29,15 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
         LeaveOutUnread(nodes, outputs, frame);
         if (options.limitsRegions)
         {
-            LimitRegions(nodes);
+            LimitRegions(nodes, frame);
         }
-        MergeNodes(nodes);
+        MergeNodes(nodes, frame);
         std::for_each(nodes.begin(), nodes.end(), EraseEmptySamples);
     }
-    std::for_each(nodes.begin(), nodes.end(), CollectReads);
+    for (FrameNode& node : nodes)
+    {
+        CollectReads(node, frame);
+    }
     LeaveOutStencil(nodes, outputs, frame);
     ResolveSamples(nodes, outputs, frame);
     PlaceTextures(nodes, outputs, options.footprint, frame);
@@ -41,7 +45,6 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     ForgetContents(frame.states);
     RememberOverwritten(overwritten, frame.states);
     frame.uniformData = std::move(commands.uniformData);
-    static_cast<FrameInstances&>(frame) = std::move(static_cast<FrameInstances&>(commands));
     return frame;
 }
 

@@ -106,14 +106,18 @@ std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& nod
     return targets;
 }
 
-void CollectReads(FrameNode& node)
+void CollectReads(FrameNode& node, const FrameTables& tables)
 {
     node.reads.clear();
+    const DrawBindings* last = nullptr;
     for (const PassCommand& command : node.commands)
     {
-        if (const auto* draw = std::get_if<DrawCommand>(&command))
+        const auto* draw = std::get_if<DrawCommand>(&command);
+        const DrawBindings* bindings = draw ? tables.Setup(*draw).bindings.get() : last;
+        if (bindings != last)
         {
-            for (const TextureSlot& slot : draw->bindings->textures)
+            last = bindings;
+            for (const TextureSlot& slot : bindings->textures)
             {
                 AddRead(node.reads, slot.texture);
             }

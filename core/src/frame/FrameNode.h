@@ -2,6 +2,7 @@
 
 #include <limn/core/FrameCompiler.h>
 #include <span>
+#include <unordered_map>
 
 namespace limn
 {
@@ -48,7 +49,30 @@ bool UsesDepth(const PipelineState& state);
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
 /// Works FrameNode::reads out from the draws.
-void CollectReads(FrameNode& node);
+void CollectReads(FrameNode& node, const FrameTables& tables);
+
+/// Changes what a node's draws are set up with, and nobody else's.
+/// @param change  of a DrawSetup&
+template <typename Change>
+void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
+{
+    std::unordered_map<std::uint32_t, std::uint32_t> changed;
+    for (PassCommand& command : node.commands)
+    {
+        if (auto* draw = std::get_if<DrawCommand>(&command))
+        {
+            const auto [known, isNew] =
+                changed.try_emplace(draw->setup, static_cast<std::uint32_t>(tables.setups.size()));
+            if (isNew)
+            {
+                DrawSetup setup = tables.Setup(*draw);
+                change(setup);
+                tables.setups.push_back(std::move(setup));
+            }
+            draw->setup = known->second;
+        }
+    }
+}
 
 /// Takes over what `other` clears, in place of what `clear` says about the same.
 void Merge(ClearCommand& clear, const ClearCommand& other);
@@ -63,10 +87,11 @@ void EraseEmptySamples(FrameNode& node);
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
 /// or cleared, so binding alone makes no node and ends none. Samples left open end with the frame.
 /// @throws ContractError as CompileFrame
-std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands);
+std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands,
+                                      const FrameTables& tables);
 
 /// Works out what each node reads, and which draws cover their target: what they cover is dropped.
-void FindAccess(std::vector<FrameNode>& nodes);
+void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables);
 
 // Each of the following steps leaves a frame that draws the same. They know of the frames before
 // what `frame.states` says, and say in `frame.leftOut` what they leave out.
@@ -76,12 +101,12 @@ void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
 void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
 /// before and the passes' promises tell.
-void LimitRegions(std::vector<FrameNode>& nodes);
+void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
 /// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
 /// outputs stay, since others know them by identity.
 void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
-void MergeNodes(std::vector<FrameNode>& nodes);
+void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables);
 /// Resolves samples where something reads them before the texture's next node: as late as possible,
 /// and not where they are only drawn on.
 void ResolveSamples(std::vector<FrameNode>& nodes, OutputSpan outputs, const CompiledFrame& frame);

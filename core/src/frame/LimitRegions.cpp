@@ -51,6 +51,8 @@ bool IsPlain(const FrameNode& node)
 class RegionLimiter
 {
 public:
+    explicit RegionLimiter(const FrameTables& tables) : m_Tables(tables) {}
+
     void Limit(FrameNode& node)
     {
         if (!IsPlain(node))
@@ -103,19 +105,20 @@ private:
         {
             return before ? std::optional(Union(*before, added)) : std::nullopt;
         };
-        if (!draw.fullScreen)
+        const DrawSetup& setup = m_Tables.Setup(draw);
+        if (!setup.fullScreen)
         {
             return draw.bounds ? join(*draw.bounds) : std::nullopt;
         }
-        const std::optional<TargetRegion> seen = SeenBy(*draw.fullScreen);
+        const std::optional<TargetRegion> seen = SeenBy(*setup.fullScreen);
         const RenderTexture& target = *node.targets.colors.front();
-        if (!seen || (node.targets.depth && UsesDepth(draw.state)))
+        if (!seen || (node.targets.depth && UsesDepth(setup.state)))
         {
             return std::nullopt;
         }
         const ViewportRect rect = ToTexels(*seen, target);
-        const Color& output = draw.fullScreen->output;
-        if (LeavesTargetAsItIs(draw.state.targets[0], output))
+        const Color& output = setup.fullScreen->output;
+        if (LeavesTargetAsItIs(setup.state.targets[0], output))
         {
             draw.scissor = IsWorthwhile(rect, target) ? std::optional(rect) : std::nullopt;
             return join(*seen);
@@ -152,14 +155,15 @@ private:
         return std::nullopt;
     }
 
+    const FrameTables& m_Tables;
     std::unordered_map<std::uint64_t, TargetRegion> m_Regions; ///< by Texture::id
 };
 
 } // namespace
 
-void LimitRegions(std::vector<FrameNode>& nodes)
+void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables)
 {
-    RegionLimiter limiter;
+    RegionLimiter limiter(tables);
     for (FrameNode& node : nodes)
     {
         limiter.Limit(node);

@@ -55,24 +55,25 @@ bool SameSize(const RenderTexture& a, const RenderTexture& b)
 }
 
 /// Whether the node's commands mean the same beside further colours, which they leave alone.
-bool CanHaveMoreColors(const FrameNode& node)
+bool CanHaveMoreColors(const FrameNode& node, const FrameTables& tables)
 {
     return std::none_of(node.commands.begin(), node.commands.end(),
-                        [](const PassCommand& command)
+                        [&](const PassCommand& command)
                         {
                             const auto* clear = std::get_if<ClearCommand>(&command);
                             const auto* draw = std::get_if<DrawCommand>(&command);
+                            const RenderTargetBlendState* blend =
+                                draw ? &tables.Setup(*draw).state.targets[0] : nullptr;
                             // An operation beyond blending is one for all colours, and not every
                             // format has it.
                             return (clear && (clear->flags & ClearFlag::Color)) ||
-                                   (draw && std::max(draw->state.targets[0].colorBlendOperation,
-                                                     draw->state.targets[0].alphaBlendOperation) >
-                                                BlendOp::Max);
+                                   (blend && std::max(blend->colorBlendOperation,
+                                                      blend->alphaBlendOperation) > BlendOp::Max);
                         });
 }
 
 /// Whether one's colours are the first ones of the other's, and can be joined by those behind.
-bool ColorsFit(const FrameNode& node, const FrameNode& next)
+bool ColorsFit(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
     const auto& colors = node.targets.colors;
     const auto& nextColors = next.targets.colors;
@@ -89,8 +90,8 @@ bool ColorsFit(const FrameNode& node, const FrameNode& next)
                      [&](const auto& c) { return ClearColorOf(next, *c); }));
     const bool coversSome = node.coversColor && nextColors.size() > colors.size();
     return !clearsCommon && !coversSome &&
-           (colors.size() >= nextColors.size() || CanHaveMoreColors(node)) &&
-           (colors.size() <= nextColors.size() || CanHaveMoreColors(next));
+           (colors.size() >= nextColors.size() || CanHaveMoreColors(node, tables)) &&
+           (colors.size() <= nextColors.size() || CanHaveMoreColors(next, tables));
 }
 
 bool DepthFits(const FrameNode& node, const FrameNode& next)
@@ -101,42 +102,38 @@ bool DepthFits(const FrameNode& node, const FrameNode& next)
 }
 
 /// Whether `next` can go on where `node` ends.
-bool CanContinue(const FrameNode& node, const FrameNode& next)
+bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
-    return SameSize(AnyTarget(node), AnyTarget(next)) && ColorsFit(node, next) &&
+    return SameSize(AnyTarget(node), AnyTarget(next)) && ColorsFit(node, next, tables) &&
            DepthFits(node, next) && !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
 }
 
 /// As it was where no depth was attached.
-void IgnoreDepth(FrameNode& node)
+void IgnoreDepth(FrameNode& node, FrameTables& tables)
 {
-    for (PassCommand& command : node.commands)
-    {
-        if (auto* draw = std::get_if<DrawCommand>(&command))
-        {
-            draw->state.zTest = CompareFunction::Disabled;
-            draw->state.stencilEnabled = false;
-        }
-    }
+    ChangeSetups(node, tables,
+                 [](DrawSetup& setup)
+                 {
+                     setup.state.zTest = CompareFunction::Disabled;
+                     setup.state.stencilEnabled = false;
+                 });
 }
 
 /// As it was where only the first colours were attached.
-void IgnoreColors(FrameNode& node, std::size_t first)
+void IgnoreColors(FrameNode& node, FrameTables& tables, std::size_t first)
 {
-    for (PassCommand& command : node.commands)
-    {
-        if (auto* draw = std::get_if<DrawCommand>(&command))
-        {
-            auto& targets = draw->state.targets;
-            for (std::size_t i = first; i < targets.size(); ++i)
-            {
-                targets[i].writeMask = 0;
-            }
-        }
-    }
+    ChangeSetups(node, tables,
+                 [&](DrawSetup& setup)
+                 {
+                     auto& targets = setup.state.targets;
+                     for (std::size_t i = first; i < targets.size(); ++i)
+                     {
+                         targets[i].writeMask = 0;
+                     }
+                 });
 }
 
-void JoinColors(FrameNode& node, FrameNode& next)
+void JoinColors(FrameNode& node, FrameNode& next, FrameTables& tables)
 {
     const std::size_t count = node.targets.colors.size();
     const std::size_t nextCount = next.targets.colors.size();
@@ -144,11 +141,11 @@ void JoinColors(FrameNode& node, FrameNode& next)
     {
         if (nextCount < count)
         {
-            IgnoreColors(next, nextCount);
+            IgnoreColors(next, tables, nextCount);
         }
         return;
     }
-    IgnoreColors(node, count);
+    IgnoreColors(node, tables, count);
     std::vector<std::optional<Color>> cleared;
     for (std::size_t i = 0; i < nextCount; ++i)
     {
@@ -163,13 +160,13 @@ void JoinColors(FrameNode& node, FrameNode& next)
     node.coversColor = next.coversColor;
 }
 
-void JoinDepth(FrameNode& node, FrameNode& next)
+void JoinDepth(FrameNode& node, FrameNode& next, FrameTables& tables)
 {
     if (node.targets.depth == next.targets.depth)
     {
         return;
     }
-    IgnoreDepth(node.targets.depth ? next : node);
+    IgnoreDepth(node.targets.depth ? next : node, tables);
     if (next.targets.depth)
     {
         node.targets.depth = next.targets.depth;
@@ -183,10 +180,10 @@ void JoinDepth(FrameNode& node, FrameNode& next)
     }
 }
 
-void Continue(FrameNode& node, FrameNode& next)
+void Continue(FrameNode& node, FrameNode& next, FrameTables& tables)
 {
-    JoinColors(node, next);
-    JoinDepth(node, next);
+    JoinColors(node, next, tables);
+    JoinDepth(node, next, tables);
     node.resolves.insert(node.resolves.end(), next.resolves.begin(), next.resolves.end());
     const bool hasViewport =
         std::any_of(node.commands.begin(), node.commands.end(),
@@ -199,17 +196,18 @@ void Continue(FrameNode& node, FrameNode& next)
     }
     node.commands.insert(node.commands.end(), std::make_move_iterator(next.commands.begin()),
                          std::make_move_iterator(next.commands.end()));
-    CollectReads(node);
+    CollectReads(node, tables);
 }
 
 /// The node that `next` can go on with, past all that it may change places with.
-FrameNode* FindBegun(std::vector<FrameNode>& nodes, const FrameNode& next)
+FrameNode* FindBegun(std::vector<FrameNode>& nodes, const FrameNode& next,
+                     const FrameTables& tables)
 {
     const bool canMove = SamplesAreBalanced(next);
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {
         const bool isNeighbour = node == nodes.rbegin();
-        if ((isNeighbour || SharesTarget(*node, next)) && CanContinue(*node, next))
+        if ((isNeighbour || SharesTarget(*node, next)) && CanContinue(*node, next, tables))
         {
             return &*node;
         }
@@ -223,15 +221,15 @@ FrameNode* FindBegun(std::vector<FrameNode>& nodes, const FrameNode& next)
 
 } // namespace
 
-void MergeNodes(std::vector<FrameNode>& nodes)
+void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables)
 {
     std::vector<FrameNode> merged;
     for (FrameNode& node : nodes)
     {
-        FrameNode* begun = FindBegun(merged, node);
+        FrameNode* begun = FindBegun(merged, node, tables);
         if (begun)
         {
-            Continue(*begun, node);
+            Continue(*begun, node, tables);
         }
         else
         {

@@ -23,10 +23,10 @@ ClearFlag AspectsOf(const SetRenderTargetCommand& target)
 }
 
 /// @throws DrawError if the draw samples what it draws into
-void ExpectOtherTextures(const FrameNode& node, const DrawCommand& draw)
+void ExpectOtherTextures(const FrameNode& node, const DrawBindings& bindings)
 {
     const auto& colors = node.targets.colors;
-    for (const TextureSlot& slot : draw.bindings->textures)
+    for (const TextureSlot& slot : bindings.textures)
     {
         if (slot.texture == node.targets.depth ||
             std::find(colors.begin(), colors.end(), slot.texture) != colors.end())
@@ -40,6 +40,8 @@ void ExpectOtherTextures(const FrameNode& node, const DrawCommand& draw)
 class NodeSplitter
 {
 public:
+    explicit NodeSplitter(const FrameTables& tables) : m_Tables(tables) {}
+
     std::vector<FrameNode> Split(std::vector<FrameCommand> commands)
     {
         for (FrameCommand& command : commands)
@@ -87,7 +89,12 @@ private:
     void Take(DrawCommand& command)
     {
         FrameNode& node = Node("a draw");
-        ExpectOtherTextures(node, command);
+        const DrawBindings* bindings = m_Tables.Setup(command).bindings.get();
+        if (!m_Started || bindings != m_LastBindings)
+        {
+            ExpectOtherTextures(node, *bindings);
+            m_LastBindings = bindings;
+        }
         node.commands.emplace_back(std::move(command));
         m_Started = true;
     }
@@ -158,6 +165,8 @@ private:
         m_PendingBegins = 0;
     }
 
+    const FrameTables& m_Tables;
+    const DrawBindings* m_LastBindings = nullptr; ///< of the last draw
     std::vector<FrameNode> m_Nodes;
     std::optional<SetRenderTargetCommand> m_Target;
     bool m_Started = false;                     ///< the last node holds a draw or a clear
@@ -170,9 +179,9 @@ private:
 
 } // namespace
 
-std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands)
+std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands, const FrameTables& tables)
 {
-    return NodeSplitter().Split(std::move(commands));
+    return NodeSplitter(tables).Split(std::move(commands));
 }
 
 } // namespace limn

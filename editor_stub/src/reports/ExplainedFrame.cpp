@@ -46,6 +46,8 @@ std::string LoadText(LoadOp load)
 class FrameExplainer
 {
 public:
+    explicit FrameExplainer(const FrameTables& tables) : m_Tables(tables) {}
+
     ExplainedFrame Explain(const CompiledFrame& frame)
     {
         for (const CompiledRenderPass& pass : frame.passes)
@@ -130,7 +132,7 @@ private:
                 ++result.draws;
                 result.instances += static_cast<int>(draw->instanceCount);
                 result.limited += draw->scissor ? 1 : 0;
-                for (const TextureSlot& slot : draw->bindings->textures)
+                for (const TextureSlot& slot : m_Tables.Setup(*draw).bindings->textures)
                 {
                     const std::size_t texture = Use(*slot.texture, number);
                     if (std::find(result.reads.begin(), result.reads.end(), texture) ==
@@ -194,6 +196,7 @@ private:
         return {IndexOf(*barrier.texture), NameOf(barrier.before), NameOf(barrier.after)};
     }
 
+    const FrameTables& m_Tables;
     ExplainedFrame m_Result;
     std::vector<std::uint64_t> m_Ids; ///< of m_Result.textures
 };
@@ -202,7 +205,7 @@ private:
 
 ExplainedFrame ExplainFrame(const CompiledFrame& frame)
 {
-    return FrameExplainer().Explain(frame);
+    return FrameExplainer(frame).Explain(frame);
 }
 
 std::string DrawsText(const ExplainedPass& pass)

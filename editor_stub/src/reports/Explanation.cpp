@@ -95,12 +95,14 @@ std::vector<ExplainedVariant> VariantsOf(const CompiledFrame& frame)
         for (const PassCommand& command : pass.commands)
         {
             const auto* draw = std::get_if<DrawCommand>(&command);
-            const bool isFullScreen = draw && draw->mesh == nullptr;
-            if (draw && known.insert({draw->shader.get(), draw->shaderPass, isFullScreen}).second)
+            const bool isFullScreen = draw && draw->mesh == DrawCommand::k_NoMesh;
+            const DrawSetup* setup = draw ? &frame.Setup(*draw) : nullptr;
+            if (setup &&
+                known.insert({setup->shader.get(), setup->shaderPass, isFullScreen}).second)
             {
-                variants.push_back({draw->shader->name(), draw->shaderPass,
-                                    draw->shader->passName(draw->shaderPass),
-                                    draw->shader->keywords(draw->shaderPass), isFullScreen});
+                variants.push_back({setup->shader->name(), setup->shaderPass,
+                                    setup->shader->passName(setup->shaderPass),
+                                    setup->shader->keywords(setup->shaderPass), isFullScreen});
             }
         }
     }

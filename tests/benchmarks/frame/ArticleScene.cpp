@@ -155,40 +155,42 @@ public:
 private:
     void Take(const CompiledRenderPass& pass, const DrawCommand& draw)
     {
-        if (draw.shader->name() == "Universal Render Pipeline/Lit")
+        const DrawSetup& setup = m_Frame.Setup(draw);
+        if (setup.shader->name() == "Universal Render Pipeline/Lit")
         {
             TakeLit(pass, draw);
         }
-        else if (draw.shader->name() != "Hidden/ScreenSpaceOutline")
+        else if (setup.shader->name() != "Hidden/ScreenSpaceOutline")
         {
-            m_Result.final = {draw.program, draw.bindings};
+            m_Result.final = {setup.program, setup.bindings};
         }
-        else if (draw.shaderPass == 0)
+        else if (setup.shaderPass == 0)
         {
-            m_Result.mask = draw.program;
-            m_Result.maskBindings = draw.bindings;
+            m_Result.mask = setup.program;
+            m_Result.maskBindings = setup.bindings;
         }
         else
         {
-            (draw.shaderPass == 1 ? m_Result.edge : m_Result.composite) = {draw.program,
-                                                                           draw.bindings};
+            (setup.shaderPass == 1 ? m_Result.edge : m_Result.composite) = {setup.program,
+                                                                            setup.bindings};
         }
     }
 
     void TakeLit(const CompiledRenderPass& pass, const DrawCommand& draw)
     {
+        const DrawSetup& setup = m_Frame.Setup(draw);
         m_Result.width = pass.width;
         m_Result.height = pass.height;
         m_Result.background = pass.colors.at(0).clearColor;
-        m_Result.lit = draw.program;
+        m_Result.lit = setup.program;
         auto& materials = m_Result.materials;
-        const auto found = std::find(materials.begin(), materials.end(), draw.bindings);
+        const auto found = std::find(materials.begin(), materials.end(), setup.bindings);
         const auto material = static_cast<std::size_t>(found - materials.begin());
         if (found == materials.end())
         {
-            materials.push_back(draw.bindings);
+            materials.push_back(setup.bindings);
         }
-        auto& objects = m_Objects[{material, draw.mesh}];
+        auto& objects = m_Objects[{material, m_Frame.MeshOf(draw)}];
         for (std::uint32_t i = 0; i < draw.instanceCount; ++i)
         {
             objects.push_back(m_Frame.PerDraw(draw, i));

@@ -12,15 +12,26 @@
 namespace limn::test
 {
 
-/// The draws among a frame's commands, in order.
-inline std::vector<DrawCommand> DrawsOf(const FrameCommands& frame)
+/// A draw with what it refers to.
+struct SeenDraw : DrawCommand, DrawSetup
 {
-    std::vector<DrawCommand> draws;
+    SeenDraw(const DrawCommand& draw, const FrameTables& frame)
+        : DrawCommand(draw), DrawSetup(frame.Setup(draw)), mesh(frame.MeshOf(draw))
+    {
+    }
+
+    std::shared_ptr<const Mesh> mesh;
+};
+
+/// The draws among a frame's commands, in order.
+inline std::vector<SeenDraw> DrawsOf(const FrameCommands& frame)
+{
+    std::vector<SeenDraw> draws;
     for (const FrameCommand& command : frame.commands)
     {
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            draws.push_back(*draw);
+            draws.emplace_back(*draw, frame);
         }
     }
     return draws;
@@ -33,7 +44,7 @@ struct UniformBytes
     UniformMember member;
     const std::byte* bytes = nullptr;
 };
-inline UniformBytes FindUniform(const FrameCommands& frame, const DrawCommand& draw,
+inline UniformBytes FindUniform(const FrameCommands& frame, const SeenDraw& draw,
                                 const std::string& name)
 {
     for (const UniformBuffer& buffer : draw.program->layout.buffers)
@@ -59,7 +70,7 @@ inline UniformBytes FindUniform(const FrameCommands& frame, const DrawCommand& d
 
 /// `count` consecutive floats or ints of a uniform, `offset` bytes behind its beginning.
 template <typename T>
-std::vector<T> ReadUniform(const FrameCommands& frame, const DrawCommand& draw,
+std::vector<T> ReadUniform(const FrameCommands& frame, const SeenDraw& draw,
                            const std::string& name, std::size_t count, std::size_t offset = 0)
 {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -92,7 +103,7 @@ public:
         m_Frame = context.TakeCommands();
     }
 
-    DrawCommand draw() const { return DrawsOf(m_Frame).at(0); }
+    SeenDraw draw() const { return DrawsOf(m_Frame).at(0); }
     const FrameCommands& frame() const { return m_Frame; }
 
     std::vector<float> Floats(const std::string& name, std::size_t count,

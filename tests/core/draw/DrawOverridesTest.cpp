@@ -17,7 +17,7 @@ class DrawOverrides : public testing::Test
 protected:
     DrawOverrides() { m_Drawing.shaderTagIds = {ShaderTagId("UniversalForward")}; }
 
-    std::vector<DrawCommand> Draw(const RenderStateBlock& stateBlock = RenderStateBlock())
+    std::vector<test::SeenDraw> Draw(const RenderStateBlock& stateBlock = RenderStateBlock())
     {
         Camera camera;
         camera.orthographic = true;
@@ -29,7 +29,7 @@ protected:
         return test::DrawsOf(m_Frame);
     }
 
-    std::vector<float> Tint(const DrawCommand& draw) const
+    std::vector<float> Tint(const test::SeenDraw& draw) const
     {
         return test::ReadUniform<float>(m_Frame, draw, "_Tint", 1);
     }

@@ -23,7 +23,7 @@ protected:
     DrawRenderersCalls() { m_Drawing.shaderTagIds = {k_Forward}; }
 
     /// Draws everything in the scene, seen or not.
-    std::vector<DrawCommand> Draw(const FilteringSettings& filtering = FilteringSettings())
+    std::vector<test::SeenDraw> Draw(const FilteringSettings& filtering = FilteringSettings())
     {
         Camera camera;
         camera.orthographic = true;

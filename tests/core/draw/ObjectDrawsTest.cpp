@@ -15,7 +15,7 @@ class ObjectDraws : public testing::Test
 {
 protected:
     /// @param depth  the target has one
-    std::vector<DrawCommand> Draw(SortingCriteria criteria, bool depth = true)
+    std::vector<test::SeenDraw> Draw(SortingCriteria criteria, bool depth = true)
     {
         Camera camera;
         camera.orthographic = true;
@@ -55,7 +55,7 @@ protected:
     }
 
     /// z of each instance, in the order of drawing.
-    std::vector<float> Places(const DrawCommand& draw) const
+    std::vector<float> Places(const test::SeenDraw& draw) const
     {
         std::vector<float> places;
         for (std::uint32_t i = 0; i < draw.instanceCount; ++i)
@@ -90,7 +90,7 @@ TEST_F(ObjectDraws, AreOneForEachMeshWhereTheNearestWins)
     Scatter(300, m_Meshes, MaterialWith(""));
     const auto draws = Draw(SortingCriteria::CommonOpaque);
     ASSERT_EQ(draws.size(), 3u);
-    for (const DrawCommand& draw : draws)
+    for (const test::SeenDraw& draw : draws)
     {
         EXPECT_EQ(draw.instanceCount, 100u);
         const std::vector<float> places = Places(draw);
@@ -117,7 +117,7 @@ TEST_F(ObjectDraws, KeepTheirOrderWhereItCanBeSeen)
         m_Scene = Scene();
         Scatter(100, m_Meshes, MaterialWith(state));
         std::vector<float> places;
-        for (const DrawCommand& draw : Draw(criteria, depth))
+        for (const test::SeenDraw& draw : Draw(criteria, depth))
         {
             const std::vector<float> own = Places(draw);
             places.insert(places.end(), own.begin(), own.end());
@@ -155,7 +155,7 @@ TEST_F(ObjectDraws, KeepAFurtherMaterialBehindTheFirst)
     }
     const auto draws = Draw(SortingCriteria::CommonOpaque);
     std::map<float, std::vector<std::shared_ptr<const DrawBindings>>> drawn;
-    for (const DrawCommand& draw : draws)
+    for (const test::SeenDraw& draw : draws)
     {
         for (const float place : Places(draw))
         {
@@ -180,7 +180,7 @@ TEST_F(ObjectDraws, AreOneForEachWindingToo)
     {
         object->transform.localScale.x = object->transform.localPosition.z > 500.0f ? -1.0f : 1.0f;
     }
-    for (const DrawCommand& draw : Draw(SortingCriteria::CommonOpaque))
+    for (const test::SeenDraw& draw : Draw(SortingCriteria::CommonOpaque))
     {
         for (const float place : Places(draw))
         {

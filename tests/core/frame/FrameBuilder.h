@@ -50,7 +50,8 @@ public:
             bindings->textures.push_back({0, texture, std::nullopt});
         }
         DrawCommand draw;
-        draw.bindings = std::move(bindings);
+        draw.setup = static_cast<std::uint32_t>(m_Frame.setups.size());
+        m_Frame.setups.emplace_back().bindings = std::move(bindings);
         draw.vertexCount = 3;
         draw.firstInstance = number;
         return Add(std::move(draw));
@@ -63,7 +64,7 @@ public:
                        float reach = -1.0f)
     {
         Draw(number, sampled);
-        auto& draw = std::get<DrawCommand>(m_Frame.commands.back());
+        DrawSetup& draw = last();
         draw.state.zTest = CompareFunction::Always;
         draw.state.zWrite = false;
         draw.state.targets[0] = blend;
@@ -94,8 +95,9 @@ public:
         blend.destinationAlphaBlendMode = BlendMode::One;
         return blend;
     }
-    /// The draw that was added last.
-    DrawCommand& last() { return std::get<DrawCommand>(m_Frame.commands.back()); }
+    /// What the draw that was added last is set up with.
+    DrawSetup& last() { return m_Frame.setups.back(); }
+    DrawCommand& lastDraw() { return std::get<DrawCommand>(m_Frame.commands.back()); }
     FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
     FrameBuilder& End() { return Add(EndSampleCommand{}); }
 

@@ -24,6 +24,7 @@ public:
     void Run(const FrameCommands& frame)
     {
         m_SeesSamples = true;
+        m_Tables = &frame;
         SetRenderTargetCommand targets;
         for (const FrameCommand& command : frame.commands)
         {
@@ -47,6 +48,7 @@ public:
     void Run(const CompiledFrame& frame)
     {
         m_SeesSamples = false;
+        m_Tables = &frame;
         for (const CompiledRenderPass& pass : frame.passes)
         {
             Run(pass.barriers);
@@ -71,7 +73,7 @@ public:
                 }
                 else if (const auto* draw = std::get_if<DrawCommand>(&command))
                 {
-                    for (const TextureSlot& slot : draw->bindings->textures)
+                    for (const TextureSlot& slot : frame.Setup(*draw).bindings->textures)
                     {
                         Expect(*slot.texture, TextureUsage::ShaderRead);
                     }
@@ -220,7 +222,7 @@ private:
             const long value = Fragment(draw, sample / count);
             for (std::size_t target = 0; target < targets.colors.size(); ++target)
             {
-                const RenderTargetBlendState& blend = draw.state.targets[target];
+                const RenderTargetBlendState& blend = m_Tables->Setup(draw).state.targets[target];
                 const bool keeps = blend.destinationColorBlendMode != BlendMode::Zero;
                 long& texel = Of(*targets.colors[target])[sample];
                 texel = blend.writeMask == 0 ? texel : ((keeps ? texel : 0) + value) % k_Modulus;
@@ -228,22 +230,23 @@ private:
         }
     }
 
-    static bool Covers(const DrawCommand& draw, std::size_t sample, std::size_t count)
+    bool Covers(const DrawCommand& draw, std::size_t sample, std::size_t count) const
     {
         const std::size_t bits = count == 1 ? draw.firstInstance : draw.firstInstance * 0x9E37U;
-        return draw.fullScreen || ((bits >> sample) & 1) != 0;
+        return m_Tables->Setup(draw).fullScreen || ((bits >> sample) & 1) != 0;
     }
 
     bool PassesDepth(const SetRenderTargetCommand& targets, const DrawCommand& draw, std::size_t i)
     {
-        if (!targets.depth || draw.state.zTest == CompareFunction::Disabled)
+        const PipelineState& state = m_Tables->Setup(draw).state;
+        if (!targets.depth || state.zTest == CompareFunction::Disabled)
         {
             return true;
         }
         long& stored = Of(*targets.depth)[i];
         const long depth = draw.firstInstance % 7;
-        const bool passes = draw.state.zTest == CompareFunction::Always || depth <= stored;
-        stored = passes && draw.state.zWrite ? depth : stored;
+        const bool passes = state.zTest == CompareFunction::Always || depth <= stored;
+        stored = passes && state.zWrite ? depth : stored;
         return passes;
     }
 
@@ -253,17 +256,18 @@ private:
     {
         long sum = 0;
         long product = 1 + draw.firstInstance % 3;
-        for (const TextureSlot& slot : draw.bindings->textures)
+        for (const TextureSlot& slot : m_Tables->Setup(draw).bindings->textures)
         {
             sum += Seen(*slot.texture, i) % k_Modulus;
             product = product * (Seen(*slot.texture, i) % k_Modulus) % k_Modulus;
         }
-        const FullScreenPromise* promise = draw.fullScreen.get();
+        const FullScreenPromise* promise = m_Tables->Setup(draw).fullScreen.get();
         return promise && promise->copied                  ? sum
                : promise && !promise->zeroTextures.empty() ? product
                                                            : sum * 5 + draw.firstInstance;
     }
 
+    const FrameTables* m_Tables = nullptr; ///< of the frame that runs
     bool m_SeesSamples = true; ///< readers see what samples are, not what they were resolved to
     std::map<std::uint64_t, Texels> m_Images;
     std::map<std::uint64_t, Texels> m_Resolved;

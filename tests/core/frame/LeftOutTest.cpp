@@ -231,7 +231,8 @@ TEST_F(LeftOutOfAFrame, IsACopyThatCanBeDrawnIntoDirectly)
     EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Camera);
     EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0, 0, 1}));
     const auto& draw = std::get<DrawCommand>(m_Last.passes[0].commands.at(1));
-    EXPECT_EQ(draw.state.targets[0].writeMask, ColorWriteMask::All & ~ColorWriteMask::Alpha);
+    EXPECT_EQ(m_Last.Setup(draw).state.targets[0].writeMask,
+              ColorWriteMask::All & ~ColorWriteMask::Alpha);
     EXPECT_THAT(Reasons(), ElementsAre("Final Blit: 'Camera' is drawn into directly: nothing else "
                                        "reads 'Scene', nor blends with it"));
 }

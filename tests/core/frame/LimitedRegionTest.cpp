@@ -25,7 +25,7 @@ protected:
         for (const auto& bounds : objects)
         {
             m_Frame.Draw(1);
-            m_Frame.last().bounds = bounds;
+            m_Frame.lastDraw().bounds = bounds;
         }
         m_Frame.Bind(m_Edges).Blit(2, {m_Mask}, "0 0 0 1 where", {}, reach);
         m_Frame.Bind(m_Camera).Blit(3, {m_Edges}, "0 0 0 1 where", FrameBuilder::Additive(), 0.0f);

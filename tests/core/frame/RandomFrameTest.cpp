@@ -192,11 +192,15 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
 {
     CompiledFrame frame;
     frame.states = before;
-    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands));
-    std::for_each(nodes.begin(), nodes.end(), CollectReads);
+    static_cast<FrameTables&>(frame) = commands;
+    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
+    for (FrameNode& node : nodes)
+    {
+        CollectReads(node, frame);
+    }
     if (steps > 0)
     {
-        FindAccess(nodes);
+        FindAccess(nodes, frame);
         LearnHistory(nodes, outputs, frame);
     }
     using Step = void (*)(std::vector<FrameNode>&, OutputSpan, CompiledFrame&);
@@ -207,7 +211,7 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
     }
     if (steps == 5)
     {
-        MergeNodes(nodes);
+        MergeNodes(nodes, frame);
     }
     ResolveSamples(nodes, outputs, frame);
     MakePasses(std::move(nodes), outputs, frame);
@@ -247,9 +251,10 @@ std::string Describe(const FrameCommands& frame)
         }
         else if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            text += draw->state.targets[0] == FrameBuilder::Additive() ? " add" : " draw";
-            text += !draw->fullScreen ? "" : draw->fullScreen->copied ? " copy" : " where";
-            for (const TextureSlot& slot : draw->bindings->textures)
+            const DrawSetup& setup = frame.Setup(*draw);
+            text += setup.state.targets[0] == FrameBuilder::Additive() ? " add" : " draw";
+            text += !setup.fullScreen ? "" : setup.fullScreen->copied ? " copy" : " where";
+            for (const TextureSlot& slot : setup.bindings->textures)
             {
                 text += " " + slot.texture->name();
             }

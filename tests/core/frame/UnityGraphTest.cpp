@@ -117,7 +117,7 @@ std::string OpsText(const Attachment& attachment)
 }
 
 /// "T0 clear>store, D clear>-: 1 2", and with textures that draws sample "Out ->store: 1(T0)".
-std::string PassText(const CompiledRenderPass& pass)
+std::string PassText(const FrameTables& tables, const CompiledRenderPass& pass)
 {
     std::string text;
     for (const auto& color : pass.colors)
@@ -134,7 +134,7 @@ std::string PassText(const CompiledRenderPass& pass)
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
             text += " " + std::to_string(draw->firstInstance);
-            for (const TextureSlot& slot : draw->bindings->textures)
+            for (const TextureSlot& slot : tables.Setup(*draw).bindings->textures)
             {
                 text += "(" + slot.texture->name() + ")";
             }
@@ -190,7 +190,8 @@ TEST_P(UnityGraphTest, ComesToTheSameOrToLess)
     graph.record(builder, textures);
     const CompiledFrame frame = compiler.Compile(builder.Take(), graph.outputs(textures));
     std::vector<std::string> passes;
-    std::transform(frame.passes.begin(), frame.passes.end(), std::back_inserter(passes), PassText);
+    std::transform(frame.passes.begin(), frame.passes.end(), std::back_inserter(passes),
+                   [&](const CompiledRenderPass& pass) { return PassText(frame, pass); });
     EXPECT_THAT(frame.notes, testing::IsEmpty());
     if (graph.limn.empty())
     {

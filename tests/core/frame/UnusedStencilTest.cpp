@@ -16,12 +16,9 @@ protected:
     static FrameCommands Drawing(test::FrameBuilder& builder, bool usesStencil)
     {
         FrameCommands frame = builder.Take();
-        for (FrameCommand& command : frame.commands)
+        for (DrawSetup& setup : frame.setups)
         {
-            if (auto* draw = std::get_if<DrawCommand>(&command))
-            {
-                draw->state.stencilEnabled = usesStencil;
-            }
+            setup.state.stencilEnabled = usesStencil;
         }
         return frame;
     }

@@ -258,7 +258,8 @@ TEST_F(CameraTextures, AreFarWithANoteInPassesBeforeTheyAreMade)
     {
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            EXPECT_EQ(draw->bindings->textures.at(0).texture, DefaultTexture("black"));
+            EXPECT_EQ(result.frame.Setup(*draw).bindings->textures.at(0).texture,
+                      DefaultTexture("black"));
         }
     }
 }

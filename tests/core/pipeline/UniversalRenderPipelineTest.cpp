@@ -46,14 +46,14 @@ protected:
     RenderRequest m_Request;
 };
 
-std::vector<DrawCommand> DrawsOf(const CompiledRenderPass& pass)
+std::vector<test::SeenDraw> DrawsOf(const CompiledFrame& frame, std::size_t pass)
 {
-    std::vector<DrawCommand> draws;
-    for (const PassCommand& command : pass.commands)
+    std::vector<test::SeenDraw> draws;
+    for (const PassCommand& command : frame.passes.at(pass).commands)
     {
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            draws.push_back(*draw);
+            draws.emplace_back(*draw, frame);
         }
     }
     return draws;
@@ -96,7 +96,7 @@ TEST_F(Pipeline, DoesNotStoreTheDepthThatNobodyReads)
 TEST_F(Pipeline, DrawsEqualCubesAsInstances)
 {
     const RenderResult result = Render();
-    const auto draws = DrawsOf(result.frame.passes.at(0));
+    const auto draws = DrawsOf(result.frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_EQ(draws[0].mesh, test::Cube());
     EXPECT_EQ(draws[0].instanceCount, 2u);
@@ -112,8 +112,8 @@ TEST_F(Pipeline, AddsNoPassForASceneWithoutTransparentObjects)
     const RenderResult mixed = Render();
     EXPECT_EQ(opaque.frame.passes.size(), 2u);
     EXPECT_EQ(mixed.frame.passes.size(), 2u);
-    EXPECT_THAT(DrawsOf(opaque.frame.passes[0]).size(), 1u);
-    EXPECT_THAT(DrawsOf(mixed.frame.passes[0]).size(), 2u);
+    EXPECT_THAT(DrawsOf(opaque.frame, 0).size(), 1u);
+    EXPECT_THAT(DrawsOf(mixed.frame, 0).size(), 2u);
 }
 
 TEST_F(Pipeline, RunsTheBuiltInPassesAtTheirEvents)
@@ -195,9 +195,9 @@ TEST_F(Pipeline, ClearsToTheBackgroundOfAnEmptyScene)
 TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
 {
     m_Renderer.opaqueLayerMask = LayerMask::FromIndex(3);
-    EXPECT_TRUE(DrawsOf(Render().frame.passes.at(0)).empty());
+    EXPECT_TRUE(DrawsOf(Render().frame, 0).empty());
     m_Renderer.opaqueLayerMask = LayerMask::FromIndex(0);
-    EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
+    EXPECT_EQ(DrawsOf(Render().frame, 0).size(), 1u);
 }
 
 TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
@@ -211,7 +211,7 @@ TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
         const CompiledFrame frame = Render().frame;
         FrameCommands values;
         values.uniformData = frame.uniformData;
-        return test::ReadUniform<std::uint32_t>(values, DrawsOf(frame.passes.at(0)).at(0),
+        return test::ReadUniform<std::uint32_t>(values, DrawsOf(frame, 0).at(0),
                                                 "_MainLightLayerMask", 1);
     };
     EXPECT_THAT(mask(), ElementsAre(1u));
@@ -250,7 +250,7 @@ TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
 {
     m_Camera.orthographic = true;
     m_Camera.nearClipPlane = 0.0f;
-    EXPECT_EQ(DrawsOf(Render().frame.passes.at(0)).size(), 1u);
+    EXPECT_EQ(DrawsOf(Render().frame, 0).size(), 1u);
     m_Camera.nearClipPlane = -20.0f;
     m_Camera.farClipPlane = 0.0f;
     EXPECT_NO_THROW(Render());
@@ -296,7 +296,7 @@ std::vector<float> GlobalOf(UniversalRenderPipeline& pipeline, UniversalRenderer
     const CompiledFrame frame = pipeline.RenderSingleCamera(renderer, request).frame;
     FrameCommands data;
     data.uniformData = frame.uniformData;
-    return test::ReadUniform<float>(data, DrawsOf(frame.passes.at(0)).at(0), name, 4);
+    return test::ReadUniform<float>(data, DrawsOf(frame, 0).at(0), name, 4);
 }
 
 TEST_F(Pipeline, TellsShadersHowToReadDepth)
@@ -335,7 +335,7 @@ TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
     m_Camera.transform.localPosition = {0.25f, 0.5f, -0.75f};
     test::AddCube(m_Scene, "far", {1, 2, 5}, {m_Opaque}).transform.parent = &away;
     const CompiledFrame frame = Render().frame;
-    const auto draws = DrawsOf(frame.passes.at(0));
+    const auto draws = DrawsOf(frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].instanceCount, 1u) << "what stayed at the origin is out of sight";
     EXPECT_THAT(frame.PerDraw(draws[0]).worldTransformParams, ElementsAre(1, 2, 5, 1));
@@ -488,7 +488,7 @@ TEST_F(Pipeline, ReflectsNothingWithoutAReflectionProbe)
                       "unity_SpecCube0.Sample(samplerunity_SpecCube0, float3(0, 0, 1))"))});
     m_Request.scene = &scene;
     const RenderResult result = Render();
-    const std::vector<DrawCommand> draws = DrawsOf(result.frame.passes[0]);
+    const std::vector<test::SeenDraw> draws = DrawsOf(result.frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
     EXPECT_EQ(draws[0].bindings->textures[0].texture,

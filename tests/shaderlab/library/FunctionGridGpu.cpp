@@ -277,7 +277,7 @@ Image FunctionGrid::Draw() const
             bytes.resize(grid->size);
             bindings.uniforms.push_back(AddBytes(frame, grid->binding, std::move(bytes)));
         }
-        DrawCommand draw = MakeDraw(pass, nullptr, PlainState(), bindings);
+        DrawCommand draw = MakeDraw(frame, pass, nullptr, PlainState(), bindings);
         draw.vertexCount = 3;
         auto& commands = frame.passes[0].commands;
         commands.emplace_back(SetViewportCommand{{0, static_cast<int>(row), width, 1}});

@@ -30,7 +30,7 @@ CompiledFrame TexturedFrame(const DrawBindings& bindings)
     const TargetPtr target = MakeTarget(1, 1);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(
-        MakeDraw(TexturedPass(), MakeQuad(), PlainState(), bindings));
+        MakeDraw(frame, TexturedPass(), MakeQuad(), PlainState(), bindings));
     return frame;
 }
 
@@ -68,7 +68,7 @@ TEST_F(FrameErrors, NameUniformsThatADrawDoesNotBind)
 {
     const TargetPtr target = MakeTarget(1, 1);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    frame.passes[0].commands.emplace_back(MakeDraw(ColorPass(), MakeQuad()));
+    frame.passes[0].commands.emplace_back(MakeDraw(frame, ColorPass(), MakeQuad()));
     const std::uint32_t binding = ColorPass()->layout.buffers.at(0).binding;
     EXPECT_EQ("a draw binds no uniform data for 'Material' " + BindingText(binding) +
                   ", which its shader reads",

@@ -28,7 +28,7 @@ PassPtr CopyPass()
     return pass;
 }
 
-DrawCommand MakeCopy(const std::shared_ptr<const Texture>& source)
+DrawCommand MakeCopy(FrameTables& frame, const std::shared_ptr<const Texture>& source)
 {
     const PropertyLayout& layout = CopyPass()->layout;
     DrawBindings bindings;
@@ -36,7 +36,7 @@ DrawCommand MakeCopy(const std::shared_ptr<const Texture>& source)
     const SamplerState point = {FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
                                 TextureWrapMode::Clamp, false};
     bindings.samplers = {{layout.samplers.at(0).binding, point}};
-    return MakeDraw(CopyPass(), MakeQuad(), PlainState(), bindings);
+    return MakeDraw(frame, CopyPass(), MakeQuad(), PlainState(), bindings);
 }
 
 /// A white mask over the top left quarter in one pass, copied to `target` in the next.
@@ -49,7 +49,7 @@ CompiledFrame MaskThenCopy(const TargetPtr& mask, const TargetPtr& target)
         MakeColorDraw(frame, MakeQuad(-1, 0, 0, 1), Color::white));
     frame.passes[1].barriers.push_back(
         {mask, TextureUsage::ColorAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(MakeCopy(mask));
+    frame.passes[1].commands.emplace_back(MakeCopy(frame, mask));
     return frame;
 }
 
@@ -85,7 +85,7 @@ TEST_F(Frames, SampleDepth)
         MakeColorDraw(frame, MakeQuad(-1, 0, 1, 1, 0.625f), Color::white, state));
     frame.passes[1].barriers.push_back(
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(MakeCopy(depth));
+    frame.passes[1].commands.emplace_back(MakeCopy(frame, depth));
     SharedDevice().Execute(frame);
     const Image image = SharedDevice().ReadBack(*target);
     EXPECT_FLOAT_EQ(0.625f, TexelFloat(image, 0, 0)[0]);
@@ -124,7 +124,7 @@ TEST_F(Frames, OutliveWhatTheyDrawWith)
         const auto texture = std::make_shared<Texture2D>(
             "short-lived", 1, 1, GraphicsFormat::R8_UNorm, std::vector<std::byte>{std::byte{255}});
         CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-        frame.passes[0].commands.emplace_back(MakeCopy(texture));
+        frame.passes[0].commands.emplace_back(MakeCopy(frame, texture));
         SharedDevice().Execute(frame);
     } // texture, mesh and bindings go while the GPU may still draw
     EXPECT_EQ(255, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
@@ -152,7 +152,8 @@ TEST_F(Frames, KeepTheirUniformsWhileInFlight)
         DrawBindings bindings;
         bindings.uniforms = {AddUniform(frame, slow->layout.buffers.at(0).binding,
                                         glm::vec4(static_cast<float>(i)))};
-        frame.passes[0].commands.emplace_back(MakeDraw(slow, MakeQuad(), PlainState(), bindings));
+        frame.passes[0].commands.emplace_back(
+            MakeDraw(frame, slow, MakeQuad(), PlainState(), bindings));
         SharedDevice().Execute(frame);
     }
     for (int i = 0; i < 6; ++i)
@@ -177,7 +178,7 @@ TEST_F(Frames, FreeWhatNobodyOwns)
             float4 frag() : SV_Target { return 0.5; })");
         const TargetPtr large = MakeTarget(1024, 1024, GraphicsFormat::R32G32B32A32_SFloat);
         CompiledFrame frame = FrameOf({ClearPass(large)}, large);
-        frame.passes[0].commands.emplace_back(MakeDraw(pass, MakeQuad()));
+        frame.passes[0].commands.emplace_back(MakeDraw(frame, pass, MakeQuad()));
         SharedDevice().Execute(frame);
     }
     const VulkanDeviceStatistics during = SharedDevice().statistics();
@@ -225,7 +226,7 @@ TEST_F(Frames, ReadTexturesThatTakeThePlaceOfOthers)
         const auto texture =
             std::make_shared<Texture2D>("texture", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel);
         CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-        frame.passes[0].commands.emplace_back(MakeCopy(texture));
+        frame.passes[0].commands.emplace_back(MakeCopy(frame, texture));
         SharedDevice().Execute(frame);
         EXPECT_EQ(6 * i, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
     }

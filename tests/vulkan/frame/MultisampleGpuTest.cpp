@@ -40,7 +40,7 @@ CompiledFrame Staircase(const TargetPtr& target)
 }
 
 /// Reads `_MainTex` at the texel's place.
-DrawCommand MakeCopyDraw(const std::shared_ptr<const Texture>& source)
+DrawCommand MakeCopyDraw(FrameTables& frame, const std::shared_ptr<const Texture>& source)
 {
     static const PassPtr pass = CompilePass(R"(
         Texture2D _MainTex;
@@ -51,7 +51,7 @@ DrawCommand MakeCopyDraw(const std::shared_ptr<const Texture>& source)
         })");
     DrawBindings bindings;
     bindings.textures = {{pass->layout.textures.at(0).binding, source, std::nullopt}};
-    return MakeDraw(pass, MakeQuad(), PlainState(), bindings);
+    return MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
 }
 
 /// What is left of white with this alpha, drawn with AlphaToMask on over black.
@@ -113,7 +113,7 @@ TEST_F(Multisampling, ShowsTheAverageToTheShaderThatReadsIt)
     frame.passes.push_back(ClearPass(copy));
     frame.passes[1].barriers.push_back(
         {smooth, TextureUsage::ColorAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(MakeCopyDraw(smooth));
+    frame.passes[1].commands.emplace_back(MakeCopyDraw(frame, smooth));
     frame.finalBarriers = {{copy, TextureUsage::ColorAttachment, TextureUsage::CopySource}};
     SharedDevice().Execute(frame);
     const Image image = SharedDevice().ReadBack(*copy);
@@ -134,22 +134,23 @@ TEST_F(Multisampling, WorksThroughTheFrameCompilerFrameAfterFrame)
     const TargetPtr other = MakeTarget(1, 1, GraphicsFormat::R32G32B32A32_SFloat, "other");
     for (int frameNumber = 1; frameNumber <= 2; ++frameNumber)
     {
-        CompiledFrame uniforms;
+        CompiledFrame tables; // and uniforms
         FrameCommands recorded;
         const auto draw = [&](const MeshPtr& mesh)
         {
-            recorded.commands.emplace_back(MakeColorDraw(uniforms, mesh, Color::white));
+            recorded.commands.emplace_back(MakeColorDraw(tables, mesh, Color::white));
         };
         recorded.commands.emplace_back(SetRenderTargetCommand{{smooth}, depth});
         recorded.commands.emplace_back(ClearCommand{ClearFlag::All, Color::black, 1.0f, 0});
         draw(Quarters(0, frameNumber));
         recorded.commands.emplace_back(SetRenderTargetCommand{{other}, nullptr});
-        recorded.commands.emplace_back(MakeCopyDraw(smooth));
+        recorded.commands.emplace_back(MakeCopyDraw(tables, smooth));
         recorded.commands.emplace_back(SetRenderTargetCommand{{smooth}, depth});
         draw(Quarters(3, 4));
         recorded.commands.emplace_back(SetRenderTargetCommand{{copy}, nullptr});
-        recorded.commands.emplace_back(MakeCopyDraw(smooth));
-        recorded.uniformData = uniforms.uniformData;
+        recorded.commands.emplace_back(MakeCopyDraw(tables, smooth));
+        recorded.uniformData = tables.uniformData;
+        static_cast<FrameTables&>(recorded) = std::move(tables);
         const std::shared_ptr<const RenderTexture> outputs[] = {copy, other};
         SharedDevice().Execute(
             CompileFrame(std::move(recorded), SharedDevice().textureStates(), outputs));
@@ -253,7 +254,7 @@ TEST_F(Multisampling, ShowsDepthAndStencilOfTheFirstSample)
     frame.passes[0].depth->resolve = depth;
     frame.passes[1].barriers.push_back(
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(MakeCopyDraw(depth));
+    frame.passes[1].commands.emplace_back(MakeCopyDraw(frame, depth));
     frame.finalBarriers = {{copy, TextureUsage::ColorAttachment, TextureUsage::CopySource},
                            {depth, TextureUsage::ShaderRead, TextureUsage::CopySource}};
     SharedDevice().Execute(frame);
@@ -301,7 +302,7 @@ TEST_F(Multisampling, RefusesToShowDepthThatIsNotResolved)
     AddDepth(frame.passes[0], depth);
     frame.passes[1].barriers.push_back(
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(MakeCopyDraw(depth));
+    frame.passes[1].commands.emplace_back(MakeCopyDraw(frame, depth));
     EXPECT_EQ("texture 'smooth' is read as '_MainTex': the last pass that drew into it did not "
               "resolve its 4 samples a texel",
               ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));

@@ -235,7 +235,7 @@ TEST_F(Rasterization, DrawsWithoutAMeshByVertexId)
         float4 frag() : SV_Target { return float4(0, 1, 0, 1); })");
     const TargetPtr target = MakeTarget(3, 3);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    DrawCommand draw = MakeDraw(pass, nullptr);
+    DrawCommand draw = MakeDraw(frame, pass, nullptr);
     draw.vertexCount = 3;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);

@@ -117,7 +117,7 @@ TEST_F(PerDrawLimit, LeavesTheInstancesOfADrawTheirNumbers)
     DrawBindings bindings;
     bindings.perDrawBinding = pass->layout.storageBuffers.at(0).binding;
     DrawCommand draw =
-        MakeDraw(pass, MakeQuad(-1, -1, -1 + 2.0f / k_Columns, 1), PlainState(), bindings);
+        MakeDraw(frame, pass, MakeQuad(-1, -1, -1 + 2.0f / k_Columns, 1), PlainState(), bindings);
     draw.firstInstance = k_Skipped;
     draw.instanceCount = k_Columns;
     frame.passes[0].commands.emplace_back(draw);

@@ -36,7 +36,9 @@ std::array<float, 4> ReadAttribute(const std::string& type, const std::string& s
             return output;
         }
         float4 frag(Between input) : SV_Target { return input.value; })");
-    return DrawTexel({}, MakeDraw(pass, mesh));
+    CompiledFrame frame;
+    const DrawCommand draw = MakeDraw(frame, pass, mesh);
+    return DrawTexel(std::move(frame), draw);
 }
 
 /// A full quad whose four vertices all have the same attributes.
@@ -91,7 +93,7 @@ Float4 SampleAt(float u, float v, const std::shared_ptr<const Texture>& texture,
     bindings.uniforms = {AddUniform(frame, layout.buffers.at(0).binding, Float4{u, v, 0, 0})};
     bindings.textures = {{layout.textures.at(0).binding, texture, std::nullopt}};
     bindings.samplers = {{layout.samplers.at(0).binding, sampler}};
-    const DrawCommand draw = MakeDraw(SamplePass(), MakeQuad(), PlainState(), bindings);
+    const DrawCommand draw = MakeDraw(frame, SamplePass(), MakeQuad(), PlainState(), bindings);
     return DrawTexel(std::move(frame), draw);
 }
 
@@ -213,9 +215,12 @@ TEST_F(Resources, UseTheTexturesOwnSamplerWhereTheSlotHasNone)
     const std::uint32_t binding = pass->layout.textures.at(0).binding;
     DrawBindings bindings;
     bindings.textures = {{binding, FourColors(Point(TextureWrapMode::Repeat)), std::nullopt}};
-    EXPECT_EQ(k_Green, DrawTexel({}, MakeDraw(pass, MakeQuad(), PlainState(), bindings)));
+    CompiledFrame frame;
+    const DrawCommand own = MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
+    EXPECT_EQ(k_Green, DrawTexel(frame, own));
     bindings.textures[0].sampler = Point(TextureWrapMode::Clamp);
-    EXPECT_EQ(k_Red, DrawTexel({}, MakeDraw(pass, MakeQuad(), PlainState(), bindings)));
+    const DrawCommand slots = MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
+    EXPECT_EQ(k_Red, DrawTexel(frame, slots));
 }
 
 TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)
@@ -249,7 +254,7 @@ TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)
     }
     DrawBindings bindings;
     bindings.perDrawBinding = perDraw->binding;
-    DrawCommand draw = MakeDraw(pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
+    DrawCommand draw = MakeDraw(frame, pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
     draw.firstInstance = 2; // the quad over column 0 is moved to columns 1 and 2
     draw.instanceCount = 2;
     frame.passes[0].commands.emplace_back(draw);

@@ -65,7 +65,8 @@ TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
 {
     const TargetPtr target = MakeTarget(4, 2);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    frame.passes[0].commands.emplace_back(MakeDraw(CompileGeometryPass(k_Columns), ColorMesh()));
+    frame.passes[0].commands.emplace_back(
+        MakeDraw(frame, CompileGeometryPass(k_Columns), ColorMesh()));
     SharedDevice().Execute(frame);
     const Image image = SharedDevice().ReadBack(*target);
     const Rgba8 expected[] = {
@@ -94,7 +95,7 @@ TEST_F(Geometry, MakesLinesOfTriangles)
     const TargetPtr target = MakeTarget(4, 4);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(
-        MakeDraw(pass, std::make_shared<Mesh>("edge", std::move(data))));
+        MakeDraw(frame, pass, std::make_shared<Mesh>("edge", std::move(data))));
     SharedDevice().Execute(frame);
     const Image image = SharedDevice().ReadBack(*target);
     for (int i = 0; i < 16; ++i)
@@ -132,7 +133,8 @@ TEST_F(Geometry, FindsThePerDrawDataOfItsDraw)
         }
         data.objectToWorld[12] = static_cast<float>(i) * 0.5f;
         frame.perDraw.push_back(data);
-        DrawCommand draw = MakeDraw(pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
+        DrawCommand draw =
+            MakeDraw(frame, pass, MakeQuad(-1, -1, -0.5f, 1), PlainState(), bindings);
         draw.firstInstance = i;
         frame.passes[0].commands.emplace_back(draw);
     }
@@ -180,7 +182,7 @@ TEST_F(Geometry, MovesEachMeshOfACommandBufferByItsOwnMatrix)
 }
 
 /// Covers the target in what the middle of `_MainTex` holds, sampled by the geometry function.
-DrawCommand SamplingDraw(const std::shared_ptr<const Texture>& texture)
+DrawCommand SamplingDraw(FrameTables& frame, const std::shared_ptr<const Texture>& texture)
 {
     static const PassPtr pass = CompileGeometryPass(R"(
         Texture2D _MainTex;
@@ -201,7 +203,7 @@ DrawCommand SamplingDraw(const std::shared_ptr<const Texture>& texture)
     DrawBindings bindings;
     bindings.textures = {{pass->layout.textures.at(0).binding, texture, std::nullopt}};
     bindings.samplers = {{pass->layout.samplers.at(0).binding, {}}};
-    return MakeDraw(pass, MakeQuad(), PlainState(), bindings);
+    return MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
 }
 
 // That it waits for the texels is what synchronization validation checks.
@@ -212,7 +214,7 @@ TEST_F(Geometry, SamplesATextureThatTheSameFrameUploads)
                                                      std::vector<std::byte>(1, std::byte{51}));
     const TargetPtr target = MakeTarget(1, 1);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    frame.passes[0].commands.emplace_back(SamplingDraw(texture));
+    frame.passes[0].commands.emplace_back(SamplingDraw(frame, texture));
     SharedDevice().Execute(frame);
     EXPECT_EQ((Rgba8{51, 0, 0, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
 }
@@ -225,7 +227,7 @@ TEST_F(Geometry, SamplesATextureThatTheSameFrameDraws)
         FrameOf({ClearPass(source, {0, 0, 1, 1}), ClearPass(target), ClearPass(source)}, target);
     frame.passes[1].barriers.push_back(
         {source, TextureUsage::ColorAttachment, TextureUsage::ShaderRead});
-    frame.passes[1].commands.emplace_back(SamplingDraw(source));
+    frame.passes[1].commands.emplace_back(SamplingDraw(frame, source));
     frame.passes[2].barriers[0].before = TextureUsage::ShaderRead; // waits for the read in turn
     SharedDevice().Execute(frame);
     EXPECT_EQ((Rgba8{0, 0, 255, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));

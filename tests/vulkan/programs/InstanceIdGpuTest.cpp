@@ -57,7 +57,7 @@ TEST_F(InstanceIds, CountFromZeroInEachDraw)
     }
     DrawBindings bindings;
     bindings.perDrawBinding = pass->layout.storageBuffers.at(0).binding;
-    DrawCommand draw = MakeDraw(pass, ColumnQuad(), PlainState(), bindings);
+    DrawCommand draw = MakeDraw(frame, pass, ColumnQuad(), PlainState(), bindings);
     draw.firstInstance = 3;
     frame.passes[0].commands.emplace_back(draw);
     draw.firstInstance = 0;
@@ -82,7 +82,7 @@ TEST_F(InstanceIds, NeedNoPerDrawData)
         float4 frag() : SV_Target { return 1; })");
     const TargetPtr target = MakeTarget(k_Width, 1);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    DrawCommand draw = MakeDraw(pass, ColumnQuad());
+    DrawCommand draw = MakeDraw(frame, pass, ColumnQuad());
     draw.firstInstance = 1;
     draw.instanceCount = 2;
     frame.passes[0].commands.emplace_back(draw);

@@ -257,7 +257,7 @@ TEST_P(Blending, GivesEachTargetItsOwnState)
         {second, TextureUsage::ColorAttachment, TextureUsage::CopySource});
     PipelineState state = PlainState();
     state.targets[1] = Factors(BlendMode::One, BlendMode::One, BlendMode::One, BlendMode::One);
-    frame.passes[0].commands.emplace_back(MakeDraw(TwoOutputPass(), MakeQuad(), state));
+    frame.passes[0].commands.emplace_back(MakeDraw(frame, TwoOutputPass(), MakeQuad(), state));
     Device().Execute(frame);
     EXPECT_EQ(0.5f, TexelFloat(Device().ReadBack(*first), 0, 0)[0]);
     EXPECT_EQ(1.25f, TexelFloat<1>(Device().ReadBack(*second), 0, 0)[0]);
@@ -286,7 +286,7 @@ TEST_P(Blending, FollowsTheOutputsOfEachShaderOfAPass)
     frame.passes[0].colors.push_back({second, LoadOp::Clear, StoreOp::Store, Color::white});
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(-1, -1, 0, 1), Color::red));
     frame.passes[0].commands.emplace_back(
-        MakeDraw(TwoOutputPass(), MakeQuad(0, -1, 1, 1), PlainState()));
+        MakeDraw(frame, TwoOutputPass(), MakeQuad(0, -1, 1, 1), PlainState()));
     Device().Execute(frame);
     const Image image = Device().ReadBack(*second);
     EXPECT_EQ(1.0f, TexelFloat<1>(image, 0, 0)[0]);

@@ -193,15 +193,16 @@ std::vector<Image> DrawTable()
                    [](const Pair& pair) { return pair.source; });
     DrawBindings bindings;
     bindings.uniforms = {AddUniform(frame, RowPass()->layout.buffers.at(0).binding, sources)};
-    DrawCommand draw = MakeDraw(RowPass(), MakeQuad(), PlainState(), bindings);
+    PipelineState state = PlainState();
+    const DrawCommand draw = MakeDraw(frame, RowPass(), MakeQuad(), state, bindings);
     for (int column = 0; column < k_Columns; ++column)
     {
         for (std::size_t t = 0; t < targets.size(); ++t)
         {
-            draw.state.targets.at(t) = BlendAt(IndexOf(column, t));
+            state.targets.at(t) = BlendAt(IndexOf(column, t));
         }
         pass.commands.emplace_back(SetViewportCommand{{column, 0, 1, k_Rows}});
-        pass.commands.emplace_back(draw);
+        pass.commands.emplace_back(WithState(frame, draw, state));
     }
     frame.passes.push_back(std::move(pass));
     SharedDevice().Execute(frame);

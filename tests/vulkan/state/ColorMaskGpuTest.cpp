@@ -50,15 +50,16 @@ TEST_F(ColorMask, WritesTheNamedChannelsOfEachOfEightTargets)
             {targets.back(), TextureUsage::ColorAttachment, TextureUsage::CopySource});
     }
     // Target t has mask (column + t) % 16: in no draw do two of them agree.
-    DrawCommand draw = MakeDraw(EightOutputPass(), MakeQuad());
+    PipelineState state = PlainState();
+    const DrawCommand draw = MakeDraw(frame, EightOutputPass(), MakeQuad());
     for (int column = 0; column < k_Masks; ++column)
     {
         for (int t = 0; t < 8; ++t)
         {
-            draw.state.targets.at(static_cast<std::size_t>(t)).writeMask = (column + t) % k_Masks;
+            state.targets.at(static_cast<std::size_t>(t)).writeMask = (column + t) % k_Masks;
         }
         pass.commands.emplace_back(SetViewportCommand{{column, 0, 1, 1}});
-        pass.commands.emplace_back(draw);
+        pass.commands.emplace_back(WithState(frame, draw, state));
     }
     frame.passes.push_back(std::move(pass));
     SharedDevice().Execute(frame);

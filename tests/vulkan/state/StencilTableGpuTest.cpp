@@ -160,14 +160,13 @@ CellImages DrawCells(std::span<const PipelineState> states)
         pass.commands.emplace_back(SetViewportCommand{{0, y, width, 1}});
         pass.commands.emplace_back(ClearCommand{ClearFlag::Stencil, {}, 1.0f, stored});
     }
-    DrawCommand draw = MakeColorDraw(frame, CellMesh(), Color::white);
+    const DrawCommand draw = MakeColorDraw(frame, CellMesh(), Color::white);
     for (std::size_t i = 0; i < states.size(); ++i)
     {
         const int x = static_cast<int>(i % k_CellsPerRow) * k_CellWidth;
         const int y = static_cast<int>(i / k_CellsPerRow) * k_CellHeight;
         pass.commands.emplace_back(SetViewportCommand{{x, y, k_CellWidth, k_CellHeight}});
-        draw.state = states[i];
-        pass.commands.emplace_back(draw);
+        pass.commands.emplace_back(WithState(frame, draw, states[i]));
     }
     SharedDevice().Execute(frame);
     return {SharedDevice().ReadBack(*target), SharedDevice().ReadBack(*depth),

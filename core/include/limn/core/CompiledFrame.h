@@ -96,7 +96,7 @@ struct LeftOut
 };
 
 /// A frame ready to run: the device adds nothing to it and leaves nothing out.
-struct CompiledFrame : FrameInstances
+struct CompiledFrame : FrameTables
 {
     std::vector<CompiledRenderPass> passes;
     std::vector<PlacedTexture> placed;         ///< the others have memory of their own

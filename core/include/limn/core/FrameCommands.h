@@ -123,23 +123,36 @@ struct FullScreenPromise
     std::shared_ptr<const Texture> copied;
 };
 
-struct DrawCommand
+/// What many draws of a frame have in common.
+struct DrawSetup
 {
     std::shared_ptr<const ShaderProgram> program;
     std::shared_ptr<const DrawBindings> bindings;
     PipelineState state;
-    std::shared_ptr<const Mesh> mesh; ///< null = no vertex buffers, SV_VertexID only
-    int subMesh = 0;
-    std::uint32_t vertexCount = 0;   ///< without a mesh
-    std::uint32_t firstInstance = 0; ///< index into FrameCommands::instances
-    std::uint32_t instanceCount = 1;
-    bool drawsObjects = false; ///< its instances are of FrameCommands::objects, else of perDraw
     std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
-    std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
-    std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
     // What `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
+
+    bool operator==(const DrawSetup&) const = default;
+};
+
+/// A draw: numbers into the frame's tables.
+struct DrawCommand
+{
+    static constexpr std::uint32_t k_NoMesh = ~std::uint32_t{0};
+
+    std::uint32_t setup = 0;       ///< of FrameTables::setups
+    std::uint32_t mesh = k_NoMesh; ///< of FrameTables::meshes; none = SV_VertexID only
+    int subMesh = 0;
+    std::uint32_t vertexCount = 0;   ///< without a mesh
+    std::uint32_t firstInstance = 0; ///< index into FrameTables::instances
+    std::uint32_t instanceCount = 1;
+    bool drawsObjects = false; ///< its instances are of FrameTables::objects, else of perDraw
+    std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
+    std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
+
+    bool operator==(const DrawCommand&) const = default;
 };
 
 /// Later draws go here, over the whole target.
@@ -175,13 +188,18 @@ struct EndSampleCommand
 using FrameCommand = std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand,
                                   DrawCommand, BeginSampleCommand, EndSampleCommand>;
 
-/// What is drawn how often: each instance is an element of one of two lists.
-struct FrameInstances
+/// What the draws of a frame refer to by number. Each instance is an element of one of two lists.
+struct FrameTables
 {
+    std::vector<DrawSetup> setups;
+    std::vector<std::shared_ptr<const Mesh>> meshes; ///< none is null
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
     std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
     std::shared_ptr<const ObjectTable> objects; ///< of the scene; null = no draw has any
 
+    const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }
+    /// Null = the draw has none.
+    const std::shared_ptr<const Mesh>& MeshOf(const DrawCommand& draw) const;
     /// The element of an instance.
     std::uint32_t Element(std::uint32_t instance) const
     {
@@ -193,7 +211,7 @@ struct FrameInstances
 };
 
 /// All that a frame recorded, in order, with nothing left to look up: plain data.
-struct FrameCommands : FrameInstances
+struct FrameCommands : FrameTables
 {
     std::vector<FrameCommand> commands;
     std::vector<std::byte> uniformData;

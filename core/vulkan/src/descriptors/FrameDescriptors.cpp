@@ -12,7 +12,6 @@ namespace
 
 /// What a draw without bindings binds.
 const DrawBindings k_NoBindings;
-const std::vector<TextureSlot> k_NoTextures;
 
 [[noreturn]] void RefuseMissing(const std::string& kind, const std::string& name,
                                 std::uint32_t binding)
@@ -211,7 +210,7 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 {
     const std::uint32_t first = draw.firstInstance + skipped;
     const std::uint32_t left = draw.instanceCount - skipped;
-    if (draw.program->layout.storageBuffers.empty())
+    if (m_Frame.Setup(draw).program->layout.storageBuffers.empty())
     {
         return {0, first, left, draw.firstInstance};
     }
@@ -234,20 +233,21 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
                                       std::size_t piece, std::uint64_t number)
 {
-    VkDescriptorSet& set =
-        m_Sets[{draw.bindings.get(), pass.setLayout.get(), draw.drawsObjects, piece}];
+    const DrawSetup& setup = m_Frame.Setup(draw);
+    const DrawBindings& bindings = setup.bindings ? *setup.bindings : k_NoBindings;
+    VkDescriptorSet& set = m_Sets[{&bindings, pass.setLayout.get(), draw.drawsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
         if (draw.drawsObjects)
         {
             UseObjects(number);
         }
-        for (const TextureSlot& slot : draw.bindings ? draw.bindings->textures : k_NoTextures)
+        for (const TextureSlot& slot : bindings.textures)
         {
             m_Resources.images.UseResolved(slot.texture, number);
         }
-        set = Create(draw.program->layout, draw.bindings ? *draw.bindings : k_NoBindings,
-                     pass.setLayout.get(), m_Pieces[draw.drawsObjects ? 1 : 0], piece);
+        set = Create(setup.program->layout, bindings, pass.setLayout.get(),
+                     m_Pieces[draw.drawsObjects ? 1 : 0], piece);
     }
     return set;
 }

@@ -12,7 +12,8 @@ class DrawPreparer
 public:
     /// @param number  that the frame's submission will have
     DrawPreparer(const VulkanContext& context, DeviceResources& resources,
-                 FrameDescriptors& descriptors, std::uint64_t number, PreparedFrame& frame);
+                 FrameDescriptors& descriptors, const FrameTables& tables, std::uint64_t number,
+                 PreparedFrame& frame);
 
     /// The draws to come are drawn into these. @lifetime keeps `formats` until the next call
     void BeginPass(const TargetFormats& formats);
@@ -22,14 +23,15 @@ public:
     void Add(const DrawCommand& draw);
 
 private:
-    void UseProgram(const DrawCommand& draw);
-    void UseState(const DrawCommand& draw);
+    void UseProgram(const DrawSetup& setup);
+    void UseState(const DrawSetup& setup);
     void UseMesh(const DrawCommand& draw);
     void AddRuns(const DrawCommand& draw);
 
     const VulkanContext& m_Context;
     DeviceResources& m_Resources;
     FrameDescriptors& m_Descriptors;
+    const FrameTables& m_Tables;
     std::uint64_t m_Number;
     PreparedFrame& m_Frame;
     const TargetFormats* m_Formats = nullptr;
@@ -37,6 +39,7 @@ private:
     ProgramObjects* m_Program = nullptr; ///< of the last draw, as what follows
     bool m_HasBindings = false;
     PreparedDraw m_Draw;
+    PreparedRun m_LastRun; ///< of m_Last
 };
 
 } // namespace limn::vulkan

@@ -65,7 +65,7 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
     m_Prepared.passes.resize(frame.passes.size());
     m_Resources.images.Place(frame.placed, m_Number);
     FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
-    DrawPreparer draws{m_Context, m_Resources, descriptors, m_Number, m_Prepared};
+    DrawPreparer draws{m_Context, m_Resources, descriptors, frame, m_Number, m_Prepared};
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         PreparedPass& pass = m_Prepared.passes[i];
