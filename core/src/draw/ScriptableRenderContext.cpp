@@ -7,9 +7,28 @@
 namespace limn
 {
 
-ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
+namespace
+{
+
+FrameCommands Emptied(FrameCommands frame)
+{
+    frame.commands.clear();
+    frame.uniformData.clear();
+    frame.setups.clear();
+    frame.meshes.clear();
+    frame.instances.clear();
+    frame.perDraw.clear();
+    frame.objects = nullptr;
+    return frame;
+}
+
+} // namespace
+
+ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin,
+                                                 FrameCommands spare)
     : m_Report(report),
       m_Origin(origin),
+      m_Frame(Emptied(std::move(spare))),
       m_Recorder(
           std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin))
 {

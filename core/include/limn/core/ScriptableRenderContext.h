@@ -18,8 +18,10 @@ class ScriptableRenderContext
 {
 public:
     /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
+    /// @param spare   of an earlier frame: the memory of its lists is used again
     explicit ScriptableRenderContext(RenderReport& report,
-                                     const glm::dvec3& origin = glm::dvec3(0.0));
+                                     const glm::dvec3& origin = glm::dvec3(0.0),
+                                     FrameCommands spare = {});
     ~ScriptableRenderContext();
     ScriptableRenderContext(const ScriptableRenderContext&) = delete;
     ScriptableRenderContext& operator=(const ScriptableRenderContext&) = delete;
