@@ -128,6 +128,11 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
 
 } // namespace
 
+UniversalRenderPipeline::UniversalRenderPipeline(GraphicsDevice& device)
+    : m_Device(&device), m_Context(std::make_unique<ScriptableRenderContext>())
+{
+}
+
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
@@ -142,8 +147,8 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
     NoteBeyondFloat(renderingData.cullResults, result.report);
-    ScriptableRenderContext context(result.report, request.camera->renderOrigin(),
-                                    std::move(m_Commands));
+    ScriptableRenderContext& context = *m_Context;
+    context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands));
     Measure(request.timeline, "record",
             [&]
             {

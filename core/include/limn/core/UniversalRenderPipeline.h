@@ -36,7 +36,7 @@ class UniversalRenderPipeline
 {
 public:
     /// @param device  must outlive this, or SetDevice
-    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(&device) {}
+    explicit UniversalRenderPipeline(GraphicsDevice& device);
 
     /// Goes on with another device, as after the first was lost: what textures held is gone.
     /// @param device  must outlive this
@@ -57,6 +57,7 @@ public:
 
 private:
     GraphicsDevice* m_Device; ///< never null
+    std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
     FrameCache m_Frames;
     FrameCommands m_Commands; ///< of the last frame, for the memory of its lists
