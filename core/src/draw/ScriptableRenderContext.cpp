@@ -8,6 +8,23 @@
 namespace limn
 {
 
+namespace
+{
+
+FrameCommands Emptied(FrameCommands frame)
+{
+    frame.commands.clear();
+    frame.uniformData.clear();
+    frame.setups.clear();
+    frame.meshes.clear();
+    frame.instances.clear();
+    frame.perDraw.clear();
+    frame.objects = nullptr;
+    return frame;
+}
+
+} // namespace
+
 ScriptableRenderContext::ScriptableRenderContext()
     : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName))
 {
@@ -19,12 +36,13 @@ ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm
     Begin(report, origin);
 }
 
-void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& origin)
+void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& origin,
+                                    FrameCommands spare)
 {
     m_Report = &report;
     m_Origin = origin;
     m_PassName.clear();
-    m_Frame = {};
+    m_Frame = Emptied(std::move(spare));
     m_Globals.Clear();
     m_Recorder->Begin(m_Report->notes, m_Origin);
 }
