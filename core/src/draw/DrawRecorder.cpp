@@ -69,6 +69,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_Changes.clear();
     m_KeepsChanges = false;
     ++m_GlobalsVersion;
+    m_Promises.resize(std::exchange(m_PromiseCount, 0));
     m_Origin = origin;
     m_Depth = nullptr;
     if (std::exchange(m_HasDraws, false))
@@ -184,13 +185,13 @@ std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
     return place.index;
 }
 
-void DrawRecorder::Draw(const RecordedDraw& recorded)
+void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     DrawSetup setup =
-        LookUp(*recorded.material, recorded.shaderPass, &recorded.properties, RenderStateBlock());
+        LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock());
     const PerDrawData perDraw =
         MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
-    setup.fullScreen = Promise(recorded);
+    setup.fullScreen = Promise(recorded, properties);
     DrawCommand draw;
     if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
     {
@@ -271,31 +272,38 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 }
 
 /// What the pass's LimnFullScreen tag comes to with the values of this draw.
-std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded) const
+std::shared_ptr<const FullScreenPromise>
+DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
     if (recorded.mesh || tag == nullptr)
     {
         return nullptr;
     }
-    const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
-    auto promise = std::make_shared<FullScreenPromise>();
-    promise->output = tag->output;
+    const PropertySources sources{properties, recorded.material.get(), &m_Globals};
+    FullScreenPromise promise;
+    promise.output = tag->output;
     for (const ShaderPropertyId id : tag->zeroes)
     {
         const ShaderPropertyValue* value = sources.Find(id);
-        if (const auto texture = TextureIn(value))
+        if (const auto texture = TextureIn(value); texture && !promise.zeroTextures.full())
         {
-            promise->zeroTextures.push_back(texture);
+            promise.zeroTextures.push_back(texture);
         }
         else if (value && isZero(*value))
         {
-            promise->zeroProperty = id.name();
+            promise.zeroProperty = id;
         }
     }
-    promise->reach = ReachOf(*tag, sources);
-    promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
-    return promise;
+    promise.reach = ReachOf(*tag, sources);
+    promise.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    m_Promises.resize(std::max(m_Promises.size(), m_PromiseCount + 1));
+    auto& kept = m_Promises[m_PromiseCount++];
+    if (!kept || *kept != promise)
+    {
+        kept = std::make_shared<const FullScreenPromise>(std::move(promise));
+    }
+    return kept;
 }
 
 /// Draws that differ in their transform only become instances of one.

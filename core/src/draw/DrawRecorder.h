@@ -32,7 +32,8 @@ public:
     void SetGlobal(const SetGlobalCommand& command);
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetRenderTarget(const SetRenderTargetCommand& command);
-    void Draw(const RecordedDraw& recorded);
+    /// @param properties  of the draw; null = none
+    void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
     Place MarkPlace();
     /// Runs `record` with what was global at that place.
@@ -58,7 +59,8 @@ public:
 
 private:
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
-    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded) const;
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
+                                                     const MaterialPropertyBlock* properties);
     bool MergeIntoLast(const DrawCommand& draw);
 
     struct GlobalChange
@@ -81,6 +83,8 @@ private:
     glm::dvec3 m_Origin{0.0};
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
+    std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises; ///< then of the last frame
+    std::size_t m_PromiseCount = 0;                                   ///< of this frame
     struct MeshPlace
     {
         std::uint32_t index = 0; ///< in the frame's table

@@ -121,7 +121,7 @@ TEST_F(Pipeline, RunsTheBuiltInPassesAtTheirEvents)
     std::vector<std::pair<std::string, int>> passes;
     for (const ExecutedPassReport& pass : Render().report.passes)
     {
-        passes.emplace_back(pass.name, static_cast<int>(pass.renderPassEvent));
+        passes.emplace_back(pass.name.name(), static_cast<int>(pass.renderPassEvent));
     }
     EXPECT_THAT(passes, ElementsAre(std::pair{"Draw Opaque Objects", 250},
                                     std::pair{"Draw Transparent Objects", 450},
