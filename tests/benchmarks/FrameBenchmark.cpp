@@ -131,11 +131,11 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
     TimedDevice device(options.device);
     ArticleScene scene(settings, device);
     const RenderResult first = scene.Render();
-    HandWrittenFrame hand(NumbersOf(first.frame), options.device);
+    HandWrittenFrame hand(NumbersOf(*first.frame), options.device);
     hand.Draw();
     hand.Wait();
     std::printf("%4dx%-4d %6d %5zu/%-5zu", settings.width, settings.height, settings.objects,
-                CountDraws(first.frame), hand.drawCount());
+                CountDraws(*first.frame), hand.drawCount());
     Comparison record;
     Comparison whole;
     Comparison deviceTime;

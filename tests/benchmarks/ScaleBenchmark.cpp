@@ -224,7 +224,7 @@ void CompareFrames(std::size_t count, int pairs)
     moving.Print("a hundredth moves / nothing moves");
     std::printf("%zu visible, %zu draws of %zu instances; %ld allocations in a steady frame; "
                 "%.0f bytes a renderer\n",
-                plain.visibleCount(), CountDraws(result.frame), result.frame.instances.size(),
+                plain.visibleCount(), CountDraws(*result.frame), result.frame->instances.size(),
                 allocations, bytes / static_cast<double>(count));
 }
 

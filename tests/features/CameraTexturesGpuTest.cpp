@@ -152,7 +152,7 @@ protected:
         m_Request.compile.leavesOut = false;
         const RenderResult first = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
         m_Request.compile.leavesOut = true;
-        for (const CompiledRenderPass& pass : first.frame.passes)
+        for (const CompiledRenderPass& pass : first.frame->passes)
         {
             if (!pass.colors.empty() &&
                 pass.colors.front().texture->name() == "_CameraColorAttachmentA")

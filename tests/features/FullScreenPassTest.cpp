@@ -34,7 +34,7 @@ protected:
     static std::vector<std::string> Targets(const RenderResult& result)
     {
         std::vector<std::string> names;
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             names.push_back(pass.colors.front().texture->name());
         }
@@ -89,10 +89,10 @@ TEST_F(FullScreenPass, ReadsACopyOfThePictureAndDrawsIntoThePicture)
     const RenderResult result = Render();
     EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_FullscreenPassColorCopy",
                                              "_CameraColorAttachmentA", "limn_Output"));
-    EXPECT_FALSE(result.frame.passes[2].depth);
+    EXPECT_FALSE(result.frame->passes[2].depth);
     EXPECT_TRUE(result.report.notes.empty());
-    EXPECT_THAT(Sampled(result.frame, 1), ElementsAre("_CameraColorAttachmentA"));
-    EXPECT_THAT(Sampled(result.frame, 2), ElementsAre("_FullscreenPassColorCopy"));
+    EXPECT_THAT(Sampled(*result.frame, 1), ElementsAre("_CameraColorAttachmentA"));
+    EXPECT_THAT(Sampled(*result.frame, 2), ElementsAre("_FullscreenPassColorCopy"));
 }
 
 TEST_F(FullScreenPass, LeavesTheCopyOutWhereNothingIsFetched)
@@ -106,7 +106,7 @@ TEST_F(FullScreenPass, LeavesTheCopyOutWhereNothingIsFetched)
 TEST_F(FullScreenPass, BindsTheCamerasDepthWhereAsked)
 {
     feature->bindDepthStencilAttachment = true;
-    EXPECT_TRUE(Render().frame.passes.at(2).depth);
+    EXPECT_TRUE(Render().frame->passes.at(2).depth);
 }
 
 TEST_F(FullScreenPass, DrawsNothingWithoutAMaterialAndSaysSo)

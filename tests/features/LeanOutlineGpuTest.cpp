@@ -29,7 +29,7 @@ protected:
         m_Request.compile = options;
         const RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
         isLimited = false;
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             for (const PassCommand& command : pass.commands)
             {

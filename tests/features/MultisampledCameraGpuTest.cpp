@@ -65,7 +65,7 @@ protected:
         m_Request.compile.leavesOut = false;
         const RenderResult first = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
         m_Request.compile.leavesOut = true;
-        m_Request.alsoReadBack = {RTHandle(first.frame.passes.at(0).colors.at(0).texture)};
+        m_Request.alsoReadBack = {RTHandle(first.frame->passes.at(0).colors.at(0).texture)};
         m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
         return ToField(SharedDevice().ReadBack(*m_Request.alsoReadBack.at(0).rt()));
     }
@@ -182,8 +182,8 @@ TEST_F(MultisampledCameraGpu, IsDrawnStraightIntoAnOutputThatHoldsTheSame)
         const Image expected = SharedDevice().ReadBack(*all.output.rt());
         m_Request.compile.leavesOut = true;
         const RenderResult lean = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
-        EXPECT_EQ(all.frame.passes.size(), 2u);
-        EXPECT_EQ(lean.frame.passes.size(), 1u);
+        EXPECT_EQ(all.frame->passes.size(), 2u);
+        EXPECT_EQ(lean.frame->passes.size(), 1u);
         EXPECT_EQ(SharedDevice().ReadBack(*lean.output.rt()), expected) << samples;
     }
     ExpectNoValidationMessages();

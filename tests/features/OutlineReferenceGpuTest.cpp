@@ -55,7 +55,7 @@ public:
         RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
         m_Request.compile.leavesOut = true;
         // The textures are known only now; the second frame keeps them readable.
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             const RTHandle handle(pass.colors.front().texture);
             if (handle != result.output && !Contains(handle))

@@ -58,7 +58,7 @@ protected:
     {
         std::vector<DrawSetup> draws;
         int depth = 0;
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             for (const PassCommand& command : pass.commands)
             {
@@ -72,7 +72,7 @@ protected:
                 }
                 else if (const auto* draw = std::get_if<DrawCommand>(&command); draw && depth > 0)
                 {
-                    draws.push_back(result.frame.Setup(*draw));
+                    draws.push_back(result.frame->Setup(*draw));
                 }
             }
         }
@@ -229,7 +229,7 @@ protected:
     {
         const RenderResult result = Render();
         std::vector<std::pair<float, float>> values;
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             for (const PassCommand& command : pass.commands)
             {
@@ -238,8 +238,9 @@ protected:
                 {
                     continue;
                 }
-                values.emplace_back(Member(result.frame, *draw, "unity_MatrixV", 3, 2),
-                                    Member(result.frame, *draw, "glstate_matrix_projection", 1, 1));
+                values.emplace_back(
+                    Member(*result.frame, *draw, "unity_MatrixV", 3, 2),
+                    Member(*result.frame, *draw, "glstate_matrix_projection", 1, 1));
             }
         }
         return values;

@@ -48,7 +48,7 @@ std::vector<std::string> PassNames(const RenderResult& result)
 std::vector<std::string> TargetNames(const RenderResult& result)
 {
     std::vector<std::string> names;
-    for (const CompiledRenderPass& pass : result.frame.passes)
+    for (const CompiledRenderPass& pass : result.frame->passes)
     {
         names.push_back(pass.colors.front().texture->name());
     }
@@ -89,14 +89,14 @@ TEST(ScreenSpaceOutlineRenderFeature, DrawsMaskEdgesAndCompositeInThatOrder)
     EXPECT_THAT(result.report.notes, IsEmpty());
     EXPECT_EQ(result.report.passes[2].renderPassEvent, RenderPassEvent(500));
 
-    const CompiledRenderPass& mask = result.frame.passes[1];
+    const CompiledRenderPass& mask = result.frame->passes[1];
     EXPECT_EQ(mask.width, 32);
     EXPECT_EQ(mask.height, 24);
     EXPECT_EQ(mask.colors[0].texture->graphicsFormat(), GraphicsFormat::R8_UNorm);
     EXPECT_EQ(mask.colors[0].load, LoadOp::Clear);
     EXPECT_EQ(mask.colors[0].clearColor, Color::clear);
     EXPECT_FALSE(mask.depth.has_value());
-    EXPECT_EQ(result.frame.passes[3].colors[0].load, LoadOp::Load);
+    EXPECT_EQ(result.frame->passes[3].colors[0].load, LoadOp::Load);
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, DrawsTheMaskOnceForEachMesh)
@@ -119,7 +119,7 @@ TEST(ScreenSpaceOutlineRenderFeature, DrawsTheMaskOnceForEachMesh)
         r.content.scene.objects().back()->renderer->mesh = meshes[static_cast<std::size_t>(i) % 10];
     }
     const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
-    const CompiledRenderPass& mask = result.frame.passes.at(1);
+    const CompiledRenderPass& mask = result.frame->passes.at(1);
     ASSERT_EQ(mask.colors[0].texture->name(), "_RendererDrawingTexture");
     std::size_t draws = 0;
     std::uint32_t instances = 0;
@@ -199,9 +199,9 @@ TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereItDrawsNothing
                                       : c.width == 0.0f         ? 1
                                       : c.color == Color::clear ? 2
                                                                 : 0;
-            EXPECT_EQ(1 + first, result.frame.passes.size()) << c.name << ", frame " << frame;
+            EXPECT_EQ(1 + first, result.frame->passes.size()) << c.name << ", frame " << frame;
             EXPECT_EQ("limn_Output", TargetNames(result).front()) << c.name;
-            EXPECT_TRUE(first > 0 || OutlineTextures(result.frame).empty()) << c.name;
+            EXPECT_TRUE(first > 0 || OutlineTextures(*result.frame).empty()) << c.name;
         }
     }
 }
@@ -216,7 +216,7 @@ TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereNoVolumeEnable
     {
         const RenderResult result = r.Render(stack);
         EXPECT_THAT(TargetNames(result), ElementsAre("limn_Output"));
-        EXPECT_THAT(OutlineTextures(result.frame), IsEmpty());
+        EXPECT_THAT(OutlineTextures(*result.frame), IsEmpty());
     }
 }
 
@@ -229,7 +229,7 @@ TEST(ScreenSpaceOutlineRenderFeature, IsDrawnAsBeforeWhereThereIsSomething)
     EXPECT_THAT(TargetNames(result),
                 ElementsAre("_CameraColorAttachmentA", "_RendererDrawingTexture", "_OutlineTexture",
                             "_CameraColorAttachmentA", "limn_Output"));
-    EXPECT_EQ(LoadOp::DontCare, result.frame.passes[2].colors[0].load) << "it is covered";
+    EXPECT_EQ(LoadOp::DontCare, result.frame->passes[2].colors[0].load) << "it is covered";
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, FiltersByQueueLayerAndRenderingLayer)
@@ -350,10 +350,10 @@ TEST(ScreenSpaceOutlineRenderFeature, KeepsItsTexturesBetweenFramesAndReplacesTh
     const VolumeStack& stack = r.volumes.With(true, Color::green, 4.0f);
     const RenderResult first = r.Render(&stack);
     const RenderResult second = r.Render(&stack);
-    EXPECT_EQ(first.frame.passes[1].colors[0].texture, second.frame.passes[1].colors[0].texture);
+    EXPECT_EQ(first.frame->passes[1].colors[0].texture, second.frame->passes[1].colors[0].texture);
     const RenderResult larger = r.Render(&stack, 128, 96);
-    EXPECT_NE(first.frame.passes[1].colors[0].texture, larger.frame.passes[1].colors[0].texture);
-    EXPECT_EQ(larger.frame.passes[1].width, 64);
+    EXPECT_NE(first.frame->passes[1].colors[0].texture, larger.frame->passes[1].colors[0].texture);
+    EXPECT_EQ(larger.frame->passes[1].width, 64);
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, NeverMakesATextureSmallerThanOneTexel)
@@ -361,8 +361,8 @@ TEST(ScreenSpaceOutlineRenderFeature, NeverMakesATextureSmallerThanOneTexel)
     Rendered r;
     AddOutline(r.renderer);
     const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f), 1, 1);
-    EXPECT_EQ(result.frame.passes[1].width, 1);
-    EXPECT_EQ(result.frame.passes[1].height, 1);
+    EXPECT_EQ(result.frame->passes[1].width, 1);
+    EXPECT_EQ(result.frame->passes[1].height, 1);
 }
 
 } // namespace

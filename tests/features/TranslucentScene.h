@@ -115,7 +115,7 @@ public:
         request.height = height;
         // The camera's textures are known after a frame only; the next one keeps them readable.
         const RenderResult first = m_Pipeline.RenderSingleCamera(renderer, request);
-        for (const CompiledRenderPass& pass : first.frame.passes)
+        for (const CompiledRenderPass& pass : first.frame->passes)
         {
             if (pass.colors.front().texture->name() == "_CameraColorAttachmentA")
             {

@@ -1,5 +1,6 @@
 #include "draw/DrawRecorder.h"
 
+#include "draw/EraseUnused.h"
 #include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
 
@@ -61,6 +62,18 @@ bool isInstanceable(const ShaderProgram& program)
            std::all_of(buffers.begin(), buffers.end(),
                        [](const StorageBufferBinding& buffer)
                        { return buffer.stages == ShaderStage::Vertex; });
+}
+
+void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& origin)
+{
+    m_Changes.clear();
+    m_KeepsChanges = false;
+    ++m_GlobalsVersion;
+    m_Origin = origin;
+    m_Depth = nullptr;
+    m_MeshIndex.clear();
+    EraseUnused(m_WithShader);
+    m_Resolver.Begin(notes);
 }
 
 void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
@@ -223,12 +236,13 @@ std::shared_ptr<const Material>
 DrawRecorder::WithShader(const std::shared_ptr<const Material>& material,
                          const std::shared_ptr<const Shader>& shader)
 {
-    auto& result = m_WithShader[{material, material->version(), shader}];
-    if (!result)
+    Variant& result = m_WithShader[{material, material->version(), shader}];
+    result.isUsed = true;
+    if (!result.material)
     {
-        result = std::make_shared<const Material>(*material, shader);
+        result.material = std::make_shared<const Material>(*material, shader);
     }
-    return result;
+    return result.material;
 }
 
 void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)

@@ -18,15 +18,16 @@ class DrawRecorder
 public:
     using Place = ScriptableRenderContext::Place;
 
-    /// @param notes     for sentences to the user
     /// @param passName  whose draws these are at the time
-    /// @param origin    what the device sees positions relative to
-    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals,
-                 std::vector<std::string>& notes, const std::string& passName,
-                 const glm::dvec3& origin)
-        : m_Frame(frame), m_Globals(globals), m_Origin(origin), m_Resolver(notes, passName)
+    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals, const std::string& passName)
+        : m_Frame(frame), m_Globals(globals), m_Resolver(passName)
     {
     }
+
+    /// Begins a frame.
+    /// @param notes   for sentences to the user
+    /// @param origin  what the device sees positions relative to
+    void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
     void SetGlobal(const SetGlobalCommand& command);
     void SetViewProjection(const SetViewProjectionCommand& command);
@@ -42,7 +43,7 @@ public:
     /// @throws AssetError if the pass does not compile
     DrawSetup LookUp(const Material& material, int shaderPass,
                      const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock);
-    /// The material's values with another shader; the same one for the rest of the frame.
+    /// The material's values with another shader; the same one as long as each frame asks for it.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);
     /// Where a box is seen, as shaders find it; nothing where it may be anywhere.
@@ -66,18 +67,24 @@ private:
         std::optional<ShaderPropertyValue> before; ///< nothing: it was not set
     };
 
+    struct Variant
+    {
+        std::shared_ptr<const Material> material;
+        bool isUsed = false; ///< in this frame
+    };
+
     FrameCommands& m_Frame;
     MaterialPropertyBlock& m_Globals;
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
-    const glm::dvec3 m_Origin;
+    glm::dvec3 m_Origin{0.0};
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
     std::unordered_map<const Mesh*, std::uint32_t> m_MeshIndex; ///< in the frame's table
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
-        std::shared_ptr<const Material>>
+        Variant>
         m_WithShader;
 };
 

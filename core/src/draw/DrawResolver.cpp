@@ -1,11 +1,13 @@
 #include "draw/DrawResolver.h"
 
+#include "draw/EraseUnused.h"
 #include "material/UniformWriter.h"
 
 #include <algorithm>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/DrawError.h>
 #include <limn/shaderlab/Case.h>
+#include <utility>
 
 namespace limn
 {
@@ -35,37 +37,29 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
     return *texture;
 }
 
-/// A sampler whose name says what it does ("sampler_LinearClamp", "my_point_repeat_sampler"), or
-/// the sampler of the texture that it is named after ("sampler_MainTex" → _MainTex).
-SamplerState SamplerOf(const SamplerBinding& binding, const PropertySources& sources)
+/// A sampler whose name says what it does: "sampler_LinearClamp", "my_point_repeat_sampler".
+std::optional<SamplerState> SamplerByName(const std::string& lower)
 {
-    const std::string lower = ToLower(binding.name);
     const auto has = [&](std::string_view word)
     {
         return lower.find(word) != std::string::npos;
     };
     const bool filtered = has("point") || has("linear");
     const bool wrapped = has("clamp") || has("repeat") || has("mirror");
+    if (!filtered || !wrapped)
+    {
+        return std::nullopt;
+    }
     SamplerState state;
-    if (filtered && wrapped)
-    {
-        state.filterMode = has("point")       ? FilterMode::Point
-                           : has("trilinear") ? FilterMode::Trilinear
-                                              : FilterMode::Bilinear;
-        state.wrapModeU = has("clamp")        ? TextureWrapMode::Clamp
-                          : has("mirroronce") ? TextureWrapMode::MirrorOnce
-                          : has("mirror")     ? TextureWrapMode::Mirror
-                                              : TextureWrapMode::Repeat;
-        state.wrapModeV = state.wrapModeU;
-        state.wrapModeW = state.wrapModeU;
-    }
-    else if (lower.starts_with("sampler"))
-    {
-        // Where none is set: default textures have the default sampler.
-        const auto texture = FindTexture(ShaderPropertyId(binding.name.substr(7)), sources);
-        state = texture ? texture->sampler() : SamplerState{};
-    }
-    state.comparison = binding.comparison;
+    state.filterMode = has("point")       ? FilterMode::Point
+                       : has("trilinear") ? FilterMode::Trilinear
+                                          : FilterMode::Bilinear;
+    state.wrapModeU = has("clamp")        ? TextureWrapMode::Clamp
+                      : has("mirroronce") ? TextureWrapMode::MirrorOnce
+                      : has("mirror")     ? TextureWrapMode::Mirror
+                                          : TextureWrapMode::Repeat;
+    state.wrapModeV = state.wrapModeU;
+    state.wrapModeW = state.wrapModeU;
     return state;
 }
 
@@ -106,37 +100,54 @@ const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
     return value != nullptr ? value : globals->Find(id);
 }
 
+void DrawResolver::Begin(std::vector<std::string>& notes)
+{
+    m_Notes = &notes;
+    m_SharedNotes.clear();
+    m_Noted.clear();
+    m_Bound.clear();
+    if (m_BuiltCount == 0)
+    {
+        return;
+    }
+    m_Built.resize(std::exchange(m_BuiltCount, 0));
+    // What the frame before did not use may be used by nobody any more.
+    EraseUnused(m_Ids);
+    EraseUnused(m_Shared);
+}
+
 std::shared_ptr<const DrawBindings>
 DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                       const PropertySources& sources, std::uint64_t globalsVersion,
                       std::vector<std::byte>& uniformData)
 {
-    const ProgramIds& ids = IdsOf(pass, *sources.material->shader());
+    const Material& material = *sources.material;
+    const ProgramIds& ids = IdsOf(pass, *material.shader());
     if (sources.block != nullptr && !sources.block->isEmpty())
     {
         return Build(ids, sources, uniformData);
     }
-    const SharedKey key{pass.get(), sources.material->id(), sources.material->version(),
-                        globalsVersion};
-    std::shared_ptr<const DrawBindings>& shared = m_Shared[key];
-    if (!shared)
+    Shared& shared = m_Shared[{pass.get(), material.id()}];
+    if (!shared.isUsed || shared.materialVersion != material.version() ||
+        shared.globalsVersion != globalsVersion)
     {
-        shared = Build(ids, sources, uniformData);
+        Build(ids, sources, uniformData);
+        shared = {material.version(), globalsVersion, m_BuiltCount - 1, true};
     }
-    return shared;
+    return m_Built[shared.built];
 }
 
 /// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
 void DrawResolver::Note(const std::string& message, const Shader& shader)
 {
     SharedNote& note =
-        m_SharedNotes.try_emplace(message, SharedNote{m_Notes.size(), {}}).first->second;
+        m_SharedNotes.try_emplace(message, SharedNote{m_Notes->size(), {}}).first->second;
     if (std::ranges::find(note.shaders, shader.name()) != note.shaders.end())
     {
         return;
     }
     note.shaders.push_back(shader.name());
-    m_Notes.resize(std::max(m_Notes.size(), note.index + 1));
+    m_Notes->resize(std::max(m_Notes->size(), note.index + 1));
     constexpr std::size_t k_Listed = 4;
     std::string others;
     for (std::size_t i = 1; i < std::min(note.shaders.size(), k_Listed); ++i)
@@ -144,34 +155,60 @@ void DrawResolver::Note(const std::string& message, const Shader& shader)
         others += (i == 1 ? " (and '" : ", '") + note.shaders[i] + "'";
     }
     others += note.shaders.size() > k_Listed ? ", …)" : note.shaders.size() > 1 ? ")" : "";
-    m_Notes[note.index] = "shader '" + note.shaders[0] + "'" + others + ": " + message;
+    (*m_Notes)[note.index] = "shader '" + note.shaders[0] + "'" + others + ": " + message;
+}
+
+DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const ShaderProgram>& pass)
+{
+    ProgramIds ids;
+    ids.pass = pass;
+    for (const UniformBuffer& buffer : pass->layout.buffers)
+    {
+        auto& members = ids.members.emplace_back();
+        for (const UniformMember& member : buffer.members)
+        {
+            members.emplace_back(member.name);
+        }
+    }
+    for (const TextureBinding& texture : pass->layout.textures)
+    {
+        ids.textures.emplace_back(texture.name);
+    }
+    for (const SamplerBinding& sampler : pass->layout.samplers)
+    {
+        // Or of the texture that it is named after: "sampler_MainTex" → _MainTex.
+        const std::string lower = ToLower(sampler.name);
+        SamplerSource source{SamplerByName(lower), {}};
+        if (!source.state && lower.starts_with("sampler"))
+        {
+            source.texture = ShaderPropertyId(sampler.name.substr(7));
+        }
+        else if (!source.state)
+        {
+            source.state = SamplerState();
+        }
+        ids.samplers.push_back(source);
+    }
+    return ids;
 }
 
 const DrawResolver::ProgramIds&
 DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader)
 {
-    ProgramIds& ids = m_Ids[pass.get()];
-    if (!ids.pass)
+    const auto [known, isNew] = m_Ids.try_emplace(pass.get());
+    ProgramIds& ids = known->second;
+    if (isNew)
     {
-        ids.pass = pass;
+        ids = MakeIds(pass);
+    }
+    if (!std::exchange(ids.isUsed, true))
+    {
         for (const Diagnostic& diagnostic : pass->diagnostics)
         {
             if (diagnostic.severity == Severity::Note)
             {
                 Note(diagnostic.message, shader);
             }
-        }
-        for (const UniformBuffer& buffer : pass->layout.buffers)
-        {
-            auto& members = ids.members.emplace_back();
-            for (const UniformMember& member : buffer.members)
-            {
-                members.emplace_back(member.name);
-            }
-        }
-        for (const TextureBinding& texture : pass->layout.textures)
-        {
-            ids.textures.emplace_back(texture.name);
         }
     }
     return ids;
@@ -183,7 +220,39 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
 {
     const PropertyLayout& layout = ids.pass->layout;
     RequireTriangles(layout, sources);
-    auto bindings = std::make_shared<DrawBindings>();
+    m_Building.uniforms.clear();
+    m_Building.textures.clear();
+    m_Building.samplers.clear();
+    m_Building.perDrawBinding.reset();
+    AddUniforms(ids, sources, uniformData);
+    AddTextures(ids, sources);
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        if (buffer.name == "limn_Instances")
+        {
+            continue; // the device's own
+        }
+        if (buffer.name != "limn_PerDraw")
+        {
+            throw DrawError("material '" + sources.material->name() + "': structured buffer '" +
+                            buffer.name + "' cannot be bound yet");
+        }
+        m_Building.perDrawBinding = buffer.binding;
+    }
+    m_Built.resize(std::max(m_Built.size(), m_BuiltCount + 1));
+    std::shared_ptr<const DrawBindings>& built = m_Built[m_BuiltCount++];
+    if (!built || *built != m_Building)
+    {
+        built = std::make_shared<const DrawBindings>(m_Building);
+    }
+    m_Building.textures.clear(); // they are not kept for longer than the frame has them
+    return built;
+}
+
+void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sources,
+                               std::vector<std::byte>& uniformData)
+{
+    const PropertyLayout& layout = ids.pass->layout;
     for (std::size_t b = 0; b < layout.buffers.size(); ++b)
     {
         const UniformBuffer& buffer = layout.buffers[b];
@@ -202,48 +271,41 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
                 WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
             }
         }
-        bindings->uniforms.push_back(
+        m_Building.uniforms.push_back(
             {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
     }
-    bindings->textures = TextureSlots(ids, sources);
-    for (const SamplerBinding& sampler : layout.samplers)
-    {
-        bindings->samplers.push_back({sampler.binding, SamplerOf(sampler, sources)});
-    }
-    for (const StorageBufferBinding& buffer : layout.storageBuffers)
-    {
-        if (buffer.name == "limn_Instances")
-        {
-            continue; // the device's own
-        }
-        if (buffer.name != "limn_PerDraw")
-        {
-            throw DrawError("material '" + sources.material->name() + "': structured buffer '" +
-                            buffer.name + "' cannot be bound yet");
-        }
-        bindings->perDrawBinding = buffer.binding;
-    }
-    return bindings;
 }
 
-std::vector<TextureSlot> DrawResolver::TextureSlots(const ProgramIds& ids,
-                                                    const PropertySources& sources)
+/// With their samplers.
+void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sources)
 {
     const PropertyLayout& layout = ids.pass->layout;
-    std::vector<TextureSlot> slots;
     for (std::size_t i = 0; i < layout.textures.size(); ++i)
     {
         const TextureBinding& binding = layout.textures[i];
         TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
                          std::nullopt};
-        m_Bound.insert(slot.texture->id());
+        const std::uint64_t id = slot.texture->id();
+        if (const auto place = std::ranges::lower_bound(m_Bound, id);
+            place == m_Bound.end() || *place != id)
+        {
+            m_Bound.insert(place, id);
+        }
         if (binding.combinedSampler)
         {
             slot.sampler = slot.texture->sampler();
         }
-        slots.push_back(std::move(slot));
+        m_Building.textures.push_back(std::move(slot));
     }
-    return slots;
+    for (std::size_t i = 0; i < layout.samplers.size(); ++i)
+    {
+        const SamplerSource& source = ids.samplers[i];
+        // Where no texture is set: default textures have the default sampler.
+        const auto texture = source.state ? nullptr : FindTexture(source.texture, sources);
+        SamplerState state = texture ? texture->sampler() : source.state.value_or(SamplerState());
+        state.comparison = layout.samplers[i].comparison;
+        m_Building.samplers.push_back({layout.samplers[i].binding, state});
+    }
 }
 
 /// What is bound to a texture of a shader.
@@ -291,7 +353,7 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
         const std::string subject = "shader '" + shader.name() + "'" +
                                     (m_PassName.empty() ? "" : " in pass '" + m_PassName + "'") +
                                     ": texture '" + id.name() + "' is ";
-        m_Notes.push_back(
+        m_Notes->push_back(
             subject + (isMade ? std::string(made->look) +
                                     " everywhere: nothing has written it yet; "
                                     "UniversalRenderer has it made for passes behind event " +

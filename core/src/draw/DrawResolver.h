@@ -1,11 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Material.h>
 #include <map>
 #include <set>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace limn
 {
@@ -20,41 +20,57 @@ struct PropertySources
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
 };
 
-/// Turns property values into the bytes and slots a compiled pass binds. One frame long.
+/// Turns property values into the bytes and slots a compiled pass binds. What it found out for one
+/// frame helps with the next.
 class DrawResolver
 {
 public:
-    /// @param notes     gets a sentence for each texture of a shader that nothing gives a value,
-    ///                  and those of the passes themselves
     /// @param passName  whose draws these are at the time, for the notes
-    DrawResolver(std::vector<std::string>& notes, const std::string& passName)
-        : m_Notes(notes), m_PassName(passName)
-    {
-    }
+    explicit DrawResolver(const std::string& passName) : m_PassName(passName) {}
 
-    /// The bindings of a draw; equal ones of draws without a block of their own are shared.
-    /// @param globalsVersion  changes whenever `sources.globals` does
+    /// Begins a frame.
+    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value,
+    ///               and those of the passes themselves
+    void Begin(std::vector<std::string>& notes);
+
+    /// The bindings of a draw; equal ones of draws without a block of their own are shared. Where
+    /// the frame before bound the same at this point, it is the same object.
+    /// @param globalsVersion  grows whenever `sources.globals` changes, and with each frame
     std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                                                 const PropertySources& sources,
                                                 std::uint64_t globalsVersion,
                                                 std::vector<std::byte>& uniformData);
 
     /// Whether a draw so far has the texture bound.
-    bool HasBound(const Texture& texture) const { return m_Bound.contains(texture.id()); }
+    bool HasBound(const Texture& texture) const
+    {
+        return std::ranges::binary_search(m_Bound, texture.id());
+    }
 
 private:
+    /// A sampler that is known, or that of a texture.
+    struct SamplerSource
+    {
+        std::optional<SamplerState> state;
+        ShaderPropertyId texture;
+    };
     /// The names of a layout as ids, worked out once a pass.
     struct ProgramIds
     {
         std::shared_ptr<const ShaderProgram> pass;          ///< keeps the key's address taken
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
         std::vector<ShaderPropertyId> textures;
+        std::vector<SamplerSource> samplers;
+        bool isUsed = false; ///< in this frame
     };
+    static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const Shader& shader);
     const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader);
     std::shared_ptr<const DrawBindings> Build(const ProgramIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
-    std::vector<TextureSlot> TextureSlots(const ProgramIds& ids, const PropertySources& sources);
+    void AddUniforms(const ProgramIds& ids, const PropertySources& sources,
+                     std::vector<std::byte>& uniformData);
+    void AddTextures(const ProgramIds& ids, const PropertySources& sources);
     std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
                                              const PropertySources& sources);
     std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
@@ -64,19 +80,36 @@ private:
     {
         const ShaderProgram* pass;
         std::uint64_t materialId;
-        std::uint64_t materialVersion;
-        std::uint64_t globalsVersion;
-        auto operator<=>(const SharedKey&) const = default;
+        bool operator==(const SharedKey&) const = default;
+    };
+    struct HashKey
+    {
+        std::size_t operator()(const SharedKey& key) const
+        {
+            return std::hash<const void*>()(key.pass) * 31 + key.materialId;
+        }
+    };
+    /// What a material last had bound.
+    struct Shared
+    {
+        std::uint64_t materialVersion = 0;
+        std::uint64_t globalsVersion = 0;
+        std::size_t built = 0; ///< in m_Built
+        bool isUsed = false;   ///< in this frame
     };
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
-    std::map<SharedKey, std::shared_ptr<const DrawBindings>> m_Shared;
-    std::unordered_set<std::uint64_t> m_Bound; ///< ids of textures
+    std::unordered_map<SharedKey, Shared, HashKey> m_Shared;
+    /// In the order in which they were needed, behind m_BuiltCount those of the frame before.
+    std::vector<std::shared_ptr<const DrawBindings>> m_Built;
+    std::size_t m_BuiltCount = 0;
+    DrawBindings m_Building;
+    std::vector<std::uint64_t> m_Bound; ///< ids of textures, sorted
     struct SharedNote
     {
         std::size_t index; ///< in m_Notes
         std::vector<std::string> shaders;
     };
-    std::vector<std::string>& m_Notes;
+    std::vector<std::string>* m_Notes = nullptr; ///< never null in a frame
     const std::string& m_PassName;
     std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
     std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures

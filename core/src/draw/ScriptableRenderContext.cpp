@@ -3,16 +3,48 @@
 
 #include <algorithm>
 #include <limn/core/ScriptableRenderContext.h>
+#include <utility>
 
 namespace limn
 {
 
-ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
-    : m_Report(report),
-      m_Origin(origin),
-      m_Recorder(
-          std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin))
+namespace
 {
+
+FrameCommands Emptied(FrameCommands frame)
+{
+    frame.commands.clear();
+    frame.uniformData.clear();
+    frame.setups.clear();
+    frame.meshes.clear();
+    frame.instances.clear();
+    frame.perDraw.clear();
+    frame.objects = nullptr;
+    return frame;
+}
+
+} // namespace
+
+ScriptableRenderContext::ScriptableRenderContext()
+    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName))
+{
+}
+
+ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
+    : ScriptableRenderContext()
+{
+    Begin(report, origin);
+}
+
+void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& origin,
+                                    FrameCommands spare)
+{
+    m_Report = &report;
+    m_Origin = origin;
+    m_PassName.clear();
+    m_Frame = Emptied(std::move(spare));
+    m_Globals.Clear();
+    m_Recorder->Begin(m_Report->notes, m_Origin);
 }
 
 ScriptableRenderContext::~ScriptableRenderContext() = default;
@@ -56,7 +88,7 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
                                             const RenderStateBlock& stateBlock)
 {
     JudgedItems judged = Judge(cullingResults.items, filteringSettings, drawingSettings);
-    m_Report.draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
+    m_Report->draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
     if (!judged.drawn.empty())
     {
         const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
@@ -85,12 +117,8 @@ bool ScriptableRenderContext::Reads(const Texture& texture) const
 
 FrameCommands ScriptableRenderContext::TakeCommands()
 {
-    m_Recorder = nullptr;
-    FrameCommands result = std::move(m_Frame);
-    m_Frame = {};
-    m_Recorder =
-        std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_Report.notes, m_PassName, m_Origin);
-    return result;
+    m_Recorder->Begin(m_Report->notes, m_Origin);
+    return std::exchange(m_Frame, {});
 }
 
 } // namespace limn

@@ -51,7 +51,51 @@ void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::s
 void MaterialPropertyBlock::Set(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id);
-    m_Values[id] = std::move(value);
+    Put(id, std::move(value));
+}
+
+void MaterialPropertyBlock::SetAll(const MaterialPropertyBlock& other)
+{
+    for (const Slot& slot : other.m_Slots)
+    {
+        Put(slot.id, other.m_Values[slot.value]);
+    }
+}
+
+void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue value)
+{
+    const auto slot = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
+    if (slot != m_Slots.end() && slot->id == id)
+    {
+        m_Values[slot->value] = std::move(value);
+        return;
+    }
+    m_Values.push_back(std::move(value));
+    m_Slots.insert(slot, {id, static_cast<std::uint32_t>(m_Values.size() - 1)});
+}
+
+void MaterialPropertyBlock::Remove(ShaderPropertyId id)
+{
+    const auto removed = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
+    if (removed == m_Slots.end() || removed->id != id)
+    {
+        return;
+    }
+    // The last value takes the place of the removed one.
+    const auto last = static_cast<std::uint32_t>(m_Values.size() - 1);
+    std::ranges::find(m_Slots, last, &Slot::value)->value = removed->value;
+    if (removed->value != last)
+    {
+        m_Values[removed->value] = std::move(m_Values.back());
+    }
+    m_Values.pop_back();
+    m_Slots.erase(removed);
+}
+
+void MaterialPropertyBlock::Clear()
+{
+    m_Slots.clear();
+    m_Values.clear();
 }
 
 } // namespace limn

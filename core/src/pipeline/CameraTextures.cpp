@@ -10,13 +10,16 @@ namespace
 
 using enum RenderPassEvent;
 
+const ShaderPropertyId _CameraDepthTexture{"_CameraDepthTexture"};
+const ShaderPropertyId _CameraNormalsTexture{"_CameraNormalsTexture"};
+const ShaderPropertyId _CameraOpaqueTexture{"_CameraOpaqueTexture"};
 constexpr int k_NearestBlit = 0; // "Nearest" of CoreBlit.shader
 constexpr int k_DepthBlit = 3;   // "Depth"
 
-void Set(ScriptableRenderContext& context, const char* name, const RTHandle& texture)
+void Set(ScriptableRenderContext& context, ShaderPropertyId id, const RTHandle& texture)
 {
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    cmd->SetGlobalTexture(ShaderPropertyId(name), texture);
+    cmd->SetGlobalTexture(id, texture);
     context.ExecuteCommandBuffer(*cmd);
 }
 
@@ -99,8 +102,8 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
     if (!m_PrepassPlace && next > BeforeRenderingPrePasses)
     {
         m_PrepassPlace = place;
-        Set(context, "_CameraDepthTexture", m_PrepassDepth);
-        Set(context, "_CameraNormalsTexture", m_Normals);
+        Set(context, _CameraDepthTexture, m_PrepassDepth);
+        Set(context, _CameraNormalsTexture, m_Normals);
     }
     // What reads the depth up to here reads that of the prepass; all that follows does so then.
     if (!m_IsDepthChosen && next > BeforeRenderingOpaques)
@@ -108,13 +111,13 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
         m_IsDepthChosen = true;
         if (!TakesDepthFromPrepass(context))
         {
-            Set(context, "_CameraDepthTexture", m_CopiedDepth);
+            Set(context, _CameraDepthTexture, m_CopiedDepth);
         }
     }
     if (!m_ColorPlace && next > AfterRenderingSkybox)
     {
         m_ColorPlace = place;
-        Set(context, "_CameraOpaqueTexture", m_OpaqueColor);
+        Set(context, _CameraOpaqueTexture, m_OpaqueColor);
     }
 }
 

@@ -75,13 +75,29 @@ void NoteEmptyDraws(RenderReport& report, std::size_t first)
     for (std::size_t i = first; i < report.draws.size(); ++i)
     {
         const DrawRenderersReport& draw = report.draws[i];
+        if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] > 0)
+        {
+            continue;
+        }
         std::string note = draw.pass + ": " + Describe(draw.counts, draw.filtering);
         const auto& notes = report.notes;
-        if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] == 0 &&
-            std::find(notes.begin(), notes.end(), note) == notes.end())
+        if (std::find(notes.begin(), notes.end(), note) == notes.end())
         {
             report.notes.push_back(std::move(note));
         }
+    }
+}
+
+/// In the order of their events, otherwise as they are.
+void Sort(std::vector<ScriptableRenderPass*>& passes)
+{
+    // Few: std::stable_sort would ask for memory in each frame.
+    for (auto pass = passes.begin(); pass != passes.end(); ++pass)
+    {
+        const auto place = std::upper_bound(passes.begin(), pass, *pass,
+                                            [](const auto* a, const auto* b)
+                                            { return a->renderPassEvent < b->renderPassEvent; });
+        std::rotate(place, pass, pass + 1);
     }
 }
 
@@ -147,9 +163,9 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
     m_FirstColor = true;
     m_FirstDepth = true;
     AddRenderPasses(renderingData);
-    const std::vector<ScriptableRenderPass*> featurePasses = m_Queue;
+    m_FeaturePasses = m_Queue;
     Setup(context, renderingData);
-    Execute(context, renderingData, featurePasses);
+    Execute(context, renderingData);
 }
 
 void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
@@ -168,8 +184,7 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
     }
 }
 
-void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData& renderingData,
-                                 std::span<ScriptableRenderPass* const> featurePasses)
+void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
 {
     m_Executing = true;
     for (const auto& feature : m_Features)
@@ -188,7 +203,7 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
         {
             m_Queue[setUp++]->OnCameraSetup(*cmd, renderingData);
         }
-        ExecutePasses(context, renderingData, featurePasses, *cmd);
+        ExecutePasses(context, renderingData, *cmd);
     }
     catch (...)
     {
@@ -203,13 +218,10 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
 }
 
 void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
-                                       RenderingData& renderingData,
-                                       std::span<ScriptableRenderPass* const> featurePasses,
-                                       CommandBuffer& cmd)
+                                       RenderingData& renderingData, CommandBuffer& cmd)
 {
-    std::stable_sort(m_Queue.begin(), m_Queue.end(),
-                     [](const auto* a, const auto* b)
-                     { return a->renderPassEvent < b->renderPassEvent; });
+    Sort(m_Queue);
+    renderingData.report->passes.reserve(m_Queue.size());
     for (ScriptableRenderPass* pass : m_Queue)
     {
         pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor);
@@ -231,7 +243,7 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
                    {context.MarkPlace(), renderingData.report->passes.size()});
         const std::size_t drawsBefore = renderingData.report->draws.size();
         ExecuteRenderPass(context, *pass, renderingData);
-        if (std::find(featurePasses.begin(), featurePasses.end(), pass) != featurePasses.end())
+        if (std::ranges::find(m_FeaturePasses, pass) != m_FeaturePasses.end())
         {
             NoteEmptyDraws(*renderingData.report, drawsBefore);
         }

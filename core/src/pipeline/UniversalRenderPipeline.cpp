@@ -128,6 +128,11 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
 
 } // namespace
 
+UniversalRenderPipeline::UniversalRenderPipeline(GraphicsDevice& device)
+    : m_Device(&device), m_Context(std::make_unique<ScriptableRenderContext>())
+{
+}
+
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
@@ -142,7 +147,8 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
     NoteBeyondFloat(renderingData.cullResults, result.report);
-    ScriptableRenderContext context(result.report, request.camera->renderOrigin());
+    ScriptableRenderContext& context = *m_Context;
+    context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands));
     Measure(request.timeline, "record",
             [&]
             {
@@ -166,14 +172,13 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
             return m_Device->Footprint(texture);
         };
     }
-    result.frame = Measure(request.timeline, "compile",
-                           [&] {
-                               return CompileFrame(context.TakeCommands(),
-                                                   m_Device->textureStates(), outputs, options);
-                           });
-    Measure(request.timeline, "execute", [&] { m_Device->Execute(result.frame); });
+    m_Commands = context.TakeCommands();
+    result.frame = Measure(
+        request.timeline, "compile",
+        [&] { return m_Frames.Compile(m_Commands, m_Device->textureStates(), outputs, options); });
+    Measure(request.timeline, "execute", [&] { m_Device->Execute(*result.frame); });
     std::vector<std::string>& notes = result.report.notes;
-    notes.insert(notes.end(), result.frame.notes.begin(), result.frame.notes.end());
+    notes.insert(notes.end(), result.frame->notes.begin(), result.frame->notes.end());
     return result;
 }
 

@@ -134,8 +134,8 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     SceneView view(std::move(asset), assets);
     const RenderResult result = view.Render(pipeline, 0.0, true);
     explanation.report = result.report;
-    explanation.frame = ExplainFrame(result.frame);
-    explanation.variants = VariantsOf(result.frame);
+    explanation.frame = ExplainFrame(*result.frame);
+    explanation.variants = VariantsOf(*result.frame);
     const ShaderCompiler::Statistics built = assets.compiler()->statistics();
     explanation.builtVariants = built.compiled + built.loadedFromCache;
     const ItemsOfObjects items = Group(culled);

@@ -34,7 +34,7 @@ Json CpuTimes(const Timeline& timeline)
 /// What the last frame draws, and what it takes.
 Json FrameCounts(const RenderMeasurements& measurements)
 {
-    const CompiledFrame& frame = measurements.lastFrame.frame;
+    const CompiledFrame& frame = *measurements.lastFrame.frame;
     const ExplainedFrame explained = ExplainFrame(frame);
     int draws = 0;
     int instances = 0;
@@ -169,7 +169,7 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
                      {"passes", Passes(measurements)},
                      {"gpuPasses", std::move(gpuPasses)},
                      {"drawRenderers", Draws(frame.report)},
-                     {"attachments", Attachments(frame.frame)},
+                     {"attachments", Attachments(*frame.frame)},
                      {"notes", frame.report.notes}};
     WriteFile(path, JsonText(stats));
 }

@@ -118,7 +118,7 @@ protected:
     /// The pass that draws into a texture of this name; the test fails if there is none.
     static CompiledRenderPass PassInto(const RenderResult& result, const std::string& texture)
     {
-        for (const CompiledRenderPass& pass : result.frame.passes)
+        for (const CompiledRenderPass& pass : result.frame->passes)
         {
             for (const ColorAttachment& color : pass.colors)
             {
@@ -154,7 +154,7 @@ TEST_F(CameraTextures, AreNotMadeWhereTheyAreAskedForAndNotRead)
     EXPECT_THAT(Ran(result), ElementsAre("250 Draw Opaque Objects", "300 asks",
                                          "450 Draw Transparent Objects", "1001 Final Blit"));
     EXPECT_EQ(result.report.draws.size(), 2u);
-    EXPECT_EQ(result.frame.instances.size(), 2u); // the cube and the blit
+    EXPECT_EQ(result.frame->instances.size(), 2u); // the cube and the blit
 }
 
 TEST_F(CameraTextures, HaveTheDepthCopiedBeforeTheEarliestPassThatAsks)
@@ -258,7 +258,7 @@ TEST_F(CameraTextures, AreFarWithANoteInPassesBeforeTheyAreMade)
     {
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
-            EXPECT_EQ(result.frame.Setup(*draw).bindings->textures.at(0).texture,
+            EXPECT_EQ(result.frame->Setup(*draw).bindings->textures.at(0).texture,
                       DefaultTexture("black"));
         }
     }

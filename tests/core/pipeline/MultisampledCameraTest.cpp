@@ -63,7 +63,7 @@ protected:
     }
 
     RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
-    int Samples() { return Render().frame.passes.at(0).depth->texture->descriptor().msaaSamples; }
+    int Samples() { return Render().frame->passes.at(0).depth->texture->descriptor().msaaSamples; }
 
     LimitedDevice m_Device;
     UniversalRenderPipeline m_Pipeline{m_Device};
@@ -76,12 +76,12 @@ protected:
 TEST_F(MultisampledCamera, IsDrawnInSamplesThatAreResolvedForTheOutputAndNotKept)
 {
     const RenderResult result = Render();
-    ASSERT_EQ(result.frame.passes.size(), 2u);
-    const auto& color = result.frame.passes[0].colors.at(0);
+    ASSERT_EQ(result.frame->passes.size(), 2u);
+    const auto& color = result.frame->passes[0].colors.at(0);
     EXPECT_EQ(color.texture->descriptor().msaaSamples, 4);
     EXPECT_EQ(color.resolve, color.texture);
     EXPECT_EQ(color.store, StoreOp::DontCare);
-    const DepthAttachment& depth = result.frame.passes[0].depth.value();
+    const DepthAttachment& depth = result.frame->passes[0].depth.value();
     EXPECT_EQ(depth.texture->descriptor().msaaSamples, 4);
     EXPECT_EQ(depth.resolve, nullptr);
     EXPECT_EQ(result.output.rt()->descriptor().msaaSamples, 1);
@@ -130,7 +130,7 @@ TEST_F(MultisampledCamera, IsClearedToBlackWhereItClearsNothing)
 {
     m_Camera.clearFlags = CameraClearFlags::Nothing;
     m_Camera.backgroundColor = Color::green;
-    const auto color = Render().frame.passes.at(0).colors.at(0);
+    const auto color = Render().frame->passes.at(0).colors.at(0);
     EXPECT_EQ(color.load, LoadOp::Clear);
     EXPECT_EQ(color.clearColor, Color::black);
 }

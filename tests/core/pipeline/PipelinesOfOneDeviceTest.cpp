@@ -75,7 +75,7 @@ TEST(PipelinesOfOneDevice, KnowWhatEachOtherDid)
     UniversalRenderPipeline second(device);
     UniversalRenderer reader(test::Compiler());
     reader.AddFeature(std::make_unique<TriangleFeature>(shared, false));
-    const CompiledFrame frame = second.RenderSingleCamera(reader, request).frame;
+    const CompiledFrame frame = *second.RenderSingleCamera(reader, request).frame;
     EXPECT_THAT(frame.passes.at(0).barriers,
                 testing::Contains(TextureBarrier{shared.rt(), TextureUsage::ColorAttachment,
                                                  TextureUsage::ShaderRead}));

@@ -64,8 +64,8 @@ std::vector<test::SeenDraw> DrawsOf(const CompiledFrame& frame, std::size_t pass
 TEST_F(Pipeline, DrawsASceneInOnePassAndCopiesItToTheOutput)
 {
     const RenderResult result = Render();
-    ASSERT_EQ(result.frame.passes.size(), 2u);
-    const CompiledRenderPass& scene = result.frame.passes[0];
+    ASSERT_EQ(result.frame->passes.size(), 2u);
+    const CompiledRenderPass& scene = result.frame->passes[0];
     EXPECT_EQ(scene.name, "Draw Opaque Objects");
     EXPECT_EQ(scene.width, 64);
     EXPECT_EQ(scene.height, 32);
@@ -78,7 +78,7 @@ TEST_F(Pipeline, DrawsASceneInOnePassAndCopiesItToTheOutput)
     EXPECT_EQ(scene.depth->load, LoadOp::Clear);
     EXPECT_EQ(scene.depth->clearDepth, 1.0f);
 
-    const CompiledRenderPass& blit = result.frame.passes[1];
+    const CompiledRenderPass& blit = result.frame->passes[1];
     EXPECT_EQ(blit.name, "Final Blit");
     ASSERT_EQ(blit.colors.size(), 1u);
     EXPECT_EQ(blit.colors[0].texture, result.output.rt());
@@ -88,7 +88,7 @@ TEST_F(Pipeline, DrawsASceneInOnePassAndCopiesItToTheOutput)
 
 TEST_F(Pipeline, DoesNotStoreTheDepthThatNobodyReads)
 {
-    const CompiledRenderPass pass = Render().frame.passes.at(0);
+    const CompiledRenderPass pass = Render().frame->passes.at(0);
     EXPECT_EQ(pass.depth->store, StoreOp::DontCare);
     EXPECT_EQ(pass.depth->stencilStore, StoreOp::DontCare);
 }
@@ -96,11 +96,11 @@ TEST_F(Pipeline, DoesNotStoreTheDepthThatNobodyReads)
 TEST_F(Pipeline, DrawsEqualCubesAsInstances)
 {
     const RenderResult result = Render();
-    const auto draws = DrawsOf(result.frame, 0);
+    const auto draws = DrawsOf(*result.frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_EQ(draws[0].mesh, test::Cube());
     EXPECT_EQ(draws[0].instanceCount, 2u);
-    EXPECT_EQ(result.frame.PerDraw(draws[0]).objectToWorld[12], -1.0f);
+    EXPECT_EQ(result.frame->PerDraw(draws[0]).objectToWorld[12], -1.0f);
 }
 
 TEST_F(Pipeline, AddsNoPassForASceneWithoutTransparentObjects)
@@ -110,10 +110,10 @@ TEST_F(Pipeline, AddsNoPassForASceneWithoutTransparentObjects)
     transparent->SetRenderQueue(3000);
     test::AddCube(m_Scene, "glass", {0, 0, 5}, {transparent});
     const RenderResult mixed = Render();
-    EXPECT_EQ(opaque.frame.passes.size(), 2u);
-    EXPECT_EQ(mixed.frame.passes.size(), 2u);
-    EXPECT_THAT(DrawsOf(opaque.frame, 0).size(), 1u);
-    EXPECT_THAT(DrawsOf(mixed.frame, 0).size(), 2u);
+    EXPECT_EQ(opaque.frame->passes.size(), 2u);
+    EXPECT_EQ(mixed.frame->passes.size(), 2u);
+    EXPECT_THAT(DrawsOf(*opaque.frame, 0).size(), 1u);
+    EXPECT_THAT(DrawsOf(*mixed.frame, 0).size(), 2u);
 }
 
 TEST_F(Pipeline, RunsTheBuiltInPassesAtTheirEvents)
@@ -133,16 +133,16 @@ TEST_F(Pipeline, MakesTheOutputReadableBehindTheFrame)
     const RenderResult result = Render();
     EXPECT_EQ(result.output.rt()->graphicsFormat(), GraphicsFormat::R8G8B8A8_SRGB);
     EXPECT_EQ(result.output.rt()->width(), 64);
-    EXPECT_THAT(result.frame.finalBarriers,
+    EXPECT_THAT(result.frame->finalBarriers,
                 ElementsAre(TextureBarrier{result.output.rt(), ColorAttachment, CopySource}));
 }
 
 TEST_F(Pipeline, WaitsForTheSceneBeforeTheCopy)
 {
     const RenderResult result = Render();
-    const auto& color = result.frame.passes.at(0).colors.at(0).texture;
+    const auto& color = result.frame->passes.at(0).colors.at(0).texture;
     EXPECT_THAT(
-        result.frame.passes.at(1).barriers,
+        result.frame->passes.at(1).barriers,
         UnorderedElementsAre(TextureBarrier{color, ColorAttachment, ShaderRead},
                              TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
 }
@@ -151,7 +151,7 @@ TEST_F(Pipeline, GivesTheDeviceTheFrameThatItReturns)
 {
     const RenderResult result = Render();
     ASSERT_EQ(m_Device.frames().size(), 1u);
-    EXPECT_EQ(m_Device.frames()[0].passes.size(), result.frame.passes.size());
+    EXPECT_EQ(m_Device.frames()[0].passes.size(), result.frame->passes.size());
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Device.ReadBack(*result.output.rt()); }),
               "RecordingDevice draws nothing, so 'limn_Output' has no texels to read back");
 }
@@ -161,8 +161,8 @@ TEST_F(Pipeline, KeepsItsTexturesBetweenFrames)
     const RenderResult first = Render();
     const RenderResult second = Render();
     EXPECT_EQ(first.output, second.output);
-    EXPECT_EQ(first.frame.passes[0].colors[0].texture, second.frame.passes[0].colors[0].texture);
-    EXPECT_EQ(second.frame.passes[0].colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(first.frame->passes[0].colors[0].texture, second.frame->passes[0].colors[0].texture);
+    EXPECT_EQ(second.frame->passes[0].colors[0].load, LoadOp::Clear);
 }
 
 TEST_F(Pipeline, MakesNewTexturesForAnotherSize)
@@ -173,13 +173,13 @@ TEST_F(Pipeline, MakesNewTexturesForAnotherSize)
     const RenderResult second = Render();
     EXPECT_NE(first.output, second.output);
     EXPECT_EQ(second.output.rt()->width(), 1);
-    EXPECT_EQ(second.frame.passes[0].colors[0].texture->height(), 1);
+    EXPECT_EQ(second.frame->passes[0].colors[0].texture->height(), 1);
 }
 
 TEST_F(Pipeline, UsesALowRangeTargetForACameraWithoutHdr)
 {
     m_Camera.allowHDR = false;
-    EXPECT_EQ(Render().frame.passes.at(0).colors[0].texture->graphicsFormat(),
+    EXPECT_EQ(Render().frame->passes.at(0).colors[0].texture->graphicsFormat(),
               GraphicsFormat::R8G8B8A8_SRGB);
 }
 
@@ -187,7 +187,7 @@ TEST_F(Pipeline, ClearsToTheBackgroundOfAnEmptyScene)
 {
     m_Scene = Scene();
     m_Camera.backgroundColor = {1, 0, 0, 0.5f};
-    const CompiledRenderPass pass = Render().frame.passes.at(0);
+    const CompiledRenderPass pass = Render().frame->passes.at(0);
     EXPECT_EQ(pass.colors[0].load, LoadOp::Clear);
     EXPECT_EQ(pass.colors[0].clearColor, (Color{1, 0, 0, 0.5f}));
 }
@@ -195,9 +195,9 @@ TEST_F(Pipeline, ClearsToTheBackgroundOfAnEmptyScene)
 TEST_F(Pipeline, LeavesOutWhatTheRenderersLayerMasksLeaveOut)
 {
     m_Renderer.opaqueLayerMask = LayerMask::FromIndex(3);
-    EXPECT_TRUE(DrawsOf(Render().frame, 0).empty());
+    EXPECT_TRUE(DrawsOf(*Render().frame, 0).empty());
     m_Renderer.opaqueLayerMask = LayerMask::FromIndex(0);
-    EXPECT_EQ(DrawsOf(Render().frame, 0).size(), 1u);
+    EXPECT_EQ(DrawsOf(*Render().frame, 0).size(), 1u);
 }
 
 TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
@@ -208,7 +208,7 @@ TEST_F(Pipeline, TellsShadersTheRenderingLayersOfTheMainLight)
     test::AddCube(m_Scene, "cube", {0, 0, 10}, {masked});
     const auto mask = [&]
     {
-        const CompiledFrame frame = Render().frame;
+        const CompiledFrame frame = *Render().frame;
         FrameCommands values;
         values.uniformData = frame.uniformData;
         return test::ReadUniform<std::uint32_t>(values, DrawsOf(frame, 0).at(0),
@@ -250,7 +250,7 @@ TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
 {
     m_Camera.orthographic = true;
     m_Camera.nearClipPlane = 0.0f;
-    EXPECT_EQ(DrawsOf(Render().frame, 0).size(), 1u);
+    EXPECT_EQ(DrawsOf(*Render().frame, 0).size(), 1u);
     m_Camera.nearClipPlane = -20.0f;
     m_Camera.farClipPlane = 0.0f;
     EXPECT_NO_THROW(Render());
@@ -293,7 +293,7 @@ std::vector<float> GlobalOf(UniversalRenderPipeline& pipeline, UniversalRenderer
     request.width = 64;
     request.height = 32;
     request.time = time;
-    const CompiledFrame frame = pipeline.RenderSingleCamera(renderer, request).frame;
+    const CompiledFrame frame = *pipeline.RenderSingleCamera(renderer, request).frame;
     FrameCommands data;
     data.uniformData = frame.uniformData;
     return test::ReadUniform<float>(data, DrawsOf(frame, 0).at(0), name, 4);
@@ -334,7 +334,7 @@ TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
     m_Camera.transform.parent = &away;
     m_Camera.transform.localPosition = {0.25f, 0.5f, -0.75f};
     test::AddCube(m_Scene, "far", {1, 2, 5}, {m_Opaque}).transform.parent = &away;
-    const CompiledFrame frame = Render().frame;
+    const CompiledFrame frame = *Render().frame;
     const auto draws = DrawsOf(frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].instanceCount, 1u) << "what stayed at the origin is out of sight";
@@ -402,8 +402,8 @@ TEST_F(Pipeline, DoesNotLoadTheLastPictureIntoTheOutput)
 {
     Render();
     const RenderResult second = Render();
-    EXPECT_EQ(second.frame.passes.back().colors[0].texture->name(), "limn_Output");
-    EXPECT_EQ(second.frame.passes.back().colors[0].load, LoadOp::DontCare);
+    EXPECT_EQ(second.frame->passes.back().colors[0].texture->name(), "limn_Output");
+    EXPECT_EQ(second.frame->passes.back().colors[0].load, LoadOp::DontCare);
 }
 
 /// Refuses frames while told to.
@@ -441,11 +441,11 @@ TEST_F(Pipeline, ForgetsAFrameThatTheDeviceRefused)
     EXPECT_THROW(pipeline.RenderSingleCamera(m_Renderer, m_Request), ContractError);
     device.m_Refuses = false;
     const RenderResult result = pipeline.RenderSingleCamera(m_Renderer, m_Request);
-    for (const TextureBarrier& barrier : result.frame.passes[0].barriers)
+    for (const TextureBarrier& barrier : result.frame->passes[0].barriers)
     {
         EXPECT_EQ(barrier.before, Undefined) << barrier.texture->name();
     }
-    EXPECT_EQ(result.frame.passes[0].barriers.size(), 2u);
+    EXPECT_EQ(result.frame->passes[0].barriers.size(), 2u);
 }
 
 TEST_F(Pipeline, CountsOnNoContentsOfAnotherDevice)
@@ -488,7 +488,7 @@ TEST_F(Pipeline, ReflectsNothingWithoutAReflectionProbe)
                       "unity_SpecCube0.Sample(samplerunity_SpecCube0, float3(0, 0, 1))"))});
     m_Request.scene = &scene;
     const RenderResult result = Render();
-    const std::vector<test::SeenDraw> draws = DrawsOf(result.frame, 0);
+    const std::vector<test::SeenDraw> draws = DrawsOf(*result.frame, 0);
     ASSERT_EQ(draws.size(), 1u);
     ASSERT_EQ(draws[0].bindings->textures.size(), 1u);
     EXPECT_EQ(draws[0].bindings->textures[0].texture,

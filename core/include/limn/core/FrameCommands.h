@@ -121,6 +121,8 @@ struct FullScreenPromise
     Color output;             ///< linear
     /// It gives the texel of this texture at its own place, with alpha 1; null = another value.
     std::shared_ptr<const Texture> copied;
+
+    bool operator==(const FullScreenPromise&) const = default;
 };
 
 /// What many draws of a frame have in common.
@@ -160,6 +162,8 @@ struct SetRenderTargetCommand
 {
     std::vector<std::shared_ptr<const RenderTexture>> colors; ///< may be empty with a depth
     std::shared_ptr<const RenderTexture> depth;               ///< may be null
+
+    bool operator==(const SetRenderTargetCommand&) const = default;
 };
 
 /// Clears the bound target, or the viewport's part of it where one is set.
@@ -169,20 +173,27 @@ struct ClearCommand
     Color color;        ///< linear
     float depth = 1.0f; ///< 1 = far whatever the device's depth direction is, as Unity writes it
     int stencil = 0;
+
+    bool operator==(const ClearCommand&) const = default;
 };
 
 struct SetViewportCommand
 {
     ViewportRect rect;
+
+    bool operator==(const SetViewportCommand&) const = default;
 };
 
 /// Opens or closes a named group of commands, for captures, timings and dumps.
 struct BeginSampleCommand
 {
     std::string name;
+
+    bool operator==(const BeginSampleCommand&) const = default;
 };
 struct EndSampleCommand
 {
+    bool operator==(const EndSampleCommand&) const = default;
 };
 
 using FrameCommand = std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand,

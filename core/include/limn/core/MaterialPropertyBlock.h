@@ -1,11 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/Texture.h>
 #include <memory>
-#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -34,27 +34,30 @@ public:
     /// @throws ContractError naming the property, if a number is not finite; so do all above
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
     /// Takes over all values of another block.
-    void SetAll(const MaterialPropertyBlock& other)
-    {
-        for (const auto& [id, value] : other.m_Values)
-        {
-            m_Values[id] = value;
-        }
-    }
+    void SetAll(const MaterialPropertyBlock& other);
 
-    /// The value, or null if none was set.
+    /// The value, or null if none was set. Until the next change.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const
     {
-        const auto it = m_Values.find(id);
-        return it == m_Values.end() ? nullptr : &it->second;
+        const auto slot = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
+        return slot != m_Slots.end() && slot->id == id ? &m_Values[slot->value] : nullptr;
     }
 
-    void Remove(ShaderPropertyId id) { m_Values.erase(id); }
-    void Clear() { m_Values.clear(); }
-    bool isEmpty() const { return m_Values.empty(); }
+    void Remove(ShaderPropertyId id);
+    /// Keeps the memory.
+    void Clear();
+    bool isEmpty() const { return m_Slots.empty(); }
 
 private:
-    std::unordered_map<ShaderPropertyId, ShaderPropertyValue> m_Values;
+    struct Slot
+    {
+        ShaderPropertyId id;
+        std::uint32_t value = 0; ///< in m_Values
+    };
+    void Put(ShaderPropertyId id, ShaderPropertyValue value);
+
+    std::vector<Slot> m_Slots; ///< by id
+    std::vector<ShaderPropertyValue> m_Values;
 };
 
 } // namespace limn

@@ -17,12 +17,20 @@ class DrawRecorder;
 class ScriptableRenderContext
 {
 public:
-    /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
+    /// Begin comes first.
+    ScriptableRenderContext();
     explicit ScriptableRenderContext(RenderReport& report,
                                      const glm::dvec3& origin = glm::dvec3(0.0));
     ~ScriptableRenderContext();
     ScriptableRenderContext(const ScriptableRenderContext&) = delete;
     ScriptableRenderContext& operator=(const ScriptableRenderContext&) = delete;
+
+    /// Forgets everything that was recorded and made global. One context for all frames is cheaper
+    /// than one for each.
+    /// @param report  must outlive the frame
+    /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
+    /// @param spare   of an earlier frame: the memory of its lists is used again
+    void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {});
 
     /// Appends the buffer's commands; the buffer may be cleared and used again afterwards.
     /// @throws AssetError if a shader pass does not compile
@@ -38,7 +46,7 @@ public:
                        const RenderStateBlock& stateBlock = RenderStateBlock());
 
     /// Whose calls these are, for the report.
-    void SetPassName(std::string name) { m_PassName = std::move(name); }
+    void SetPassName(std::string_view name) { m_PassName = name; }
 
     /// A place between two commands of the frame, and what was global there.
     struct Place
@@ -59,8 +67,8 @@ public:
     FrameCommands TakeCommands();
 
 private:
-    RenderReport& m_Report;
-    const glm::dvec3 m_Origin;
+    RenderReport* m_Report = nullptr;
+    glm::dvec3 m_Origin{0.0};
     std::string m_PassName;
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;

@@ -67,16 +67,16 @@ protected:
 
 private:
     void AddRenderPasses(RenderingData& renderingData);
-    void Execute(ScriptableRenderContext& context, RenderingData& renderingData,
-                 std::span<ScriptableRenderPass* const> featurePasses);
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
     void ExecutePasses(ScriptableRenderContext& context, RenderingData& renderingData,
-                       std::span<ScriptableRenderPass* const> featurePasses, CommandBuffer& cmd);
+                       CommandBuffer& cmd);
     void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
                            RenderingData& renderingData);
     void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const CameraData& data);
 
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;
+    std::vector<ScriptableRenderPass*> m_FeaturePasses; ///< of these, as enqueued
     RTHandle m_CameraColor;
     RTHandle m_CameraDepth;
     bool m_Executing = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/FrameCompiler.h>
+#include <limn/core/FrameCache.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/Timeline.h>
 #include <limn/core/UniversalRenderer.h>
@@ -27,7 +27,7 @@ struct RenderResult
 {
     RTHandle output; ///< R8G8B8A8_SRGB; read it back with GraphicsDevice::ReadBack
     RenderReport report;
-    CompiledFrame frame; ///< as the device ran it
+    std::shared_ptr<const CompiledFrame> frame; ///< as the device ran it; never null
 };
 
 /// Renders cameras on a device. Keep one for as long as its device: its textures stay between
@@ -36,11 +36,15 @@ class UniversalRenderPipeline
 {
 public:
     /// @param device  must outlive this, or SetDevice
-    explicit UniversalRenderPipeline(GraphicsDevice& device) : m_Device(&device) {}
+    explicit UniversalRenderPipeline(GraphicsDevice& device);
 
     /// Goes on with another device, as after the first was lost: what textures held is gone.
     /// @param device  must outlive this
-    void SetDevice(GraphicsDevice& device) { m_Device = &device; }
+    void SetDevice(GraphicsDevice& device)
+    {
+        m_Device = &device;
+        m_Frames.Clear();
+    }
 
     /// Samples a texel of the camera's colour and depth, where the camera allows them: 1, 2, 4
     /// or 8. Where the device lacks them there are fewer, with a note. Unity:
@@ -53,7 +57,10 @@ public:
 
 private:
     GraphicsDevice* m_Device; ///< never null
+    std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
+    FrameCache m_Frames;
+    FrameCommands m_Commands; ///< of the last frame, for the memory of its lists
 };
 
 } // namespace limn

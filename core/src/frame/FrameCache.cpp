@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <atomic>
+#include <limn/core/FrameCache.h>
+
+namespace limn
+{
+
+namespace
+{
+
+template <typename T>
+bool AreSame(const std::shared_ptr<T>& a, const std::shared_ptr<T>& b)
+{
+    return a == b || (a && b && *a == *b);
+}
+
+bool AreSame(const DrawSetup& a, const DrawSetup& b)
+{
+    return a.program == b.program && a.shader == b.shader && a.shaderPass == b.shaderPass &&
+           a.state == b.state && AreSame(a.bindings, b.bindings) &&
+           AreSame(a.fullScreen, b.fullScreen);
+}
+
+bool AreSame(const TextureState& a, const TextureState& b)
+{
+    return !a.texture.expired() && a.usage == b.usage && a.isFilled == b.isFilled &&
+           a.isPlaced == b.isPlaced && a.constant == b.constant && a.isPending == b.isPending &&
+           a.history == b.history;
+}
+
+/// Whether each has the same elements and nothing that has died since.
+bool AreSame(const TextureStates& now, const TextureStates& then)
+{
+    const auto isSame = [&](const auto& entry)
+    {
+        const auto other = then.textures.find(entry.first);
+        return other != then.textures.end() && AreSame(entry.second, other->second);
+    };
+    const auto isSameTwin = [&](const auto& entry)
+    {
+        const auto other = then.depthTwins.find(entry.first);
+        return other != then.depthTwins.end() && !entry.second.original.expired() &&
+               entry.second.texture == other->second.texture;
+    };
+    return now.textures.size() == then.textures.size() &&
+           now.depthTwins.size() == then.depthTwins.size() &&
+           std::ranges::all_of(now.textures, isSame) &&
+           std::ranges::all_of(now.depthTwins, isSameTwin);
+}
+
+/// All but what may be another in a frame of the same structure.
+void CopyStructure(const FrameCommands& from, FrameCommands& to)
+{
+    to.commands = from.commands;
+    to.setups = from.setups;
+    to.meshes = from.meshes;
+}
+
+void TakeData(FrameCommands& from, CompiledFrame& to)
+{
+    std::swap(to.uniformData, from.uniformData);
+    std::swap(to.instances, from.instances);
+    std::swap(to.perDraw, from.perDraw);
+    std::swap(to.objects, from.objects);
+}
+
+} // namespace
+
+bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& states,
+                        std::span<const std::shared_ptr<const RenderTexture>> outputs,
+                        const FrameCompilerOptions& options) const
+{
+    return m_Frame && options.isLast == m_Options.isLast &&
+           options.leavesOut == m_Options.leavesOut &&
+           options.limitsRegions == m_Options.limitsRegions &&
+           std::ranges::equal(outputs, m_Outputs) && commands.commands == m_Commands.commands &&
+           commands.meshes == m_Commands.meshes && commands.objects == m_Frame->objects &&
+           commands.uniformData.size() == m_Frame->uniformData.size() &&
+           commands.instances.size() == m_Frame->instances.size() &&
+           commands.perDraw.size() == m_Frame->perDraw.size() &&
+           std::ranges::equal(commands.setups, m_Commands.setups,
+                              [](const DrawSetup& a, const DrawSetup& b)
+                              { return AreSame(a, b); }) &&
+           AreSame(states, m_States);
+}
+
+std::shared_ptr<const CompiledFrame>
+FrameCache::Compile(FrameCommands& commands, const TextureStates& states,
+                    std::span<const std::shared_ptr<const RenderTexture>> outputs,
+                    const FrameCompilerOptions& options)
+{
+    static std::atomic<std::uint64_t> structures{0};
+    if (IsSame(commands, states, outputs, options))
+    {
+        if (m_Frame.use_count() > 1)
+        {
+            m_Frame = std::make_shared<CompiledFrame>(*m_Frame);
+        }
+        TakeData(commands, *m_Frame);
+        return m_Frame;
+    }
+    m_Frame = nullptr;
+    CopyStructure(commands, m_Commands);
+    m_States = states;
+    m_Outputs.assign(outputs.begin(), outputs.end());
+    m_Options = options;
+    m_Frame = std::make_shared<CompiledFrame>(
+        CompileFrame(std::move(commands), states, outputs, options));
+    m_Frame->structure = ++structures;
+    return m_Frame;
+}
+
+} // namespace limn
