@@ -71,8 +71,11 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     ++m_GlobalsVersion;
     m_Origin = origin;
     m_Depth = nullptr;
-    m_MeshIndex.clear();
-    EraseUnused(m_WithShader);
+    if (std::exchange(m_HasDraws, false))
+    {
+        EraseUnused(m_MeshPlaces);
+        EraseUnused(m_WithShader);
+    }
     m_Resolver.Begin(notes);
 }
 
@@ -143,6 +146,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
                                const MaterialPropertyBlock* properties,
                                const RenderStateBlock& stateBlock)
 {
+    m_HasDraws = true;
     DrawSetup draw;
     draw.program = material.Compile(shaderPass);
     draw.shader = material.shader();
@@ -171,13 +175,13 @@ std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
     {
         return DrawCommand::k_NoMesh;
     }
-    const auto [known, isNew] =
-        m_MeshIndex.try_emplace(mesh.get(), static_cast<std::uint32_t>(m_Frame.meshes.size()));
-    if (isNew)
+    MeshPlace& place = m_MeshPlaces[mesh.get()];
+    if (!std::exchange(place.isUsed, true))
     {
+        place.index = static_cast<std::uint32_t>(m_Frame.meshes.size());
         m_Frame.meshes.push_back(mesh);
     }
-    return known->second;
+    return place.index;
 }
 
 void DrawRecorder::Draw(const RecordedDraw& recorded)

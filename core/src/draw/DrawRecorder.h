@@ -81,7 +81,13 @@ private:
     glm::dvec3 m_Origin{0.0};
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
-    std::unordered_map<const Mesh*, std::uint32_t> m_MeshIndex; ///< in the frame's table
+    struct MeshPlace
+    {
+        std::uint32_t index = 0; ///< in the frame's table
+        bool isUsed = false;     ///< in this frame
+    };
+    std::unordered_map<const Mesh*, MeshPlace> m_MeshPlaces;
+    bool m_HasDraws = false; ///< in this frame
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
         Variant>

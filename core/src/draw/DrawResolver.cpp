@@ -105,8 +105,7 @@ void DrawResolver::Begin(std::vector<std::string>& notes)
     m_Notes = &notes;
     m_SharedNotes.clear();
     m_Noted.clear();
-    m_Bound.clear();
-    if (m_BuiltCount == 0)
+    if (!std::exchange(m_HasResolved, false))
     {
         return;
     }
@@ -114,6 +113,7 @@ void DrawResolver::Begin(std::vector<std::string>& notes)
     // What the frame before did not use may be used by nobody any more.
     EraseUnused(m_Ids);
     EraseUnused(m_Shared);
+    EraseUnused(m_Bound);
 }
 
 std::shared_ptr<const DrawBindings>
@@ -121,6 +121,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                       const PropertySources& sources, std::uint64_t globalsVersion,
                       std::vector<std::byte>& uniformData)
 {
+    m_HasResolved = true;
     const Material& material = *sources.material;
     const ProgramIds& ids = IdsOf(pass, *material.shader());
     if (sources.block != nullptr && !sources.block->isEmpty())
@@ -285,12 +286,7 @@ void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sou
         const TextureBinding& binding = layout.textures[i];
         TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
                          std::nullopt};
-        const std::uint64_t id = slot.texture->id();
-        if (const auto place = std::ranges::lower_bound(m_Bound, id);
-            place == m_Bound.end() || *place != id)
-        {
-            m_Bound.insert(place, id);
-        }
+        m_Bound[slot.texture->id()].isUsed = true;
         if (binding.combinedSampler)
         {
             slot.sampler = slot.texture->sampler();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Material.h>
 #include <map>
@@ -44,7 +43,8 @@ public:
     /// Whether a draw so far has the texture bound.
     bool HasBound(const Texture& texture) const
     {
-        return std::ranges::binary_search(m_Bound, texture.id());
+        const auto bound = m_Bound.find(texture.id());
+        return bound != m_Bound.end() && bound->second.isUsed;
     }
 
 private:
@@ -103,7 +103,12 @@ private:
     std::vector<std::shared_ptr<const DrawBindings>> m_Built;
     std::size_t m_BuiltCount = 0;
     DrawBindings m_Building;
-    std::vector<std::uint64_t> m_Bound; ///< ids of textures, sorted
+    bool m_HasResolved = false; ///< anything in this frame
+    struct Bound
+    {
+        bool isUsed = false; ///< in this frame
+    };
+    std::unordered_map<std::uint64_t, Bound> m_Bound; ///< by the texture's id
     struct SharedNote
     {
         std::size_t index; ///< in m_Notes

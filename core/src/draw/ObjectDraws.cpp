@@ -5,7 +5,10 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 namespace limn
 {
@@ -13,12 +16,24 @@ namespace limn
 namespace
 {
 
+/// A list that keeps its memory for the thread's next call of this file's functions. Each kind is
+/// used by one at a time.
+template <typename Value>
+std::vector<Value>& Emptied()
+{
+    static thread_local std::vector<Value> list;
+    list.clear();
+    return list;
+}
+
 /// A pass of a material, looked up once for all objects that are drawn with it.
 struct ObjectPass
 {
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
     DrawSetup draw; ///< not mirrored
+    /// Not mirrored and mirrored: in the frame's table; none = not there yet.
+    std::array<std::optional<std::uint32_t>, 2> setups;
 };
 
 bool Compiles(const Material& material, int pass)
@@ -34,7 +49,7 @@ bool Compiles(const Material& material, int pass)
     }
 }
 
-/// The passes of one DrawRenderers call.
+/// The passes of one DrawRenderers call. Its memory is kept for the thread's next one.
 class PassList
 {
 public:
@@ -43,20 +58,24 @@ public:
         : m_Drawing(drawing), m_StateBlock(stateBlock), m_Recorder(recorder)
     {
     }
+    ~PassList() { m_Passes.clear(); }
+    PassList(const PassList&) = delete;
+    PassList& operator=(const PassList&) = delete;
 
-    /// The passes that a renderer of this material draws.
-    std::vector<std::uint32_t> Of(const std::shared_ptr<const Material>& material)
+    /// Adds the passes that a renderer of this material draws.
+    void AddOf(const std::shared_ptr<const Material>& material, std::vector<std::uint32_t>& passes)
     {
         if (m_Drawing.overrideMaterial)
         {
-            return {Add(m_Drawing.overrideMaterial, m_Drawing.overrideMaterialPassIndex)};
+            passes.push_back(Add(m_Drawing.overrideMaterial, m_Drawing.overrideMaterialPassIndex));
+            return;
         }
         if (m_Drawing.overrideShader)
         {
-            return {Add(m_Recorder.WithShader(material, m_Drawing.overrideShader),
-                        m_Drawing.overrideShaderPassIndex)};
+            passes.push_back(Add(m_Recorder.WithShader(material, m_Drawing.overrideShader),
+                                 m_Drawing.overrideShaderPassIndex));
+            return;
         }
-        std::vector<std::uint32_t> passes;
         for (const ShaderTagId tag : m_Drawing.shaderTagIds)
         {
             const int pass = material->shader()->FindPassByLightMode(tag);
@@ -70,29 +89,61 @@ public:
                 passes.push_back(Add(material, pass));
             }
         }
-        return passes;
     }
 
-    const std::vector<ObjectPass>& passes() const { return m_Passes; }
+    std::vector<ObjectPass>& passes() { return m_Passes; }
 
 private:
     std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass)
     {
-        const auto [known, isNew] = m_Index.try_emplace(
-            {material.get(), shaderPass}, static_cast<std::uint32_t>(m_Passes.size()));
-        if (isNew)
+        Known& known = m_Index.known[{material.get(), shaderPass}];
+        if (known.call != m_Index.call)
         {
-            m_Passes.push_back({material, shaderPass,
-                                m_Recorder.LookUp(*material, shaderPass, nullptr, m_StateBlock)});
+            known = {m_Index.call, static_cast<std::uint32_t>(m_Passes.size())};
+            m_Passes.push_back({material,
+                                shaderPass,
+                                m_Recorder.LookUp(*material, shaderPass, nullptr, m_StateBlock),
+                                {}});
         }
-        return known->second;
+        return known.index;
+    }
+
+    struct Known
+    {
+        std::uint64_t call = 0; ///< the last that had it
+        std::uint32_t index = 0;
+    };
+    using Key = std::pair<const Material*, int>;
+    struct HashKey
+    {
+        std::size_t operator()(const Key& key) const
+        {
+            return std::hash<const void*>()(key.first) * 31 + static_cast<std::size_t>(key.second);
+        }
+    };
+    /// Of all calls: an earlier one's entries are there for their memory only.
+    struct Index
+    {
+        std::uint64_t call = 0;
+        std::unordered_map<Key, Known, HashKey> known;
+    };
+    static Index& NextCall()
+    {
+        static thread_local Index index;
+        constexpr std::size_t k_Most = 1 << 16;
+        if (index.known.size() > k_Most)
+        {
+            index.known.clear();
+        }
+        ++index.call;
+        return index;
     }
 
     const DrawingSettings& m_Drawing;
     const RenderStateBlock& m_StateBlock;
     DrawRecorder& m_Recorder;
-    std::vector<ObjectPass> m_Passes;
-    std::map<std::pair<const Material*, int>, std::uint32_t> m_Index;
+    std::vector<ObjectPass>& m_Passes = Emptied<ObjectPass>();
+    Index& m_Index = NextCall();
 };
 
 bool Blends(const RenderTargetBlendState& target)
@@ -192,7 +243,7 @@ public:
         : m_Table(table), m_Commutes(commutes), m_Parts(table.meshParts().size())
     {
         const std::size_t kinds = commutes.size() * m_Parts * 2;
-        m_Seen.resize(kinds <= k_MostKinds ? kinds : 0);
+        m_Seen.assign(kinds <= k_MostKinds ? kinds : 0, Seen());
     }
 
     /// Rows of one class that follow upon each other, for one pass.
@@ -214,21 +265,21 @@ public:
     ObjectBatches Take(const std::vector<std::uint32_t>& rows)
     {
         ObjectBatches result;
-        std::vector<std::uint32_t> next;
         std::uint32_t first = 0;
         for (ObjectBatch& batch : m_Batches)
         {
             batch.first = first;
-            next.push_back(first);
-            first += batch.count;
+            first += std::exchange(batch.count, 0);
         }
         result.rows = m_Table.spareRows().Take(first);
         for (const Run& run : m_Runs)
         {
-            std::copy_n(rows.begin() + run.first, run.count, result.rows.begin() + next[run.batch]);
-            next[run.batch] += run.count;
+            ObjectBatch& batch = m_Batches[run.batch];
+            std::copy_n(rows.begin() + run.first, run.count,
+                        result.rows.begin() + batch.first + batch.count);
+            batch.count += run.count;
         }
-        result.batches = std::move(m_Batches);
+        result.batches = m_Batches;
         return result;
     }
 
@@ -270,9 +321,9 @@ private:
     const RendererTable& m_Table;
     const std::vector<std::uint32_t>& m_Commutes;
     const std::size_t m_Parts;
-    std::vector<Seen> m_Seen; ///< by kind
-    std::vector<Run> m_Runs;
-    std::vector<ObjectBatch> m_Batches;
+    std::vector<Seen>& m_Seen = Emptied<Seen>(); ///< by kind
+    std::vector<Run>& m_Runs = Emptied<Run>();
+    std::vector<ObjectBatch>& m_Batches = Emptied<ObjectBatch>();
     std::size_t m_LastKind = 0;
     std::uint32_t m_Batch = 0;
     std::uint32_t m_Stretch = 0;
@@ -311,17 +362,19 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
 {
     const RendererTable& table = *items.table();
     PassList passes(drawing, stateBlock, recorder);
-    std::vector<std::vector<std::uint32_t>> passesOf(table.classes().size());
-    std::vector<std::uint8_t> isKnown(table.classes().size());
+    static thread_local std::vector<std::vector<std::uint32_t>> passesOf; // by class
+    std::vector<std::uint8_t>& isKnown = Emptied<std::uint8_t>();
+    passesOf.resize(std::max(passesOf.size(), table.classes().size()));
+    isKnown.resize(table.classes().size());
     for (const ClassRun& run : runs)
     {
-        if (isKnown[run.rowClass] == 0)
+        if (std::exchange(isKnown[run.rowClass], std::uint8_t{1}) == 0)
         {
-            isKnown[run.rowClass] = 1;
-            passesOf[run.rowClass] = passes.Of(table.classes()[run.rowClass].material);
+            passesOf[run.rowClass].clear();
+            passes.AddOf(table.classes()[run.rowClass].material, passesOf[run.rowClass]);
         }
     }
-    std::vector<std::uint32_t> commutes;
+    std::vector<std::uint32_t>& commutes = Emptied<std::uint32_t>();
     for (const ObjectPass& pass : passes.passes())
     {
         commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),
@@ -335,12 +388,12 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
     frame.instances.resize(offset + batches.rows.size());
     std::ranges::transform(batches.rows, frame.instances.begin() + offset,
                            [&](std::uint32_t row) { return table.objectOf()[row]; });
-    std::vector<std::array<std::optional<std::uint32_t>, 2>> setups(passes.passes().size());
     for (const ObjectBatch& batch : batches.batches)
     {
         const RendererTable::MeshPart& part = table.meshParts()[batch.meshPart];
         const DrawSetup& pass = passes.passes()[batch.pass].draw;
-        std::optional<std::uint32_t>& setup = setups[batch.pass][batch.isMirrored ? 1 : 0];
+        std::optional<std::uint32_t>& setup =
+            passes.passes()[batch.pass].setups[batch.isMirrored ? 1 : 0];
         if (!setup)
         {
             DrawSetup turned = pass;

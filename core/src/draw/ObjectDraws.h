@@ -19,8 +19,9 @@ struct ObjectBatch
 
 struct ObjectBatches
 {
-    std::vector<ObjectBatch> batches; ///< in the order in which they are drawn
-    std::vector<std::uint32_t> rows;  ///< of the table
+    /// In the order in which they are drawn; until the thread's next call.
+    std::span<const ObjectBatch> batches;
+    std::vector<std::uint32_t> rows; ///< of the table
 };
 
 /// Rows that follow upon each other and draw the same but for their place.

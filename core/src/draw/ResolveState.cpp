@@ -158,7 +158,10 @@ PipelineState ResolveState(const RenderState& state, const Material& material,
     result.conservative = reader.Read(state.conservative, "Conservative");
     for (std::size_t i = 0; i < result.targets.size(); ++i)
     {
-        result.targets[i] = ResolveBlend(state.targets[i], reader);
+        // Seldom is one blended in another way than the first.
+        result.targets[i] = i > 0 && state.targets[i] == state.targets[0]
+                                ? result.targets[0]
+                                : ResolveBlend(state.targets[i], reader);
     }
     result.stencilEnabled = state.stencil.enabled;
     if (state.stencil.enabled)

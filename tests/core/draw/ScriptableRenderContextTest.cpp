@@ -55,6 +55,39 @@ TEST_F(Contexts, AppendABufferAsOftenAsItIsExecuted)
     EXPECT_EQ(test::DrawsOf(m_Context.TakeCommands()).size(), 2u);
 }
 
+TEST_F(Contexts, BindTheSameAgainInAFrameThatDrawsTheSame)
+{
+    Triangle();
+    m_Material->SetFloat(_Value, 1.0f);
+    const FrameCommands first = Execute();
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    m_Material->SetFloat(_Value, 2.0f);
+    const FrameCommands second = Execute();
+    EXPECT_EQ(first.setups.at(0).bindings, second.setups.at(0).bindings);
+    EXPECT_EQ(ValueOf(first, 0), 1.0f);
+    EXPECT_EQ(ValueOf(second, 0), 2.0f);
+}
+
+TEST_F(Contexts, ForgetWhatWasGlobalAndBoundWhenAFrameBegins)
+{
+    const auto texture = std::make_shared<const Texture2D>("Image", 1, 1, GraphicsFormat::R8_UNorm,
+                                                           std::vector<std::byte>(1));
+    const auto painted = std::make_shared<Material>(test::ShaderWithProgram(
+        "", "Texture2D _Map; SamplerState sampler_Map;", "_Map.Sample(sampler_Map, 0.5)"));
+    painted->SetTexture(ShaderPropertyId("_Map"), texture);
+    m_Cmd.SetGlobalFloat(_Value, 3.0f);
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), painted, 0, 3);
+    Triangle();
+    m_Context.ExecuteCommandBuffer(m_Cmd); // and the frame is given up
+    EXPECT_TRUE(m_Context.Reads(*texture));
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    EXPECT_FALSE(m_Context.Reads(*texture));
+    m_Cmd.Clear();
+    Triangle();
+    EXPECT_EQ(ValueOf(Execute(), 0), 0.0f);
+    EXPECT_FALSE(m_Context.Reads(*texture));
+}
+
 TEST_F(Contexts, RecordAtAnEarlierPlaceWithTheGlobalsOfThen)
 {
     const auto other = std::make_shared<Material>(
