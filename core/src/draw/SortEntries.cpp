@@ -1,5 +1,6 @@
 #include "draw/SortEntries.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <utility>
@@ -12,6 +13,7 @@ namespace
 
 constexpr int k_DigitBits = 11;
 constexpr std::size_t k_DigitCount = std::size_t{1} << k_DigitBits;
+constexpr std::size_t k_Few = 64;
 
 /// Passes over the digits of `value` that are not the same in all entries, the lowest first.
 template <typename Value>
@@ -50,16 +52,30 @@ void SortBy(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, Valu
     }
 }
 
+/// By insertion: no passes over tables that are longer than the entries.
+void SortFew(std::vector<SortEntry>& entries, std::uint64_t mask)
+{
+    const auto isBefore = [mask](const SortEntry& a, const SortEntry& b)
+    {
+        return a.key != b.key ? a.key < b.key : (a.state & mask) < (b.state & mask);
+    };
+    for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+    {
+        std::rotate(std::upper_bound(entries.begin(), entry, *entry, isBefore), entry, entry + 1);
+    }
+}
+
 } // namespace
 
 void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits)
 {
-    if (entries.empty())
+    const std::uint64_t mask = (std::uint64_t{1} << stateBits) - 1;
+    if (entries.size() <= k_Few)
     {
+        SortFew(entries, mask);
         return;
     }
     spare.resize(entries.size());
-    const std::uint64_t mask = (std::uint64_t{1} << stateBits) - 1;
     SortBy(entries, spare, [mask](const SortEntry& entry) { return entry.state & mask; });
     SortBy(entries, spare, [](const SortEntry& entry) { return entry.key; });
 }

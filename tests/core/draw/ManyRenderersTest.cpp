@@ -465,9 +465,22 @@ TEST_F(ManyRenderers, AreSortedTogetherAsAListOfThemIs)
 TEST(RadixSorting, PutsEntriesIntoTheOrderThatComparingThemGives)
 {
     std::mt19937_64 random(7);
-    for (const int bits : {0, 1, 5, 12, 32, 47, 64})
+    for (const auto& [bits, count] : {std::pair(0, 1000),
+                                      {1, 1000},
+                                      {5, 1000},
+                                      {12, 1000},
+                                      {32, 1000},
+                                      {47, 1000},
+                                      {64, 1000},
+                                      {0, 20},
+                                      {1, 20},
+                                      {2, 64},
+                                      {64, 64},
+                                      {64, 65},
+                                      {64, 1},
+                                      {64, 0}})
     {
-        std::vector<SortEntry> entries(1000);
+        std::vector<SortEntry> entries(static_cast<std::size_t>(count));
         for (std::uint32_t i = 0; i < entries.size(); ++i)
         {
             entries[i] = {bits == 0 ? 5 : random() >> (64 - bits) << (random() % 2),
@@ -479,7 +492,7 @@ TEST(RadixSorting, PutsEntriesIntoTheOrderThatComparingThemGives)
         std::vector<SortEntry> spare;
         RadixSort(entries, spare);
         EXPECT_TRUE(std::ranges::equal(expected, entries, {}, &SortEntry::index, &SortEntry::index))
-            << bits << " bits";
+            << count << " of " << bits << " bits";
     }
 }
 
