@@ -197,7 +197,8 @@ std::optional<TargetRegion> RegionOf(const RendererTable& table,
     }
     const PerDrawData atOrigin =
         MakePerDrawData(glm::translate(glm::dmat4(1.0), table.origin()), {}, table.origin());
-    return recorder.Project({(low + high) * 0.5f, (high - low) * 0.5f}, atOrigin);
+    return recorder.Project({(low + high) * 0.5f, (high - low) * 0.5f},
+                            std::numeric_limits<float>::infinity(), atOrigin);
 }
 
 /// Where a batch draws, if its pass promises to stay within the mesh. Few objects are looked at one
@@ -220,7 +221,8 @@ std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
     std::optional<TargetRegion> region;
     for (const std::uint32_t row : rows)
     {
-        const auto seen = recorder.Project(mesh.bounds(), table.Get(table.objectOf()[row]));
+        const auto seen = recorder.Project(mesh.bounds(), mesh.boundingRadius(),
+                                           table.Get(table.objectOf()[row]));
         if (!seen)
         {
             return std::nullopt;
