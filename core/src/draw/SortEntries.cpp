@@ -16,23 +16,23 @@ constexpr std::size_t k_DigitCount = std::size_t{1} << k_DigitBits;
 constexpr std::size_t k_Few = 64;
 
 /// Passes over the digits of `value` that are not the same in all entries, the lowest first.
-template <typename Value>
-void SortBy(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, Value value)
+template <typename Entry, typename Value>
+void SortBy(std::vector<Entry>& entries, std::vector<Entry>& spare, Value value)
 {
     std::uint64_t differing = 0;
-    for (const SortEntry& entry : entries)
+    for (const Entry& entry : entries)
     {
         differing |= value(entry) ^ value(entries.front());
     }
     while (differing != 0)
     {
         const int shift = std::countr_zero(differing);
-        const auto digit = [&](const SortEntry& entry)
+        const auto digit = [&](const Entry& entry)
         {
             return (value(entry) >> shift) & (k_DigitCount - 1);
         };
         std::array<std::uint32_t, k_DigitCount> place{};
-        for (const SortEntry& entry : entries)
+        for (const Entry& entry : entries)
         {
             ++place[digit(entry)];
         }
@@ -41,7 +41,7 @@ void SortBy(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, Valu
         {
             next += std::exchange(count, next);
         }
-        for (const SortEntry& entry : entries)
+        for (const Entry& entry : entries)
         {
             spare[place[digit(entry)]++] = entry;
         }
@@ -78,6 +78,15 @@ void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, i
     spare.resize(entries.size());
     SortBy(entries, spare, [mask](const SortEntry& entry) { return entry.state & mask; });
     SortBy(entries, spare, [](const SortEntry& entry) { return entry.key; });
+}
+
+void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& spare, int firstBit)
+{
+    spare.resize(words.size());
+    if (firstBit < 64)
+    {
+        SortBy(words, spare, [firstBit](std::uint64_t word) { return word >> firstBit; });
+    }
 }
 
 } // namespace limn
