@@ -53,12 +53,9 @@ void SortBy(std::vector<Entry>& entries, std::vector<Entry>& spare, Value value)
 }
 
 /// By insertion: no passes over tables that are longer than the entries.
-void SortFew(std::vector<SortEntry>& entries, std::uint64_t mask)
+template <typename Entry, typename Before>
+void SortFew(std::vector<Entry>& entries, Before isBefore)
 {
-    const auto isBefore = [mask](const SortEntry& a, const SortEntry& b)
-    {
-        return a.key != b.key ? a.key < b.key : (a.state & mask) < (b.state & mask);
-    };
     for (auto entry = entries.begin(); entry != entries.end(); ++entry)
     {
         std::rotate(std::upper_bound(entries.begin(), entry, *entry, isBefore), entry, entry + 1);
@@ -72,7 +69,8 @@ void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, i
     const std::uint64_t mask = (std::uint64_t{1} << stateBits) - 1;
     if (entries.size() <= k_Few)
     {
-        SortFew(entries, mask);
+        SortFew(entries, [mask](const SortEntry& a, const SortEntry& b)
+                { return a.key != b.key ? a.key < b.key : (a.state & mask) < (b.state & mask); });
         return;
     }
     spare.resize(entries.size());
@@ -82,9 +80,18 @@ void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, i
 
 void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& spare, int firstBit)
 {
-    spare.resize(words.size());
-    if (firstBit < 64)
+    if (firstBit >= 64)
     {
+        return;
+    }
+    if (words.size() <= k_Few)
+    {
+        SortFew(words, [firstBit](std::uint64_t a, std::uint64_t b)
+                { return a >> firstBit < b >> firstBit; });
+    }
+    else
+    {
+        spare.resize(words.size());
         SortBy(words, spare, [firstBit](std::uint64_t word) { return word >> firstBit; });
     }
 }

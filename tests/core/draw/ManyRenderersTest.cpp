@@ -496,6 +496,26 @@ TEST(RadixSorting, PutsEntriesIntoTheOrderThatComparingThemGives)
     }
 }
 
+TEST(RadixSorting, LeavesWordsInTheirOrderThatDifferBelowTheFirstBitOnly)
+{
+    std::mt19937_64 random(8);
+    for (const std::size_t count : {0u, 1u, 20u, 64u, 65u, 1000u})
+    {
+        for (const int firstBit : {0, 7, 40, 63, 64})
+        {
+            std::vector<std::uint64_t> words(count);
+            std::ranges::generate(words, [&] { return random() & random() & random(); });
+            std::vector<std::uint64_t> expected = words;
+            std::ranges::stable_sort(expected, {},
+                                     [firstBit](std::uint64_t word)
+                                     { return firstBit < 64 ? word >> firstBit : 0; });
+            std::vector<std::uint64_t> spare;
+            RadixSort(words, spare, firstBit);
+            EXPECT_EQ(expected, words) << count << " words from bit " << firstBit;
+        }
+    }
+}
+
 TEST(Quantising, TakesTheEighthOfTheOctaveOfADistance)
 {
     for (double distance = 2e-3; distance < 1e18; distance *= 1.0137)
