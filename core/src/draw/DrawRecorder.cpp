@@ -69,7 +69,10 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_Changes.clear();
     m_KeepsChanges = false;
     ++m_GlobalsVersion;
-    m_Promises.resize(std::exchange(m_PromiseCount, 0));
+    if (m_PromiseCount > 0) // nothing was promised since the last call else
+    {
+        m_Promises.resize(std::exchange(m_PromiseCount, 0));
+    }
     m_Origin = origin;
     m_Depth = nullptr;
     if (std::exchange(m_HasDraws, false))
@@ -195,7 +198,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     DrawCommand draw;
     if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
     {
-        draw.bounds = Project(recorded.mesh->bounds(), perDraw);
+        draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
     draw.mesh = Add(recorded.mesh);
     draw.subMesh = recorded.subMesh;
@@ -214,7 +217,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     }
 }
 
-std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
+std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
                                                   const PerDrawData& perDraw) const
 {
     static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
@@ -234,7 +237,7 @@ std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
         relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
         toClip[3] = std::get<glm::vec4>(*originCS);
     }
-    return ProjectBounds(bounds, relative, toClip);
+    return ProjectBounds(bounds, radius, relative, toClip);
 }
 
 std::shared_ptr<const Material>

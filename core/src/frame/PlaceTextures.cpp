@@ -154,14 +154,16 @@ void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
     {
         done.clear();
     }
-    for (const Lifetime& lifetime : lifetimes)
+    const auto takeOwnMemory = [&](const RenderTexture& texture)
     {
-        const auto found = frame.states.textures.find(lifetime.texture->id());
+        const auto found = frame.states.textures.find(texture.id());
         if (found != frame.states.textures.end())
         {
             Forget(found->second, false);
         }
-    }
+    };
+    std::ranges::for_each(lifetimes, [&](const Lifetime& l) { takeOwnMemory(*l.texture); });
+    std::ranges::for_each(outputs, [&](const auto& output) { takeOwnMemory(*output); });
     for (const Lifetime& lifetime : done)
     {
         TextureState& state = frame.states.textures[lifetime.texture->id()];

@@ -106,6 +106,20 @@ TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
     EXPECT_FALSE(next.states.textures[a->id()].isPlaced);
 }
 
+TEST(PlaceTextures, BeginsAnewWithAnOutputThatLayInSharedMemoryAndNoPassUses)
+{
+    const TransientPtr output = MakeTransient(4);
+    const std::vector<TransientPtr> outputs{output};
+    CompiledFrame frame;
+    TextureState& state = frame.states.textures[output->id()];
+    state.texture = output;
+    state.usage = TextureUsage::ColorAttachment;
+    state.isPlaced = true;
+    PlaceTextures({}, outputs, SixteenBytes, frame);
+    EXPECT_EQ(TextureUsage::Undefined, state.usage);
+    EXPECT_FALSE(state.isPlaced);
+}
+
 TEST(PlaceTextures, LetsNoTwoHoldSomethingInOnePlaceAtOnce)
 {
     std::mt19937 random(20'261'122);

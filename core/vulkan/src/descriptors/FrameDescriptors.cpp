@@ -2,7 +2,6 @@
 
 #include "device/Translate.h"
 #include <algorithm>
-#include <cstring>
 
 namespace limn::vulkan
 {
@@ -34,14 +33,14 @@ const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, cons
 }
 
 void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
-                 const UploadedBytes& uploaded, std::size_t uploadedSize)
+                 const VkDescriptorBufferInfo& uploaded)
 {
     for (const UniformBuffer& buffer : layout.buffers)
     {
         const UniformSlice& slice =
             FindSlot(bindings.uniforms, buffer.binding, "uniform data", buffer.name);
         const bool inside =
-            slice.offset <= uploadedSize && slice.size <= uploadedSize - slice.offset;
+            slice.offset <= uploaded.range && slice.size <= uploaded.range - slice.offset;
         if (slice.size < buffer.size || !inside || slice.offset % k_UniformAlignment != 0)
         {
             throw ContractError("the uniform data of '" + buffer.name + "' are " +
@@ -49,7 +48,7 @@ void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBi
                                 std::to_string(slice.offset) + "; the shader reads " +
                                 std::to_string(buffer.size) + ", at a multiple of " +
                                 std::to_string(k_UniformAlignment) + ", of the frame's " +
-                                std::to_string(uploadedSize));
+                                std::to_string(uploaded.range));
         }
         content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                           {uploaded.buffer, uploaded.offset + slice.offset, slice.size});
@@ -68,7 +67,7 @@ void RequireDimension(const Texture& texture, const TextureBinding& binding)
 
 void RequireResolved(const PooledImage& image, const std::string& property)
 {
-    if (image.isStale)
+    if (image.use.isStale)
     {
         throw ContractError("texture '" + image.name + "' is read as '" + property +
                             "': the last pass that drew into it did not resolve its " +
@@ -84,10 +83,10 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
         const TextureSlot& slot =
             FindSlot(bindings.textures, texture.binding, "texture", texture.name);
         const PooledImage& image = *resources.images.Find(*slot.texture);
-        if (image.usage != TextureUsage::ShaderRead)
+        if (image.use.usage != TextureUsage::ShaderRead)
         {
             throw ContractError("texture '" + image.name + "' is read as '" + texture.name +
-                                "' while its use is " + ToString(image.usage) +
+                                "' while its use is " + ToString(image.use.usage) +
                                 "; a barrier must make it ShaderRead");
         }
         RequireDimension(*slot.texture, texture);
@@ -130,54 +129,16 @@ FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources
       m_Frame(frame),
       m_PieceElements(PieceElements(context.capabilities().limits))
 {
-    if (!frame.uniformData.empty())
-    {
-        m_Uniforms = slot.upload().Upload(frame.uniformData);
-    }
-    if (!frame.perDraw.empty())
-    {
-        const UploadedBytes bytes = slot.upload().Upload(std::as_bytes(std::span{frame.perDraw}));
-        m_Pieces[0] = Pieces(bytes.buffer, bytes.offset, frame.perDraw.size());
-    }
+    FrameRecording& recording = slot.recording();
+    recording.data.emplace(frame, slot.data(), m_PieceElements, context.capabilities().limits);
+    recording.objects = VK_NULL_HANDLE;
+    m_Data = &*recording.data;
+    const VkDescriptorBufferInfo& perDraw = m_Data->perDraw();
+    m_Pieces[0] = Pieces(perDraw.buffer, perDraw.offset, frame.perDraw.size());
     if (frame.objects)
     {
         m_Pieces[1] = Pieces(VK_NULL_HANDLE, 0, frame.objects->count()); // see UseObjects
     }
-    UploadInstances();
-}
-
-/// Elements count from the beginning of their piece.
-void FrameDescriptors::UploadInstances()
-{
-    const std::size_t count =
-        m_Frame.instances.empty() ? m_Frame.perDraw.size() : m_Frame.instances.size();
-    if (count == 0)
-    {
-        return;
-    }
-    const VkDeviceSize size = count * sizeof(std::uint32_t);
-    if (size > m_Context.capabilities().limits.maxStorageBufferRange)
-    {
-        throw ContractError("the frame draws " + std::to_string(count) +
-                            " instances; the device takes at most " +
-                            std::to_string(m_Context.capabilities().limits.maxStorageBufferRange /
-                                           sizeof(std::uint32_t)));
-    }
-    const UploadedBytes bytes = m_Slot.upload().Allocate(size);
-    auto* const target = reinterpret_cast<std::uint32_t*>(bytes.mapped);
-    const bool isWhole = std::max(m_Pieces[0].size(), m_Pieces[1].size()) <= 1;
-    if (isWhole && !m_Frame.instances.empty())
-    {
-        std::memcpy(target, m_Frame.instances.data(), size);
-    }
-    else
-    {
-        for (std::uint32_t i = 0; i < count; ++i)
-        {
-            target[i] = m_Frame.Element(i) % m_PieceElements;
-        }
-    }
-    m_Instances = {bytes.buffer, bytes.offset, size};
 }
 
 std::vector<VkDescriptorBufferInfo> FrameDescriptors::Pieces(VkBuffer buffer, VkDeviceSize offset,
@@ -254,16 +215,16 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
 
 void FrameDescriptors::UseObjects(std::uint64_t number)
 {
-    if (!m_Frame.objects || m_UsesObjects)
+    FrameRecording& recording = m_Slot.recording();
+    if (!m_Frame.objects || recording.objects != VK_NULL_HANDLE)
     {
         return;
     }
-    m_UsesObjects = true;
-    const VkBuffer buffer =
-        m_Resources.objects.Update(m_Frame.objects, number, m_Slot.commands(), m_Slot.upload());
+    recording.objects = m_Resources.objects.Update(m_Frame.objects, number, m_Slot.uploads());
+    recording.objectCount = m_Frame.objects->count();
     for (VkDescriptorBufferInfo& piece : m_Pieces[1])
     {
-        piece.buffer = buffer;
+        piece.buffer = recording.objects;
     }
 }
 
@@ -273,7 +234,7 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
                                          std::size_t piece)
 {
     m_Content.Clear(setLayout);
-    AddUniforms(m_Content, layout, bindings, m_Uniforms, m_Frame.uniformData.size());
+    AddUniforms(m_Content, layout, bindings, m_Data->uniforms());
     AddTextures(m_Content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
@@ -283,7 +244,7 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
         m_Content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                            isInstances ? m_Instances : pieces.at(piece));
+                            isInstances ? m_Data->instances() : pieces.at(piece));
     }
     return m_Slot.descriptors().Get(m_Content);
 }

@@ -20,7 +20,8 @@ struct InstanceRun
 class FrameDescriptors
 {
 public:
-    /// Uploads the frame's uniform and per-draw data. @lifetime keeps `frame` by reference
+    /// Writes the frame's uniform and per-draw data to the slot's recording. @lifetime keeps
+    /// `frame` by reference
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
                      const CompiledFrame& frame);
 
@@ -35,7 +36,6 @@ public:
                         std::uint64_t number);
 
 private:
-    void UploadInstances();
     /// Where a draw has objects: brings their buffer up to date, before any pass.
     void UseObjects(std::uint64_t number);
     std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,
@@ -50,11 +50,9 @@ private:
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
     SetContent m_Content; ///< of the set that is being made
-    UploadedBytes m_Uniforms;
+    const FrameData* m_Data = nullptr;
     std::uint32_t m_PieceElements; ///< of per-draw data, the last piece apart
     std::array<std::vector<VkDescriptorBufferInfo>, 2> m_Pieces; ///< of perDraw and of objects
-    bool m_UsesObjects = false;
-    VkDescriptorBufferInfo m_Instances{};
     std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>,
              VkDescriptorSet>
         m_Sets;

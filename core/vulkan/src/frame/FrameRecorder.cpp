@@ -21,10 +21,10 @@ std::string Objection(const TextureBarrier& barrier, const PooledImage& image)
     {
         return "it comes from the CPU and is ShaderRead always; it needs no barrier";
     }
-    if (barrier.before != TextureUsage::Undefined && barrier.before != image.usage)
+    if (barrier.before != TextureUsage::Undefined && barrier.before != image.use.usage)
     {
         return std::string("the barrier takes it from ") + ToString(barrier.before) +
-               ", and its use is " + ToString(image.usage);
+               ", and its use is " + ToString(image.use.usage);
     }
     return {};
 }
@@ -54,13 +54,20 @@ FrameRecorder::FrameRecorder(const VulkanContext& context, DeviceResources& reso
 
 void FrameRecorder::Record(const CompiledFrame& frame)
 {
-    m_Resources.images.RecordUploads(m_Slot.commands(), m_Slot.upload());
-    m_Resources.meshes.RecordUploads(m_Slot.commands(), m_Slot.upload());
+    m_Resources.images.RecordUploads(m_Slot.uploads());
+    m_Resources.meshes.RecordUploads(m_Slot.uploads());
     RecordPasses(frame);
+    m_Slot.EndRecording();
 }
 
-void FrameRecorder::Prepare(const CompiledFrame& frame)
+bool FrameRecorder::Prepare(const CompiledFrame& frame)
 {
+    if (Repeat(frame))
+    {
+        return true;
+    }
+    m_Slot.BeginRecording(frame.passes.size(), frame.structure);
+    m_Slot.descriptors().Begin(m_Resources.changeCount());
     m_Prepared.Clear();
     m_Prepared.passes.resize(frame.passes.size());
     m_Resources.images.Place(frame.placed, m_Number);
@@ -82,6 +89,26 @@ void FrameRecorder::Prepare(const CompiledFrame& frame)
     }
     m_Prepared.firstFinalBarrier = m_Prepared.barriers.size();
     PrepareBarriers(frame.finalBarriers, nullptr);
+    m_Slot.recording().Take(m_Resources, m_Number);
+    return false;
+}
+
+/// Where it says no, nothing has happened but uploads.
+bool FrameRecorder::Repeat(const CompiledFrame& frame)
+{
+    FrameRecording& recording = m_Slot.recording();
+    if (!recording.isValid(frame, m_Resources.changeCount()))
+    {
+        return false;
+    }
+    if (recording.objects != VK_NULL_HANDLE &&
+        m_Resources.objects.Update(frame.objects, m_Number, m_Slot.uploads()) != recording.objects)
+    {
+        return false;
+    }
+    recording.data->Write(frame);
+    recording.Use(m_Number);
+    return true;
 }
 
 void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)

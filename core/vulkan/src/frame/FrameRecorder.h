@@ -14,12 +14,14 @@ public:
     FrameRecorder(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
                   std::uint64_t number, PreparedFrame& prepared);
 
+    /// @return whether what the slot has recorded is this frame's, too, so that it is ready
     /// @throws ContractError if the frame contradicts itself
-    void Prepare(const CompiledFrame& frame);
-    /// @pre Prepare, with the same frame
+    bool Prepare(const CompiledFrame& frame);
+    /// @pre Prepare, with the same frame, gave false
     void Record(const CompiledFrame& frame);
 
 private:
+    bool Repeat(const CompiledFrame& frame);
     void PrepareBarriers(const std::vector<TextureBarrier>& barriers,
                          const CompiledRenderPass* pass);
     void PrepareTargets(const CompiledRenderPass& pass);

@@ -8,43 +8,34 @@ namespace limn::vulkan
 {
 
 FrameSlot::FrameSlot(const VulkanContext& context, MemoryAllocator& allocator)
-    : m_Context(context), m_Upload(context.device(), allocator), m_Descriptors(context.device())
+    : m_Context(context),
+      m_Commands(context),
+      m_Data(context.device(), allocator, MemoryUse::Upload),
+      m_Uploads(context, allocator),
+      m_Descriptors(context.device())
 {
-    VkCommandPoolCreateInfo poolInfo{};
-    poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-    poolInfo.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-    poolInfo.queueFamilyIndex = context.queueFamily();
-    VkCommandPool pool = VK_NULL_HANDLE;
-    Check(vkCreateCommandPool(context.device(), &poolInfo, nullptr, &pool), "vkCreateCommandPool");
-    m_Pool = UniqueCommandPool{context.device(), pool};
-
-    VkCommandBufferAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-    info.commandPool = pool;
-    info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    info.commandBufferCount = 1;
-    Check(vkAllocateCommandBuffers(context.device(), &info, &m_Commands),
-          "vkAllocateCommandBuffers");
 }
 
-void FrameSlot::Begin(std::size_t passCount, std::uint64_t destroyed)
+void FrameSlot::BeginRecording(std::size_t passCount, std::uint64_t structure)
+{
+    Abandon();
+    m_Data.Reset();
+    // What never changes again need not be recorded for more than one submission.
+    m_Commands.Begin(structure == 0 ? VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT : 0);
+    m_Recording.structure = structure;
+    ReserveQueries(passCount);
+}
+
+void FrameSlot::Abandon() noexcept
 {
     m_TimedCount = 0;
-    Check(vkResetCommandPool(m_Context.device(), m_Pool.get(), 0), "vkResetCommandPool");
-    m_Upload.Reset();
-    m_Descriptors.Begin(destroyed);
-    VkCommandBufferBeginInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    Check(vkBeginCommandBuffer(m_Commands, &info), "vkBeginCommandBuffer");
-    ReserveQueries(passCount);
+    m_Recording.structure = 0;
 }
 
 void FrameSlot::Submit(SubmitQueue& queue)
 {
-    Check(vkEndCommandBuffer(m_Commands), "vkEndCommandBuffer");
     const std::uint64_t number = queue.nextNumber();
-    queue.Submit(m_Commands);
+    queue.Submit(m_Uploads.End(), m_Commands.handle());
     m_Number = number;
 }
 
@@ -66,7 +57,7 @@ void FrameSlot::ReserveQueries(std::size_t passCount)
         m_Queries = UniqueQueryPool{m_Context.device(), pool};
         m_QueryCapacity = info.queryCount;
     }
-    vkCmdResetQueryPool(m_Commands, m_Queries.get(), 0, needed);
+    vkCmdResetQueryPool(commands(), m_Queries.get(), 0, needed);
 }
 
 void FrameSlot::BeginTiming(const std::string& name)
@@ -79,7 +70,7 @@ void FrameSlot::BeginTiming(const std::string& name)
             m_TimedPasses.emplace_back();
         }
         m_TimedPasses[m_TimedCount++] = name; // keeps the memory of the frames before
-        vkCmdWriteTimestamp2(m_Commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
+        vkCmdWriteTimestamp2(commands(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
                              query);
     }
 }
@@ -89,36 +80,36 @@ void FrameSlot::EndTiming()
     if (m_Context.capabilities().timestampValidBits > 0)
     {
         const auto query = static_cast<std::uint32_t>(2 * m_TimedCount - 1);
-        vkCmdWriteTimestamp2(m_Commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
+        vkCmdWriteTimestamp2(commands(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
                              query);
     }
 }
 
-std::vector<PassTiming> FrameSlot::ReadTimings() const
+void FrameSlot::ReadTimings(std::vector<PassTiming>& timings)
 {
-    std::vector<PassTiming> timings;
+    timings.resize(m_TimedCount);
     if (m_TimedCount == 0)
     {
-        return timings;
+        return;
     }
-    std::vector<std::uint64_t> ticks(2 * m_TimedCount);
+    m_Ticks.resize(2 * m_TimedCount);
     Check(vkGetQueryPoolResults(m_Context.device(), m_Queries.get(), 0,
-                                static_cast<std::uint32_t>(ticks.size()),
-                                ticks.size() * sizeof(std::uint64_t), ticks.data(),
+                                static_cast<std::uint32_t>(m_Ticks.size()),
+                                m_Ticks.size() * sizeof(std::uint64_t), m_Ticks.data(),
                                 sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
           "vkGetQueryPoolResults");
     const auto milliseconds = [&](std::size_t from, std::size_t to)
     {
         const std::uint64_t elapsed =
-            ElapsedTicks(ticks[from], ticks[to], m_Context.capabilities().timestampValidBits);
+            ElapsedTicks(m_Ticks[from], m_Ticks[to], m_Context.capabilities().timestampValidBits);
         return static_cast<double>(elapsed) * m_Context.capabilities().nanosecondsPerTick * 1e-6;
     };
     for (std::size_t i = 0; i < m_TimedCount; ++i)
     {
-        timings.push_back(
-            {m_TimedPasses[i], milliseconds(2 * i, 2 * i + 1), milliseconds(0, 2 * i)});
+        timings[i].name = m_TimedPasses[i];
+        timings[i].milliseconds = milliseconds(2 * i, 2 * i + 1);
+        timings[i].start = milliseconds(0, 2 * i);
     }
-    return timings;
 }
 
 } // namespace limn::vulkan

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "descriptors/DescriptorCache.h"
+#include "frame/FrameRecording.h"
 #include "frame/SubmitQueue.h"
-#include "memory/LinearMemory.h"
 
 namespace limn::vulkan
 {
@@ -13,36 +13,44 @@ class FrameSlot
 public:
     FrameSlot(const VulkanContext& context, MemoryAllocator& allocator);
 
-    VkCommandBuffer commands() const { return m_Commands; }
-    LinearMemory& upload() { return m_Upload; }
+    VkCommandBuffer commands() const { return m_Commands.handle(); }
+    LinearMemory& data() { return m_Data; } ///< that the commands read
+    UploadCommands& uploads() { return m_Uploads; }
     DescriptorCache& descriptors() { return m_Descriptors; }
     const DescriptorCache& descriptors() const { return m_Descriptors; }
+    FrameRecording& recording() { return m_Recording; }
     std::uint64_t number() const { return m_Number; } ///< of its last submission, 0 = none
 
-    /// Starts recording. @pre the slot's last submission is finished
-    /// @param destroyed  see DescriptorCache::Begin
-    void Begin(std::size_t passCount, std::uint64_t destroyed = 0);
-    /// What was recorded will not be submitted; Begin() drops it.
-    void Abandon() noexcept { m_TimedCount = 0; }
-    /// Ends recording and submits.
+    /// Starts a frame: there are no uploads yet, and the commands are as they were.
+    /// @pre the slot's last submission is finished
+    void Begin() { m_Uploads.Reset(); }
+    /// Starts recording: drops commands and data of the frame before.
+    /// @param structure  CompiledFrame::structure
+    void BeginRecording(std::size_t passCount, std::uint64_t structure = 0);
+    void EndRecording() { m_Commands.End(); }
+    /// What was recorded will not be submitted.
+    void Abandon() noexcept;
+    /// Submits the uploads and then the commands.
     void Submit(SubmitQueue& queue);
 
     void BeginTiming(const std::string& name);
     void EndTiming();
     /// @pre the slot's last submission is finished
-    std::vector<PassTiming> ReadTimings() const;
+    void ReadTimings(std::vector<PassTiming>& timings);
 
 private:
     void ReserveQueries(std::size_t passCount);
 
     const VulkanContext& m_Context;
-    UniqueCommandPool m_Pool;
-    VkCommandBuffer m_Commands = VK_NULL_HANDLE; ///< owned by the pool
-    LinearMemory m_Upload;
+    Commands m_Commands;
+    LinearMemory m_Data;
+    UploadCommands m_Uploads;
     DescriptorCache m_Descriptors;
+    FrameRecording m_Recording;
     UniqueQueryPool m_Queries; ///< two a pass
     std::uint32_t m_QueryCapacity = 0;
     std::vector<std::string> m_TimedPasses; ///< the first `m_TimedCount` are of this frame
+    std::vector<std::uint64_t> m_Ticks;     ///< memory of ReadTimings
     std::size_t m_TimedCount = 0;
     std::uint64_t m_Number = 0;
 };

@@ -54,7 +54,7 @@ std::string Objection(const CompiledRenderPass& pass, const RenderTexture& textu
 int RequireTarget(const CompiledRenderPass& pass, const RenderTexture& texture, ImagePool& images,
                   TextureUsage needed)
 {
-    const TextureUsage usage = images.Find(texture)->usage;
+    const TextureUsage usage = images.Find(texture)->use.usage;
     if (const std::string objection = Objection(pass, texture, usage, needed); !objection.empty())
     {
         throw ContractError("pass '" + pass.name + "': target '" + texture.name() +
@@ -172,7 +172,7 @@ void MarkSamples(const CompiledRenderPass& pass, ImagePool& images)
     const auto mark = [&](const auto& attachment)
     {
         PooledImage& image = *images.Find(*attachment.texture);
-        image.isStale = image.samples > 1 && attachment.resolve != attachment.texture;
+        image.use.isStale = image.samples > 1 && attachment.resolve != attachment.texture;
     };
     for (const ColorAttachment& color : pass.colors)
     {

@@ -1,6 +1,7 @@
 #include "frame/SubmitQueue.h"
 
 #include "device/Check.h"
+#include <array>
 #include <limits>
 
 namespace limn::vulkan
@@ -44,11 +45,18 @@ std::uint64_t SubmitQueue::finishedNumber() const
     return value;
 }
 
-void SubmitQueue::Submit(VkCommandBuffer commands)
+void SubmitQueue::Submit(VkCommandBuffer before, VkCommandBuffer commands)
 {
-    VkCommandBufferSubmitInfo buffer{};
-    buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
-    buffer.commandBuffer = commands;
+    std::array<VkCommandBufferSubmitInfo, 2> buffers{};
+    std::uint32_t count = 0;
+    for (VkCommandBuffer buffer : {before, commands})
+    {
+        if (buffer != VK_NULL_HANDLE)
+        {
+            buffers.at(count).sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+            buffers.at(count++).commandBuffer = buffer;
+        }
+    }
     VkSemaphoreSubmitInfo signal{};
     signal.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
     signal.semaphore = m_Timeline.get();
@@ -56,8 +64,8 @@ void SubmitQueue::Submit(VkCommandBuffer commands)
     signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     VkSubmitInfo2 info{};
     info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
-    info.commandBufferInfoCount = 1;
-    info.pCommandBufferInfos = &buffer;
+    info.commandBufferInfoCount = count;
+    info.pCommandBufferInfos = buffers.data();
     info.signalSemaphoreInfoCount = 1;
     info.pSignalSemaphoreInfos = &signal;
     Check(vkQueueSubmit2(m_Context.queue(), 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");

@@ -20,7 +20,8 @@ public:
     std::uint64_t lastNumber() const { return m_Submitted; }
     std::uint64_t finishedNumber() const; ///< all up to here are done
 
-    void Submit(VkCommandBuffer commands);
+    /// @param before  commands that run first; null = there are none
+    void Submit(VkCommandBuffer before, VkCommandBuffer commands);
     void Wait(std::uint64_t number) const;
     void WaitIdle() const noexcept; ///< until nothing is in use any more
 

@@ -24,7 +24,7 @@ public:
     /// The slot for the next frame, once the GPU is done with it.
     vulkan::FrameSlot& TakeSlot();
     void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
-    void KeepTimings(const vulkan::FrameSlot& slot);
+    void KeepTimings(vulkan::FrameSlot& slot);
     Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
 
     vulkan::VulkanContext context;
@@ -34,6 +34,7 @@ public:
     std::size_t nextSlot = 0;
     vulkan::PreparedFrame prepared; ///< of the last frame
     std::uint64_t timedFrame = 0;
+    std::uint64_t recordedFrames = 0;
     Timeline* timeline = nullptr; ///< may be null
     std::vector<PassTiming> timings;
     TextureStates textureStates; ///< after the last frame submitted
@@ -53,30 +54,29 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     const std::uint64_t number = queue.nextNumber();
     try
     {
-        slot.Begin(frame.passes.size(), allocator.returnedCount() +
-                                            resources.images.destroyedCount() +
-                                            resources.programs.freedCount());
+        slot.Begin();
         vulkan::FrameRecorder recorder{context, resources, slot, number, prepared};
-        Measure(timeline, "prepare", [&] { recorder.Prepare(frame); });
-        Measure(timeline, "record commands", [&] { recorder.Record(frame); });
+        if (!Measure(timeline, "prepare", [&] { return recorder.Prepare(frame); }))
+        {
+            ++recordedFrames;
+            Measure(timeline, "record commands", [&] { recorder.Record(frame); });
+        }
         Measure(timeline, "submit", [&] { slot.Submit(queue); });
     }
     catch (...)
     {
         // None of it may throw: what went wrong first is what is reported.
-        resources.images.Rollback(number);
-        resources.meshes.Rollback(number);
-        resources.objects.Rollback(number);
+        resources.Rollback(number);
         slot.Abandon();
         throw;
     }
 }
 
-void VulkanDevice::Impl::KeepTimings(const vulkan::FrameSlot& slot)
+void VulkanDevice::Impl::KeepTimings(vulkan::FrameSlot& slot)
 {
     if (slot.number() > timedFrame)
     {
-        timings = slot.ReadTimings();
+        slot.ReadTimings(timings);
         timedFrame = slot.number();
     }
 }
@@ -91,11 +91,7 @@ VulkanDevice::~VulkanDevice() = default;
 void VulkanDevice::Execute(const CompiledFrame& frame)
 {
     vulkan::FrameSlot& slot = m_Impl->TakeSlot();
-    const std::uint64_t finished = m_Impl->queue.finishedNumber();
-    m_Impl->resources.images.Sweep(finished);
-    m_Impl->resources.meshes.Sweep(finished);
-    m_Impl->resources.objects.Sweep(finished);
-    m_Impl->resources.programs.Sweep(finished);
+    m_Impl->resources.Sweep(m_Impl->queue.finishedNumber());
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
     m_Impl->textureStates = frame.states;
@@ -115,12 +111,13 @@ Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFl
     {
         throw ContractError(subject + "no frame has drawn it");
     }
-    if (image->usage != TextureUsage::CopySource)
+    if (image->use.usage != TextureUsage::CopySource)
     {
         throw ContractError(subject + "the last frame left it as " +
-                            vulkan::ToString(image->usage) + "; make it an output (CopySource)");
+                            vulkan::ToString(image->use.usage) +
+                            "; make it an output (CopySource)");
     }
-    if (image->isStale)
+    if (image->use.isStale)
     {
         throw ContractError(subject + "the last pass that drew into it did not resolve its " +
                             std::to_string(image->samples) + " samples a texel");
@@ -150,7 +147,7 @@ Image VulkanDevice::ReadBackStencil(const RenderTexture& texture)
 std::vector<PassTiming> VulkanDevice::LastFrameTimings()
 {
     const std::uint64_t finished = m_Impl->queue.finishedNumber();
-    for (const vulkan::FrameSlot& slot : m_Impl->slots)
+    for (vulkan::FrameSlot& slot : m_Impl->slots)
     {
         if (slot.number() <= finished)
         {
@@ -215,6 +212,7 @@ VulkanDeviceStatistics VulkanDevice::statistics() const
         statistics.descriptorSets += slot.descriptors().size();
         statistics.descriptorWrites += slot.descriptors().writeCount();
     }
+    statistics.recordedFrames = m_Impl->recordedFrames;
     statistics.pipelines = m_Impl->resources.programs.pipelineCount();
     return statistics;
 }

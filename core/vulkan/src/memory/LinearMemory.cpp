@@ -20,8 +20,8 @@ constexpr VkBufferUsageFlags k_Usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
 
 } // namespace
 
-LinearMemory::LinearMemory(VkDevice device, MemoryAllocator& allocator)
-    : m_Device(device), m_Allocator(&allocator)
+LinearMemory::LinearMemory(VkDevice device, MemoryAllocator& allocator, MemoryUse use)
+    : m_Device(device), m_Allocator(&allocator), m_Use(use)
 {
 }
 
@@ -31,8 +31,8 @@ UploadedBytes LinearMemory::Allocate(VkDeviceSize size)
     {
         m_Before += m_Used;
         m_Used = 0;
-        m_Chunks.emplace_back(m_Device, *m_Allocator, std::max(size, ChunkSize()), k_Usage,
-                              MemoryUse::Upload, "frame upload memory");
+        m_Chunks.emplace_back(m_Device, *m_Allocator, std::max(size, ChunkSize()), k_Usage, m_Use,
+                              "frame upload memory");
     }
     const Buffer& chunk = m_Chunks.back();
     const UploadedBytes result{chunk.handle.get(), m_Used, chunk.memory.mapped() + m_Used};

@@ -18,7 +18,8 @@ struct UploadedBytes
 class LinearMemory
 {
 public:
-    LinearMemory(VkDevice device, MemoryAllocator& allocator);
+    /// @param use  Upload or Staging
+    LinearMemory(VkDevice device, MemoryAllocator& allocator, MemoryUse use);
 
     /// Room for `size` bytes, at a multiple of k_UniformAlignment; lives until Reset().
     UploadedBytes Allocate(VkDeviceSize size);
@@ -32,6 +33,7 @@ private:
 
     VkDevice m_Device;
     MemoryAllocator* m_Allocator;
+    MemoryUse m_Use;
     std::vector<Buffer> m_Chunks;
     VkDeviceSize m_Used = 0;     ///< of the last chunk
     VkDeviceSize m_Before = 0;   ///< of the chunks before it

@@ -20,6 +20,7 @@ std::vector<VkMemoryPropertyFlags> WishesFor(MemoryUse use)
     switch (use)
     {
     case MemoryUse::Upload:
+    case MemoryUse::Staging:
         return {visible};
     case MemoryUse::ReadBack:
         return {visible | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, visible};
@@ -29,6 +30,11 @@ std::vector<VkMemoryPropertyFlags> WishesFor(MemoryUse use)
         break;
     }
     return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
+}
+
+bool isMapped(MemoryUse use)
+{
+    return use == MemoryUse::Upload || use == MemoryUse::Staging || use == MemoryUse::ReadBack;
 }
 
 } // namespace
@@ -157,7 +163,7 @@ MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32
     VkDeviceMemory memory = VK_NULL_HANDLE;
     Check(vkAllocateMemory(m_Device, &info, nullptr, &memory), "vkAllocateMemory", name);
     block->memory = UniqueMemory{m_Device, memory};
-    if (use == MemoryUse::Upload || use == MemoryUse::ReadBack)
+    if (isMapped(use))
     {
         void* mapped = nullptr;
         Check(vkMapMemory(m_Device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory", name);
@@ -175,7 +181,7 @@ MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32
 void MemoryAllocator::Return(Block& block, VkDeviceSize offset, VkDeviceSize size) noexcept
 {
     block.ranges.Free(offset, size);
-    m_Returned += block.use == MemoryUse::ReadBack ? 0 : 1;
+    m_Returned += block.use == MemoryUse::Staging || block.use == MemoryUse::ReadBack ? 0 : 1;
     if (block.ranges.usedBytes() == 0)
     {
         const auto isIt = [&](const auto& candidate)

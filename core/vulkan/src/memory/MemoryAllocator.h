@@ -14,7 +14,8 @@ enum class MemoryUse
 {
     Gpu,
     Transient, ///< attachments that a device with tiles may never write out
-    Upload,    ///< written by the CPU, mapped
+    Upload,    ///< written by the CPU, mapped, read by shaders
+    Staging,   ///< likewise, copied from only
     ReadBack   ///< read by the CPU, mapped
 };
 
@@ -70,8 +71,8 @@ public:
 
     VkDeviceSize allocatedBytes() const; ///< taken from the driver
     VkDeviceSize usedBytes() const;      ///< of these, handed out
-    /// How many allocations have come back, with their resource gone; not those of read-backs,
-    /// which no shader sees.
+    /// How many allocations have come back, with their resource gone; not those of
+    /// staging and read-backs, which no shader sees.
     std::uint64_t returnedCount() const { return m_Returned; }
 
 private:

@@ -167,6 +167,25 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
     return program.pipelines.back().second.get();
 }
 
+void ProgramPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
+{
+    for (auto& [identity, objects] : m_Programs)
+    {
+        if (objects.lastUse == number)
+        {
+            uses.push_back(&objects.lastUse);
+        }
+    }
+}
+
+void ProgramPool::Rollback(std::uint64_t number) noexcept
+{
+    for (auto& [identity, objects] : m_Programs)
+    {
+        objects.lastUse = std::min(objects.lastUse, number - 1);
+    }
+}
+
 void ProgramPool::Sweep(std::uint64_t finished)
 {
     m_Freed +=

@@ -68,6 +68,9 @@ public:
     ProgramObjects& Use(const std::shared_ptr<const ShaderProgram>& program, std::uint64_t number);
     VkPipeline Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
                         const PipelineKey& key);
+    /// Adds the ProgramObjects::lastUse of those that submission `number` uses.
+    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
+    void Rollback(std::uint64_t number) noexcept; ///< that submission never will be
     void Sweep(std::uint64_t finished);
     std::size_t pipelineCount() const;
     std::uint64_t freedCount() const { return m_Freed; } ///< programs, so far

@@ -24,9 +24,35 @@ struct DeviceResources
           meshes(context.device(), allocator),
           objects(context.device(), allocator),
           programs(context, cacheFolder),
-          samplers(context)
+          samplers(context),
+          m_Allocator(allocator)
     {
     }
+
+    /// Grows where an image, a buffer or a layout that a frame knows is gone or another one.
+    std::uint64_t changeCount() const
+    {
+        return m_Allocator.returnedCount() + images.changeCount() + programs.freedCount();
+    }
+    /// Frees what nobody owns or uses.
+    void Sweep(std::uint64_t finished)
+    {
+        images.Sweep(finished);
+        meshes.Sweep(finished);
+        objects.Sweep(finished);
+        programs.Sweep(finished);
+    }
+    /// That submission never will be.
+    void Rollback(std::uint64_t number) noexcept
+    {
+        images.Rollback(number);
+        meshes.Rollback(number);
+        objects.Rollback(number);
+        programs.Rollback(number);
+    }
+
+private:
+    const MemoryAllocator& m_Allocator;
 };
 
 } // namespace limn::vulkan

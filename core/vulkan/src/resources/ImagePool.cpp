@@ -42,15 +42,14 @@ VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before
     return barrier;
 }
 
-void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelTexture& texture,
-                LinearMemory& staging)
+void RecordCopy(UploadCommands& uploads, const PooledImage& image, const TexelTexture& texture)
 {
-    const UploadedBytes bytes = staging.Upload(texture.texels());
+    const UploadedBytes bytes = uploads.staging().Upload(texture.texels());
     VkBufferImageCopy region{};
     region.bufferOffset = bytes.offset;
     region.imageSubresource = {image.aspects, 0, 0, LayerCount(texture)};
     region.imageExtent = Extent(texture);
-    vkCmdCopyBufferToImage(commands, bytes.buffer, image.image.get(),
+    vkCmdCopyBufferToImage(uploads.commands(), bytes.buffer, image.image.get(),
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
@@ -59,7 +58,7 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const TexelT
 void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
                  std::vector<VkImageMemoryBarrier2>& barriers)
 {
-    image.usage = after;
+    image.use.usage = after;
     if (image.samples == 1)
     {
         barriers.push_back(UsageBarrier(image, before, after));
@@ -75,10 +74,10 @@ void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
     }
     if (image.resolved)
     {
-        ResolvedImage& resolved = *image.resolved;
-        barriers.push_back(UsageBarrier(image, isWorthless ? before : resolved.usage, after));
-        barriers.back().image = resolved.image.get();
-        resolved.usage = after;
+        barriers.push_back(
+            UsageBarrier(image, isWorthless ? before : image.use.resolvedUsage, after));
+        barriers.back().image = image.resolved->image.get();
+        image.use.resolvedUsage = after;
     }
 }
 
@@ -130,7 +129,8 @@ PooledImage& ImagePool::Add(const std::shared_ptr<const Texture>& texture, std::
     PooledImage& stored = m_Images.emplace(texture->id(), std::move(image)).first->second;
     if (auto source = std::dynamic_pointer_cast<const TexelTexture>(texture))
     {
-        stored.usage = TextureUsage::ShaderRead; // before the frame's first pass
+        stored.use.usage = TextureUsage::ShaderRead; // before the frame's first pass
+        stored.submitted = stored.use;
         m_Uploads.push_back({&stored, std::move(source)});
     }
     return stored;
@@ -200,6 +200,7 @@ void ImagePool::Grow(const std::vector<PlacedTexture>& placed)
             shared.memory = std::make_shared<MemoryAllocation>(m_Allocator.Allocate(
                 needs, MemoryUse::Gpu, MemoryContent::Images, "memory that textures share"));
             shared.size = shared.needed;
+            ++m_Changes;
         }
     }
 }
@@ -211,6 +212,7 @@ void ImagePool::Retire(std::uint64_t id, std::uint64_t number)
     {
         m_Retired.push_back({id, std::move(found->second), number});
         m_Images.erase(found);
+        ++m_Changes;
     }
 }
 
@@ -247,8 +249,12 @@ const PooledImage* ImagePool::Find(const Texture& texture) const
     return found == m_Images.end() ? nullptr : &found->second;
 }
 
-void ImagePool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
+void ImagePool::RecordUploads(UploadCommands& uploads)
 {
+    if (m_Uploads.empty())
+    {
+        return;
+    }
     std::vector<VkImageMemoryBarrier2> before;
     std::vector<VkImageMemoryBarrier2> after;
     for (const Upload& upload : m_Uploads)
@@ -263,33 +269,41 @@ void ImagePool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
         after.back().srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
         after.back().srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
     }
-    RecordBarriers(commands, before);
+    RecordBarriers(uploads.commands(), before);
     for (const Upload& upload : m_Uploads)
     {
-        RecordCopy(commands, *upload.image, *upload.texture, staging);
+        RecordCopy(uploads, *upload.image, *upload.texture);
     }
-    RecordBarriers(commands, after);
+    RecordBarriers(uploads.commands(), after);
     m_Uploads.clear();
+}
+
+std::vector<PooledImage*> ImagePool::UsedBy(std::uint64_t number)
+{
+    std::vector<PooledImage*> images;
+    for (auto& [id, image] : m_Images)
+    {
+        if (image.lastUse == number)
+        {
+            images.push_back(&image);
+        }
+    }
+    return images;
 }
 
 void ImagePool::Commit()
 {
     for (auto& [id, image] : m_Images)
     {
-        image.submittedUsage = image.usage;
-        image.submittedIsStale = image.isStale;
-        if (image.resolved)
-        {
-            image.resolved->submittedUsage = image.resolved->usage;
-        }
+        image.submitted = image.use;
     }
 }
 
 void ImagePool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
-    m_Destroyed += std::erase_if(m_Images, [&](const auto& entry)
-                                 { return entry.second.createdBy == number; });
+    ++m_Changes;
+    std::erase_if(m_Images, [&](const auto& entry) { return entry.second.createdBy == number; });
     for (Retired& retired : m_Retired)
     {
         if (retired.number == number)
@@ -300,20 +314,16 @@ void ImagePool::Rollback(std::uint64_t number) noexcept
     std::erase_if(m_Retired, [&](const Retired& retired) { return retired.number == number; });
     for (auto& [id, image] : m_Images)
     {
-        image.usage = image.submittedUsage;
-        image.isStale = image.submittedIsStale;
-        if (image.resolved)
-        {
-            image.resolved->usage = image.resolved->submittedUsage;
-        }
+        image.use = image.submitted;
+        image.lastUse = std::min(image.lastUse, number - 1);
     }
 }
 
 void ImagePool::Sweep(std::uint64_t finished)
 {
-    m_Destroyed += std::erase_if(m_Retired, [&](const Retired& retired)
-                                 { return retired.image.lastUse <= finished; });
-    m_Destroyed +=
+    m_Changes += std::erase_if(m_Retired, [&](const Retired& retired)
+                               { return retired.image.lastUse <= finished; });
+    m_Changes +=
         std::erase_if(m_Images, [&](const auto& entry)
                       { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
     std::erase_if(m_Shared, [](const auto& entry) { return entry.second.memory.use_count() == 1; });
@@ -344,7 +354,7 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedT
     }
 }
 
-void ImagePool::CreateResolved(PooledImage& image, const Texture& texture) const
+void ImagePool::CreateResolved(PooledImage& image, const Texture& texture)
 {
     const VkImageCreateInfo info = Describe(texture, 1);
     RequireSupport(info, texture);
@@ -356,6 +366,7 @@ void ImagePool::CreateResolved(PooledImage& image, const Texture& texture) const
         resolved.depthView = CreateView(resolved.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
     }
     image.resolved = std::move(resolved);
+    ++m_Changes;
 }
 
 UniqueImage ImagePool::CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/VulkanContext.h"
-#include "memory/LinearMemory.h"
+#include "memory/UploadCommands.h"
 #include <limn/core/FrameCompiler.h>
 #include <map>
 #include <unordered_map>
@@ -17,8 +17,16 @@ struct ResolvedImage
     UniqueImage image;
     UniqueImageView view;
     UniqueImageView depthView;
+};
+
+/// What an image is used for, and what its samples are.
+struct ImageUse
+{
     TextureUsage usage = TextureUsage::Undefined;
-    TextureUsage submittedUsage = TextureUsage::Undefined;
+    TextureUsage resolvedUsage = TextureUsage::Undefined; ///< of PooledImage::resolved
+    bool isStale = false; ///< what samples were drawn last is not resolved
+
+    bool operator==(const ImageUse&) const = default;
 };
 
 /// The image behind one texture.
@@ -36,12 +44,10 @@ struct PooledImage
     VkImageAspectFlags aspects = 0;
     std::uint32_t samples = 1; ///< a texel
     bool isRenderTexture = false;
-    bool isStale = false;                         ///< what samples were drawn last is not resolved
-    bool submittedIsStale = false;                ///< likewise, after the last submission
-    TextureUsage usage = TextureUsage::Undefined; ///< after what is recorded so far
-    TextureUsage submittedUsage = TextureUsage::Undefined; ///< after the last submission
-    std::uint64_t createdBy = 0;                           ///< number of the submission
-    std::uint64_t lastUse = 0;                             ///< likewise
+    ImageUse use;                ///< after what is prepared so far
+    ImageUse submitted;          ///< after the last submission
+    std::uint64_t createdBy = 0; ///< number of the submission
+    std::uint64_t lastUse = 0;   ///< likewise
 
     VkImage readImage() const { return resolved ? resolved->image.get() : image.get(); }
     VkImageView resolveView() const { return resolved ? resolved->view.get() : view.get(); }
@@ -79,10 +85,12 @@ public:
     PooledImage* Find(const Texture& texture);
     const PooledImage* Find(const Texture& texture) const;
 
-    /// Records the copies of all queued texels. @param commands  outside of a render pass
-    void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);
+    /// Records the copies of all queued texels.
+    void RecordUploads(UploadCommands& uploads);
 
-    void Commit();                                ///< what was recorded is submitted
+    /// Those that submission `number` uses.
+    std::vector<PooledImage*> UsedBy(std::uint64_t number);
+    void Commit();                                ///< what was prepared is submitted
     void Rollback(std::uint64_t number) noexcept; ///< it never will be
     void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
 
@@ -90,7 +98,8 @@ public:
     int SupportedSampleCount(const RenderTexture& texture) const;
 
     std::size_t size() const { return m_Images.size(); }
-    std::uint64_t destroyedCount() const { return m_Destroyed; } ///< images, so far
+    /// Grows where an image is not, or not where it was, any more.
+    std::uint64_t changeCount() const { return m_Changes; }
     std::size_t sharedSize() const; ///< bytes of memory that textures share
 
 private:
@@ -121,7 +130,7 @@ private:
     void Retire(std::uint64_t id, std::uint64_t number);
     void Grow(const std::vector<PlacedTexture>& placed);
     void Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const;
-    void CreateResolved(PooledImage& image, const Texture& texture) const;
+    void CreateResolved(PooledImage& image, const Texture& texture);
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
     UniqueImage CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
@@ -135,7 +144,7 @@ private:
     MemoryAllocator& m_Allocator;
     std::unordered_map<std::uint64_t, PooledImage> m_Images; ///< by Texture::id
     std::vector<Upload> m_Uploads;
-    std::uint64_t m_Destroyed = 0;
+    std::uint64_t m_Changes = 0;
     std::vector<Retired> m_Retired;                 ///< may be in use by the GPU still
     std::map<std::uint32_t, SharedMemory> m_Shared; ///< by TextureFootprint::kind
     std::unordered_map<std::uint64_t, TextureFootprint> m_Footprints; ///< by format and size

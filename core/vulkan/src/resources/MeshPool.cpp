@@ -97,16 +97,17 @@ PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t
     return stored;
 }
 
-void MeshPool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
+void MeshPool::RecordUploads(UploadCommands& uploads)
 {
     if (m_Uploads.empty())
     {
         return;
     }
+    VkCommandBuffer commands = uploads.commands();
     for (const Upload& upload : m_Uploads)
     {
         const VkDeviceSize size = upload.pooled->buffer.size;
-        const UploadedBytes bytes = staging.Allocate(size);
+        const UploadedBytes bytes = uploads.staging().Allocate(size);
         Write(upload.mesh->data(), *upload.pooled, bytes.mapped);
         const VkBufferCopy region{bytes.offset, 0, size};
         vkCmdCopyBuffer(commands, bytes.buffer, upload.pooled->buffer.handle.get(), 1, &region);
@@ -126,10 +127,25 @@ void MeshPool::RecordUploads(VkCommandBuffer commands, LinearMemory& staging)
     m_Uploads.clear();
 }
 
+void MeshPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
+{
+    for (auto& [id, mesh] : m_Meshes)
+    {
+        if (mesh.lastUse == number)
+        {
+            uses.push_back(&mesh.lastUse);
+        }
+    }
+}
+
 void MeshPool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
     std::erase_if(m_Meshes, [&](const auto& entry) { return entry.second.createdBy == number; });
+    for (auto& [id, mesh] : m_Meshes)
+    {
+        mesh.lastUse = std::min(mesh.lastUse, number - 1);
+    }
 }
 
 void MeshPool::Sweep(std::uint64_t finished)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "memory/LinearMemory.h"
+#include "memory/UploadCommands.h"
 #include <limn/core/VertexAttribute.h>
 #include <unordered_map>
 
@@ -31,7 +31,9 @@ public:
     MeshPool(VkDevice device, MemoryAllocator& allocator);
 
     PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
-    void RecordUploads(VkCommandBuffer commands, LinearMemory& staging);
+    void RecordUploads(UploadCommands& uploads);
+    /// Adds the PooledMesh::lastUse of those that submission `number` uses.
+    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
     std::size_t size() const { return m_Meshes.size(); }

@@ -39,9 +39,9 @@ std::vector<VkBufferCopy> Regions(std::span<const std::uint32_t> objects, VkDevi
 }
 
 void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objects, VkBuffer target,
-                  VkCommandBuffer commands, LinearMemory& staging)
+                  UploadCommands& uploads)
 {
-    const UploadedBytes bytes = staging.Allocate(objects.size() * sizeof(PerDrawData));
+    const UploadedBytes bytes = uploads.staging().Allocate(objects.size() * sizeof(PerDrawData));
     std::byte* place = bytes.mapped;
     for (const std::uint32_t object : objects)
     {
@@ -49,6 +49,7 @@ void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objec
         std::memcpy(place, &data, sizeof data);
         place += sizeof data;
     }
+    VkCommandBuffer commands = uploads.commands();
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
     barrier.srcStageMask = k_Readers | VK_PIPELINE_STAGE_2_COPY_BIT;
@@ -68,7 +69,7 @@ void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objec
 } // namespace
 
 VkBuffer ObjectPool::Update(const std::shared_ptr<const ObjectTable>& table, std::uint64_t number,
-                            VkCommandBuffer commands, LinearMemory& staging)
+                            UploadCommands& uploads)
 {
     PooledObjects& pooled = Use(table, number);
     const auto changed = pooled.version == PooledObjects::k_Unknown
@@ -80,7 +81,7 @@ VkBuffer ObjectPool::Update(const std::shared_ptr<const ObjectTable>& table, std
     pooled.version = PooledObjects::k_Unknown; // until the copies are recorded
     if (!objects.empty())
     {
-        RecordCopies(*table, objects, pooled.buffer.handle.get(), commands, staging);
+        RecordCopies(*table, objects, pooled.buffer.handle.get(), uploads);
     }
     pooled.version = table->version();
     return pooled.buffer.handle.get();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "memory/LinearMemory.h"
+#include "memory/UploadCommands.h"
 #include <limn/core/ObjectTable.h>
 #include <unordered_map>
 
@@ -29,9 +29,9 @@ public:
     {
     }
 
-    /// The table's buffer with what it holds now: records the copies. Before any pass.
+    /// The table's buffer with what it holds now: records the copies.
     VkBuffer Update(const std::shared_ptr<const ObjectTable>& table, std::uint64_t number,
-                    VkCommandBuffer commands, LinearMemory& staging);
+                    UploadCommands& uploads);
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
 

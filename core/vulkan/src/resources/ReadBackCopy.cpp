@@ -62,8 +62,9 @@ Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, Submit
         context.device(),    allocator,         size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
         MemoryUse::ReadBack, "read-back buffer"};
     FrameSlot slot{context, allocator};
-    slot.Begin(0);
+    slot.BeginRecording(0);
     RecordCopy(slot.commands(), image, result, aspect, buffer.handle.get());
+    slot.EndRecording();
     slot.Submit(queue);
     try
     {

@@ -42,6 +42,8 @@ struct VulkanDeviceStatistics
     std::size_t descriptorSets = 0;
     std::uint64_t descriptorWrites = 0; ///< sets written since construction
     std::uint64_t meshUploads = 0;      ///< since construction; grows by one for each mesh written
+    /// Since construction; the other frames were submitted as an equal one had been recorded.
+    std::uint64_t recordedFrames = 0;
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
