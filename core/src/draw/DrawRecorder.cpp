@@ -69,16 +69,13 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_Changes.clear();
     m_KeepsChanges = false;
     ++m_GlobalsVersion;
-    if (m_PromiseCount > 0) // nothing was promised since the last call else
-    {
-        m_Promises.resize(std::exchange(m_PromiseCount, 0));
-    }
     m_Origin = origin;
     m_Depth = nullptr;
     if (std::exchange(m_HasDraws, false))
     {
         EraseUnused(m_MeshPlaces);
         EraseUnused(m_WithShader);
+        m_Promises.resize(std::exchange(m_PromiseCount, 0));
     }
     m_Resolver.Begin(notes);
 }

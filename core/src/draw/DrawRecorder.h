@@ -85,8 +85,6 @@ private:
     glm::dvec3 m_Origin{0.0};
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
-    std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises; ///< then of the last frame
-    std::size_t m_PromiseCount = 0;                                   ///< of this frame
     struct MeshPlace
     {
         std::uint32_t index = 0; ///< in the frame's table
@@ -94,6 +92,9 @@ private:
     };
     std::unordered_map<const Mesh*, MeshPlace> m_MeshPlaces;
     bool m_HasDraws = false; ///< in this frame
+    /// In the order of the draws, behind m_PromiseCount those of the frame before.
+    std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises;
+    std::size_t m_PromiseCount = 0;
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
         Variant>
