@@ -13,4 +13,9 @@ std::string LimnExecutable()
     return LIMN_EXECUTABLE;
 }
 
+bool LimnCountsAllocations()
+{
+    return LIMN_COUNTS_ALLOCATIONS;
+}
+
 } // namespace limn::test

@@ -12,5 +12,7 @@ std::string SourcePath(std::string_view relative);
 
 /// The absolute path of the `limn` program of this build.
 std::string LimnExecutable();
+/// It does but in builds with sanitizers.
+bool LimnCountsAllocations();
 
 } // namespace limn::test

@@ -196,6 +196,7 @@ void CompareSorting(std::size_t count, int pairs)
 void CompareFrames(std::size_t count, int pairs)
 {
     std::printf("\n%zu renderers: limn, the plain loops, ratio [tenth-ninetieth part]\n", count);
+    ManyRenderers(1).Frame(); // what compiling the shaders takes once is no renderer's
     const double before = ResidentBytes();
     ManyRenderers scene(count);
     RenderResult result = scene.Frame();

@@ -189,5 +189,65 @@ TEST_F(MultisampledCameraGpu, IsDrawnStraightIntoAnOutputThatHoldsTheSame)
     ExpectNoValidationMessages();
 }
 
+/// The most that a byte of two pictures differs by.
+int LargestDifference(const Image& a, const Image& b)
+{
+    int largest = 0;
+    for (std::size_t i = 0; i < a.texels.size(); ++i)
+    {
+        largest = std::max(largest, std::abs(std::to_integer<int>(a.texels[i]) -
+                                             std::to_integer<int>(b.texels.at(i))));
+    }
+    return largest;
+}
+
+// Half floats have 11 bits, so that what goes through them may be rounded to the next of 255 steps.
+TEST_F(MultisampledCameraGpu, IsDrawnStraightIntoAnOutputWithinOneStepWhereNoColourIsBlended)
+{
+    m_Pipeline.msaaSampleCount = 1;
+    m_Camera.backgroundColor = {0.2f, 0.4f, 0.6f, 0.0f};
+    AddSquare("", "float4(p.x / 16, -p.y / 64, p.x * p.y / 1024, 0.3)", 20.0f, 1.3f);
+    AddSquare("ZTest Always ColorMask RG", "float4(p.y / 77, 3, 0.5, 1)", 50.0f, 0.9f, 2001);
+    AddSquare("ZTest Always ColorMask B Blend One Zero, One One", "float4(0, 0, p.x / 31, 0.2)",
+              0.0f, 0.6f, 2002);
+    m_Request.compile.leavesOut = false;
+    const RenderResult all = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    const Image expected = SharedDevice().ReadBack(*all.output.rt());
+    m_Request.compile.leavesOut = true;
+    const RenderResult lean = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    EXPECT_EQ(all.frame->passes.size(), 2u);
+    EXPECT_EQ(lean.frame->passes.size(), 1u);
+    EXPECT_LE(LargestDifference(SharedDevice().ReadBack(*lean.output.rt()), expected), 1);
+    ExpectNoValidationMessages();
+}
+
+// Values above 1 are why the camera's own colour has to stay: half of 5 is white, and so is a pixel
+// of which one sample in four is 5; of what an output holds of them, 1, it would be grey.
+TEST_F(MultisampledCameraGpu, KeepsWhatIsBrighterThanAnOutputHoldsToBlendAndToResolve)
+{
+    AddSquare("", "float4(5, 5, 5, 1)", 20.0f, 1.1f);
+    for (const int samples : {4, 1})
+    {
+        if (samples == 1)
+        {
+            AddSquare("ZTest Always Blend SrcAlpha OneMinusSrcAlpha", "float4(0, 0, 0, 0.5)", 20.0f,
+                      1.1f, 3000);
+        }
+        m_Pipeline.msaaSampleCount = samples;
+        const RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        EXPECT_GE(result.frame->passes.size(), 2u);
+        const Image image = SharedDevice().ReadBack(*result.output.rt());
+        std::size_t white = 0;
+        for (std::size_t i = 0; i < image.texels.size(); i += 4)
+        {
+            const int red = std::to_integer<int>(image.texels[i]);
+            EXPECT_TRUE(red == 0 || red == 255) << red << " at " << i / 4 << ", " << samples;
+            white += red == 255 ? 1 : 0;
+        }
+        EXPECT_GT(white, 100u);
+    }
+    ExpectNoValidationMessages();
+}
+
 } // namespace
 } // namespace limn::test

@@ -194,7 +194,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded)
     DrawCommand draw;
     if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
     {
-        draw.bounds = Project(recorded.mesh->bounds(), perDraw);
+        draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
     draw.mesh = Add(recorded.mesh);
     draw.subMesh = recorded.subMesh;
@@ -213,7 +213,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded)
     }
 }
 
-std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
+std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
                                                   const PerDrawData& perDraw) const
 {
     static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
@@ -233,7 +233,7 @@ std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds,
         relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
         toClip[3] = std::get<glm::vec4>(*originCS);
     }
-    return ProjectBounds(bounds, relative, toClip);
+    return ProjectBounds(bounds, radius, relative, toClip);
 }
 
 std::shared_ptr<const Material>

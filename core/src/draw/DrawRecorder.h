@@ -46,8 +46,10 @@ public:
     /// The material's values with another shader; the same one as long as each frame asks for it.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);
-    /// Where a box is seen, as shaders find it; nothing where it may be anywhere.
-    std::optional<TargetRegion> Project(const Bounds& bounds, const PerDrawData& perDraw) const;
+    /// Where what lies in a box is seen, as shaders find it; nothing where it may be anywhere.
+    /// @param radius  see ProjectBounds
+    std::optional<TargetRegion> Project(const Bounds& bounds, float radius,
+                                        const PerDrawData& perDraw) const;
 
     /// The number of a setup, or of a mesh, in the frame's tables.
     std::uint32_t Add(DrawSetup setup);

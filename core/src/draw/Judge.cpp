@@ -1,6 +1,7 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
+#include <functional>
 #include <limn/core/Culling.h>
 #include <limn/core/Shader.h>
 #include <numeric>
@@ -61,19 +62,25 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
             kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
     }
     std::vector<std::uint32_t> drawn = table.spareRows().Take(items.size());
-    std::array<std::uint32_t, k_FilterVerdictCount> counts{};
+    // Counted in turns: a counter that was just written is not ready to be read.
+    constexpr std::size_t k_Turns = 4;
+    std::array<std::array<int, k_FilterVerdictCount>, k_Turns> counts{};
     std::size_t count = 0;
     const std::uint32_t* classOf = table.classOf().data();
     const std::uint8_t* verdictOf = verdicts.data();
-    for (const std::uint32_t row : items.rows())
+    const std::vector<std::uint32_t>& rows = items.rows();
+    for (std::size_t i = 0; i < rows.size(); ++i)
     {
-        const std::uint8_t verdict = verdictOf[classOf[row]];
-        ++counts[verdict];
-        drawn[count] = row;
+        const std::uint8_t verdict = verdictOf[classOf[rows[i]]];
+        ++counts[i % k_Turns][verdict];
+        drawn[count] = rows[i];
         count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);
     }
+    for (const auto& turn : counts)
+    {
+        std::ranges::transform(turn, judged.counts, judged.counts.begin(), std::plus());
+    }
     drawn.resize(count);
-    std::ranges::copy(counts, judged.counts.begin());
     judged.drawn = RendererItems(items.table(), std::move(drawn));
     return judged;
 }

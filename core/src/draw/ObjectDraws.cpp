@@ -197,7 +197,8 @@ std::optional<TargetRegion> RegionOf(const RendererTable& table,
     }
     const PerDrawData atOrigin =
         MakePerDrawData(glm::translate(glm::dmat4(1.0), table.origin()), {}, table.origin());
-    return recorder.Project({(low + high) * 0.5f, (high - low) * 0.5f}, atOrigin);
+    return recorder.Project({(low + high) * 0.5f, (high - low) * 0.5f},
+                            std::numeric_limits<float>::infinity(), atOrigin);
 }
 
 /// Where a batch draws, if its pass promises to stay within the mesh. Few objects are looked at one
@@ -220,7 +221,8 @@ std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
     std::optional<TargetRegion> region;
     for (const std::uint32_t row : rows)
     {
-        const auto seen = recorder.Project(mesh.bounds(), table.Get(table.objectOf()[row]));
+        const auto seen = recorder.Project(mesh.bounds(), mesh.boundingRadius(),
+                                           table.Get(table.objectOf()[row]));
         if (!seen)
         {
             return std::nullopt;
@@ -261,26 +263,27 @@ public:
         m_Runs.push_back({m_Batch, first, count});
     }
 
-    /// @param rows  what the runs are of
-    ObjectBatches Take(const std::vector<std::uint32_t>& rows)
+    /// @param rows     what the runs are of
+    /// @param batched  those of the batches are appended
+    std::span<const ObjectBatch> Take(const std::vector<std::uint32_t>& rows,
+                                      std::vector<std::uint32_t>& batched)
     {
-        ObjectBatches result;
         std::uint32_t first = 0;
         for (ObjectBatch& batch : m_Batches)
         {
             batch.first = first;
             first += std::exchange(batch.count, 0);
         }
-        result.rows = m_Table.spareRows().Take(first);
+        const std::size_t offset = batched.size();
+        batched.resize(offset + first);
+        std::uint32_t* out = batched.data() + offset;
         for (const Run& run : m_Runs)
         {
             ObjectBatch& batch = m_Batches[run.batch];
-            std::copy_n(rows.begin() + run.first, run.count,
-                        result.rows.begin() + batch.first + batch.count);
+            std::copy_n(rows.begin() + run.first, run.count, out + batch.first + batch.count);
             batch.count += run.count;
         }
-        result.batches = m_Batches;
-        return result;
+        return m_Batches;
     }
 
 private:
@@ -332,9 +335,10 @@ private:
 
 } // namespace
 
-ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
-                          const std::vector<std::vector<std::uint32_t>>& passesOf,
-                          const std::vector<std::uint32_t>& commutes)
+std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
+                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
+                                         const std::vector<std::uint32_t>& commutes,
+                                         std::vector<std::uint32_t>& rows)
 {
     BatchMaker maker(*items.table(), commutes);
     for (const ClassRun& run : runs)
@@ -353,7 +357,7 @@ ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> 
             }
         }
     }
-    return maker.Take(items.rows());
+    return maker.Take(items.rows(), rows);
 }
 
 void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
@@ -380,15 +384,12 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
         commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),
                                     drawing.sortingSettings, recorder.hasDepth()));
     }
-    ObjectBatches batches = MakeBatches(items, runs, passesOf, commutes);
-
     FrameCommands& frame = recorder.frame();
-    const auto offset = static_cast<std::uint32_t>(frame.instances.size());
     frame.objects = items.table();
-    frame.instances.resize(offset + batches.rows.size());
-    std::ranges::transform(batches.rows, frame.instances.begin() + offset,
-                           [&](std::uint32_t row) { return table.objectOf()[row]; });
-    for (const ObjectBatch& batch : batches.batches)
+    const auto offset = static_cast<std::uint32_t>(frame.instances.size());
+    const auto batches = MakeBatches(items, runs, passesOf, commutes, frame.instances);
+    const std::span<std::uint32_t> rows = std::span(frame.instances).subspan(offset);
+    for (const ObjectBatch& batch : batches)
     {
         const RendererTable::MeshPart& part = table.meshParts()[batch.meshPart];
         const DrawSetup& pass = passes.passes()[batch.pass].draw;
@@ -411,12 +412,12 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
             draw.firstInstance = offset + batch.first + done;
             draw.instanceCount = step;
             draw.bounds =
-                BoundsOf(pass, *part.mesh, table,
-                         std::span(batches.rows).subspan(batch.first + done, step), recorder);
+                BoundsOf(pass, *part.mesh, table, rows.subspan(batch.first + done, step), recorder);
             frame.commands.emplace_back(draw);
         }
     }
-    table.spareRows().Give(std::move(batches.rows));
+    std::ranges::transform(rows, rows.begin(),
+                           [&](std::uint32_t row) { return table.objectOf()[row]; });
 }
 
 } // namespace limn

@@ -13,15 +13,8 @@ struct ObjectBatch
     std::uint32_t pass = 0;
     std::uint32_t meshPart = 0; ///< of the table
     bool isMirrored = false;
-    std::uint32_t first = 0; ///< in ObjectBatches::rows
+    std::uint32_t first = 0; ///< among the rows
     std::uint32_t count = 0;
-};
-
-struct ObjectBatches
-{
-    /// In the order in which they are drawn; until the thread's next call.
-    std::span<const ObjectBatch> batches;
-    std::vector<std::uint32_t> rows; ///< of the table
 };
 
 /// Rows that follow upon each other and draw the same but for their place.
@@ -42,9 +35,12 @@ std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettin
 /// @param passesOf  by the table's class: the passes that each of its rows draws, in this order
 /// @param commutes  by pass: passes of equal numbers other than 0 give the same picture in any
 ///                  order
-ObjectBatches MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
-                          const std::vector<std::vector<std::uint32_t>>& passesOf,
-                          const std::vector<std::uint32_t>& commutes);
+/// @param rows      the batches' rows of the table are appended
+/// @return in the order in which they are drawn; until the thread's next call
+std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
+                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
+                                         const std::vector<std::uint32_t>& commutes,
+                                         std::vector<std::uint32_t>& rows);
 
 /// Appends the draws of a DrawRenderers call.
 /// @param items  in the order in which they are drawn; not empty

@@ -24,6 +24,8 @@ struct SortEntry
 /// @param spare      room for as many
 /// @param stateBits  that count
 void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits = 32);
+/// The same for words, by their bits from `firstBit` on.
+void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& spare, int firstBit);
 
 /// The square of the distance to the camera, with the sign of the distance, and everything that is
 /// no number at the far end: comparisons of NaN would leave the order undefined.
@@ -60,6 +62,27 @@ inline std::uint32_t Quantised(float square)
     return square > 1e-6f ? 1 + (bits >> 23) * 4 + quarter : 0;
 }
 
+/// What the distances decide, growing in the order of the draws.
+/// @param distance  as SortDistance gives it
+inline std::uint32_t DistanceKey(SortingCriteria criteria, float distance)
+{
+    if (criteria & SortingCriteria::BackToFront)
+    {
+        // Equal distances are equal eighths too, so QuantizedFrontToBack has nothing to add.
+        return ~OrderedBits(distance);
+    }
+    return criteria & SortingCriteria::QuantizedFrontToBack ? Quantised(distance) : 0;
+}
+
+/// How many bits of it may differ.
+inline int DistanceKeyBits(SortingCriteria criteria)
+{
+    constexpr int k_QuantisedBits = 11; // exponents of a finite float, and the quarters
+    return criteria & SortingCriteria::BackToFront            ? 32
+           : criteria & SortingCriteria::QuantizedFrontToBack ? k_QuantisedBits
+                                                              : 0;
+}
+
 /// The part of the order that RenderQueue and the distances decide.
 /// @param queue          0...5000
 /// @param distance       as SortDistance gives it
@@ -67,18 +90,9 @@ inline std::uint32_t Quantised(float square)
 inline std::uint64_t SortKey(SortingCriteria criteria, int queue, float distance,
                              std::uint16_t materialIndex)
 {
-    std::uint64_t key =
-        criteria & SortingCriteria::RenderQueue ? static_cast<std::uint64_t>(queue) << 48 : 0;
-    if (criteria & SortingCriteria::BackToFront)
-    {
-        // Equal distances are equal eighths too, so QuantizedFrontToBack has nothing to add.
-        key |= std::uint64_t{~OrderedBits(distance)} << 16 | materialIndex;
-    }
-    else if (criteria & SortingCriteria::QuantizedFrontToBack)
-    {
-        key |= std::uint64_t{Quantised(distance)} << 16;
-    }
-    return key;
+    return (criteria & SortingCriteria::RenderQueue ? static_cast<std::uint64_t>(queue) << 48 : 0) |
+           std::uint64_t{DistanceKey(criteria, distance)} << 16 |
+           (criteria & SortingCriteria::BackToFront ? materialIndex : 0u);
 }
 
 } // namespace limn

@@ -66,6 +66,13 @@ bool ReplacesTarget(const RenderTargetBlendState& blend)
     return blend == RenderTargetBlendState();
 }
 
+bool ReplacesColor(const RenderTargetBlendState& blend)
+{
+    return blend.sourceColorBlendMode == BlendMode::One &&
+           blend.destinationColorBlendMode == BlendMode::Zero &&
+           blend.colorBlendOperation == BlendOp::Add;
+}
+
 bool ReadsTargetAlpha(const RenderTargetBlendState& blend)
 {
     const auto reads = [](BlendMode mode)

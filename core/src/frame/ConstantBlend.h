@@ -13,6 +13,10 @@ bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color)
 /// Whether what a draw leaves in a target follows from what it draws alone.
 bool ReplacesTarget(const RenderTargetBlendState& blend);
 
+/// Whether each component of the colour is left as it is or follows from the draw alone; the alpha
+/// may be blended.
+bool ReplacesColor(const RenderTargetBlendState& blend);
+
 /// Whether the colour that a draw leaves depends on the alpha before.
 bool ReadsTargetAlpha(const RenderTargetBlendState& blend);
 

@@ -73,7 +73,7 @@ bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameF
                        return true;
                    }
                    const RenderTargetBlendState& blend = tables.Setup(*draw).state.targets.at(0);
-                   return ReplacesTarget(blend) || (isSameFormat && !ReadsTargetAlpha(blend));
+                   return ReplacesColor(blend) || (isSameFormat && !ReadsTargetAlpha(blend));
                });
 }
 

@@ -3,7 +3,10 @@
 #include "scene/UniqueId.h"
 
 #include "mesh/MeshProblems.h"
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <limn/shaderlab/Diagnostic.h>
 #include <utility>
 
@@ -26,6 +29,19 @@ Bounds BoundsOf(const std::vector<glm::vec3>& points)
     return {0.5f * low + 0.5f * high, 0.5f * high - 0.5f * low};
 }
 
+float RadiusAround(const glm::vec3& center, const std::vector<glm::vec3>& points)
+{
+    double square = 0.0;
+    for (const glm::vec3& point : points)
+    {
+        const glm::dvec3 offset = glm::dvec3(point) - glm::dvec3(center);
+        square = std::max(square, glm::dot(offset, offset));
+    }
+    // Rounded up, so that none is left outside.
+    return std::nextafter(static_cast<float>(std::sqrt(square)),
+                          std::numeric_limits<float>::infinity());
+}
+
 } // namespace
 
 Mesh::Mesh(std::string name, MeshData data)
@@ -46,6 +62,7 @@ Mesh::Mesh(std::string name, MeshData data)
         m_Data.subMeshes.push_back({0, static_cast<std::uint32_t>(m_Data.triangles.size())});
     }
     m_Bounds = BoundsOf(m_Data.vertices);
+    m_BoundingRadius = RadiusAround(m_Bounds.center, m_Data.vertices);
 }
 
 } // namespace limn

@@ -69,11 +69,12 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
     {
         throw ContractError("BlitTexture: the source is an empty handle");
     }
-    MaterialPropertyBlock properties;
+    static thread_local MaterialPropertyBlock properties; // for its memory
     properties.SetTexture(_BlitTexture, source.rt());
     properties.SetVector(_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
                        properties);
+    properties.Clear();
 }
 
 } // namespace Blitter

@@ -20,16 +20,9 @@ void ClassOrder::Update(const RendererTable& table)
                                              static_cast<std::uint32_t>(firsts.size()));
         firsts.push_back(first.first->second);
     }
-    states = Ranks(ids);
-    const std::uint32_t most = states.empty() ? 0 : *std::ranges::max_element(states);
-    const auto rankBits = static_cast<int>(std::bit_width(most));
-    const auto classBits = static_cast<int>(std::bit_width(states.size()));
-    const bool hasRoom = rankBits + classBits <= 32 && rankBits < 32;
-    stateBits = hasRoom ? rankBits : 32;
-    for (std::size_t i = 0; hasRoom && i < states.size(); ++i)
-    {
-        states[i] |= firsts[i] << rankBits;
-    }
+    ranks = Ranks(ids);
+    rankBits =
+        ranks.empty() ? 0 : static_cast<int>(std::bit_width(*std::ranges::max_element(ranks)));
 }
 
 } // namespace limn

@@ -15,12 +15,11 @@ class RendererTable;
 /// What the order of draws needs to know of each class of a table.
 struct ClassOrder
 {
-    /// By class. In the lowest stateBits its rank by what OptimizeStateChanges brings together, the
-    /// shader, then the material, then the mesh; above these, if there is room, its first class.
-    std::vector<std::uint32_t> states;
+    /// By class: its rank by what OptimizeStateChanges brings together.
+    std::vector<std::uint32_t> ranks;
     /// By class: the first that draws the same, layers and masks having been looked at before.
     std::vector<std::uint32_t> firsts;
-    int stateBits = 0; ///< 32: there is no room
+    int rankBits = 0; ///< that the ranks take
 
     void Update(const RendererTable& table);
 };
@@ -41,7 +40,7 @@ std::vector<std::uint32_t> Ranks(const std::vector<Value>& values)
     return ranks;
 }
 
-/// What OptimizeStateChanges brings together.
+/// What OptimizeStateChanges brings together: first the shader, then the material, then the mesh.
 using StateId = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
 inline StateId StateOf(const Material* material, const Mesh* mesh)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -20,8 +21,9 @@ inline std::size_t PartsOf(std::size_t count)
 }
 
 /// Runs function(part, begin, end) for each of `parts` runs of elements, in threads of their own
-/// but the last. An exception of any of them goes on to the caller.
-template <typename Function>
+/// but the last; where no thread can be started, in the caller's. An exception of any of them goes
+/// on to the caller.
+template <typename Thread = std::jthread, typename Function>
 void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
 {
     if (parts == 1)
@@ -42,12 +44,24 @@ void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
         }
     };
     {
-        std::vector<std::jthread> threads;
-        for (std::size_t part = 0; part + 1 < parts; ++part)
+        std::vector<Thread> threads;
+        threads.reserve(parts);
+        std::size_t part = 0;
+        try
         {
-            threads.emplace_back(run, part);
+            for (; part + 1 < parts; ++part)
+            {
+                threads.emplace_back(run, part);
+            }
         }
-        run(parts - 1);
+        catch (const std::system_error&)
+        {
+            // A limit of the machine is reached: it takes longer, that is all.
+        }
+        for (; part < parts; ++part)
+        {
+            run(part);
+        }
     }
     for (const std::exception_ptr& failure : failures)
     {

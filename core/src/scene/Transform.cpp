@@ -72,9 +72,22 @@ const glm::dmat4& WorldMatrices::OfParent(const Transform& transform)
     {
         const Transform& top = *m_Climbed.back();
         const glm::dmat4 local = LocalMatrix(top);
-        known = &m_Parents.emplace(&top, known != nullptr ? *known * local : local).first->second;
+        Parent& parent = m_Parents[&top];
+        parent = {known != nullptr ? *known * local : local, m_Round};
+        known = &parent.world;
+        ++m_Known;
     }
     return *known;
+}
+
+void WorldMatrices::Clear()
+{
+    if (m_Parents.size() > 2 * m_Known)
+    {
+        m_Parents.clear(); // most of them are parents no more
+    }
+    m_Known = 0;
+    ++m_Round;
 }
 
 glm::quat EulerToRotation(const glm::vec3& degrees)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limn/core/Transform.h>
 #include <unordered_map>
 #include <vector>
@@ -24,13 +25,21 @@ public:
     const glm::dmat4* FindParent(const Transform* parent) const
     {
         const auto found = m_Parents.find(parent);
-        return found != m_Parents.end() ? &found->second : nullptr;
+        return found != m_Parents.end() && found->second.round == m_Round ? &found->second.world
+                                                                          : nullptr;
     }
-    /// A change has been made.
-    void Clear() { m_Parents.clear(); }
+    /// Begins anew with what has changed; the memory stays.
+    void Clear();
 
 private:
-    std::unordered_map<const Transform*, glm::dmat4> m_Parents; ///< of the world, for the children
+    struct Parent
+    {
+        glm::dmat4 world{1.0};   ///< for the children
+        std::uint64_t round = 0; ///< when it was worked out
+    };
+    std::unordered_map<const Transform*, Parent> m_Parents;
+    std::uint64_t m_Round = 1;
+    std::size_t m_Known = 0;                 ///< parents worked out in this round
     std::vector<const Transform*> m_Climbed; ///< parents not known yet, the nearest first
 };
 

@@ -89,6 +89,7 @@ int RunRender(const RenderOptions& options, Console& console)
         return static_cast<int>(ExitCode::WrongUsage);
     }
     RequireKind(options.scene, {FileKind::Scene}, "render");
+    Allocations::isAsked = !options.statsFile.empty();
     RenderMeasurements measurements;
     measurements.frames = options.frames;
     Timeline& timeline = measurements.timeline;

@@ -5,6 +5,7 @@
 #include <limn/shaderlab/WriteFile.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace limn
 {
@@ -12,23 +13,53 @@ namespace limn
 namespace
 {
 
+/// Keys of the phases with the names of their spans.
+constexpr std::pair<const char*, const char*> k_Phases[] = {
+    {"load", "load"},       {"compileShaders", "compile shaders"},
+    {"device", "device"},   {"frame", "frame"},
+    {"volumes", "volumes"}, {"cull", "cull"},
+    {"record", "record"},   {"compile", "compile"},
+    {"execute", "execute"}, {"waitForSlot", "wait for a slot"},
+    {"prepare", "prepare"}, {"recordCommands", "record commands"},
+    {"submit", "submit"},   {"wait", "wait"},
+    {"write", "write"}};
+
 Json CpuTimes(const Timeline& timeline)
 {
     Json times = Json::object();
-    const std::pair<const char*, const char*> phases[] = {
-        {"load", "load"},       {"compileShaders", "compile shaders"},
-        {"device", "device"},   {"frame", "frame"},
-        {"volumes", "volumes"}, {"cull", "cull"},
-        {"record", "record"},   {"compile", "compile"},
-        {"execute", "execute"}, {"waitForSlot", "wait for a slot"},
-        {"prepare", "prepare"}, {"recordCommands", "record commands"},
-        {"submit", "submit"},   {"wait", "wait"},
-        {"write", "write"}};
-    for (const auto& [key, span] : phases)
+    for (const auto& [key, span] : k_Phases)
     {
         times[key] = timeline.Total(span);
     }
     return times;
+}
+
+/// By phase: of all frames together, or of the last one alone, which has the phases of a frame
+/// only.
+Json AllocationCounts(const Timeline& timeline, bool ofLastFrame)
+{
+    if (!Allocations::areCounted)
+    {
+        return nullptr;
+    }
+    const std::vector<Timeline::Span>& spans = timeline.spans();
+    const auto frame = std::find_if(spans.rbegin(), spans.rend(),
+                                    [](const auto& span) { return span.name == "frame"; });
+    const double begin = ofLastFrame && frame != spans.rend() ? frame->start : 0.0;
+    const double end = ofLastFrame && frame != spans.rend() ? frame->start + frame->duration
+                                                            : std::numeric_limits<double>::max();
+    Json counts = Json::object();
+    for (const auto& [key, name] : k_Phases)
+    {
+        for (const Timeline::Span& span : spans)
+        {
+            if (span.name == name && span.start >= begin && span.start + span.duration <= end)
+            {
+                counts[key] = counts.value(key, std::uint64_t{0}) + span.allocations;
+            }
+        }
+    }
+    return counts;
 }
 
 /// What the last frame draws, and what it takes.
@@ -52,6 +83,7 @@ Json FrameCounts(const RenderMeasurements& measurements)
             {"leftOut", frame.leftOut.size()},
             {"drawsBeforeInstancing", instances},
             {"draws", draws},
+            {"allocations", AllocationCounts(measurements.timeline, true)},
             {"bytes",
              {{"texturesDrawnInto", drawnTextures},
               {"uniforms", frame.uniformData.size()},
@@ -162,6 +194,7 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
                      {"height", output.height()},
                      {"frames", measurements.frames},
                      {"cpuMilliseconds", CpuTimes(measurements.timeline)},
+                     {"allocations", AllocationCounts(measurements.timeline, false)},
                      {"lastFrame", FrameCounts(measurements)},
                      {"shaderPasses",
                       {{"compiled", measurements.shaders.compiled},

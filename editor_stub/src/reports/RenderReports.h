@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/editor_stub/Allocations.h>
 #include <limn/vulkan/VulkanDevice.h>
 
 namespace limn
@@ -15,14 +16,18 @@ struct RenderMeasurements
     ShaderCompiler::Statistics shaders;
     /// Spans "load", "compile shaders", "device", "frame", "write", in a frame "volumes" and those
     /// of RenderRequest::timeline and VulkanDevice::SetTimeline.
-    Timeline timeline;
+    Timeline timeline{[]
+                      {
+                          return Allocations::soFar.load();
+                      }};
     VulkanDeviceStatistics memory;     ///< after the last frame
     std::vector<PassTiming> gpuPasses; ///< of the last frame
     RenderResult lastFrame;
 };
 
-/// Everything as JSON: milliseconds (of all frames together), pixels, bytes, counts. Allocations
-/// are not in it: to count them, a program has to replace operator new, as tests/benchmarks do.
+/// Everything as JSON: milliseconds (of all frames together), pixels, bytes, counts; of heap
+/// allocations, those of all frames together and of the last one alone, by phase, or null where the
+/// program does not count them.
 /// @throws AssetError if the file cannot be written
 void WriteStats(const std::filesystem::path& path, const RenderMeasurements& measurements);
 

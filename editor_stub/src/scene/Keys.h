@@ -88,17 +88,19 @@ inline constexpr SceneKey k_Rotation{"rotation", Vector,
                                      "Euler angles in degrees, applied z, x, y"};
 inline constexpr SceneKey k_Scale{"scale", Scale};
 
-inline constexpr SceneKey k_Scene[] = {{"size", Size, "Width and height in pixels"},
-                                       {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
-                                       {"layers", LayerNames},
-                                       {"renderingLayers", LayerNames},
-                                       Required({"camera", Camera}),
-                                       {"light", Light},
-                                       {"ambientLight", Color},
-                                       {"renderer", Renderer},
-                                       {"volumes", Volumes},
-                                       {"materials", Materials},
-                                       {"objects", Objects}};
+inline constexpr SceneKey k_Scene[] = {
+    {"size", Size, "Width and height in pixels"},
+    {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
+    {"renderPipelineAsset", Text, "Unity's, for its m_MSAA in place of msaaSampleCount"},
+    {"layers", LayerNames},
+    {"renderingLayers", LayerNames},
+    Required({"camera", Camera}),
+    {"light", Light},
+    {"ambientLight", Color},
+    {"renderer", Renderer},
+    {"volumes", Volumes},
+    {"materials", Materials},
+    {"objects", Objects}};
 
 inline constexpr SceneKey k_Camera[] = {
     {"position", Vector, "", k_Places},

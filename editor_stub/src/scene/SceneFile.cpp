@@ -1,5 +1,6 @@
 #include "scene/Loader.h"
 #include "scene/ReadEnum.h"
+#include "unity/RenderPipelineAsset.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,32 @@ void ReadSize(const YamlNode& node, SceneLoader& loader)
         ReadInt(node.items()[1], "size[1]", loader.diagnostics, k_PictureSizes).value_or(1);
 }
 
+void ReadSamples(SceneMapReader& map, SceneLoader& loader)
+{
+    const YamlNode* count = map.Find("msaaSampleCount");
+    const YamlNode* pipeline = map.Find("renderPipelineAsset");
+    if (count && pipeline)
+    {
+        loader.diagnostics.Error(count->location(),
+                                 "msaaSampleCount: the count comes from renderPipelineAsset "
+                                 "already; keep one of them");
+    }
+    else if (count)
+    {
+        loader.asset.msaaSampleCount =
+            ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", loader.diagnostics).value_or(1);
+    }
+    else if (pipeline)
+    {
+        const auto load = [&loader](const std::filesystem::path& path)
+        {
+            return LoadUnityMsaaSampleCount(path, loader.references.assets());
+        };
+        loader.asset.msaaSampleCount =
+            loader.references.Read(*pipeline, "renderPipelineAsset", load);
+    }
+}
+
 /// Calls `read` with the value of a key that may be absent.
 template <typename Read>
 void ReadPart(SceneMapReader& map, std::string_view key, SceneLoader& loader, Read&& read)
@@ -41,11 +68,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
     SceneAsset& asset = loader.asset;
     ReadPart(map, "size", loader, ReadSize);
-    if (const YamlNode* node = map.Find("msaaSampleCount"))
-    {
-        asset.msaaSampleCount =
-            ReadEnum(*node, k_MsaaQualities, "msaaSampleCount", loader.diagnostics).value_or(1);
-    }
+    ReadSamples(map, loader);
     if (const YamlNode* node = map.Find("layers"))
     {
         ReadLayerNames(*node, "layers", asset.layers, loader.diagnostics);

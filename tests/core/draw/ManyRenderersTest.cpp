@@ -465,9 +465,22 @@ TEST_F(ManyRenderers, AreSortedTogetherAsAListOfThemIs)
 TEST(RadixSorting, PutsEntriesIntoTheOrderThatComparingThemGives)
 {
     std::mt19937_64 random(7);
-    for (const int bits : {0, 1, 5, 12, 32, 47, 64})
+    for (const auto& [bits, count] : {std::pair(0, 1000),
+                                      {1, 1000},
+                                      {5, 1000},
+                                      {12, 1000},
+                                      {32, 1000},
+                                      {47, 1000},
+                                      {64, 1000},
+                                      {0, 20},
+                                      {1, 20},
+                                      {2, 64},
+                                      {64, 64},
+                                      {64, 65},
+                                      {64, 1},
+                                      {64, 0}})
     {
-        std::vector<SortEntry> entries(1000);
+        std::vector<SortEntry> entries(static_cast<std::size_t>(count));
         for (std::uint32_t i = 0; i < entries.size(); ++i)
         {
             entries[i] = {bits == 0 ? 5 : random() >> (64 - bits) << (random() % 2),
@@ -479,7 +492,27 @@ TEST(RadixSorting, PutsEntriesIntoTheOrderThatComparingThemGives)
         std::vector<SortEntry> spare;
         RadixSort(entries, spare);
         EXPECT_TRUE(std::ranges::equal(expected, entries, {}, &SortEntry::index, &SortEntry::index))
-            << bits << " bits";
+            << count << " of " << bits << " bits";
+    }
+}
+
+TEST(RadixSorting, LeavesWordsInTheirOrderThatDifferBelowTheFirstBitOnly)
+{
+    std::mt19937_64 random(8);
+    for (const std::size_t count : {0u, 1u, 20u, 64u, 65u, 1000u})
+    {
+        for (const int firstBit : {0, 7, 40, 63, 64})
+        {
+            std::vector<std::uint64_t> words(count);
+            std::ranges::generate(words, [&] { return random() & random() & random(); });
+            std::vector<std::uint64_t> expected = words;
+            std::ranges::stable_sort(expected, {},
+                                     [firstBit](std::uint64_t word)
+                                     { return firstBit < 64 ? word >> firstBit : 0; });
+            std::vector<std::uint64_t> spare;
+            RadixSort(words, spare, firstBit);
+            EXPECT_EQ(expected, words) << count << " words from bit " << firstBit;
+        }
     }
 }
 

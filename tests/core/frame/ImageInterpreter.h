@@ -44,11 +44,13 @@ public:
     }
 
     /// As a device may: what is not loaded or not stored becomes a number that nobody expects, and
-    /// a texture that is not in the use that its barriers say is an error.
+    /// so does all that lies in the same memory as what is written; a texture that is not in the
+    /// use that its barriers say is an error.
     void Run(const CompiledFrame& frame)
     {
         m_SeesSamples = false;
         m_Tables = &frame;
+        Place(frame.placed);
         for (const CompiledRenderPass& pass : frame.passes)
         {
             Run(pass.barriers);
@@ -121,6 +123,37 @@ private:
             .first->second;
     }
 
+    /// What a frame places holds nothing at first, and neither does what the last one placed.
+    void Place(const std::vector<PlacedTexture>& placed)
+    {
+        const auto forget = [&](const PlacedTexture& place)
+        {
+            std::ranges::fill(Of(*place.texture), Poison());
+        };
+        std::ranges::for_each(m_Placed, forget);
+        std::ranges::for_each(placed, forget);
+        m_Placed = placed;
+    }
+
+    /// For writing: destroys what lies in the same memory.
+    Texels& Written(const Texture& texture)
+    {
+        const auto place = std::ranges::find(
+            m_Placed, texture.id(), [](const PlacedTexture& p) { return p.texture->id(); });
+        for (const PlacedTexture& other : m_Placed)
+        {
+            const bool overlaps = place != m_Placed.end() && other.texture != place->texture &&
+                                  other.kind == place->kind &&
+                                  other.offset < place->offset + place->size &&
+                                  place->offset < other.offset + other.size;
+            if (overlaps)
+            {
+                std::ranges::fill(Of(*other.texture), Poison());
+            }
+        }
+        return Of(texture);
+    }
+
     Texels& ResolvedOf(const Texture& texture)
     {
         return m_Resolved.try_emplace(texture.id(), k_Size, Poison()).first->second;
@@ -153,7 +186,7 @@ private:
         const std::size_t count = SampleCount(texture);
         for (std::size_t i = 0; i < k_Size; ++i)
         {
-            Texels& result = to.get() == &texture ? ResolvedOf(texture) : Of(*to);
+            Texels& result = to.get() == &texture ? ResolvedOf(texture) : Written(*to);
             result[i] = ResolveTexel(&Of(texture)[i * count], count,
                                      IsDepthFormat(texture.graphicsFormat()));
         }
@@ -165,7 +198,7 @@ private:
     {
         if (load != LoadOp::Load)
         {
-            std::ranges::fill(Of(texture), load == LoadOp::Clear ? cleared : Poison());
+            std::ranges::fill(Written(texture), load == LoadOp::Clear ? cleared : Poison());
         }
     }
 
@@ -181,7 +214,14 @@ private:
     {
         for (const TextureBarrier& barrier : barriers)
         {
-            Expect(*barrier.texture, barrier.before);
+            if (barrier.before == TextureUsage::Undefined)
+            {
+                std::ranges::fill(Written(*barrier.texture), Poison());
+            }
+            else
+            {
+                Expect(*barrier.texture, barrier.before);
+            }
             m_Uses[barrier.texture->id()] = barrier.after;
         }
     }
@@ -200,12 +240,12 @@ private:
         {
             if (clear.flags & ClearFlag::Color)
             {
-                std::ranges::fill(Of(*color), std::lround(clear.color.r));
+                std::ranges::fill(Written(*color), std::lround(clear.color.r));
             }
         }
         if (targets.depth && (clear.flags & ClearFlag::Depth))
         {
-            std::ranges::fill(Of(*targets.depth), DepthOf(clear.depth));
+            std::ranges::fill(Written(*targets.depth), DepthOf(clear.depth));
         }
     }
 
@@ -224,7 +264,7 @@ private:
             {
                 const RenderTargetBlendState& blend = m_Tables->Setup(draw).state.targets[target];
                 const bool keeps = blend.destinationColorBlendMode != BlendMode::Zero;
-                long& texel = Of(*targets.colors[target])[sample];
+                long& texel = Written(*targets.colors[target])[sample];
                 texel = blend.writeMask == 0 ? texel : ((keeps ? texel : 0) + value) % k_Modulus;
             }
         }
@@ -243,7 +283,7 @@ private:
         {
             return true;
         }
-        long& stored = Of(*targets.depth)[i];
+        long& stored = Written(*targets.depth)[i];
         const long depth = draw.firstInstance % 7;
         const bool passes = state.zTest == CompareFunction::Always || depth <= stored;
         stored = passes && state.zWrite ? depth : stored;
@@ -272,6 +312,7 @@ private:
     std::map<std::uint64_t, Texels> m_Images;
     std::map<std::uint64_t, Texels> m_Resolved;
     std::map<std::uint64_t, TextureUsage> m_Uses;
+    std::vector<PlacedTexture> m_Placed; ///< by the last frame
     long m_Poisons = 0;
 };
 

@@ -367,6 +367,32 @@ TEST_F(LeftOutOfAFrame, IsACopyIntoTheSameFormatAlsoOfWhatIsBlended)
     }
 }
 
+TEST_F(LeftOutOfAFrame, IsACopyIntoAFormatThatHoldsLessWhereNoColourIsBlended)
+{
+    struct Case
+    {
+        RenderTargetBlendState blend;
+        std::size_t passes;
+    };
+    using enum BlendMode;
+    Case cases[] = {{{}, 1}, {{}, 1}, {{}, 1}, {{}, 2}, {{}, 2}, {{}, 2}};
+    cases[0].blend.writeMask = ColorWriteMask::Red | ColorWriteMask::Green;
+    cases[1].blend.sourceAlphaBlendMode = OneMinusDstAlpha; // nobody sees the alpha
+    cases[2].blend.alphaBlendOperation = BlendOp::Max;
+    cases[3].blend.sourceColorBlendMode = SrcAlpha; // of a colour above 1
+    cases[4].blend.destinationColorBlendMode = One;
+    cases[5].blend.colorBlendOperation = BlendOp::Max;
+    for (const Case& one : cases)
+    {
+        const RenderTexturePtr scene =
+            test::Target("Scene", 8, 4, true, GraphicsFormat::R16G16B16A16_SFloat);
+        m_Frame.Bind(scene).Clear(ClearFlag::Color).Draw(1).Draw(2);
+        m_Frame.last().state.targets[0] = one.blend;
+        m_Frame.Bind(m_Camera).Blit(3, {scene}, "copy");
+        EXPECT_EQ(Compile({m_Camera}).size(), one.passes) << &one - cases;
+    }
+}
+
 TEST_F(LeftOutOfAFrame, IsACopyOfWhatIsCoveredAndItsAlphaIsOne)
 {
     const RenderTexturePtr scene = test::Target("Scene", 8, 4, true);

@@ -4,6 +4,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <limits>
+#include <random>
 
 namespace limn
 {
@@ -124,7 +126,8 @@ TEST(ProjectedBounds, HoldTheCornersAsTheyAreSeen)
     const Bounds bounds{{0, 0, 0}, {1, 2, 1}};
     const auto at = [&](float x, float y, float z)
     {
-        return ProjectBounds(bounds, glm::translate(glm::mat4(1.0f), {x, y, z}), projection);
+        return ProjectBounds(bounds, std::numeric_limits<float>::infinity(),
+                             glm::translate(glm::mat4(1.0f), {x, y, z}), projection);
     };
     const TargetRegion ahead = at(0, 0, -5).value(); // nearest at distance 4
     EXPECT_NEAR(0.5 - 0.5 * 1 / 4, ahead.left, 1e-6);
@@ -136,6 +139,71 @@ TEST(ProjectedBounds, HoldTheCornersAsTheyAreSeen)
     EXPECT_NEAR(0.5 - 0.5 * 8 / 6, above.bottom, 1e-6);
     EXPECT_FALSE(at(0, 0, -0.5f)) << "a part of it is behind the camera";
     EXPECT_FALSE(at(0, 0, 5));
+}
+
+// Thousands of points of the sphere, one by one, for matrices that make ellipsoids of it.
+TEST(ProjectedBounds, AreThoseOfTheSphereWhereItIsTheSmaller)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> number(-1.0f, 1.0f);
+    for (int i = 0; i < 200; ++i)
+    {
+        glm::mat4 projection = i % 3 == 0 ? glm::ortho(-3.0f, 3.0f, -2.0f, 2.0f, 1.0f, 50.0f)
+                                          : glm::perspective(1.0f, 1.5f, 0.1f, 100.0f);
+        glm::mat4 matrix =
+            glm::translate(glm::mat4(1.0f), {6.0f * number(random), 4.0f * number(random), -8.0f});
+        matrix = glm::rotate(matrix, 3.0f * number(random), {1.0f, 0.5f, number(random)});
+        matrix = glm::scale(matrix, {1.5f, 0.2f + std::abs(number(random)), 1.0f});
+        const glm::vec3 center(number(random), number(random), number(random));
+        const float radius = 0.1f + std::abs(number(random));
+        // A box so large that the sphere alone decides.
+        const Bounds bounds{center, glm::vec3(1.8f)};
+        const auto seen = ProjectBounds(bounds, radius, matrix, projection);
+        ASSERT_TRUE(seen);
+        TargetRegion sampled{1e9, 1e9, -1e9, -1e9};
+        for (int step = 0; step < 40'000; ++step)
+        {
+            const double z = 2.0 * (step + 0.5) / 40'000 - 1.0;
+            const double angle = 2.399963229728653 * step; // the golden one
+            const glm::dvec3 way(std::sqrt(1 - z * z) * std::cos(angle),
+                                 std::sqrt(1 - z * z) * std::sin(angle), z);
+            const glm::dvec4 clip =
+                glm::dmat4(projection) * glm::dmat4(matrix) *
+                glm::dvec4(glm::dvec3(center) + static_cast<double>(radius) * way, 1.0);
+            const double x = 0.5 + 0.5 * clip.x / clip.w;
+            const double y = 0.5 - 0.5 * clip.y / clip.w;
+            sampled = Union(sampled, {x, y, x, y});
+        }
+        const double size = sampled.right - sampled.left + sampled.bottom - sampled.top;
+        for (const auto& [exact, found] : {std::pair(seen->left, sampled.left),
+                                           {seen->top, sampled.top},
+                                           {-seen->right, -sampled.right},
+                                           {-seen->bottom, -sampled.bottom}})
+        {
+            EXPECT_LE(exact, found + 1e-9) << i << ": a point lies outside";
+            EXPECT_NEAR(exact, found, 1e-3 * size) << i << ": more than there is";
+        }
+    }
+}
+
+TEST(ProjectedBounds, AreTheSmallerOnAnySide)
+{
+    const glm::mat4 plain = glm::ortho(-1.0f, 1.0f, -1.0f, 1.0f, -9.0f, 9.0f);
+    const Bounds flat{{0, 0, 0}, {0.5f, 0.1f, 0.5f}};
+    const TargetRegion seen = ProjectBounds(flat, 0.25f, glm::mat4(1.0f), plain).value();
+    EXPECT_NEAR(0.5 - 0.25 / 2, seen.left, 1e-7) << "the sphere's";
+    EXPECT_NEAR(0.5 - 0.1 / 2, seen.top, 1e-7) << "the box's";
+    EXPECT_NEAR(0.5 + 0.25 / 2, seen.right, 1e-7);
+    EXPECT_NEAR(0.5 + 0.1 / 2, seen.bottom, 1e-7);
+}
+
+TEST(ProjectedBounds, AreThoseOfTheSphereWhereOnlyTheBoxReachesBehindTheCamera)
+{
+    const glm::mat4 projection = glm::perspective(1.0f, 1.0f, 0.1f, 100.0f);
+    const glm::mat4 ahead = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -1.2f});
+    const Bounds bounds{{0, 0, 0}, {1.5f, 1.5f, 1.5f}};
+    EXPECT_TRUE(ProjectBounds(bounds, 1.0f, ahead, projection));
+    EXPECT_FALSE(ProjectBounds(bounds, 1.3f, ahead, projection));
 }
 
 } // namespace

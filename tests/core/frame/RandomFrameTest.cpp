@@ -272,7 +272,14 @@ struct Tally
     int steady = 0; ///< as the one before
     std::uint64_t structure = 0;
     std::size_t leftOut = 0;
+    int sharing = 0; ///< frames in which textures share memory
 };
+
+/// Of several sizes, in two kinds of memory.
+TextureFootprint FootprintOf(const RenderTexture& texture)
+{
+    return {64 * (1 + texture.id() % 3), 64, texture.id() % 9 == 0 ? 1u : 0u};
+}
 
 void RunSequence(unsigned seed, Tally& tally)
 {
@@ -294,10 +301,13 @@ void RunSequence(unsigned seed, Tally& tally)
         naive.Run(recorded);
         frames += "\nframe " + std::to_string(i) + " gives" + NamesOf(outputs) + Describe(recorded);
         FrameCommands commands = recorded;
+        FrameCompilerOptions options;
+        options.footprint = FootprintOf;
         const std::uint64_t before = tally.structure;
-        const CompiledFrame frame = *cache.Compile(commands, states, outputs, {});
+        const CompiledFrame frame = *cache.Compile(commands, states, outputs, options);
         tally.structure = frame.structure;
         tally.steady += tally.structure == before ? 1 : 0;
+        tally.sharing += frame.placed.empty() ? 0 : 1;
         ++tally.frames;
         tally.leftOut += frame.leftOut.size();
         if (!frame.notes.empty())
@@ -343,7 +353,9 @@ TEST(RandomFrame, GivesWhatItsCommandsGiveOneByOneAfterEveryStep)
     EXPECT_GT(tally.frames, 2000) << "most are not cut short by a surprise";
     EXPECT_GT(tally.steady, 200) << "some are as the one before";
     EXPECT_GT(tally.leftOut, 2000u) << "there is something to leave out";
+    EXPECT_GT(tally.sharing, 100) << "there is something to put into one place";
     RecordProperty("frames", tally.frames);
+    RecordProperty("sharing", tally.sharing);
     RecordProperty("surprises", tally.surprises);
 }
 

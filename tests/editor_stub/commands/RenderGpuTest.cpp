@@ -1,3 +1,4 @@
+#include "Paths.h"
 #include "commands/CommandRun.h"
 #include "vulkan/GpuTestDevice.h"
 
@@ -323,6 +324,33 @@ TEST_F(Render, StatsTellThePhasesOfTheCpuAndWhatTheLastFrameTakes)
     EXPECT_GE(frame["bytes"]["texturesDrawnInto"], 64 * 48 * 4);
     EXPECT_GT(frame["bytes"]["uniforms"], 0);
     EXPECT_GE(frame["bytes"]["deviceAllocated"], frame["bytes"]["deviceInUse"]);
+}
+
+TEST_F(Render, StatsTellTheAllocationsOfEachPhaseWhereTheProgramCountsThem)
+{
+    ASSERT_EQ(0, Draw({"--stats", Path("stats.json")}).exitCode);
+    EXPECT_TRUE(nlohmann::json::parse(ReadText(folder / "stats.json"))["allocations"].is_null())
+        << "this test program does not count";
+
+    const std::string command = "'" + LimnExecutable() + "' render '" + Path("s.scene.yaml") +
+                                "' -o - --frames 3 --stats '" + Path("counted.json") + "'";
+    ASSERT_FALSE(RunInPipe(command).empty());
+    const auto stats = nlohmann::json::parse(ReadText(folder / "counted.json"));
+    const auto& all = stats["allocations"];
+    const auto& last = stats["lastFrame"]["allocations"];
+    if (!LimnCountsAllocations())
+    {
+        EXPECT_TRUE(all.is_null() && last.is_null());
+        return;
+    }
+    EXPECT_GT(all["load"], 100) << "a scene, its shaders";
+    EXPECT_FALSE(last.contains("load"));
+    EXPECT_GT(last["frame"], 0);
+    for (const char* phase : {"cull", "record", "compile", "execute"})
+    {
+        EXPECT_GE(all[phase], last[phase]) << phase;
+        EXPECT_GE(last["frame"], last[phase]) << phase;
+    }
 }
 
 TEST_F(Render, ATraceHasPhasesAndGpuPasses)

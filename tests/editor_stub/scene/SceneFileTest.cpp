@@ -1,5 +1,6 @@
 #include "SceneFolder.h"
 
+#include <gmock/gmock.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 
@@ -87,6 +88,37 @@ TEST(SceneFile, SaysHowManySamplesAPixelHas)
         folder.ProblemsOf("camera:\nmsaaSampleCount: 3\n"),
         std::vector<std::string>{"2:18: msaaSampleCount: 3 is none of Disabled 1, _2x 2, _4x 4, "
                                  "_8x 8"});
+}
+
+TEST(SceneFile, TakesTheSamplesOfUnitysPipelineAsset)
+{
+    SceneFolder folder;
+    const auto write = [&](const std::string& samples)
+    {
+        folder.Write("urp.asset", "%YAML 1.1\n"
+                                  "%TAG !u! tag:unity3d.com,2011:\n"
+                                  "--- !u!114 &11400000\n"
+                                  "MonoBehaviour:\n"
+                                  "  m_Name: URP-HighFidelity\n"
+                                  "  m_SupportsHDR: 1\n" +
+                                      samples + "  m_RenderScale: 1\n");
+    };
+    for (const int samples : {1, 2, 4, 8})
+    {
+        write("  m_MSAA: " + std::to_string(samples) + "\n");
+        EXPECT_EQ(samples,
+                  folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").msaaSampleCount);
+    }
+    EXPECT_EQ(folder.ProblemsOf("camera:\nmsaaSampleCount: 4\nrenderPipelineAsset: urp.asset\n"),
+              std::vector<std::string>{"2:18: msaaSampleCount: the count comes from "
+                                       "renderPipelineAsset already; keep one of them"});
+    write("  m_MSAA: 3\n");
+    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
+                testing::Contains(
+                    testing::HasSubstr("m_MSAA: 3 is none of Disabled 1, _2x 2, _4x 4, _8x 8")));
+    write("");
+    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
+                testing::Contains(testing::HasSubstr("no render pipeline in this Unity asset")));
 }
 
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)

@@ -69,12 +69,15 @@ public:
     }
     /// In object space.
     const Bounds& bounds() const { return m_Bounds; }
+    /// Of a sphere around the centre of bounds() that holds all vertices.
+    float boundingRadius() const { return m_BoundingRadius; }
 
 private:
     std::uint64_t m_Id;
     std::string m_Name;
     MeshData m_Data;
     Bounds m_Bounds;
+    float m_BoundingRadius = 0.0f;
 };
 
 } // namespace limn

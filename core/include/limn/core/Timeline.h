@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +18,19 @@ public:
         std::string name;
         double start = 0.0;    ///< milliseconds since the timeline was made
         double duration = 0.0; ///< milliseconds
+        std::uint64_t allocations = 0;
     };
+    /// The heap allocations of the program so far.
+    using AllocationCount = std::uint64_t (*)();
+
+    /// @param count  null = allocations are not counted, and 0 in all spans
+    explicit Timeline(AllocationCount count = nullptr) : m_Count(count) {}
 
     /// Runs `work` and records it under `name`.
     template <typename Work>
     auto Measure(std::string name, Work&& work)
     {
-        Stopwatch stopwatch{*this, std::move(name), now()};
+        Stopwatch stopwatch{*this, std::move(name), now(), allocations()};
         return work();
     }
 
@@ -45,11 +52,15 @@ private:
         Timeline& timeline;
         std::string name;
         double start;
+        std::uint64_t allocations;
         ~Stopwatch()
         {
-            timeline.m_Spans.push_back({std::move(name), start, timeline.now() - start});
+            const std::uint64_t made = timeline.allocations() - allocations;
+            timeline.m_Spans.push_back({std::move(name), start, timeline.now() - start, made});
         }
     };
+
+    std::uint64_t allocations() const { return m_Count != nullptr ? m_Count() : 0; }
 
     double now() const
     {
@@ -57,6 +68,7 @@ private:
         return Milliseconds(std::chrono::steady_clock::now() - m_Begin).count();
     }
 
+    AllocationCount m_Count;
     std::chrono::steady_clock::time_point m_Begin = std::chrono::steady_clock::now();
     std::vector<Span> m_Spans;
 };

@@ -1,0 +1,29 @@
+#include "unity/RenderPipelineAsset.h"
+
+#include "scene/Keys.h"
+#include "scene/ReadEnum.h"
+
+#include <limn/volume/UnityAsset.h>
+
+namespace limn
+{
+
+int LoadUnityMsaaSampleCount(const std::filesystem::path& path, AssetContext& assets)
+{
+    assets.Reach(path);
+    const AssetContext::RootsFor roots(assets, path);
+    const std::optional<UnityObject> root = LoadUnityAsset(path).FindWithField("m_MSAA");
+    if (!root)
+    {
+        throw AssetError(path.generic_string(), {},
+                         "no render pipeline in this Unity asset; one is a MonoBehaviour with a "
+                         "number 'm_MSAA'");
+    }
+    AssetDiagnostics diagnostics(path.generic_string());
+    const std::optional<int> count =
+        ReadEnum(*root->fields.Find("m_MSAA"), k_MsaaQualities, "m_MSAA", diagnostics);
+    diagnostics.ThrowIfErrors();
+    return count.value_or(1);
+}
+
+} // namespace limn
