@@ -75,6 +75,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     {
         EraseUnused(m_MeshPlaces);
         EraseUnused(m_WithShader);
+        m_Promises.resize(std::exchange(m_PromiseCount, 0));
     }
     m_Resolver.Begin(notes);
 }
@@ -271,7 +272,7 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 }
 
 /// What the pass's LimnFullScreen tag comes to with the values of this draw.
-std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded) const
+std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded)
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
     if (recorded.mesh || tag == nullptr)
@@ -279,22 +280,31 @@ std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDra
         return nullptr;
     }
     const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
-    auto promise = std::make_shared<FullScreenPromise>();
-    promise->output = tag->output;
+    m_Promising.zeroTextures.clear();
+    m_Promising.zeroProperty.clear();
+    m_Promising.output = tag->output;
     for (const ShaderPropertyId id : tag->zeroes)
     {
         const ShaderPropertyValue* value = sources.Find(id);
         if (const auto texture = TextureIn(value))
         {
-            promise->zeroTextures.push_back(texture);
+            m_Promising.zeroTextures.push_back(texture);
         }
         else if (value && isZero(*value))
         {
-            promise->zeroProperty = id.name();
+            m_Promising.zeroProperty = id.name();
         }
     }
-    promise->reach = ReachOf(*tag, sources);
-    promise->copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    m_Promising.reach = ReachOf(*tag, sources);
+    m_Promising.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    m_Promises.resize(std::max(m_Promises.size(), m_PromiseCount + 1));
+    std::shared_ptr<const FullScreenPromise>& promise = m_Promises[m_PromiseCount++];
+    if (!promise || *promise != m_Promising)
+    {
+        promise = std::make_shared<const FullScreenPromise>(m_Promising);
+    }
+    m_Promising.zeroTextures.clear(); // they are not kept for longer than the frame has them
+    m_Promising.copied = nullptr;
     return promise;
 }
 

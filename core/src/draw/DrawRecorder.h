@@ -60,7 +60,7 @@ public:
 
 private:
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
-    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded) const;
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded);
     bool MergeIntoLast(const DrawCommand& draw);
 
     struct GlobalChange
@@ -90,6 +90,10 @@ private:
     };
     std::unordered_map<const Mesh*, MeshPlace> m_MeshPlaces;
     bool m_HasDraws = false; ///< in this frame
+    /// In the order of the draws, behind m_PromiseCount those of the frame before.
+    std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises;
+    std::size_t m_PromiseCount = 0;
+    FullScreenPromise m_Promising;
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
         Variant>

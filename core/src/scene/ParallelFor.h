@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <exception>
 #include <system_error>
@@ -10,19 +11,21 @@
 namespace limn
 {
 
+inline constexpr std::size_t k_MostParts = 16;
+
 /// How many parts a loop over `count` elements is worth: a thread takes some 30 us to start, and
 /// longer on a busy machine.
 inline std::size_t PartsOf(std::size_t count)
 {
     constexpr std::size_t k_LeastElements = 200'000;
-    static const std::size_t cores =
-        std::max(std::thread::hardware_concurrency(), 1u); // asks files
+    static const std::size_t cores = // asking for it opens files
+        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, k_MostParts);
     return std::max<std::size_t>(std::min(count / k_LeastElements, cores), 1);
 }
 
-/// Runs function(part, begin, end) for each of `parts` runs of elements, in threads of their own
-/// but the last; where no thread can be started, in the caller's. An exception of any of them goes
-/// on to the caller.
+/// Runs function(part, begin, end) for each of `parts` runs of elements, k_MostParts at most, in
+/// threads of their own but the last; where no thread can be started, in the caller's. An exception
+/// of any of them goes on to the caller.
 template <typename Thread = std::jthread, typename Function>
 void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
 {
@@ -31,7 +34,7 @@ void ForEachPart(std::size_t count, std::size_t parts, const Function& function)
         function(0, 0, count);
         return;
     }
-    std::vector<std::exception_ptr> failures(parts);
+    std::array<std::exception_ptr, k_MostParts> failures;
     const auto run = [&](std::size_t part)
     {
         try
