@@ -25,7 +25,7 @@ bool AreSame(const TextureState& a, const TextureState& b)
 {
     return !a.texture.expired() && a.usage == b.usage && a.isFilled == b.isFilled &&
            a.isPlaced == b.isPlaced && a.constant == b.constant && a.isPending == b.isPending &&
-           a.history == b.history;
+           a.history == b.history && a.readers == b.readers;
 }
 
 /// Whether each has the same elements and nothing that has died since.

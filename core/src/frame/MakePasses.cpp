@@ -55,12 +55,53 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
     return NextUse::None;
 }
 
+using Readers = std::unordered_map<std::uint64_t, ShaderStage>;
+
+void AddReaders(const DrawSetup& setup, Readers& readers)
+{
+    for (const TextureSlot& slot : setup.bindings->textures)
+    {
+        for (const TextureBinding& binding : setup.program->layout.textures)
+        {
+            if (binding.binding == slot.binding)
+            {
+                ShaderStage& stages = readers[slot.texture->id()];
+                stages = stages | binding.stages;
+            }
+        }
+    }
+}
+
+/// Which functions read a texture anywhere in the frame, by Texture::id.
+Readers FindReaders(const std::vector<FrameNode>& nodes, const FrameTables& tables)
+{
+    Readers readers;
+    std::vector<bool> isDone(tables.setups.size());
+    for (const FrameNode& node : nodes)
+    {
+        for (const PassCommand& command : node.commands)
+        {
+            const auto* draw = std::get_if<DrawCommand>(&command);
+            if (draw != nullptr && !isDone[draw->setup])
+            {
+                isDone[draw->setup] = true;
+                const DrawSetup& setup = tables.Setup(*draw);
+                if (setup.program && setup.bindings)
+                {
+                    AddReaders(setup, readers);
+                }
+            }
+        }
+    }
+    return readers;
+}
+
 /// Load, store and barriers of the nodes that are left.
 class PassMaker
 {
 public:
     PassMaker(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
-        : m_Nodes(nodes), m_Outputs(outputs), m_Frame(frame)
+        : m_Nodes(nodes), m_Outputs(outputs), m_Frame(frame), m_Readers(FindReaders(nodes, frame))
     {
     }
 
@@ -199,23 +240,40 @@ private:
                                                                   : StoreOp::DontCare;
     }
 
+    /// Of the whole frame, so that a texture needs no other barrier for the next reader.
+    ShaderStage ReadersOf(const Texture& texture, TextureUsage usage) const
+    {
+        const auto found = m_Readers.find(texture.id());
+        return usage == TextureUsage::ShaderRead && found != m_Readers.end() ? found->second
+                                                                             : ShaderStage::None;
+    }
+
     void Transition(const std::shared_ptr<const Texture>& texture, TextureUsage usage,
                     std::vector<TextureBarrier>& barriers)
     {
         TextureState& state = StateOf(texture);
         const bool onlyReads =
             usage == TextureUsage::ShaderRead || usage == TextureUsage::CopySource;
-        if (state.usage == usage && onlyReads)
+        const bool isRead = state.usage == TextureUsage::ShaderRead && usage == state.usage;
+        ShaderStage readers = ReadersOf(*texture, usage);
+        if (isRead && readers != ShaderStage::None)
+        {
+            readers = readers | state.readers;
+        }
+        const bool isNew = state.readers != ShaderStage::None && readers != state.readers;
+        if (state.usage == usage && onlyReads && !(isRead && isNew))
         {
             return;
         }
-        barriers.push_back({texture, state.usage, usage});
+        barriers.push_back({texture, state.usage, usage, readers});
         state.usage = usage;
+        state.readers = readers;
     }
 
     std::vector<FrameNode>& m_Nodes;
     OutputSpan m_Outputs;
     CompiledFrame& m_Frame;
+    Readers m_Readers;
 };
 
 } // namespace

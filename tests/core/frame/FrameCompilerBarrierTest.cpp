@@ -30,6 +30,7 @@ protected:
     FrameBuilder m_Frame;
     const test::RenderTexturePtr m_A = test::Target("A");
     const test::RenderTexturePtr m_B = test::Target("B");
+    const test::RenderTexturePtr m_C = test::Target("C");
     const test::RenderTexturePtr m_Depth = test::DepthTarget("Depth");
 };
 
@@ -155,6 +156,47 @@ TEST_F(FrameCompilerBarriers, AreWorkedOutAfreshByEachCompiler)
     m_Frame.Bind(m_A).Draw(1);
     EXPECT_THAT(other.Compile(m_Frame.Take()).passes.at(0).barriers,
                 ElementsAre(TextureBarrier{m_A, Undefined, ColorAttachment}));
+}
+
+/// Reads one texture in these functions.
+std::shared_ptr<const ShaderProgram> ReaderIn(ShaderStage stages)
+{
+    auto program = std::make_shared<ShaderProgram>();
+    program->layout.textures.emplace_back().stages = stages;
+    return program;
+}
+
+TEST_F(FrameCompilerBarriers, SayWhichFunctionsReadTheTextureInTheFrame)
+{
+    m_Frame.Bind(m_A).Draw(1).Bind(m_B).Draw(2, {m_A});
+    m_Frame.last().program = ReaderIn(ShaderStage::Fragment);
+    m_Frame.Bind(m_C).Draw(3, {m_A});
+    m_Frame.last().program = ReaderIn(ShaderStage::Vertex);
+    const CompiledFrame frame = Compile(m_Frame);
+    EXPECT_THAT(
+        frame.passes.at(1).barriers,
+        testing::Contains(TextureBarrier{m_A, ColorAttachment, ShaderRead, ShaderStage::Both}));
+    EXPECT_THAT(frame.passes.at(2).barriers,
+                ElementsAre(TextureBarrier{m_C, Undefined, ColorAttachment}));
+}
+
+//   frame 1: A sampled by a fragment function ──▶ frame 2: by a vertex function
+TEST_F(FrameCompilerBarriers, StandBeforeTheFunctionsThatReadATextureForTheFirstTime)
+{
+    m_Frame.Bind(m_A).Draw(1).Bind(m_B).Draw(2, {m_A});
+    m_Frame.last().program = ReaderIn(ShaderStage::Fragment);
+    Compile(m_Frame);
+    const auto readIn = [&](ShaderStage stages)
+    {
+        m_Frame.Bind(m_B).Draw(3, {m_A});
+        m_Frame.last().program = ReaderIn(stages);
+        return Compile(m_Frame).passes.at(0).barriers;
+    };
+    const TextureBarrier again{m_B, ColorAttachment, ColorAttachment};
+    EXPECT_THAT(readIn(ShaderStage::Fragment), ElementsAre(again));
+    EXPECT_THAT(readIn(ShaderStage::Both),
+                ElementsAre(TextureBarrier{m_A, ShaderRead, ShaderRead, ShaderStage::Both}, again));
+    EXPECT_THAT(readIn(ShaderStage::Vertex), ElementsAre(again));
 }
 
 } // namespace

@@ -380,6 +380,43 @@ TEST_F(RepeatedFrame, IsRightAfterOneThatWasRefused)
     }
 }
 
+TEST_F(RepeatedFrame, ReadsATextureInTheFunctionsThatItsBarrierNames)
+{
+    const PassPtr reader = CompilePass(R"(
+        Texture2D _Source;
+        struct Varyings { float4 position : SV_POSITION; float4 color : TEXCOORD0; };
+        Varyings vert(float3 position : POSITION)
+        {
+            Varyings result;
+            result.position = float4(position, 1);
+            result.color = _Source.Load(int3(0, 0, 0));
+            return result;
+        }
+        float4 frag(Varyings v) : SV_Target { return v.color; })");
+    const TargetPtr source = MakeTarget(1, 1);
+    const TargetPtr target = MakeTarget(1, 1);
+    const auto draw = [&](ShaderStage readers)
+    {
+        CompiledFrame frame;
+        CompiledRenderPass pass = ClearPass(target);
+        pass.barriers.push_back(
+            {source, TextureUsage::ColorAttachment, TextureUsage::ShaderRead, readers});
+        DrawBindings bindings;
+        bindings.textures.push_back({reader->layout.textures.at(0).binding, source, {}});
+        pass.commands.emplace_back(
+            MakeDraw(frame, reader, MakeQuad(), PlainState(), std::move(bindings)));
+        frame.passes = {ClearPass(source, Color::green), pass};
+        frame.finalBarriers.push_back(
+            {target, TextureUsage::ColorAttachment, TextureUsage::CopySource});
+        SharedDevice().Execute(frame);
+        return TexelOf(target);
+    };
+    EXPECT_EQ(k_OnlyGreen, draw(ShaderStage::Vertex));
+    EXPECT_EQ(k_OnlyGreen, draw(ShaderStage::Both));
+    EXPECT_EQ(k_OnlyGreen, draw(ShaderStage::None));
+    EXPECT_THROW(draw(ShaderStage::Fragment), ContractError);
+}
+
 TEST_F(RepeatedFrame, IsTimed)
 {
     ColorFrames frames;

@@ -11,6 +11,8 @@ struct TextureBarrier
     std::shared_ptr<const Texture> texture;
     TextureUsage before = TextureUsage::Undefined;
     TextureUsage after = TextureUsage::Undefined;
+    /// ShaderRead: which functions may read it until the next barrier; None = all.
+    ShaderStage readers = ShaderStage::None;
 
     bool operator==(const TextureBarrier&) const = default;
 };

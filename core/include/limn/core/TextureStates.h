@@ -36,6 +36,7 @@ struct TextureState
     ClearCommand constant;
     bool isPending = false; ///< `constant` is not in the image
     TextureHistory history = TextureHistory::Unknown;
+    ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 };
 
 /// What a device knows of the textures that frames drew into: all that one frame leaves to the

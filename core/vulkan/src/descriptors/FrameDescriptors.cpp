@@ -65,6 +65,16 @@ void RequireDimension(const Texture& texture, const TextureBinding& binding)
     }
 }
 
+void RequireReader(const PooledImage& image, const TextureBinding& binding)
+{
+    const ShaderStage readers = image.use.readers;
+    if (readers != ShaderStage::None && !HasAll(readers, binding.stages))
+    {
+        throw ContractError("texture '" + image.name + "' is read as '" + binding.name +
+                            "' by a function that its last barrier did not make it readable for");
+    }
+}
+
 void RequireResolved(const PooledImage& image, const std::string& property)
 {
     if (image.use.isStale)
@@ -89,6 +99,7 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
                                 "' while its use is " + ToString(image.use.usage) +
                                 "; a barrier must make it ShaderRead");
         }
+        RequireReader(image, texture);
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();

@@ -248,7 +248,28 @@ VkShaderStageFlags ToVkStages(ShaderStage stages)
            flag(ShaderStage::Fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
 }
 
-UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples)
+namespace
+{
+
+/// That may sample. The first bit of all of them is every one before rasterization that the device
+/// has.
+VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers)
+{
+    const auto flag = [&](ShaderStage stage, VkPipelineStageFlags2 bit)
+    {
+        return readers & stage ? bit : VK_PIPELINE_STAGE_2_NONE;
+    };
+    return readers == ShaderStage::None
+               ? VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
+                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT
+               : flag(ShaderStage::Vertex, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT) |
+                     flag(ShaderStage::Geometry, VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT) |
+                     flag(ShaderStage::Fragment, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
+}
+
+} // namespace
+
+UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples, ShaderStage readers)
 {
     if (usage == TextureUsage::DepthStencilAttachment && samples > 1)
     {
@@ -274,11 +295,7 @@ UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples)
                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
                     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
     case TextureUsage::ShaderRead:
-        // Any stage of a later draw may sample it. The first bit is every one before rasterization
-        // that the device has.
-        return {VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
-                    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+        return {VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, ToPipelineStages(readers),
                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
     case TextureUsage::CopySource:
         return {VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,

@@ -54,7 +54,9 @@ struct UsageScope
 
 /// Undefined waits for everything before: an earlier frame may still use the image's memory.
 /// @param samples  a texel: several are resolved where colours are written, depth too
-UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples = 1);
+/// @param readers  see TextureBarrier
+UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples = 1,
+                        ShaderStage readers = ShaderStage::None);
 
 const char* ToString(TextureUsage usage);
 

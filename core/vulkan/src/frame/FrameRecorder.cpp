@@ -158,7 +158,7 @@ void FrameRecorder::PrepareBarriers(const std::vector<TextureBarrier>& barriers,
         PooledImage& image = isRead ? m_Resources.images.UseResolved(barrier.texture, m_Number)
                                     : m_Resources.images.Use(barrier.texture, m_Number);
         RequireBarrierFits(barrier, image, pass);
-        ChangeUsage(image, barrier.before, barrier.after, m_Prepared.barriers);
+        ChangeUsage(image, barrier, m_Prepared.barriers);
     }
 }
 

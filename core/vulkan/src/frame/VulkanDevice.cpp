@@ -37,7 +37,8 @@ public:
     std::uint64_t recordedFrames = 0;
     Timeline* timeline = nullptr; ///< may be null
     std::vector<PassTiming> timings;
-    TextureStates textureStates; ///< after the last frame submitted
+    TextureStates textureStates;     ///< after the last frame submitted
+    std::uint64_t lastStructure = 0; ///< of that frame
     vulkan::SubmitQueue queue;
 };
 
@@ -94,7 +95,11 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->resources.Sweep(m_Impl->queue.finishedNumber());
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
-    m_Impl->textureStates = frame.states;
+    if (frame.structure == 0 || frame.structure != m_Impl->lastStructure)
+    {
+        m_Impl->textureStates = frame.states;
+        m_Impl->lastStructure = frame.structure;
+    }
     m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 

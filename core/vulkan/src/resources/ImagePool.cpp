@@ -29,17 +29,31 @@ VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout befo
     return barrier;
 }
 
-VkImageMemoryBarrier2 UsageBarrier(const PooledImage& image, TextureUsage before,
-                                   TextureUsage after)
+VkImageMemoryBarrier2 ScopeBarrier(const PooledImage& image, const UsageScope& from,
+                                   const UsageScope& to)
 {
-    const UsageScope from = ToUsageScope(before, image.samples);
-    const UsageScope to = ToUsageScope(after, image.samples);
     VkImageMemoryBarrier2 barrier = LayoutBarrier(image, from.layout, to.layout);
     barrier.srcStageMask = from.stages;
     barrier.srcAccessMask = from.access;
     barrier.dstStageMask = to.stages;
     barrier.dstAccessMask = to.access;
     return barrier;
+}
+
+/// What has to be done with the image before something begins that does not mind what it holds.
+UsageScope ScopeToForget(const PooledImage& image, TextureUsage last)
+{
+    if (image.shared) // others were in its place
+    {
+        return ToUsageScope(TextureUsage::Undefined);
+    }
+    if (last == TextureUsage::Undefined) // nobody has used it, and its memory only in frames done
+    {
+        return {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
+    }
+    UsageScope scope = ToUsageScope(last, image.samples, image.use.readers);
+    scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    return scope;
 }
 
 void RecordCopy(UploadCommands& uploads, const PooledImage& image, const TexelTexture& texture)
@@ -55,30 +69,39 @@ void RecordCopy(UploadCommands& uploads, const PooledImage& image, const TexelTe
 
 } // namespace
 
-void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
+void ChangeUsage(PooledImage& image, const TextureBarrier& change,
                  std::vector<VkImageMemoryBarrier2>& barriers)
 {
-    image.use.usage = after;
+    const bool isWorthless = change.before == TextureUsage::Undefined;
+    const auto from = [&](TextureUsage last)
+    {
+        return isWorthless ? ScopeToForget(image, last)
+                           : ToUsageScope(last, image.samples, image.use.readers);
+    };
+    const UsageScope to = ToUsageScope(change.after, image.samples, change.readers);
     if (image.samples == 1)
     {
-        barriers.push_back(UsageBarrier(image, before, after));
-        return;
+        barriers.push_back(ScopeBarrier(image, from(image.use.usage), to));
     }
-    const bool isDepth = (image.aspects & VK_IMAGE_ASPECT_COLOR_BIT) == 0;
-    const TextureUsage drawn =
-        isDepth ? TextureUsage::DepthStencilAttachment : TextureUsage::ColorAttachment;
-    const bool isWorthless = before == TextureUsage::Undefined;
-    if (isWorthless || after == drawn)
+    else
     {
-        barriers.push_back(UsageBarrier(image, isWorthless ? before : drawn, drawn));
+        const bool isDepth = (image.aspects & VK_IMAGE_ASPECT_COLOR_BIT) == 0;
+        const TextureUsage drawn =
+            isDepth ? TextureUsage::DepthStencilAttachment : TextureUsage::ColorAttachment;
+        if (isWorthless || change.after == drawn)
+        {
+            barriers.push_back(
+                ScopeBarrier(image, from(drawn), ToUsageScope(drawn, image.samples)));
+        }
+        if (image.resolved)
+        {
+            barriers.push_back(ScopeBarrier(image, from(image.use.resolvedUsage), to));
+            barriers.back().image = image.resolved->image.get();
+            image.use.resolvedUsage = change.after;
+        }
     }
-    if (image.resolved)
-    {
-        barriers.push_back(
-            UsageBarrier(image, isWorthless ? before : image.use.resolvedUsage, after));
-        barriers.back().image = image.resolved->image.get();
-        image.use.resolvedUsage = after;
-    }
+    image.use.usage = change.after;
+    image.use.readers = change.readers;
 }
 
 void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers)
@@ -263,11 +286,10 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
         before.back().dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
         before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        after.push_back(
-            UsageBarrier(*upload.image, TextureUsage::Undefined, TextureUsage::ShaderRead));
-        after.back().oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-        after.back().srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-        after.back().srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        after.push_back(ScopeBarrier(*upload.image,
+                                     {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                      VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                                     ToUsageScope(TextureUsage::ShaderRead)));
     }
     RecordBarriers(uploads.commands(), before);
     for (const Upload& upload : m_Uploads)

@@ -24,7 +24,8 @@ struct ImageUse
 {
     TextureUsage usage = TextureUsage::Undefined;
     TextureUsage resolvedUsage = TextureUsage::Undefined; ///< of PooledImage::resolved
-    bool isStale = false; ///< what samples were drawn last is not resolved
+    bool isStale = false;                    ///< what samples were drawn last is not resolved
+    ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 
     bool operator==(const ImageUse&) const = default;
 };
@@ -152,8 +153,8 @@ private:
 };
 
 /// Adds the barriers that take the texture from one use to another, which it has then.
-/// @param before  Undefined, or the use it has
-void ChangeUsage(PooledImage& image, TextureUsage before, TextureUsage after,
+/// @pre `change.before` is Undefined, or the use it has
+void ChangeUsage(PooledImage& image, const TextureBarrier& change,
                  std::vector<VkImageMemoryBarrier2>& barriers);
 
 /// Records the barriers; nothing if there are none.

@@ -36,6 +36,12 @@ enum class UniformType
     Matrix4x4 ///< column-major, columns 16 bytes apart
 };
 
+/// Whether `stages` has all of `wanted`.
+constexpr bool HasAll(ShaderStage stages, ShaderStage wanted)
+{
+    return (stages | wanted) == stages;
+}
+
 /// A value in a uniform buffer.
 struct UniformMember
 {
