@@ -1,6 +1,5 @@
 #include "draw/DrawRecorder.h"
 
-#include "draw/EraseUnused.h"
 #include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
 

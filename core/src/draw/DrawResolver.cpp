@@ -1,6 +1,5 @@
 #include "draw/DrawResolver.h"
 
-#include "draw/EraseUnused.h"
 #include "material/UniformWriter.h"
 
 #include <algorithm>

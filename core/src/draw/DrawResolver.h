@@ -1,13 +1,25 @@
 #pragma once
 
+#include <iterator>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Material.h>
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace limn
 {
+
+/// Keeps those of a map's values that were marked isUsed, and takes the mark from them.
+template <typename Map>
+void EraseUnused(Map& map)
+{
+    for (auto entry = map.begin(); entry != map.end();)
+    {
+        entry = std::exchange(entry->second.isUsed, false) ? std::next(entry) : map.erase(entry);
+    }
+}
 
 /// Where a draw's property values come from, first to last.
 struct PropertySources
