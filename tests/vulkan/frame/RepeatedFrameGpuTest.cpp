@@ -1,6 +1,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
+#include <algorithm>
 #include <limn/core/ObjectTable.h>
 #include <optional>
 
@@ -244,6 +245,38 @@ TEST_F(RepeatedFrame, GoesInTurnWithFramesOfOtherStructures)
     }
 }
 
+TEST_F(RepeatedFrame, IsNotRecordedAgainWhereFourStructuresTakeTurns)
+{
+    constexpr int k_Count = 4;
+    std::array<ColorFrames, k_Count> frames;
+    std::array<std::uint64_t, k_Count> structures{};
+    std::ranges::generate(structures, NewStructure);
+    std::uint64_t before = 0;
+    for (int round = 0; round < 8; ++round)
+    {
+        before = round == 5 ? RecordedFrames() : before; // those before make slots and fill them
+        for (std::size_t i = 0; i < k_Count; ++i)
+        {
+            EXPECT_EQ(k_OnlyRed, frames.at(i).Draw(Color::red, structures.at(i)));
+        }
+    }
+    EXPECT_EQ(before, RecordedFrames());
+}
+
+TEST_F(RepeatedFrame, TakesNoMoreMemoryWhereEachHasAStructureOfItsOwn)
+{
+    VulkanDevice device;
+    ColorFrames frames;
+    std::uint64_t before = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+        device.Execute(frames.Make(Color::red, NewStructure()));
+        before = i == 3 ? device.statistics().usedBytes : before;
+    }
+    device.Wait();
+    EXPECT_EQ(before, device.statistics().usedBytes);
+}
+
 TEST_F(RepeatedFrame, IsRecordedAnewWhereATextureIsUsedOtherwiseAtItsBeginning)
 {
     ColorFrames frames;
@@ -285,6 +318,61 @@ TEST_F(RepeatedFrame, IsRecordedAnewWhereATextureHasMoved)
         {
             EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, second, 3));
         }
+    }
+}
+
+TEST_F(RepeatedFrame, IsNotTakenForAnotherStructure)
+{
+    CopyFrames frames;
+    const std::uint64_t one = NewStructure();
+    const std::uint64_t other = NewStructure();
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, one));
+    }
+    for (int i = 0; i < 4; ++i) // the colour it clears to is in the commands, and all else equal
+    {
+        EXPECT_EQ(k_OnlyGreen, frames.Draw(Color::green, other));
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, one));
+    }
+}
+
+TEST_F(RepeatedFrame, IsRecordedAnewWhereOtherFramesHaveMovedATexture)
+{
+    for (const bool isDone : {true, false})
+    {
+        CopyFrames frames;
+        const std::uint64_t structure = NewStructure();
+        for (int i = 0; i < 4; ++i)
+        {
+            EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, structure));
+        }
+        const std::uint64_t before = RecordedFrames();
+        SharedDevice().Execute(frames.Make(Color::green, 0, 3));
+        if (isDone)
+        {
+            SharedDevice().Wait();
+        }
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, structure));
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, structure));
+        EXPECT_LE(2u, RecordedFrames() - before);
+    }
+}
+
+TEST_F(RepeatedFrame, IsRecordedAnewAfterOneThatMovedATextureAndWasRefused)
+{
+    CopyFrames frames;
+    const std::uint64_t structure = NewStructure();
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, structure));
+    }
+    CompiledFrame refused = frames.Make(Color::green, 0, 3);
+    refused.finalBarriers[0].after = TextureUsage::Undefined;
+    EXPECT_THROW(SharedDevice().Execute(refused), ContractError);
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(k_OnlyRed, frames.Draw(Color::red, structure));
     }
 }
 
