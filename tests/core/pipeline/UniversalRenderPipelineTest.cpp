@@ -141,10 +141,10 @@ TEST_F(Pipeline, WaitsForTheSceneBeforeTheCopy)
 {
     const RenderResult result = Render();
     const auto& color = result.frame->passes.at(0).colors.at(0).texture;
-    EXPECT_THAT(
-        result.frame->passes.at(1).barriers,
-        UnorderedElementsAre(TextureBarrier{color, ColorAttachment, ShaderRead},
-                             TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
+    EXPECT_THAT(result.frame->passes.at(1).barriers,
+                UnorderedElementsAre(
+                    TextureBarrier{color, ColorAttachment, ShaderRead, ShaderStage::Fragment},
+                    TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
 }
 
 TEST_F(Pipeline, GivesTheDeviceTheFrameThatItReturns)
