@@ -2,6 +2,7 @@
 #include "GpuTestFrame.h"
 
 #include <algorithm>
+#include <functional>
 #include <limn/core/ObjectTable.h>
 #include <optional>
 
@@ -321,6 +322,85 @@ TEST_F(RepeatedFrame, IsRecordedAnewWhereATextureHasMoved)
     }
 }
 
+TEST_F(RepeatedFrame, LeavesTexturesInTheUseThatItSays)
+{
+    ColorFrames frames;
+    const std::uint64_t drawn = NewStructure();
+    const std::uint64_t passedOn = NewStructure();
+    for (int i = 0; i < 6; ++i)
+    {
+        CompiledFrame frame = frames.Make(Color::red, drawn);
+        frame.finalBarriers[0].after = TextureUsage::ShaderRead;
+        SharedDevice().Execute(frame);
+        EXPECT_THROW(TexelOf(frames.target), ContractError);
+        CompiledFrame next;
+        next.finalBarriers.push_back(
+            {frames.target, TextureUsage::ShaderRead, TextureUsage::CopySource});
+        next.structure = passedOn;
+        SharedDevice().Execute(next);
+        EXPECT_EQ(k_OnlyRed, TexelOf(frames.target));
+    }
+}
+
+TEST_F(RepeatedFrame, IsRecordedAnewWhereItsDataAreMore)
+{
+    ColorFrames frames;
+    const auto isRecorded = [&](const std::function<void(CompiledFrame&)>& change)
+    {
+        const std::uint64_t structure = NewStructure();
+        CompiledFrame frame = frames.Make(Color::red, structure);
+        frame.perDraw.resize(2);
+        frame.instances = {0, 1};
+        for (int i = 0; i < 4; ++i)
+        {
+            SharedDevice().Execute(frame);
+        }
+        change(frame);
+        const std::uint64_t before = RecordedFrames();
+        SharedDevice().Execute(frame);
+        return RecordedFrames() > before;
+    };
+    EXPECT_FALSE(isRecorded([](CompiledFrame& frame) { frame.instances = {1, 0}; }));
+    EXPECT_TRUE(isRecorded([](CompiledFrame& frame) { frame.uniformData.resize(100000); }));
+    EXPECT_TRUE(isRecorded([](CompiledFrame& frame) { frame.perDraw.resize(3); }));
+    EXPECT_TRUE(isRecorded([](CompiledFrame& frame) { frame.instances.push_back(0); }));
+}
+
+TEST_F(RepeatedFrame, KeepsWhatNobodyOwnsUntilItIsDone)
+{
+    // Slow, so that the validation layer finds it in use where it is freed too early.
+    const PassPtr slow = CompilePass(R"(
+        float4 vert(float3 position : POSITION) : SV_POSITION { return float4(position, 1); }
+        float4 frag(float4 p : SV_POSITION) : SV_Target
+        {
+            float sum = 0;
+            for (int i = 0; i < 200; ++i)
+            {
+                sum += frac(sin(p.x * i) * p.y);
+            }
+            return sum;
+        })");
+    ColorFrames others;
+    others.Draw(Color::red, 0);
+    std::optional<CompiledFrame> frame(std::in_place);
+    {
+        const TargetPtr target = MakeTarget(512, 512);
+        CompiledRenderPass pass = ClearPass(target);
+        pass.commands.emplace_back(MakeDraw(*frame, slow, MakeQuad()));
+        frame->passes.push_back(std::move(pass));
+        frame->structure = NewStructure();
+    }
+    const std::uint64_t before = RecordedFrames();
+    for (int i = 0; i < 6; ++i)
+    {
+        SharedDevice().Execute(*frame);
+    }
+    EXPECT_GE(3u, RecordedFrames() - before);
+    frame.reset();
+    SharedDevice().Execute(others.Make(Color::green, 0));
+    EXPECT_EQ(k_OnlyGreen, TexelOf(others.target));
+}
+
 TEST_F(RepeatedFrame, IsNotTakenForAnotherStructure)
 {
     CopyFrames frames;
@@ -432,6 +512,23 @@ TEST_F(RepeatedFrame, ShowsObjectsAsTheyAreNow)
     EXPECT_EQ(Gray(1), frames.Draw(0, structure));
     EXPECT_EQ(Gray(2), frames.Draw(1, structure));
     EXPECT_EQ(Gray(3), frames.Draw(2, structure));
+}
+
+TEST_F(RepeatedFrame, ShowsObjectsThatAreAddedWhereThereIsRoomForThem)
+{
+    ObjectFrames frames;
+    const std::uint64_t structure = NewStructure();
+    EXPECT_EQ(Gray(10), frames.Draw(0, structure));
+    frames.table->Set(std::vector<float>(8, 40.0f)); // the buffer grows to half as much again
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(Gray(40), frames.Draw(7, structure));
+    }
+    frames.table->Set(std::vector<float>(12, 50.0f));
+    EXPECT_EQ(Gray(50), frames.Draw(11, structure));
+    EXPECT_EQ(Gray(50), frames.Draw(11, structure));
+    frames.table = nullptr;
+    EXPECT_THROW(frames.Draw(0, structure), ContractError);
 }
 
 TEST_F(RepeatedFrame, ShowsTheObjectsOfItsOwnTable)
