@@ -135,7 +135,7 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
 {
     TimedDevice device(options.device);
     ArticleScene scene(settings, device);
-    const RenderResult first = scene.Render();
+    const RenderResult first = scene.Render(); // a copy: what it says stays
     HandWrittenFrame hand(NumbersOf(*first.frame), options.device);
     hand.Draw();
     hand.Wait();
@@ -147,7 +147,7 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
     for (int i = 0; i < options.pairs; ++i)
     {
         const double limnBegin = CpuMilliseconds();
-        const RenderResult result = scene.Render();
+        scene.Render();
         const double limnWhole = CpuMilliseconds() - limnBegin;
         const double limnDevice = Sum(device.LastFrameTimings());
         const double handBegin = CpuMilliseconds();

@@ -253,7 +253,7 @@ protected:
         std::vector<std::string> names;
         for (const ExecutedPassReport& pass : m_Result.report.passes)
         {
-            names.push_back(pass.name);
+            names.push_back(pass.name.name());
         }
         return names;
     }

@@ -40,7 +40,7 @@ std::vector<std::string> PassNames(const RenderResult& result)
     std::vector<std::string> names;
     for (const ExecutedPassReport& pass : result.report.passes)
     {
-        names.push_back(pass.name);
+        names.push_back(pass.name.name());
     }
     return names;
 }

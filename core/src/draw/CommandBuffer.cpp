@@ -85,11 +85,10 @@ void CommandBuffer::SetRenderTarget(const RTHandle& color, const RTHandle& depth
 
 void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth)
 {
-    constexpr std::size_t k_MaxColors = std::tuple_size_v<decltype(PipelineState::targets)>;
-    if (colors.size() > k_MaxColors)
+    if (colors.size() > k_MostColors)
     {
         throw ContractError("SetRenderTarget: " + std::to_string(colors.size()) +
-                            " colour targets; at most " + std::to_string(k_MaxColors));
+                            " colour targets; at most " + std::to_string(k_MostColors));
     }
     SetRenderTargetCommand command;
     for (const RTHandle& color : colors)
@@ -165,7 +164,7 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
                             std::to_string(mesh->subMeshCount()));
     }
     m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, matrix, std::move(material),
-                                         shaderPass, properties});
+                                         shaderPass, Keep(properties)});
 }
 
 void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
@@ -179,7 +178,36 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
                             " is negative");
     }
     m_Commands.emplace_back(RecordedDraw{nullptr, 0, static_cast<std::uint32_t>(vertexCount),
-                                         matrix, std::move(material), shaderPass, properties});
+                                         matrix, std::move(material), shaderPass,
+                                         Keep(properties)});
+}
+
+std::uint32_t CommandBuffer::Keep(const MaterialPropertyBlock& properties)
+{
+    if (properties.isEmpty())
+    {
+        return RecordedDraw::k_NoProperties;
+    }
+    if (m_BlockCount == m_Blocks.size())
+    {
+        m_Blocks.emplace_back();
+    }
+    m_Blocks[m_BlockCount].SetAll(properties);
+    return m_BlockCount++;
+}
+
+const MaterialPropertyBlock* CommandBuffer::PropertiesOf(const RecordedDraw& draw) const
+{
+    return draw.properties == RecordedDraw::k_NoProperties ? nullptr : &m_Blocks[draw.properties];
+}
+
+void CommandBuffer::Clear()
+{
+    m_Commands.clear();
+    for (; m_BlockCount > 0; --m_BlockCount)
+    {
+        m_Blocks[m_BlockCount - 1].Clear();
+    }
 }
 
 void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
@@ -194,7 +222,7 @@ void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
 
 void CommandBuffer::BeginSample(std::string_view name)
 {
-    m_Commands.emplace_back(BeginSampleCommand{std::string(name)});
+    m_Commands.emplace_back(BeginSampleCommand{SampleName(name)});
 }
 
 void CommandBuffer::EndSample()

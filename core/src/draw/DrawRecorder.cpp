@@ -185,13 +185,13 @@ std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
     return place.index;
 }
 
-void DrawRecorder::Draw(const RecordedDraw& recorded)
+void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     DrawSetup setup =
-        LookUp(*recorded.material, recorded.shaderPass, &recorded.properties, RenderStateBlock());
+        LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock());
     const PerDrawData perDraw =
         MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
-    setup.fullScreen = Promise(recorded);
+    setup.fullScreen = Promise(recorded, properties);
     DrawCommand draw;
     if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
     {
@@ -272,40 +272,38 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 }
 
 /// What the pass's LimnFullScreen tag comes to with the values of this draw.
-std::shared_ptr<const FullScreenPromise> DrawRecorder::Promise(const RecordedDraw& recorded)
+std::shared_ptr<const FullScreenPromise>
+DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
     if (recorded.mesh || tag == nullptr)
     {
         return nullptr;
     }
-    const PropertySources sources{&recorded.properties, recorded.material.get(), &m_Globals};
-    m_Promising.zeroTextures.clear();
-    m_Promising.zeroProperty.clear();
-    m_Promising.output = tag->output;
+    const PropertySources sources{properties, recorded.material.get(), &m_Globals};
+    FullScreenPromise promise;
+    promise.output = tag->output;
     for (const ShaderPropertyId id : tag->zeroes)
     {
         const ShaderPropertyValue* value = sources.Find(id);
-        if (const auto texture = TextureIn(value))
+        if (const auto texture = TextureIn(value); texture && !promise.zeroTextures.full())
         {
-            m_Promising.zeroTextures.push_back(texture);
+            promise.zeroTextures.push_back(texture);
         }
         else if (value && isZero(*value))
         {
-            m_Promising.zeroProperty = id.name();
+            promise.zeroProperty = id;
         }
     }
-    m_Promising.reach = ReachOf(*tag, sources);
-    m_Promising.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    promise.reach = ReachOf(*tag, sources);
+    promise.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
     m_Promises.resize(std::max(m_Promises.size(), m_PromiseCount + 1));
-    std::shared_ptr<const FullScreenPromise>& promise = m_Promises[m_PromiseCount++];
-    if (!promise || *promise != m_Promising)
+    auto& kept = m_Promises[m_PromiseCount++];
+    if (!kept || *kept != promise)
     {
-        promise = std::make_shared<const FullScreenPromise>(m_Promising);
+        kept = std::make_shared<const FullScreenPromise>(std::move(promise));
     }
-    m_Promising.zeroTextures.clear(); // they are not kept for longer than the frame has them
-    m_Promising.copied = nullptr;
-    return promise;
+    return kept;
 }
 
 /// Draws that differ in their transform only become instances of one.

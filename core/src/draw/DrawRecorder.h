@@ -32,7 +32,8 @@ public:
     void SetGlobal(const SetGlobalCommand& command);
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetRenderTarget(const SetRenderTargetCommand& command);
-    void Draw(const RecordedDraw& recorded);
+    /// @param properties  of the draw; null = none
+    void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
     Place MarkPlace();
     /// Runs `record` with what was global at that place.
@@ -60,7 +61,8 @@ public:
 
 private:
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
-    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded);
+    std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
+                                                     const MaterialPropertyBlock* properties);
     bool MergeIntoLast(const DrawCommand& draw);
 
     struct GlobalChange
@@ -93,7 +95,6 @@ private:
     /// In the order of the draws, behind m_PromiseCount those of the frame before.
     std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises;
     std::size_t m_PromiseCount = 0;
-    FullScreenPromise m_Promising;
     std::map<
         std::tuple<std::shared_ptr<const Material>, std::uint64_t, std::shared_ptr<const Shader>>,
         Variant>

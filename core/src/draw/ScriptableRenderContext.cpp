@@ -59,7 +59,7 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 using Command = std::decay_t<decltype(c)>;
                 if constexpr (std::is_same_v<Command, RecordedDraw>)
                 {
-                    m_Recorder->Draw(c);
+                    m_Recorder->Draw(c, commandBuffer.PropertiesOf(c));
                 }
                 else if constexpr (std::is_same_v<Command, SetViewProjectionCommand>)
                 {
@@ -88,7 +88,8 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
                                             const RenderStateBlock& stateBlock)
 {
     JudgedItems judged = Judge(cullingResults.items, filteringSettings, drawingSettings);
-    m_Report->draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
+    m_Report->draws.push_back(
+        {SampleName(m_PassName), filteringSettings, drawingSettings, judged.counts});
     if (!judged.drawn.empty())
     {
         const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);

@@ -124,9 +124,9 @@ private:
     /// Why the fragment function gives the output that is promised; "" = it need not.
     std::string WhyConstant(const FullScreenPromise& promise)
     {
-        if (!promise.zeroProperty.empty())
+        if (promise.zeroProperty != ShaderPropertyId())
         {
-            return promise.zeroProperty + " is 0";
+            return promise.zeroProperty.name() + " is 0";
         }
         for (const auto& texture : promise.zeroTextures)
         {

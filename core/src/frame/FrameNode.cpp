@@ -91,7 +91,8 @@ bool Overwrites(const FrameNode& node, const RenderTexture& target)
 
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node)
 {
-    std::vector<std::shared_ptr<const RenderTexture>> targets = node.targets.colors;
+    std::vector<std::shared_ptr<const RenderTexture>> targets(node.targets.colors.begin(),
+                                                              node.targets.colors.end());
     if (node.targets.depth)
     {
         targets.push_back(node.targets.depth);

@@ -101,7 +101,7 @@ private:
 
     void Take(const BeginSampleCommand& command)
     {
-        m_Samples.push_back(command.name);
+        m_Samples.push_back(command.name.name());
         m_Pending.emplace_back(command);
         ++m_PendingBegins;
     }

@@ -69,7 +69,7 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
     {
         throw ContractError("BlitTexture: the source is an empty handle");
     }
-    static thread_local MaterialPropertyBlock properties; // for its memory
+    static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
     properties.SetTexture(_BlitTexture, source.rt());
     properties.SetVector(_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,

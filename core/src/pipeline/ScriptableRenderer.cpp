@@ -79,7 +79,7 @@ void NoteEmptyDraws(RenderReport& report, std::size_t first)
         {
             continue;
         }
-        std::string note = draw.pass + ": " + Describe(draw.counts, draw.filtering);
+        std::string note = draw.pass.name() + ": " + Describe(draw.counts, draw.filtering);
         const auto& notes = report.notes;
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
         {
@@ -275,7 +275,7 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
     BindTargets(*cmd, pass, renderingData.cameraData);
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
-    renderingData.report->passes.push_back({name, pass.renderPassEvent});
+    renderingData.report->passes.push_back({SampleName(name), pass.renderPassEvent});
     pass.Execute(context, renderingData);
     cmd->Clear();
     cmd->EndSample();

@@ -136,9 +136,20 @@ UniversalRenderPipeline::UniversalRenderPipeline(GraphicsDevice& device)
 RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                          const RenderRequest& request)
 {
+    RenderResult result;
+    RenderSingleCamera(renderer, request, result);
+    return result;
+}
+
+void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
+                                                 const RenderRequest& request, RenderResult& result)
+{
     ExpectRenderable(request);
     ExpectSampleCount(msaaSampleCount);
-    RenderResult result;
+    result.report.passes.clear();
+    result.report.draws.clear();
+    result.report.notes.clear();
+    result.frame = nullptr; // else the next would have to leave it as it is
     AllocateOutput(m_Output, request);
     renderer.SetOutput(m_Output);
     result.output = m_Output;
@@ -159,10 +170,10 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
                 renderer.RenderCamera(context, renderingData);
             });
 
-    std::vector<std::shared_ptr<const RenderTexture>> outputs{m_Output.rt()};
+    m_Outputs.assign(1, m_Output.rt());
     for (const RTHandle& handle : request.alsoReadBack)
     {
-        outputs.push_back(handle.rt());
+        m_Outputs.push_back(handle.rt());
     }
     FrameCompilerOptions options = request.compile;
     if (options.leavesOut && !options.footprint)
@@ -175,11 +186,11 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
     m_Commands = context.TakeCommands();
     result.frame = Measure(
         request.timeline, "compile",
-        [&] { return m_Frames.Compile(m_Commands, m_Device->textureStates(), outputs, options); });
+        [&]
+        { return m_Frames.Compile(m_Commands, m_Device->textureStates(), m_Outputs, options); });
     Measure(request.timeline, "execute", [&] { m_Device->Execute(*result.frame); });
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame->notes.begin(), result.frame->notes.end());
-    return result;
 }
 
 } // namespace limn

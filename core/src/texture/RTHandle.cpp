@@ -15,7 +15,7 @@ SamplerState MakeSampler(FilterMode filterMode, TextureWrapMode wrapMode)
 }
 
 bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted,
-             const SamplerState& sampler, const std::string& name)
+             const SamplerState& sampler, std::string_view name)
 {
     RenderTextureDescriptor actual = texture.descriptor();
     if (wanted.depthBufferBits != 0)
@@ -37,7 +37,7 @@ RTHandle RTHandles::Alloc(const RenderTextureDescriptor& descriptor, FilterMode 
 
 bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                                         FilterMode filterMode, TextureWrapMode wrapMode,
-                                        const std::string& name)
+                                        std::string_view name)
 {
     descriptor.width = std::max(descriptor.width, 1);
     descriptor.height = std::max(descriptor.height, 1);
@@ -45,7 +45,7 @@ bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescripto
     {
         return false;
     }
-    handle = RTHandles::Alloc(descriptor, filterMode, wrapMode, name);
+    handle = RTHandles::Alloc(descriptor, filterMode, wrapMode, std::string(name));
     return true;
 }
 

@@ -133,7 +133,8 @@ Json ToJson(const Explanation& explanation)
     Json passes = Json::array();
     for (const ExecutedPassReport& pass : explanation.report.passes)
     {
-        passes.push_back({{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name}});
+        passes.push_back(
+            {{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name.name()}});
     }
     Json variants = Json::array();
     for (const ExplainedVariant& variant : explanation.variants)

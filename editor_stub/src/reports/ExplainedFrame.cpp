@@ -125,7 +125,7 @@ private:
         {
             if (const auto* sample = std::get_if<BeginSampleCommand>(&command))
             {
-                names.push_back(sample->name);
+                names.push_back(sample->name.name());
             }
             if (const auto* draw = std::get_if<DrawCommand>(&command))
             {

@@ -78,7 +78,7 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
     {
         for (const DrawRenderersReport& draw : report.draws)
         {
-            explained.draws.push_back({draw.pass, item.material->name(),
+            explained.draws.push_back({draw.pass.name(), item.material->name(),
                                        Judge(item.filter, draw.filtering, draw.drawing)});
         }
     }

@@ -188,8 +188,8 @@ ReportLines PassLines(const RenderReport& report)
     for (const ExecutedPassReport& pass : report.passes)
     {
         std::string line = std::to_string(static_cast<int>(pass.renderPassEvent));
-        line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name;
-        const bool isNew = counted.insert(pass.name).second;
+        line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name.name();
+        const bool isNew = counted.insert(pass.name.name()).second;
         std::size_t draws = 0;
         for (const DrawRenderersReport& draw : report.draws)
         {

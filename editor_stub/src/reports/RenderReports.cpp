@@ -111,9 +111,9 @@ Json Passes(const RenderMeasurements& measurements)
     Json passes = Json::array();
     for (const ExecutedPassReport& pass : measurements.lastFrame.report.passes)
     {
-        passes.push_back({{"name", pass.name},
+        passes.push_back({{"name", pass.name.name()},
                           {"event", static_cast<int>(pass.renderPassEvent)},
-                          {"gpuMilliseconds", GpuTime(pass.name, measurements.gpuPasses)}});
+                          {"gpuMilliseconds", GpuTime(pass.name.name(), measurements.gpuPasses)}});
     }
     return passes;
 }
@@ -128,7 +128,7 @@ Json Draws(const RenderReport& report)
         {
             counts[ToString(static_cast<FilterVerdict>(i))] = draw.counts[i];
         }
-        draws.push_back({{"pass", draw.pass}, {"counts", std::move(counts)}});
+        draws.push_back({{"pass", draw.pass.name()}, {"counts", std::move(counts)}});
     }
     return draws;
 }

@@ -32,7 +32,12 @@ public:
     ArticleScene(const ArticleScene&) = delete;
     ArticleScene& operator=(const ArticleScene&) = delete;
 
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
+    /// Until the next call.
+    const RenderResult& Render()
+    {
+        m_Pipeline.RenderSingleCamera(m_Renderer, m_Request, m_Result);
+        return m_Result;
+    }
 
 private:
     void AddObjects(const ArticleSettings& settings);
@@ -48,6 +53,7 @@ private:
     UniversalRenderPipeline m_Pipeline;
     UniversalRenderer m_Renderer{m_Compiler};
     RenderRequest m_Request;
+    RenderResult m_Result; ///< of the last frame
 };
 
 /// Objects of one material and mesh, the outlined ones first.

@@ -253,16 +253,17 @@ TEST_F(CommandBuffers, BlitATriangleOverTheDestination)
     Blitter::BlitCameraTexture(m_Cmd, m_Color, destination, m_Material, 1);
     ASSERT_EQ(m_Cmd.commands().size(), 2u);
     const auto& target = std::get<SetRenderTargetCommand>(m_Cmd.commands()[0]);
-    EXPECT_EQ(target.colors, std::vector{destination.rt()});
+    ASSERT_EQ(target.colors.size(), 1u);
+    EXPECT_EQ(target.colors[0], destination.rt());
     EXPECT_EQ(target.depth, nullptr);
     const auto& draw = std::get<RecordedDraw>(m_Cmd.commands()[1]);
     EXPECT_EQ(draw.mesh, nullptr);
     EXPECT_EQ(draw.vertexCount, 3u);
     EXPECT_EQ(draw.shaderPass, 1);
-    const auto* source = draw.properties.Find(ShaderPropertyId("_BlitTexture"));
+    const auto* source = m_Cmd.PropertiesOf(draw)->Find(ShaderPropertyId("_BlitTexture"));
     ASSERT_NE(source, nullptr);
     EXPECT_EQ(std::get<std::shared_ptr<const Texture>>(*source), m_Color.rt());
-    const auto* scaleBias = draw.properties.Find(ShaderPropertyId("_BlitScaleBias"));
+    const auto* scaleBias = m_Cmd.PropertiesOf(draw)->Find(ShaderPropertyId("_BlitScaleBias"));
     ASSERT_NE(scaleBias, nullptr);
     EXPECT_EQ(std::get<glm::vec4>(*scaleBias), glm::vec4(1, 1, 0, 0));
 }

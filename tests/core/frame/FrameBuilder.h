@@ -30,7 +30,7 @@ public:
     }
     FrameBuilder& Bind(std::vector<RenderTexturePtr> colors, const RenderTexturePtr& depth)
     {
-        return Add(SetRenderTargetCommand{std::move(colors), depth});
+        return Add(SetRenderTargetCommand{{colors.begin(), colors.end()}, depth});
     }
     FrameBuilder& Clear(ClearFlag flags, const Color& color = Color::clear, float depth = 1.0f,
                         int stencil = 0)
@@ -79,7 +79,7 @@ public:
         }
         else if (promise != "True")
         {
-            says->zeroTextures = sampled;
+            says->zeroTextures.assign(sampled.begin(), sampled.end());
             says->output = {0, 0, 0, 1};
         }
         says->reach = reach;
@@ -98,7 +98,7 @@ public:
     /// What the draw that was added last is set up with.
     DrawSetup& last() { return m_Frame.setups.back(); }
     DrawCommand& lastDraw() { return std::get<DrawCommand>(m_Frame.commands.back()); }
-    FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{std::move(name)}); }
+    FrameBuilder& Begin(std::string name) { return Add(BeginSampleCommand{SampleName(name)}); }
     FrameBuilder& End() { return Add(EndSampleCommand{}); }
 
     /// What was added since the last call.
@@ -154,7 +154,7 @@ inline std::string Describe(const PassCommand& command)
             }
             else if constexpr (std::is_same_v<Command, BeginSampleCommand>)
             {
-                return "begin " + c.name;
+                return "begin " + c.name.name();
             }
             else
             {

@@ -107,7 +107,7 @@ TEST_F(FramesOfOneStructure, AreNoneWhereAnythingThatCountsIsAnother)
         {"a sample's name",
          [](auto& c)
          {
-             std::get<BeginSampleCommand>(c.commands[0]).name = "Other";
+             std::get<BeginSampleCommand>(c.commands[0]).name = SampleName("Other");
          }},
         {"how often a draw is drawn",
          [&](auto& c)

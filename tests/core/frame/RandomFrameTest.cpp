@@ -225,7 +225,8 @@ bool HasPending(const TextureStates& states)
                        [](const auto& entry) { return entry.second.isPending; });
 }
 
-std::string NamesOf(const std::vector<RenderTexturePtr>& textures)
+template <typename Textures>
+std::string NamesOf(const Textures& textures)
 {
     std::string names;
     for (const RenderTexturePtr& texture : textures)

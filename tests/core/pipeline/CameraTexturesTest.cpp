@@ -110,7 +110,7 @@ protected:
         for (const ExecutedPassReport& pass : result.report.passes)
         {
             passes.push_back(std::to_string(static_cast<int>(pass.renderPassEvent)) + " " +
-                             pass.name);
+                             pass.name.name());
         }
         return passes;
     }

@@ -78,7 +78,7 @@ TEST(PipelinesOfOneDevice, KnowWhatEachOtherDid)
     const CompiledFrame frame = *second.RenderSingleCamera(reader, request).frame;
     EXPECT_THAT(frame.passes.at(0).barriers,
                 testing::Contains(TextureBarrier{shared.rt(), TextureUsage::ColorAttachment,
-                                                 TextureUsage::ShaderRead}));
+                                                 TextureUsage::ShaderRead, ShaderStage::Fragment}));
 }
 
 } // namespace limn

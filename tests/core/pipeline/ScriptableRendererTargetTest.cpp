@@ -242,7 +242,7 @@ TEST(ScriptableRenderPass, SortsByTheCurrentCamera)
     data.cameraData.camera = &camera;
     const DrawingSettings settings = pass.CreateDrawingSettings(
         ShaderTagId("UniversalForward"), data, SortingCriteria::CommonTransparent);
-    EXPECT_EQ(settings.shaderTagIds, std::vector{ShaderTagId("UniversalForward")});
+    EXPECT_THAT(settings.shaderTagIds, testing::ElementsAre(ShaderTagId("UniversalForward")));
     EXPECT_EQ(settings.sortingSettings.criteria, SortingCriteria::CommonTransparent);
     EXPECT_EQ(settings.sortingSettings.cameraPosition, glm::dvec3(1, 2, 3));
     EXPECT_EQ(settings.sortingSettings.cameraForward, glm::vec3(0, 0, 1));

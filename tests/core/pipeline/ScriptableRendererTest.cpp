@@ -25,7 +25,7 @@ protected:
         Log names;
         for (const ExecutedPassReport& pass : m_Harness.report.passes)
         {
-            names.push_back(pass.name);
+            names.push_back(pass.name.name());
         }
         return names;
     }

@@ -121,7 +121,7 @@ TEST_F(Pipeline, RunsTheBuiltInPassesAtTheirEvents)
     std::vector<std::pair<std::string, int>> passes;
     for (const ExecutedPassReport& pass : Render().report.passes)
     {
-        passes.emplace_back(pass.name, static_cast<int>(pass.renderPassEvent));
+        passes.emplace_back(pass.name.name(), static_cast<int>(pass.renderPassEvent));
     }
     EXPECT_THAT(passes, ElementsAre(std::pair{"Draw Opaque Objects", 250},
                                     std::pair{"Draw Transparent Objects", 450},
@@ -141,10 +141,10 @@ TEST_F(Pipeline, WaitsForTheSceneBeforeTheCopy)
 {
     const RenderResult result = Render();
     const auto& color = result.frame->passes.at(0).colors.at(0).texture;
-    EXPECT_THAT(
-        result.frame->passes.at(1).barriers,
-        UnorderedElementsAre(TextureBarrier{color, ColorAttachment, ShaderRead},
-                             TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
+    EXPECT_THAT(result.frame->passes.at(1).barriers,
+                UnorderedElementsAre(
+                    TextureBarrier{color, ColorAttachment, ShaderRead, ShaderStage::Fragment},
+                    TextureBarrier{result.output.rt(), Undefined, ColorAttachment}));
 }
 
 TEST_F(Pipeline, GivesTheDeviceTheFrameThatItReturns)

@@ -304,7 +304,7 @@ TEST_F(Frames, NestSamplesThatGoOnIntoTheNextPass)
     const TargetPtr target = MakeTarget(4, 4);
     CompiledFrame frame = MaskThenCopy(mask, target);
     auto& first = frame.passes[0].commands;
-    first.insert(first.begin(), BeginSampleCommand{"outline"});
+    first.insert(first.begin(), BeginSampleCommand{SampleName("outline")});
     frame.passes[1].commands.emplace_back(EndSampleCommand{});
     SharedDevice().Execute(frame);
     EXPECT_EQ(255, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);

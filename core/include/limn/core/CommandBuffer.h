@@ -19,7 +19,9 @@ struct RecordedDraw
     glm::mat4 matrix{1.0f};
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
-    MaterialPropertyBlock properties;
+    std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
+
+    static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
 };
 
 struct SetGlobalCommand
@@ -95,15 +97,20 @@ public:
     void BeginSample(std::string_view name);
     void EndSample();
 
-    /// Forgets what was recorded.
-    void Clear() { m_Commands.clear(); }
+    /// Forgets what was recorded, and keeps the memory.
+    void Clear();
 
     const std::vector<RecordedCommand>& commands() const { return m_Commands; }
+    /// The property values of a draw of this buffer; null where it has none. Until the next change.
+    const MaterialPropertyBlock* PropertiesOf(const RecordedDraw& draw) const;
 
 private:
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
+    std::uint32_t Keep(const MaterialPropertyBlock& properties);
 
     std::vector<RecordedCommand> m_Commands;
+    std::vector<MaterialPropertyBlock> m_Blocks; ///< those behind the first ones are spare
+    std::uint32_t m_BlockCount = 0;
 };
 
 /// Gives out empty command buffers. Unity: UnityEngine.Rendering.CommandBufferPool.

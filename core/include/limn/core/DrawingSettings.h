@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/FixedList.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/SortingSettings.h>
 #include <memory>
@@ -22,7 +23,7 @@ struct DrawingSettings
 {
     static constexpr int maxShaderPasses = 16;
 
-    std::vector<ShaderTagId> shaderTagIds; ///< at most maxShaderPasses
+    FixedList<ShaderTagId, maxShaderPasses> shaderTagIds;
     SortingSettings sortingSettings;
 
     /// Draws everything with this pass of this material instead of the object's own; the object's

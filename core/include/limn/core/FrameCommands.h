@@ -1,10 +1,12 @@
 #pragma once
 
 #include <limn/core/Color.h>
+#include <limn/core/FixedList.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/ObjectTable.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
+#include <limn/core/ShaderId.h>
 #include <optional>
 #include <string>
 #include <variant>
@@ -113,12 +115,12 @@ struct FullScreenPromise
 {
     /// Where every texel of one of these is 0 in each component that it has, the fragment function
     /// gives `output`.
-    std::vector<std::shared_ptr<const Texture>> zeroTextures;
+    FixedList<std::shared_ptr<const Texture>, 4> zeroTextures;
     /// It looks no farther than this from its own place: what is 0 all over may be 0 so far only,
     /// in texels of those textures. Negative = as far as it likes.
     float reach = -1.0f;
-    std::string zeroProperty; ///< one that is 0, so that it gives `output` in any case; "" = none
-    Color output;             ///< linear
+    ShaderPropertyId zeroProperty; ///< one that is 0, so that it gives `output` in any case
+    Color output;                  ///< linear
     /// It gives the texel of this texture at its own place, with alpha 1; null = another value.
     std::shared_ptr<const Texture> copied;
 
@@ -157,11 +159,15 @@ struct DrawCommand
     bool operator==(const DrawCommand&) const = default;
 };
 
+/// Colour targets that can be drawn into at once.
+inline constexpr std::size_t k_MostColors = std::tuple_size_v<decltype(PipelineState::targets)>;
+
 /// Later draws go here, over the whole target.
 struct SetRenderTargetCommand
 {
-    std::vector<std::shared_ptr<const RenderTexture>> colors; ///< may be empty with a depth
-    std::shared_ptr<const RenderTexture> depth;               ///< may be null
+    FixedList<std::shared_ptr<const RenderTexture>, k_MostColors>
+        colors;                                 ///< may be empty with a depth
+    std::shared_ptr<const RenderTexture> depth; ///< may be null
 
     bool operator==(const SetRenderTargetCommand&) const = default;
 };
@@ -187,7 +193,7 @@ struct SetViewportCommand
 /// Opens or closes a named group of commands, for captures, timings and dumps.
 struct BeginSampleCommand
 {
-    std::string name;
+    SampleName name;
 
     bool operator==(const BeginSampleCommand&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <limn/core/RenderTexture.h>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace limn
@@ -55,7 +56,7 @@ namespace RenderingUtils
 bool ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
-                        const std::string& name = {});
+                        std::string_view name = {});
 
 } // namespace RenderingUtils
 

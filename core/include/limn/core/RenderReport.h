@@ -11,7 +11,7 @@ namespace limn
 /// What became of one DrawRenderers call.
 struct DrawRenderersReport
 {
-    std::string pass; ///< name of the pass that made it
+    SampleName pass; ///< name of the pass that made it
     FilteringSettings filtering;
     DrawingSettings drawing;
     FilterCounts counts{};
@@ -19,7 +19,7 @@ struct DrawRenderersReport
 
 struct ExecutedPassReport
 {
-    std::string name;
+    SampleName name;
     RenderPassEvent renderPassEvent = RenderPassEvent::BeforeRendering;
 };
 

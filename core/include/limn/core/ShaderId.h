@@ -25,11 +25,14 @@ struct NameId
     explicit NameId(std::string_view name) : value(InternName(name)) {}
 
     const std::string& name() const { return InternedName(value); }
+    bool operator==(const NameId&) const = default;
+    bool operator==(std::string_view text) const { return name() == text; }
     auto operator<=>(const NameId&) const = default;
 };
 
 struct PropertyTag;
 struct ShaderTag;
+struct SampleTag;
 
 } // namespace detail
 
@@ -39,6 +42,9 @@ using ShaderPropertyId = detail::NameId<detail::PropertyTag>;
 /// The name of a ShaderLab tag's value, above all of LightMode. Unity:
 /// UnityEngine.Rendering.ShaderTagId.
 using ShaderTagId = detail::NameId<detail::ShaderTag>;
+
+/// The name of a group of GPU work. Each that a process uses is kept to its end.
+using SampleName = detail::NameId<detail::SampleTag>;
 
 } // namespace limn
 

@@ -54,12 +54,16 @@ public:
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);
+    /// The same. A steady frame asks for no memory where each is given the result of the last.
+    void RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request,
+                            RenderResult& result);
 
 private:
     GraphicsDevice* m_Device; ///< never null
     std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
     FrameCache m_Frames;
+    std::vector<std::shared_ptr<const RenderTexture>> m_Outputs; ///< of the last frame
     FrameCommands m_Commands; ///< of the last frame, for the memory of its lists
 };
 

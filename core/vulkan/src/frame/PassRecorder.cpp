@@ -109,7 +109,7 @@ void PassRecorder::Run(const DrawCommand& draw)
 
 void PassRecorder::Run(const BeginSampleCommand& sample)
 {
-    BeginLabel(sample.name);
+    BeginLabel(sample.name.name());
     ++m_OpenSamples;
 }
 
