@@ -112,4 +112,61 @@ void FrameSlot::ReadTimings(std::vector<PassTiming>& timings)
     }
 }
 
+FrameSlots::FrameSlots(const VulkanContext& context, MemoryAllocator& allocator)
+    : m_Context(context), m_Allocator(allocator)
+{
+    Add();
+    Add();
+}
+
+std::uint64_t FrameSlots::beforeLast() const
+{
+    std::uint64_t last = 0;
+    std::uint64_t before = 0;
+    for (const FrameSlot& slot : m_Slots)
+    {
+        before = std::max(before, std::min(last, slot.number()));
+        last = std::max(last, slot.number());
+    }
+    return before;
+}
+
+FrameSlot& FrameSlots::Take(std::uint64_t structure)
+{
+    constexpr std::size_t k_Most = 4;
+    const std::uint64_t before = beforeLast();
+    // First what has nothing to lose, last used so that its descriptor sets fit; then the oldest.
+    const auto isBetter = [](const FrameSlot& a, const FrameSlot& b)
+    {
+        const bool hasNothing = a.recording().structure == 0;
+        return hasNothing != (b.recording().structure == 0) ? hasNothing
+               : hasNothing                                 ? a.number() > b.number()
+                                                            : a.number() < b.number();
+    };
+    FrameSlot* best = nullptr;
+    for (FrameSlot& slot : m_Slots)
+    {
+        if (slot.number() > before)
+        {
+            continue; // the GPU may not be done with it
+        }
+        if (structure != 0 && slot.recording().structure == structure)
+        {
+            return slot;
+        }
+        best = best == nullptr || isBetter(slot, *best) ? &slot : best;
+    }
+    const std::uint64_t given = best->recording().structure;
+    if (given != 0)
+    {
+        if (m_Slots.size() < k_Most && structure != 0 &&
+            std::ranges::find(m_Given, structure) != m_Given.end())
+        {
+            return Add();
+        }
+        m_Given.at(m_NextGiven++ % m_Given.size()) = given;
+    }
+    return *best;
+}
+
 } // namespace limn::vulkan

@@ -3,11 +3,13 @@
 #include "descriptors/DescriptorCache.h"
 #include "frame/FrameRecording.h"
 #include "frame/SubmitQueue.h"
+#include <deque>
 
 namespace limn::vulkan
 {
 
-/// What one frame in flight owns; taken again when the GPU is done with the frame.
+/// What one frame in flight owns, and commands that may be of use again; taken again when the GPU
+/// is done with the frame.
 class FrameSlot
 {
 public:
@@ -19,6 +21,7 @@ public:
     DescriptorCache& descriptors() { return m_Descriptors; }
     const DescriptorCache& descriptors() const { return m_Descriptors; }
     FrameRecording& recording() { return m_Recording; }
+    const FrameRecording& recording() const { return m_Recording; }
     std::uint64_t number() const { return m_Number; } ///< of its last submission, 0 = none
 
     /// Starts a frame: there are no uploads yet, and the commands are as they were.
@@ -53,6 +56,31 @@ private:
     std::vector<std::uint64_t> m_Ticks;     ///< memory of ReadTimings
     std::size_t m_TimedCount = 0;
     std::uint64_t m_Number = 0;
+};
+
+/// Two slots, for the frames in flight, and up to four where frames of so many structures take
+/// turns: each finds its commands again. Memory for a frame's data is taken for each slot.
+class FrameSlots
+{
+public:
+    FrameSlots(const VulkanContext& context, MemoryAllocator& allocator);
+
+    /// The number of the frame before the last one, which is to be waited for before Take.
+    std::uint64_t beforeLast() const;
+    /// One that is not of the last frame: where there is, one that has recorded this structure.
+    FrameSlot& Take(std::uint64_t structure);
+
+    auto begin() { return m_Slots.begin(); }
+    auto end() { return m_Slots.end(); }
+
+private:
+    FrameSlot& Add() { return m_Slots.emplace_back(m_Context, m_Allocator); }
+
+    const VulkanContext& m_Context;
+    MemoryAllocator& m_Allocator;
+    std::deque<FrameSlot> m_Slots;
+    std::array<std::uint64_t, 4> m_Given{}; ///< structures whose commands made room for others
+    std::size_t m_NextGiven = 0;
 };
 
 } // namespace limn::vulkan

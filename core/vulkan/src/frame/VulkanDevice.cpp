@@ -16,13 +16,13 @@ public:
         : context(options),
           allocator(context.device(), context.physicalDevice()),
           resources(context, allocator, options.cacheFolder),
-          slots{vulkan::FrameSlot{context, allocator}, vulkan::FrameSlot{context, allocator}},
+          slots(context, allocator),
           queue(context)
     {
     }
 
     /// The slot for the next frame, once the GPU is done with it.
-    vulkan::FrameSlot& TakeSlot();
+    vulkan::FrameSlot& TakeSlot(std::uint64_t structure);
     void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
     void KeepTimings(vulkan::FrameSlot& slot);
     Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
@@ -30,8 +30,7 @@ public:
     vulkan::VulkanContext context;
     vulkan::MemoryAllocator allocator;
     vulkan::DeviceResources resources;
-    std::array<vulkan::FrameSlot, 2> slots;
-    std::size_t nextSlot = 0;
+    vulkan::FrameSlots slots;
     vulkan::PreparedFrame prepared; ///< of the last frame
     std::uint64_t timedFrame = 0;
     std::uint64_t recordedFrames = 0;
@@ -42,10 +41,10 @@ public:
     vulkan::SubmitQueue queue;
 };
 
-vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot()
+vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot(std::uint64_t structure)
 {
-    vulkan::FrameSlot& slot = slots.at(nextSlot);
-    Measure(timeline, "wait for a slot", [&] { queue.Wait(slot.number()); });
+    Measure(timeline, "wait for a slot", [&] { queue.Wait(slots.beforeLast()); });
+    vulkan::FrameSlot& slot = slots.Take(structure);
     KeepTimings(slot);
     return slot;
 }
@@ -91,7 +90,7 @@ VulkanDevice::~VulkanDevice() = default;
 
 void VulkanDevice::Execute(const CompiledFrame& frame)
 {
-    vulkan::FrameSlot& slot = m_Impl->TakeSlot();
+    vulkan::FrameSlot& slot = m_Impl->TakeSlot(frame.structure);
     m_Impl->resources.Sweep(m_Impl->queue.finishedNumber());
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
@@ -100,7 +99,6 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
         m_Impl->textureStates = frame.states;
         m_Impl->lastStructure = frame.structure;
     }
-    m_Impl->nextSlot = (m_Impl->nextSlot + 1) % m_Impl->slots.size();
 }
 
 void VulkanDevice::Wait()

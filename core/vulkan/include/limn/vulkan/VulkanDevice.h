@@ -47,9 +47,10 @@ struct VulkanDeviceStatistics
 };
 
 /// Draws compiled frames with Vulkan 1.3, without a window. Two frames are in flight at most:
-/// Execute() waits for the one before the last. An image, mesh or pipeline whose description nobody
-/// owns any more dies when the last frame that used it is finished. Not for use by several threads
-/// at once.
+/// Execute() waits for the one before the last. Commands and data are kept of the last two frames,
+/// and of up to four where as many structures take turns (CompiledFrame::structure). An image, mesh
+/// or pipeline whose description nobody owns any more dies when the last frame that used it is
+/// finished. Not for use by several threads at once.
 class VulkanDevice final : public GraphicsDevice
 {
 public:
