@@ -1,6 +1,7 @@
 #include "frame/RepeatedFrames.h"
 
 #include <functional>
+#include <utility>
 
 namespace limn::test
 {
@@ -159,7 +160,7 @@ TEST_F(FrameToRecord, ShowsObjectsThatAreAddedWhereThereIsRoomForThem)
     {
         EXPECT_EQ(Gray(50), frames.Draw(11, structure));
     }
-    frames.table = nullptr;
+    const auto kept = std::exchange(frames.table, nullptr);
     EXPECT_THROW(frames.Draw(0, structure), ContractError);
 }
 
