@@ -30,7 +30,8 @@ std::atomic<long> allocationCount{0};
 
 } // namespace
 
-void* operator new(std::size_t size)
+// Not inlined: GCC takes the halves of an inlined pair for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
     ++allocationCount;
     if (void* memory = std::malloc(size))
@@ -40,18 +41,18 @@ void* operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
     ++allocationCount;
     return std::malloc(size);
 }
 
-void operator delete(void* memory) noexcept
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
     std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
 {
     std::free(memory);
 }

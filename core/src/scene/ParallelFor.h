@@ -16,7 +16,7 @@ namespace limn
 inline constexpr std::size_t k_MostParts = 16;
 
 /// How many parts a loop over `count` elements is worth: handing a part to another thread takes
-/// some 10 us, and longer on a busy machine.
+/// its time, above all on a busy machine.
 std::size_t PartsOf(std::size_t count);
 
 /// Threads that wait for the next loop: a loop neither starts a thread nor allocates unless it has
