@@ -3,14 +3,18 @@
 #include "Paths.h"
 #include "TemporaryFolder.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <limn/editor_stub/RunLimn.h>
+#include <poll.h>
 #include <pty.h>
 #include <sstream>
+#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utmp.h>
 #include <vector>
 
 namespace limn::test
@@ -60,9 +64,16 @@ public:
         const std::string program = LimnExecutable();
         winsize size{24, m_Columns, 0, 0};
         int terminal = -1;
-        const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+        int end = -1; // the program's; with it open here, too, nothing written to it is lost
+        if (openpty(&terminal, &end, nullptr, nullptr, &size) != 0)
+        {
+            throw std::runtime_error("there is no terminal to be had");
+        }
+        const pid_t child = fork();
         if (child == 0)
         {
+            close(terminal);
+            login_tty(end);
             setenv("TERM", "xterm", 1);
             unsetenv("NO_COLOR");
             for (const auto& [name, value] : m_Variables)
@@ -72,20 +83,44 @@ public:
             execv(program.c_str(), words.data());
             _exit(127);
         }
-        std::string text;
-        char bytes[4096];
-        for (ssize_t count = read(terminal, bytes, sizeof(bytes)); count > 0;
-             count = read(terminal, bytes, sizeof(bytes)))
-        {
-            text.append(bytes, static_cast<std::size_t>(count));
-        }
-        waitpid(child, nullptr, 0);
+        std::string text = ReadUntilItEnds(child, terminal, end);
+        close(end);
         close(terminal);
         std::erase(text, '\r'); // a terminal's line ends with both
         return text;
     }
 
 private:
+    /// What the child writes. When it has ended a mark is written behind that, so that what a
+    /// terminal hands on late is not missed.
+    static std::string ReadUntilItEnds(pid_t child, int terminal, int end)
+    {
+        constexpr char k_Mark = '\x1f';
+        constexpr int k_Patience = 10; // milliseconds
+        std::string text;
+        bool isRunning = true;
+        while (!text.ends_with(k_Mark))
+        {
+            if (isRunning && waitpid(child, nullptr, WNOHANG) == child)
+            {
+                isRunning = false;
+                if (write(end, &k_Mark, 1) != 1)
+                {
+                    throw std::runtime_error("the terminal takes nothing");
+                }
+            }
+            pollfd ready{terminal, POLLIN, 0};
+            char bytes[4096];
+            if (poll(&ready, 1, k_Patience) > 0)
+            {
+                const ssize_t count = read(terminal, bytes, sizeof(bytes));
+                text.append(bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+            }
+        }
+        text.pop_back();
+        return text;
+    }
+
     unsigned short m_Columns;
     std::vector<std::pair<std::string, std::string>> m_Variables;
 };
