@@ -130,7 +130,9 @@ Shader "Hidden/Limn/StrokeOutline"
             bool IsVisible(float2 nearest, float2 outward, float depth)
             {
                 float2 inside = nearest - outward * 0.5;
-                float own = OwnDepth(inside);
+                // Where the surface turns away the camera's depth, which may be that of another
+                // sample, belongs to a place farther in.
+                float own = max(OwnDepth(inside), OwnDepth(inside - outward * 1.5));
                 float2 uv = (inside + _OutlineRegion.xy) / _OutlinePicture.xy;
                 float scene = SAMPLE_TEXTURE2D_LOD(_CameraDepthTexture, sampler_PointClamp, uv, 0).r;
                 return scene <= (own > 0.0 ? own : depth) * 1.001;
@@ -152,7 +154,7 @@ Shader "Hidden/Limn/StrokeOutline"
                 float2 apart = from - along * onEdge;
                 float away = length(apart);
                 float2 direction = away > 1e-4 ? apart / away : outward;
-                float distance = across < 0.0 ? -away : away;
+                float distance = across < 0.0 && place == onEdge ? -away : away;
                 float covered = PixelCoverage(_OutlineWidth - distance, direction);
 
                 float2 nearest = input.ends.xy + along * onEdge;
