@@ -13,6 +13,7 @@
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
+#include <limn/features/OutlineRegion.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/ScreenSpaceOutline.h>
