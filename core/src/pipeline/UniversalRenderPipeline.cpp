@@ -92,9 +92,11 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
-    data.cullResults =
-        Measure(request.timeline, "cull", [&] { return Cull(*request.scene, camera, aspect); });
     data.volumeStack = request.volumeStack;
+    const glm::vec2 margin =
+        2.0f * renderer.cullingMargin(data.volumeStack) / glm::vec2(request.width, request.height);
+    data.cullResults = Measure(request.timeline, "cull",
+                               [&] { return Cull(*request.scene, camera, aspect, margin); });
     data.report = &report;
     return data;
 }
