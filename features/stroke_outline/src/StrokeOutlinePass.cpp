@@ -179,9 +179,7 @@ void StrokeOutlinePass::DrawOwnDepth(CommandBuffer& cmd, const StrokeDraws& grou
     SetRegionProjection(cmd, group.region, camera);
     for (const OutlinedObject& object : group.objects)
     {
-        const GameObject& gameObject = *object.item.object;
-        cmd.DrawMesh(gameObject.renderer->mesh, gameObject.transform.localToWorldMatrix(),
-                     m_Material, object.item.subMesh, k_OwnDepthPass);
+        cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, k_OwnDepthPass);
     }
     SetCameraProjection(cmd, camera);
 }

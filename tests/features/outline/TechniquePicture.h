@@ -2,7 +2,6 @@
 
 #include "core/scene/TestScene.h"
 #include "features/reference/OutlineReference.h"
-#include "vulkan/GpuTestDevice.h"
 
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -18,7 +17,9 @@ namespace limn::test
 class TechniquePicture
 {
 public:
-    TechniquePicture(int width, int height) : m_Pipeline(SharedDevice())
+    /// @param device  must outlive this
+    TechniquePicture(GraphicsDevice& device, int width, int height)
+        : m_Device(&device), m_Pipeline(device)
     {
         camera.orthographic = true;
         camera.orthographicSize = static_cast<float>(height) / 2.0f;
@@ -37,6 +38,7 @@ public:
 
     Scene scene;
     Camera camera;
+    GraphicsDevice& device() { return *m_Device; }
     int width() const { return m_Request.width; }
     int height() const { return m_Request.height; }
     void SetSamples(int count) { m_Pipeline.msaaSampleCount = count; }
@@ -116,18 +118,19 @@ public:
         }
         Render();
         m_Request.compile.leavesOut = true;
-        return SharedDevice().ReadBack(*m_Request.alsoReadBack.at(0).rt());
+        return m_Device->ReadBack(*m_Request.alsoReadBack.at(0).rt());
     }
     Coverage Alpha() { return ChannelOf(Colors(), 0); }
     Image Output()
     {
         Render();
-        return SharedDevice().ReadBack(*m_Result.output.rt());
+        return m_Device->ReadBack(*m_Result.output.rt());
     }
 
 private:
     static constexpr const char* k_CameraColor = "_CameraColorAttachmentA";
 
+    GraphicsDevice* m_Device;
     UniversalRenderPipeline m_Pipeline;
     UniversalRenderer m_Renderer{Compiler()};
     VolumeComponentRegistry m_Registry;

@@ -1,4 +1,5 @@
 #include "features/outline/TechniquePicture.h"
+#include "vulkan/GpuTestDevice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ class StrokePicture : public TechniquePicture
 public:
     explicit StrokePicture(float width, StrokeOutlineSettings settings = {},
                            int pixelsWide = k_Width, int pixelsHigh = k_Height)
-        : TechniquePicture(pixelsWide, pixelsHigh),
+        : TechniquePicture(SharedDevice(), pixelsWide, pixelsHigh),
           feature(AddFeature<StrokeOutlineRendererFeature>(std::move(settings))),
           component(Enable<StrokeOutline>(width))
     {
