@@ -154,7 +154,9 @@ Shader "Hidden/Limn/StrokeOutline"
                 float2 apart = from - along * onEdge;
                 float away = length(apart);
                 float2 direction = away > 1e-4 ? apart / away : outward;
-                float distance = across < 0.0 && place == onEdge ? -away : away;
+                // Behind the edge of something thin is the outline of its other side.
+                bool isInside = across < 0.0 && place == onEdge && OwnDepth(pixel) > 0.0;
+                float distance = isInside ? -away : away;
                 float covered = PixelCoverage(_OutlineWidth - distance, direction);
 
                 float2 nearest = input.ends.xy + along * onEdge;

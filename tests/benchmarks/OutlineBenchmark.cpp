@@ -122,42 +122,53 @@ double DeviceMilliseconds(TechniquePicture& picture, VulkanDevice& device)
     return sum;
 }
 
-/// A scene of a sphere of 400 pixels, lit, on an empty ground.
-void AddSphere(TechniquePicture& picture, double diameter)
+/// @param isHdr  then whatever blends keeps the half-float target and its final copy alive
+void AddSphere(TechniquePicture& picture, double diameter, bool isHdr)
 {
+    picture.camera.allowHDR = isHdr;
     GameObject& sphere = picture.Add("sphere", CreatePrimitive(PrimitiveType::Sphere));
     sphere.transform.localScale = glm::vec3(static_cast<float>(diameter));
+}
+
+void PrintTime(VulkanDevice& device, const Options& options, const Technique& technique,
+               float width, bool isHdr)
+{
+    const glm::ivec2 size = PictureSize(options);
+    const double diameter = 400.0 * Scale(options);
+    TechniquePicture without(device, size.x, size.y);
+    TechniquePicture with(device, size.x, size.y);
+    AddSphere(without, diameter, isHdr);
+    AddSphere(with, diameter, isHdr);
+    technique.add(with, width);
+    DeviceMilliseconds(without, device);
+    DeviceMilliseconds(with, device);
+    Samples plain;
+    Samples added;
+    for (int i = 0; i < options.pairs; ++i)
+    {
+        const double a = DeviceMilliseconds(without, device);
+        plain.Add(a);
+        added.Add(DeviceMilliseconds(with, device) - a);
+    }
+    std::printf("%-12s width %2g %s  + %7.2f [%.2f-%.2f]  without %.2f\n", technique.name,
+                static_cast<double>(width), isHdr ? "HDR" : "LDR", added.Median(), added.Part(0.1),
+                added.Part(0.9), plain.Median());
 }
 
 void PrintTimes(VulkanDevice& device, const Options& options)
 {
     const glm::ivec2 size = PictureSize(options);
-    const double diameter = 400.0 * Scale(options);
     std::printf("\nDevice ms that the outline of a sphere of %.0f pixels adds to a frame of %d x "
                 "%d: median [tenth-ninetieth part], and ms of the frame without it\n",
-                diameter, size.x, size.y);
-    for (const float width : {2.0f, 8.0f, 32.0f})
+                400.0 * Scale(options), size.x, size.y);
+    for (const bool isHdr : {false, true})
     {
-        for (const Technique& technique : Techniques())
+        for (const float width : {2.0f, 8.0f, 32.0f})
         {
-            TechniquePicture without(device, size.x, size.y);
-            TechniquePicture with(device, size.x, size.y);
-            AddSphere(without, diameter);
-            AddSphere(with, diameter);
-            technique.add(with, width);
-            DeviceMilliseconds(without, device);
-            DeviceMilliseconds(with, device);
-            Samples plain;
-            Samples added;
-            for (int i = 0; i < options.pairs; ++i)
+            for (const Technique& technique : Techniques())
             {
-                const double a = DeviceMilliseconds(without, device);
-                plain.Add(a);
-                added.Add(DeviceMilliseconds(with, device) - a);
+                PrintTime(device, options, technique, width, isHdr);
             }
-            std::printf("%-12s width %2g  + %7.2f [%.2f-%.2f]  without %.2f\n", technique.name,
-                        static_cast<double>(width), added.Median(), added.Part(0.1),
-                        added.Part(0.9), plain.Median());
         }
     }
 }

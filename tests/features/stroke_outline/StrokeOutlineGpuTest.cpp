@@ -81,9 +81,9 @@ TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
             const OutlineScore score = ScoreOutline(
                 picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height));
             EXPECT_EQ(score.badValues, 0u);
-            EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.02 : 0.004);
+            EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
             EXPECT_GE(score.intersectionOverUnion, width < 8.0 ? 0.975 : 0.998);
-            EXPECT_LE(std::abs(score.widthBias), width < 2.0 ? 0.025 : 0.01);
+            EXPECT_LE(std::abs(score.widthBias), 0.01);
         }
     }
 }
