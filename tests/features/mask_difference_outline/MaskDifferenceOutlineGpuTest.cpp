@@ -116,7 +116,8 @@ std::vector<Rectangle> RandomRectangles(int width, int height, std::mt19937& ran
         {
             return std::uniform_int_distribution<int>(low, high)(random);
         };
-        const glm::ivec2 low(between(-12, width + 4), between(-12, height + 4));
+        const glm::ivec2 low(between(-width / 4 - 1, width + 1),
+                             between(-height / 4 - 1, height + 1));
         const glm::ivec2 size(between(1, width / 2), between(1, height / 2));
         rectangles.push_back({low, low + size, 2.0 + 0.5 * i, i % 3 != 0});
     }
