@@ -196,8 +196,7 @@ TEST(ScreenSpaceOutlineRenderFeature, CostsNoPassAndNoTextureWhereItDrawsNothing
             const RenderResult result = r.Render(&stack);
             EXPECT_THAT(TargetNames(result), ElementsAre("limn_Output"))
                 << c.name << ", frame " << frame;
-            EXPECT_THAT(OutlineTextures(*result.frame), IsEmpty())
-                << c.name << ", frame " << frame;
+            EXPECT_THAT(OutlineTextures(*result.frame), IsEmpty()) << c.name << ", frame " << frame;
         }
     }
 }

@@ -25,9 +25,8 @@ void Decide(const RenderTexture& texture, bool isRead, TextureStates& states)
     const auto state = states.textures.find(texture.id());
     if (state != states.textures.end() && state->second.history == TextureHistory::Consumed)
     {
-        state->second.history = isRead || IsReplaced(texture, states)
-                                    ? TextureHistory::Unknown
-                                    : TextureHistory::Overwritten;
+        state->second.history = isRead || IsReplaced(texture, states) ? TextureHistory::Unknown
+                                                                      : TextureHistory::Overwritten;
     }
 }
 
@@ -42,8 +41,8 @@ Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
         for (const auto& target : TargetsOf(node))
         {
             const auto state = states.textures.find(target->id());
-            const bool isConsumed = state != states.textures.end() &&
-                                    state->second.history == TextureHistory::Consumed;
+            const bool isConsumed =
+                state != states.textures.end() && state->second.history == TextureHistory::Consumed;
             if (OutlivesFrame(*target, states) && !isConsumed && !IsReplaced(*target, states))
             {
                 ids.insert(target->id());
@@ -105,8 +104,8 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
     }
     for (auto& [id, state] : frame.states.textures) // what no node draws into any more
     {
-        state.history = state.history == TextureHistory::Consumed ? TextureHistory::Unknown
-                                                                  : state.history;
+        state.history =
+            state.history == TextureHistory::Consumed ? TextureHistory::Unknown : state.history;
     }
     EraseLeftOut(nodes, frame);
 }
