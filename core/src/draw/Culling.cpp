@@ -21,16 +21,18 @@ constexpr std::uint8_t k_InCullingMask = 1;
 constexpr std::uint8_t k_Draws = 2;  ///< something, and it is in the mask
 constexpr std::uint8_t k_Counts = 4; ///< an active renderer has one row of these
 
-/// The six planes of a clip matrix, pointing inwards (not normalised).
-std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection)
+/// The six planes of a clip matrix, pointing inwards (not normalised), those at the sides moved
+/// out.
+std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection, const glm::vec2& margin)
 {
     const auto row = [&](int i)
     {
         return glm::vec4(viewProjection[0][i], viewProjection[1][i], viewProjection[2][i],
                          viewProjection[3][i]);
     };
-    return {row(3) + row(0), row(3) - row(0), row(3) + row(1),
-            row(3) - row(1), row(2),          row(3) - row(2)};
+    const glm::vec4 x = row(3) * (1.0f + margin.x);
+    const glm::vec4 y = row(3) * (1.0f + margin.y);
+    return {x + row(0), x - row(0), y + row(1), y - row(1), row(2), row(3) - row(2)};
 }
 
 /// What a run of rows comes to.
@@ -149,11 +151,12 @@ RendererItem RendererItems::at(std::size_t index) const
     return (*this)[index];
 }
 
-CullingResults Cull(const Scene& scene, const Camera& camera, float aspect)
+CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, const glm::vec2& margin)
 {
     const glm::dvec3 origin = camera.renderOrigin();
     const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
-                                                RelativeTo(origin, camera.viewMatrix())));
+                                                RelativeTo(origin, camera.viewMatrix())),
+                                      margin);
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
     static thread_local std::vector<std::uint8_t> kinds; // by class
     kinds.clear();

@@ -58,6 +58,11 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(ShaderTagId tag,
 
 void ScriptableRendererFeature::SetupRenderPasses(ScriptableRenderer&, const RenderingData&) {}
 
+float ScriptableRendererFeature::cullingMargin(const VolumeStackPointer&) const
+{
+    return 0.0f;
+}
+
 void ScriptableRendererFeature::Describe(Inspector&) {}
 
 } // namespace limn

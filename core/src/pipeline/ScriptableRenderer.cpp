@@ -115,6 +115,16 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     return *m_Features.back();
 }
 
+float ScriptableRenderer::cullingMargin(const VolumeStackPointer& volumeStack) const
+{
+    float margin = 0.0f;
+    for (const auto& feature : m_Features)
+    {
+        margin = std::max(margin, feature->isActive() ? feature->cullingMargin(volumeStack) : 0.0f);
+    }
+    return margin;
+}
+
 void ScriptableRenderer::EnqueuePass(ScriptableRenderPass& pass)
 {
     if (pass.profilingSampler.name() == k_UnnamedPass)

@@ -92,9 +92,11 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
-    data.cullResults =
-        Measure(request.timeline, "cull", [&] { return Cull(*request.scene, camera, aspect); });
     data.volumeStack = request.volumeStack;
+    const glm::vec2 margin =
+        2.0f * renderer.cullingMargin(data.volumeStack) / glm::vec2(request.width, request.height);
+    data.cullResults = Measure(request.timeline, "cull",
+                               [&] { return Cull(*request.scene, camera, aspect, margin); });
     data.report = &report;
     return data;
 }
@@ -157,6 +159,8 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     RenderingData renderingData = MakeRenderingData(
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
+    m_TemporaryTextures.BeginFrame();
+    renderingData.temporaryTextures = &m_TemporaryTextures;
     NoteBeyondFloat(renderingData.cullResults, result.report);
     ScriptableRenderContext& context = *m_Context;
     context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands));

@@ -29,7 +29,8 @@ void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descrip
 } // namespace
 
 UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
-    : m_OpaquePass(std::make_unique<DrawObjectsPass>(
+    : m_Compiler(std::move(compiler)),
+      m_OpaquePass(std::make_unique<DrawObjectsPass>(
           "Draw Opaque Objects", RenderPassEvent::BeforeRenderingOpaques, ForwardShaderTags(),
           RenderQueueRange::opaque, SortingCriteria::CommonOpaque)),
       m_TransparentPass(std::make_unique<DrawObjectsPass>(
@@ -37,7 +38,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
           ForwardShaderTags(), RenderQueueRange::transparent, SortingCriteria::CommonTransparent))
 {
     const auto blit =
-        CoreUtils::CreateEngineMaterial(FindBuiltinShader("Hidden/Universal/CoreBlit", compiler));
+        CoreUtils::CreateEngineMaterial(FindBuiltinShader("Hidden/Universal/CoreBlit", m_Compiler));
     m_FinalBlitPass = std::make_unique<BlitPass>("Final Blit", RenderPassEvent::AfterRendering + 1,
                                                  blit, k_FinalBlitPass);
     m_CameraTextures = std::make_unique<CameraTextures>(blit);

@@ -104,7 +104,10 @@ struct CullingResults
 /// The renderers of active objects in the camera's culling mask whose world bounds touch its
 /// frustum. One thread at a time may cull a scene. Unity: ScriptableRenderContext.Cull.
 /// @param aspect  width / height of the picture
-CullingResults Cull(const Scene& scene, const Camera& camera, float aspect);
+/// @param margin  by how much the frustum is wider and higher than the picture: 0 = not at all, 1 =
+///                half a picture on each side
+CullingResults Cull(const Scene& scene, const Camera& camera, float aspect,
+                    const glm::vec2& margin = glm::vec2(0.0f));
 
 /// What a DrawRenderers call makes of items.
 struct JudgedItems

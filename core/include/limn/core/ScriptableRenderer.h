@@ -9,6 +9,8 @@
 namespace limn
 {
 
+class ShaderCompiler;
+
 /// Runs features and passes for one camera after the other, in URP's order of calls:
 /// AddRenderPasses of all features, Setup, SetupRenderPasses of all features, OnCameraSetup of all
 /// passes as enqueued, Configure of all passes as sorted, Execute of all, OnCameraCleanup of all.
@@ -32,6 +34,12 @@ public:
     /// order of their events, equal events in the order of enqueueing, features' before built-in.
     /// @param pass  kept until the camera is done
     void EnqueuePass(ScriptableRenderPass& pass);
+
+    /// What shaders of passes and features are compiled by; null for a renderer without one.
+    virtual std::shared_ptr<ShaderCompiler> shaderCompiler() const { return nullptr; }
+
+    /// The largest culling margin of the active features, pixels.
+    float cullingMargin(const VolumeStackPointer& volumeStack) const;
 
     /// What the camera draws into. @throws ContractError outside rendering: as in Unity they exist
     /// from SetupRenderPasses and OnCameraSetup on, not in AddRenderPasses.

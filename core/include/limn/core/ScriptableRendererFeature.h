@@ -29,6 +29,10 @@ public:
     virtual void SetupRenderPasses(ScriptableRenderer& renderer,
                                    const RenderingData& renderingData);
 
+    /// How far outside of the picture objects lie that this feature still wants among the culling
+    /// results, pixels; not negative. Asked before culling, while active.
+    virtual float cullingMargin(const VolumeStackPointer& volumeStack) const;
+
     /// Names every setting to `inspector`, which reads or writes them.
     virtual void Describe(Inspector& inspector);
 

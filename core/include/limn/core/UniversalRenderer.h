@@ -23,6 +23,8 @@ public:
     LayerMask opaqueLayerMask = LayerMask::Everything();
     LayerMask transparentLayerMask = LayerMask::Everything();
 
+    std::shared_ptr<ShaderCompiler> shaderCompiler() const override { return m_Compiler; }
+
     /// Where the picture ends up: R8G8B8A8_SRGB of the camera's size. Set before rendering.
     void SetOutput(RTHandle output) { m_Output = std::move(output); }
 
@@ -32,6 +34,7 @@ protected:
                     const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
+    std::shared_ptr<ShaderCompiler> m_Compiler;
     RTHandle m_Output;
     RTHandle m_Color;
     RTHandle m_Depth;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limn/core/CommandBuffer.h>
+#include <limn/core/RenderingData.h>
+#include <limn/features/OutlinedObjects.h>
+#include <optional>
+#include <span>
+
+namespace limn
+{
+
+/// The pixels that an outline can touch and those that it comes from: textures that a technique
+/// owns are as large as this, so that its passes cost what the outline does, not what the picture
+/// does. It may reach beyond the picture, since an object outside of it can outline into it.
+struct OutlineRegion
+{
+    glm::ivec2 corner{0};  ///< top left, pixels from the picture's top left; may be negative
+    glm::ivec2 size{0};    ///< pixels, multiples of 64, so that textures serve several frames
+    glm::ivec2 picture{0}; ///< size of the picture, pixels
+
+    /// A texture of this size, one sample a texel unless set otherwise.
+    RenderTextureDescriptor Descriptor(GraphicsFormat format) const
+    {
+        return {size.x, size.y, format};
+    }
+    /// What draws into such a texture in place of the camera's projection.
+    glm::mat4 Projection(const glm::mat4& gpuProjection) const;
+    /// The part that lies in the picture, for the viewport of what composites; its size is 0 if
+    /// there is none.
+    ViewportRect InPicture() const;
+    /// Of Blitter::BlitTexture into that viewport from such a texture.
+    glm::vec4 ScaleBias() const;
+};
+
+/// Where objects' outlines lie. An object with a point at or behind the camera has the whole
+/// picture.
+/// @param reach  how far an outline is away from its object at most, pixels
+/// @return nothing if no outline can touch the picture
+std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> objects,
+                                               const CameraData& camera, float reach);
+
+/// Draws that follow go into a texture of the region, seen from the camera.
+void SetRegionProjection(CommandBuffer& cmd, const OutlineRegion& region, const CameraData& camera);
+/// And again as the camera sees them.
+void SetCameraProjection(CommandBuffer& cmd, const CameraData& camera);
+
+} // namespace limn

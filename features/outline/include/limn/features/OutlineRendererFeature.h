@@ -1,0 +1,75 @@
+#pragma once
+
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/core/TypeName.h>
+#include <limn/features/Features.h>
+#include <limn/features/OutlineComponent.h>
+#include <limn/features/OutlineSettings.h>
+#include <limn/volume/VolumeStack.h>
+
+namespace limn
+{
+
+/// A shader that comes with limn.
+/// @throws ContractError if the renderer compiles none, or there is no such shader
+std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& renderer,
+                                                  std::string_view name);
+
+/// A technique as a feature: draws with its pass while a volume switches its component on, and says
+/// why where it does not.
+/// @tparam Component  derives from OutlineComponent; registered under the name of its class
+/// @tparam Settings   derives from OutlineSettings
+/// @tparam Pass       a ScriptableRenderPass with
+///                    static constexpr const char* k_Shader: the name of its shader;
+///                    Pass(const std::string& featureName, const Settings&,
+///                         std::shared_ptr<const Shader>);
+///                    std::string Setup(const Component&, RenderingData&): why nothing is drawn, or
+///                    "" after which the pass is enqueued
+template <typename Component, typename Settings, typename Pass>
+class OutlineRendererFeature : public ScriptableRendererFeature
+{
+public:
+    OutlineRendererFeature() = default;
+    explicit OutlineRendererFeature(Settings settings) : m_Settings(std::move(settings)) {}
+
+    void Create() override { m_Pass.reset(); }
+
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override
+    {
+        const auto* component = renderingData.volumeStack->template GetComponent<Component>();
+        std::string why = WhyInactive(component, TypeName(typeid(Component)));
+        if (why.empty())
+        {
+            if (!m_Pass)
+            {
+                m_Pass = std::make_unique<Pass>(name, m_Settings,
+                                                FindTechniqueShader(renderer, Pass::k_Shader));
+            }
+            why = m_Pass->Setup(*component, renderingData);
+        }
+        if (!why.empty())
+        {
+            renderingData.report->notes.push_back(name + ": not drawn, " + why);
+            return;
+        }
+        renderer.EnqueuePass(*m_Pass);
+    }
+
+    float cullingMargin(const VolumeStackPointer& volumeStack) const override
+    {
+        const auto* component = volumeStack->template GetComponent<Component>();
+        return WhyInactive(component, "").empty() ? component->reach() : 0.0f;
+    }
+
+    void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
+
+    const Settings& settings() const { return m_Settings; }
+    /// Null before the first frame it draws in; for tests and dumps.
+    const Pass* pass() const { return m_Pass.get(); }
+
+private:
+    Settings m_Settings;
+    std::unique_ptr<Pass> m_Pass;
+};
+
+} // namespace limn

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limn/core/RenderingData.h>
+#include <limn/features/OutlineSettings.h>
+#include <vector>
+
+namespace limn
+{
+
+/// A (renderer, material) pair that is outlined.
+struct OutlinedObject
+{
+    RendererItem item;
+    int group = 0; ///< 0...; those of one group have one silhouette
+};
+
+/// The culling results that pass the filter, by group, else in the scene's order.
+struct OutlinedObjects
+{
+    std::vector<OutlinedObject> objects;
+    int groupCount = 0;
+    std::string why; ///< if there are none: what became of the renderers
+};
+
+/// An object whose shader has none of URP's forward passes is not drawn and not outlined.
+/// @throws ContractError as OutlineSettings::filtering
+OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
+                                    const OutlineSettings& settings, OutlineGrouping grouping);
+
+} // namespace limn
