@@ -19,6 +19,7 @@
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+#include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>
