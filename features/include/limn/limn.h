@@ -12,6 +12,7 @@
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
+#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/OutlineRegion.h>
 #include <limn/features/RenderObjects.h>
