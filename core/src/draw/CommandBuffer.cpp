@@ -1,5 +1,7 @@
+#include <glm/ext/matrix_clip_space.hpp>
 #include <limits>
 #include <limn/core/CommandBuffer.h>
+#include <limn/core/Scene.h>
 
 #include "material/RequireFinite.h"
 
@@ -50,13 +52,20 @@ void ExpectDepth(const RTHandle& target)
     }
 }
 
-void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
-                    const glm::mat4& matrix)
+constexpr int k_AllPasses = -1;
+
+void ExpectMaterial(const std::shared_ptr<const Material>& material)
 {
     if (!material)
     {
         throw ContractError("a draw needs a material, but it is null");
     }
+}
+
+void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
+                    const glm::mat4& matrix)
+{
+    ExpectMaterial(material);
     if (shaderPass < 0 || shaderPass >= material->passCount())
     {
         throw ContractError("material '" + material->name() + "': shader '" +
@@ -69,6 +78,46 @@ void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderP
         throw ContractError("material '" + material->name() +
                             "': the matrix of the draw is not finite");
     }
+}
+
+void ExpectSubMesh(const Mesh& mesh, int subMesh)
+{
+    if (subMesh < 0 || subMesh >= mesh.subMeshCount())
+    {
+        throw ContractError("mesh '" + mesh.name() + "' has no sub-mesh " +
+                            std::to_string(subMesh) + "; it has " +
+                            std::to_string(mesh.subMeshCount()));
+    }
+}
+
+/// 0...1 in x and y, seen from the front; row 0 of a texture is the top of the picture.
+const std::shared_ptr<const Mesh>& BlitQuad()
+{
+    static const auto quad = []
+    {
+        MeshData data;
+        data.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}};
+        data.uv = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+        data.triangles = {0, 1, 2, 0, 2, 3};
+        return std::make_shared<const Mesh>("Blit Quad", std::move(data));
+    }();
+    return quad;
+}
+
+/// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
+/// @param properties  gets it: what a draw brings along wins over what is global
+void SetBlitMatrices(MaterialPropertyBlock& properties)
+{
+    static const ShaderPropertyId unity_MatrixV{"unity_MatrixV"};
+    static const ShaderPropertyId glstate_matrix_projection{"glstate_matrix_projection"};
+    static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+    static const ShaderPropertyId limn_Origin{"limn_Origin"};
+    // Near and far are given the other way round, which is reversed Z.
+    static const glm::mat4 projection = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
+    properties.SetMatrix(unity_MatrixV, glm::mat4(1.0f));
+    properties.SetMatrix(glstate_matrix_projection, projection);
+    properties.SetMatrix(unity_MatrixVP, projection);
+    properties.SetVector(limn_Origin, glm::vec4(0.0f)); // positions are the world's
 }
 
 } // namespace
@@ -157,14 +206,78 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
     {
         throw ContractError("DrawMesh needs a mesh, but it is null");
     }
-    if (subMesh < 0 || subMesh >= mesh->subMeshCount())
+    ExpectSubMesh(*mesh, subMesh);
+    m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, glm::dmat4(matrix),
+                                         std::move(material), shaderPass, Keep(properties)});
+}
+
+void CommandBuffer::DrawRenderer(const GameObject& object,
+                                 const std::shared_ptr<const Material>& material, int submeshIndex,
+                                 int shaderPass, const MaterialPropertyBlock& properties)
+{
+    if (!object.renderer)
     {
-        throw ContractError("mesh '" + mesh->name() + "' has no sub-mesh " +
-                            std::to_string(subMesh) + "; it has " +
-                            std::to_string(mesh->subMeshCount()));
+        throw ContractError("DrawRenderer: the object '" + object.name + "' has no renderer");
     }
-    m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, matrix, std::move(material),
-                                         shaderPass, Keep(properties)});
+    if (!object.renderer->mesh)
+    {
+        return;
+    }
+    ExpectSubMesh(*object.renderer->mesh, submeshIndex);
+    RecordedDraw draw;
+    draw.mesh = object.renderer->mesh;
+    draw.subMesh = submeshIndex;
+    draw.matrix = object.transform.worldMatrix();
+    draw.material = material;
+    draw.shaderPass = shaderPass;
+    draw.renderingLayers = object.renderer->renderingLayerMask;
+    DrawPasses(std::move(draw), properties);
+}
+
+void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
+                         const std::shared_ptr<const Material>& material, int pass)
+{
+    static const ShaderPropertyId _MainTex{"_MainTex"};
+    if (!source || !dest)
+    {
+        throw ContractError(std::string("Blit: the ") + (source ? "destination" : "source") +
+                            " is an empty handle");
+    }
+    if (source == dest)
+    {
+        throw ContractError("Blit: '" + source.rt()->name() + "' is both source and destination");
+    }
+    RecordedDraw draw;
+    draw.mesh = BlitQuad();
+    draw.material = material;
+    draw.shaderPass = pass;
+    draw.isBlit = true;
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+    SetRenderTarget(dest);
+    static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
+    properties.SetTexture(_MainTex, source.rt());
+    SetBlitMatrices(properties);
+    DrawPasses(std::move(draw), properties);
+    properties.Clear();
+}
+
+/// Of the draw's material, the pass that it names or each.
+void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
+{
+    ExpectMaterial(draw.material);
+    const bool isEach = draw.shaderPass == k_AllPasses;
+    const int first = isEach ? 0 : draw.shaderPass;
+    const int end = isEach ? draw.material->passCount() : first + 1;
+    for (draw.shaderPass = first; draw.shaderPass < end; ++draw.shaderPass)
+    {
+        ExpectDrawable(draw.material, draw.shaderPass, glm::mat4(draw.matrix));
+        draw.properties = Keep(properties);
+        m_Commands.emplace_back(draw);
+    }
 }
 
 void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
@@ -178,7 +291,7 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
                             " is negative");
     }
     m_Commands.emplace_back(RecordedDraw{nullptr, 0, static_cast<std::uint32_t>(vertexCount),
-                                         matrix, std::move(material), shaderPass,
+                                         glm::dmat4(matrix), std::move(material), shaderPass,
                                          Keep(properties)});
 }
 

@@ -189,10 +189,11 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     DrawSetup setup =
         LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock());
     const PerDrawData perDraw =
-        MakePerDrawData(glm::dmat4(recorded.matrix), RenderingLayerMask::FromIndex(0), m_Origin);
+        MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
     setup.fullScreen = Promise(recorded, properties);
     DrawCommand draw;
-    if (recorded.mesh && setup.shader->staysWithinMesh(setup.shaderPass))
+    const bool hasCamera = recorded.mesh && !recorded.isBlit;
+    if (hasCamera && setup.shader->staysWithinMesh(setup.shaderPass))
     {
         draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
@@ -275,7 +276,7 @@ std::shared_ptr<const FullScreenPromise>
 DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
-    if (recorded.mesh || tag == nullptr)
+    if ((recorded.mesh && !recorded.isBlit) || tag == nullptr)
     {
         return nullptr;
     }

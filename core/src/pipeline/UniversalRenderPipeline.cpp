@@ -159,6 +159,8 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     RenderingData renderingData = MakeRenderingData(
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
+    m_TemporaryTextures.BeginFrame();
+    renderingData.temporaryTextures = &m_TemporaryTextures;
     NoteBeyondFloat(renderingData.cullResults, result.report);
     ScriptableRenderContext& context = *m_Context;
     context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands));

@@ -9,9 +9,11 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
+#include <limn/features/OutlineRegion.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/ScreenSpaceOutline.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/FrameCommands.h>
+#include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
 #include <span>
 #include <string_view>
@@ -10,16 +11,20 @@
 namespace limn
 {
 
+struct GameObject;
+
 /// A draw as recorded: the material is looked at when the buffer is executed.
 struct RecordedDraw
 {
     std::shared_ptr<const Mesh> mesh; ///< null = procedural
     int subMesh = 0;
     std::uint32_t vertexCount = 0; ///< procedural
-    glm::mat4 matrix{1.0f};
+    glm::dmat4 matrix{1.0}; ///< in double: far away from the world's origin a float is coarse
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
     std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
+    RenderingLayerMask renderingLayers{1};
+    bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
 
     static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
 };
@@ -67,11 +72,31 @@ public:
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
+    /// A sub-mesh of the object's renderer, whatever culling, `enabled` and `activeSelf` say, where
+    /// the object is now. Nothing where the renderer has no mesh.
+    /// @param shaderPass  -1 = all passes of the shader, one after the other
+    /// @throws ContractError as DrawMesh does, and if the object has no renderer
+    /// @source Unity: CommandBuffer.DrawRenderer (2022.3)
+    void DrawRenderer(const GameObject& object, const std::shared_ptr<const Material>& material,
+                      int submeshIndex = 0, int shaderPass = -1,
+                      const MaterialPropertyBlock& properties = {});
     /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in
     /// clip space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
+
+    /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
+    /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
+    /// right; object space is world space, and an orthographic camera sees just that, for these
+    /// draws only. TEXCOORD0 is where the same place is in `source`. No depth is bound: tests
+    /// against depth or stencil pass.
+    /// @param pass  -1 = all passes of the shader, one after the other
+    /// @throws ContractError if a handle is empty or both are the same texture, the material is
+    ///         null, or there is no such pass
+    /// @source Unity: CommandBuffer.Blit, Graphics.Blit (2022.3)
+    void Blit(const RTHandle& source, const RTHandle& dest,
+              const std::shared_ptr<const Material>& material, int pass = -1);
 
     // Setting a global throws ContractError naming it if the value is not finite.
     void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
@@ -107,6 +132,7 @@ public:
 private:
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
     std::uint32_t Keep(const MaterialPropertyBlock& properties);
+    void DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties);
 
     std::vector<RecordedCommand> m_Commands;
     std::vector<MaterialPropertyBlock> m_Blocks; ///< those behind the first ones are spare

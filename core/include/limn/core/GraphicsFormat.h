@@ -39,6 +39,15 @@ enum class RenderTextureFormat
     RGB111110Float = 22
 };
 
+/// Whether ARGB32 texels are sRGB-encoded; other formats never are.
+/// Unity: UnityEngine.RenderTextureReadWrite.
+enum class RenderTextureReadWrite
+{
+    Default = 0, ///< they are: the project's colour space is Linear
+    Linear = 1,
+    sRGB = 2
+};
+
 enum class FilterMode
 {
     Point = 0,

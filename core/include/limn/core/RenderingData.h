@@ -9,6 +9,7 @@
 namespace limn
 {
 
+class RenderTexturePool;
 class ScriptableRenderer;
 class VolumeStack;
 
@@ -57,6 +58,9 @@ struct RenderingData
     /// The blended volumes, where a feature reads its component. (Unity:
     /// VolumeManager.instance.stack; limn has no singletons.)
     VolumeStackPointer volumeStack;
+    /// Textures for a while; never null where a pipeline renders. (Unity:
+    /// RenderTexture.GetTemporary, one pool for all.)
+    RenderTexturePool* temporaryTextures = nullptr;
     /// Where to say why something is not drawn; never null during rendering.
     RenderReport* report = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include <limn/core/FrameCache.h>
 #include <limn/core/GraphicsDevice.h>
+#include <limn/core/RenderTexturePool.h>
 #include <limn/core/Timeline.h>
 #include <limn/core/UniversalRenderer.h>
 
@@ -62,6 +63,7 @@ private:
     GraphicsDevice* m_Device; ///< never null
     std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
+    RenderTexturePool m_TemporaryTextures;
     FrameCache m_Frames;
     std::vector<std::shared_ptr<const RenderTexture>> m_Outputs; ///< of the last frame
     FrameCommands m_Commands; ///< of the last frame, for the memory of its lists

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <limn/core/Material.h>
+#include <limn/core/RTHandle.h>
+#include <limn/core/ScriptableRenderPass.h>
+#include <limn/features/ColorEdges.h>
+
+namespace limn
+{
+
+struct ColorEdgesSettings;
+
+/// Draws lines where the brightness of the picture so far changes.
+///
+/// _ColorEdgesBrightness [H, W], R16_SFloat, 0...1: the root of the luminance of the picture as the
+/// screen shows it, so of components clipped at 1; NaN counts as 0.
+/// _ColorEdgesMask [H, W], R8_UNorm, only where lines are limited to objects: 1 where one is seen.
+class ColorEdgesPass final : public ScriptableRenderPass
+{
+public:
+    static constexpr const char* k_Shader = "Hidden/Limn/ColorEdges";
+
+    ColorEdgesPass(const std::string& featureName, const ColorEdgesSettings& settings,
+                   std::shared_ptr<const Shader> shader);
+
+    /// @return why nothing is drawn; "" = something is
+    /// @throws ContractError if the component's operator is none
+    std::string Setup(const ColorEdges& component, const RenderingData& renderingData);
+
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+private:
+    void SetOperator(EdgeOperator edgeOperator);
+    void DrawMask(ScriptableRenderContext& context, const RenderingData& renderingData) const;
+
+    const ColorEdgesSettings& m_Settings; ///< the feature's
+    std::shared_ptr<Material> m_Material;
+    RTHandle m_Mask;
+    RTHandle m_Brightness;
+};
+
+} // namespace limn

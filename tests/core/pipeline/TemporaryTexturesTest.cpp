@@ -1,0 +1,113 @@
+#include "scene/TestScene.h"
+
+#include <gtest/gtest.h>
+#include <limn/core/CoreUtils.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
+
+namespace limn
+{
+namespace
+{
+
+/// Draws an object into one temporary texture, that one into another, and this into the camera's.
+class TemporaryPass final : public ScriptableRenderPass
+{
+public:
+    explicit TemporaryPass(const GameObject& object) : m_Object(object)
+    {
+        renderPassEvent = RenderPassEvent::AfterRenderingTransparents;
+    }
+
+    void Execute(ScriptableRenderContext& context, RenderingData& data) override
+    {
+        const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+        const TemporaryTexture mask = data.temporaryTextures->GetTemporary(8, 4);
+        const TemporaryTexture copy = data.temporaryTextures->GetTemporary(8, 4);
+        CoreUtils::SetRenderTarget(*cmd, mask, ClearFlag::Color);
+        cmd->DrawRenderer(m_Object, m_Material);
+        cmd->Blit(mask, copy, m_Material);
+        cmd->Blit(copy, data.cameraData.renderer->cameraColorTargetHandle(), m_Material);
+        context.ExecuteCommandBuffer(*cmd);
+        used = {mask.rt(), copy.rt()};
+    }
+
+    std::vector<std::shared_ptr<const RenderTexture>> used; ///< by the last frame
+
+private:
+    const GameObject& m_Object;
+    std::shared_ptr<Material> m_Material = std::make_shared<Material>(test::ShaderWithProgram(
+        "_MainTex (\"\", 2D) = \"black\" {}", "Texture2D _MainTex; SamplerState sampler_MainTex;",
+        "_MainTex.Sample(sampler_MainTex, 0.5)"));
+};
+
+class TemporaryFeature final : public ScriptableRendererFeature
+{
+public:
+    explicit TemporaryFeature(const GameObject& object) : pass(object) {}
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
+    {
+        renderer.EnqueuePass(pass);
+    }
+
+    TemporaryPass pass;
+};
+
+/// A cube before a camera, drawn by way of temporary textures.
+class TemporaryTextures : public testing::Test
+{
+protected:
+    TemporaryTextures()
+    {
+        GameObject& cube = test::AddCube(m_Scene, "cube", {0.0f, 0.0f, 5.0f}, {});
+        auto feature = std::make_unique<TemporaryFeature>(cube);
+        m_Pass = &feature->pass;
+        m_Renderer.AddFeature(std::move(feature));
+        m_Cube = &cube;
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = 8;
+        m_Request.height = 4;
+    }
+
+    Scene m_Scene;
+    Camera m_Camera;
+    GameObject* m_Cube = nullptr;
+    TemporaryPass* m_Pass = nullptr;
+    RecordingDevice m_Device;
+    UniversalRenderPipeline m_Pipeline{m_Device};
+    UniversalRenderer m_Renderer{test::Compiler()};
+    RenderRequest m_Request;
+};
+
+} // namespace
+
+TEST_F(TemporaryTextures, AreTheSameInEachFrameWhichIsNotCompiledAgain)
+{
+    std::uint64_t structure = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+        structure = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure;
+    }
+    const auto used = m_Pass->used;
+    EXPECT_NE(used[0], used[1]);
+    m_Cube->transform.localPosition.x = 0.5f;
+    EXPECT_EQ(m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure, structure);
+    EXPECT_EQ(m_Pass->used, used);
+}
+
+TEST_F(TemporaryTextures, AreNotSharedByTwoPipelines)
+{
+    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    const auto first = m_Pass->used;
+    RecordingDevice device;
+    UniversalRenderPipeline other(device);
+    other.RenderSingleCamera(m_Renderer, m_Request);
+    EXPECT_NE(m_Pass->used[0], first[0]);
+    EXPECT_NE(m_Pass->used[1], first[1]);
+    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    EXPECT_EQ(m_Pass->used, first);
+}
+
+} // namespace limn

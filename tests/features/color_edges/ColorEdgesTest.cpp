@@ -1,0 +1,172 @@
+#include "features/OutlineScene.h"
+#include "features/color_edges/FlatPicture.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/features/ColorEdgesRendererFeature.h>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class ColorEdgesFrame : public testing::Test
+{
+protected:
+    RenderResult Render(const std::function<void(ColorEdges&)>& set, bool leavesOut = false)
+    {
+        UniversalRenderPipeline pipeline(m_Device);
+        UniversalRenderer renderer(Compiler());
+        auto feature = std::make_unique<ColorEdgesRendererFeature>(m_Settings);
+        feature->name = "Edges";
+        renderer.AddFeature(std::move(feature));
+        RenderRequest request;
+        request.scene = &m_Content.scene;
+        request.camera = &m_Content.camera;
+        request.width = 64;
+        request.height = 48;
+        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
+        request.compile.leavesOut = leavesOut;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+
+    static std::vector<std::string> Targets(const RenderResult& result)
+    {
+        std::vector<std::string> names;
+        for (const CompiledRenderPass& pass : result.frame->passes)
+        {
+            names.push_back(pass.colors.front().texture->name());
+        }
+        return names;
+    }
+
+    ColorEdgesSettings m_Settings;
+    OutlineScene m_Content;
+    RecordingDevice m_Device;
+    BlendedComponent<ColorEdges> m_Volumes;
+};
+
+void Nothing(ColorEdges&) {}
+
+TEST_F(ColorEdgesFrame, HasThePictureReadAsBrightnessAndLinesDrawnOverIt)
+{
+    const RenderResult result = Render(Nothing);
+    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_ColorEdgesBrightness",
+                                             "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes, IsEmpty());
+    EXPECT_EQ(result.frame->passes[1].width, 64);
+    EXPECT_EQ(result.frame->passes[1].height, 48);
+}
+
+TEST_F(ColorEdgesFrame, HasAMaskWhereLinesAreLimitedToObjects)
+{
+    m_Settings.m_OnlyFilteredObjects = true;
+    const RenderResult result = Render(Nothing);
+    EXPECT_THAT(Targets(result),
+                ElementsAre("_CameraColorAttachmentA", "_ColorEdgesMask", "_ColorEdgesBrightness",
+                            "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_TRUE(result.frame->passes[1].depth) << "what hides an object hides its lines";
+}
+
+TEST_F(ColorEdgesFrame, TakesThePictureBeforeTransparentObjectsWhereAsked)
+{
+    m_Settings.m_RenderPassEvent = RenderPassEvent::AfterRenderingOpaques;
+    std::vector<std::string> names;
+    for (const ExecutedPassReport& pass : Render(Nothing).report.passes)
+    {
+        names.push_back(pass.name.name());
+    }
+    EXPECT_THAT(names, ElementsAre("Draw Opaque Objects", "Edges", "Draw Transparent Objects",
+                                   "Final Blit"));
+}
+
+TEST_F(ColorEdgesFrame, HasOneInstancedDrawForEachMeshInTheMask)
+{
+    m_Settings.m_OnlyFilteredObjects = true;
+    m_Content.scene = Scene();
+    for (int i = 0; i < 100; ++i)
+    {
+        const float across = static_cast<float>(i % 10) * 0.2f - 1.0f;
+        m_Content.Add("cube", PrimitiveType::Cube, {across, 0, static_cast<float>(i) * 0.1f},
+                      Plain({1, 1, 1}), true);
+        m_Content.scene.objects().back()->renderer->mesh = Cube();
+    }
+    const RenderResult result = Render(Nothing);
+    EXPECT_EQ(std::ranges::count_if(result.frame->passes.at(1).commands,
+                                    [](const PassCommand& command)
+                                    { return std::holds_alternative<DrawCommand>(command); }),
+              1);
+}
+
+struct NothingDrawn
+{
+    const char* note;
+    std::function<void(ColorEdges&)> set;
+    std::function<void(OutlineScene&)> change = [](OutlineScene&) {
+    };
+};
+
+TEST_F(ColorEdgesFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
+{
+    m_Settings.m_OnlyFilteredObjects = true;
+    m_Settings.m_LayerMask = LayerMask::FromIndex(k_FurnitureLayer);
+    const NothingDrawn cases[] = {
+        {"Edges: not drawn, no volume at the camera sets ColorEdges.m_Enable, which is false by "
+         "default",
+         {}},
+        {"Edges: not drawn, ColorEdges.m_OutlineWidth is 0",
+         [](ColorEdges& edges)
+         {
+             edges.m_OutlineWidth.Override(0.0f);
+         }},
+        {"Edges: not drawn, ColorEdges.m_OutlineColor has alpha 0",
+         [](ColorEdges& edges)
+         {
+             edges.m_OutlineColor.Override(Color::clear);
+         }},
+        {"Edges: not drawn, 0 of 3 renderers drawn: 3 layer mask", Nothing,
+         [](OutlineScene& content)
+         {
+             for (const auto& object : content.scene.objects())
+             {
+                 object->layer = 0;
+             }
+         }},
+        {"Edges: not drawn, 0 of 0 renderers drawn", Nothing,
+         [](OutlineScene& content)
+         {
+             for (const auto& object : content.scene.objects())
+             {
+                 object->transform.localPosition.x += 1000.0f;
+             }
+         }}};
+    for (const NothingDrawn& c : cases)
+    {
+        m_Content = OutlineScene();
+        c.change(m_Content);
+        const RenderResult result = Render(c.set);
+        EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
+            << c.note;
+        EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
+    }
+}
+
+// The note says what the filter did; here nothing is filtered.
+TEST_F(ColorEdgesFrame, HasLinesInAPictureWithoutObjects)
+{
+    m_Settings.m_LayerMask = LayerMask::Nothing();
+    EXPECT_THAT(Render(Nothing).report.notes, IsEmpty());
+}
+
+TEST_F(ColorEdgesFrame, RefusesAnOperatorThatThereIsNot)
+{
+    EXPECT_THROW(
+        Render([](ColorEdges& edges) { edges.m_Operator.Override(static_cast<EdgeOperator>(3)); }),
+        ContractError);
+}
+
+} // namespace
+} // namespace limn::test

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "features/OutlineGpuReference.h"
+#include "features/color_edges/FlatPicture.h"
+#include "vulkan/GpuTestDevice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::test
+{
+
+/// Draws a scene with one feature and gives the textures of the frame by name.
+class PictureRun
+{
+public:
+    PictureRun(const Scene& scene, const Camera& camera, int width, int height)
+        : m_Pipeline(SharedDevice())
+    {
+        m_Request.scene = &scene;
+        m_Request.camera = &camera;
+        m_Request.width = width;
+        m_Request.height = height;
+    }
+
+    template <typename Feature>
+    Feature& Add(std::unique_ptr<Feature> feature)
+    {
+        return static_cast<Feature&>(m_Renderer.AddFeature(std::move(feature)));
+    }
+    void SetSamples(int count) { m_Pipeline.msaaSampleCount = count; }
+
+    /// @param leavesOut  whether the frame compiler may leave things out
+    void Render(const VolumeStack* stack, bool leavesOut = false)
+    {
+        m_Request.volumeStack = stack;
+        m_Request.alsoReadBack.clear();
+        m_Request.compile.leavesOut = leavesOut;
+        m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        // The textures are known only now; the second frame keeps them readable.
+        for (const CompiledRenderPass& pass : m_Result.frame->passes)
+        {
+            for (const auto& color : pass.colors)
+            {
+                const RTHandle handle(color.texture);
+                const bool isKnown = std::ranges::count(m_Request.alsoReadBack, handle) > 0;
+                if (handle != m_Result.output && !isKnown)
+                {
+                    m_Request.alsoReadBack.push_back(handle);
+                }
+            }
+        }
+        m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    }
+
+    /// The camera's colour, linear, as the last Render left it.
+    Field Color() { return Texture("_CameraColorAttachmentA"); }
+    Field Color(const VolumeStack* stack)
+    {
+        Render(stack);
+        return Color();
+    }
+
+    Field Texture(const std::string& name) { return ToField(Read(name)); }
+    Image Read(const std::string& name)
+    {
+        for (const RTHandle& handle : m_Request.alsoReadBack)
+        {
+            if (handle.rt()->name() == name)
+            {
+                return SharedDevice().ReadBack(*handle.rt());
+            }
+        }
+        throw std::runtime_error("no texture " + name + " in the frame");
+    }
+
+    const RenderResult& result() const { return m_Result; }
+
+private:
+    UniversalRenderPipeline m_Pipeline;
+    UniversalRenderer m_Renderer{Compiler()};
+    RenderRequest m_Request;
+    RenderResult m_Result;
+};
+
+/// The share of pixels of which every component is within 2/255 of what a reference says.
+inline double ShareWithinTwo(const Field& picture, const Field& reference)
+{
+    if (picture.values.size() != reference.values.size() || picture.values.empty())
+    {
+        throw std::invalid_argument("ShareWithinTwo: the fields have different sizes or none");
+    }
+    int within = 0;
+    for (int y = 0; y < picture.height; ++y)
+    {
+        for (int x = 0; x < picture.width; ++x)
+        {
+            bool isNear = true;
+            for (int channel = 0; channel < picture.channels; ++channel)
+            {
+                const double distance =
+                    std::abs(picture.At(x, y, channel) - reference.At(x, y, channel));
+                isNear = isNear && distance <= 2.0 / 255.0;
+            }
+            within += isNear ? 1 : 0;
+        }
+    }
+    return static_cast<double>(within) / (picture.width * picture.height);
+}
+
+/// How many pixels differ at all.
+inline int CountDifferent(const Field& a, const Field& b)
+{
+    int count = 0;
+    for (int y = 0; y < a.height; ++y)
+    {
+        for (int x = 0; x < a.width; ++x)
+        {
+            bool differs = false;
+            for (int channel = 0; channel < a.channels; ++channel)
+            {
+                differs = differs || a.At(x, y, channel) != b.At(x, y, channel);
+            }
+            count += differs ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace limn::test

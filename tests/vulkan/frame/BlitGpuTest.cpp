@@ -1,0 +1,111 @@
+#include "GpuTestDevice.h"
+#include "GpuTestFrame.h"
+
+#include <limn/core/FrameCompiler.h>
+#include <limn/core/ScriptableRenderContext.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+std::shared_ptr<const Material> BlitMaterial(const std::string& fragment)
+{
+    static const auto compiler = std::make_shared<ShaderCompiler>();
+    // Nothing is switched off: the quad must face the viewer and lie between near and far.
+    return std::make_shared<const Material>(Shader::FromText(
+        R"(Shader "Test/Blit" { SubShader { Pass {
+            CGPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #include "UnityCG.cginc"
+            sampler2D _MainTex;
+            float4 _MainTex_TexelSize;
+            struct v2f { float4 pos : SV_POSITION; float2 uv : TEXCOORD0; float2 at : TEXCOORD1; };
+            v2f vert(float4 vertex : POSITION, float2 texcoord : TEXCOORD0)
+            {
+                v2f o;
+                o.pos = UnityObjectToClipPos(vertex);
+                o.uv = texcoord;
+                o.at = vertex.xy;
+                return o;
+            }
+            float4 frag(v2f i) : SV_Target { return )" +
+            fragment + "; }\nENDCG } } }",
+        "blit.shader", compiler));
+}
+
+/// Runs command buffers with an origin of the frame's.
+class BlitGpu : public GpuTest
+{
+protected:
+    Image Draw(const RTHandle& output, const glm::dvec3& origin = glm::dvec3(0.0))
+    {
+        RenderReport report;
+        ScriptableRenderContext context(report, origin);
+        context.ExecuteCommandBuffer(cmd);
+        cmd.Clear();
+        const auto texture = output.rt();
+        SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
+                                            std::span(&texture, 1)));
+        return SharedDevice().ReadBack(*texture);
+    }
+
+    CommandBuffer cmd;
+    const RTHandle source{MakeTarget(7, 5)};
+    const RTHandle dest{MakeTarget(7, 5)};
+    const RTHandle other{MakeTarget(2, 3)};
+};
+
+} // namespace
+
+TEST_F(BlitGpu, CopiesTexelForTexelWhereverTheFrameIs)
+{
+    const auto paint = BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)");
+    const auto copy = BlitMaterial("tex2D(_MainTex, i.uv)");
+    for (const double distance : {0.0, 1e7})
+    {
+        cmd.Blit(other, source, paint);
+        cmd.Blit(source, dest, copy);
+        const Image image = Draw(dest, glm::dvec3(distance, -distance, distance));
+        for (int y = 0; y < 5; ++y)
+        {
+            for (int x = 0; x < 7; ++x)
+            {
+                EXPECT_EQ(Texel8(image, x, y), (Rgba8{20 * x, 20 * y, 255, 102}))
+                    << x << ", " << y << " at " << distance;
+            }
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+TEST_F(BlitGpu, GivesVerticesFromZeroBottomLeftToOneTopRight)
+{
+    cmd.Blit(other, dest, BlitMaterial("float4(i.at, 0, 1)"));
+    const Image image = Draw(dest);
+    for (int y = 0; y < 5; ++y)
+    {
+        for (int x = 0; x < 7; ++x)
+        {
+            EXPECT_NEAR(Texel8(image, x, y)[0], (x + 0.5) / 7.0 * 255.0, 0.51);
+            EXPECT_NEAR(Texel8(image, x, y)[1], (4.5 - y) / 5.0 * 255.0, 0.51);
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+TEST_F(BlitGpu, GivesTheTexelSizeOfTheSource)
+{
+    cmd.Blit(other, dest,
+             BlitMaterial("float4(_MainTex_TexelSize.xy, _MainTex_TexelSize.zw / 10)"));
+    const Rgba8 texel = Texel8(Draw(dest), 3, 2);
+    EXPECT_NEAR(texel[0], 255.0 / 2.0, 0.51);
+    EXPECT_NEAR(texel[1], 255.0 / 3.0, 0.51);
+    EXPECT_NEAR(texel[2], 255.0 * 0.2, 0.51);
+    EXPECT_NEAR(texel[3], 255.0 * 0.3, 0.51);
+    ExpectNoValidationMessages();
+}
+
+} // namespace limn::test
