@@ -12,19 +12,26 @@ namespace limn
 namespace
 {
 
-constexpr int k_MaskPass = 0;
-constexpr int k_VisibleMaskPass = 1;
-constexpr int k_SeedsPass = 2;
-constexpr int k_FloodPass = 3;
-constexpr int k_ColumnsPass = 4;
-constexpr int k_CompositeFloodPass = 5;
-constexpr int k_CompositeColumnsPass = 6;
+/// In the order of the shader file.
+struct WideOutlineShaderPass
+{
+    enum
+    {
+        Mask,
+        VisibleMask,
+        Seeds,
+        Flood,
+        Columns,
+        CompositeFlood,
+        CompositeColumns
+    };
+};
 
-constexpr int k_MaskSamples = 4;
+constexpr int k_WideMaskSamples = 4;
 /// Up to this many pixels two loops cost less than a flood.
 constexpr int k_SeparableReach = 12;
 
-const ShaderPropertyId _BlitTexture = Shader::PropertyToID("_BlitTexture");
+const ShaderPropertyId _WideOutlineSource = Shader::PropertyToID("_BlitTexture");
 const ShaderPropertyId _WideOutlineSize = Shader::PropertyToID("_WideOutlineSize");
 const ShaderPropertyId _WideOutlineCorner = Shader::PropertyToID("_WideOutlineCorner");
 const ShaderPropertyId _WideOutlineRange = Shader::PropertyToID("_WideOutlineRange");
@@ -34,21 +41,12 @@ const ShaderPropertyId _WideOutlineBand = Shader::PropertyToID("_WideOutlineBand
 const ShaderPropertyId _WideOutlineSeeds = Shader::PropertyToID("_WideOutlineSeeds");
 const ShaderPropertyId _WideOutlineOuterColor = Shader::PropertyToID("_WideOutlineOuterColor");
 const ShaderPropertyId _WideOutlineFalloff = Shader::PropertyToID("_WideOutlineFalloff");
-const ShaderPropertyId _OutlineColor = Shader::PropertyToID("_OutlineColor");
+const ShaderPropertyId _WideOutlineColor = Shader::PropertyToID("_WideOutlineColor");
 
-constexpr EnumEntry k_Methods[] = {{"Auto", 0}, {"JumpFlood", 1}, {"Separable", 2}};
-constexpr EnumEntry k_Occlusions[] = {{"All", 0}, {"Visible", 1}};
+constexpr EnumEntry k_WideMethods[] = {{"Auto", 0}, {"JumpFlood", 1}, {"Separable", 2}};
+constexpr EnumEntry k_WideOcclusions[] = {{"All", 0}, {"Visible", 1}};
 
-Color Mix(const Color& a, const Color& b, float share)
-{
-    const auto mix = [share](float from, float to)
-    {
-        return from + (to - from) * share;
-    };
-    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
-}
-
-void RequireFinite(const char* name, float value)
+void RequireNumberOfWideOutline(const char* name, float value)
 {
     if (!std::isfinite(value))
     {
@@ -63,9 +61,9 @@ void WideOutlineSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
     inspector.Header("Wide Outline");
-    inspector.Field("m_Method", m_Method, k_Methods,
+    inspector.Field("m_Method", m_Method, k_WideMethods,
                     "How distances are found: the picture is the same, the time is not");
-    inspector.Field("m_Occlusion", m_Occlusion, k_Occlusions,
+    inspector.Field("m_Occlusion", m_Occlusion, k_WideOcclusions,
                     "Whether what stands in front of an object cuts its outline");
     DescribeGrouping(inspector, m_Grouping);
 }
@@ -119,11 +117,11 @@ std::string WideOutlineRenderPass::Setup(const WideOutline& component, Rendering
 
 void WideOutlineRenderPass::SetBand(const WideOutline& component, const glm::ivec2& picture)
 {
-    RequireFinite("m_Gap", component.m_Gap.value());
-    RequireFinite("m_Falloff", component.m_Falloff.value());
+    RequireNumberOfWideOutline("m_Gap", component.m_Gap.value());
+    RequireNumberOfWideOutline("m_Falloff", component.m_Falloff.value());
     if (std::isnan(component.m_OutlineWidth.value()))
     {
-        RequireFinite("m_OutlineWidth", component.m_OutlineWidth.value());
+        RequireNumberOfWideOutline("m_OutlineWidth", component.m_OutlineWidth.value());
     }
     const float diagonal = std::hypot(static_cast<float>(picture.x), static_cast<float>(picture.y));
     const float width = std::max(component.WidthWithin(picture), 1e-3f);
@@ -141,13 +139,17 @@ void WideOutlineRenderPass::SetBand(const WideOutline& component, const glm::ive
 
     const float nearest = std::min(std::abs(low), std::abs(high));
     m_Material->SetFloat(_WideOutlineAside, nearest > 0.0f ? nearest : 0.5f * m_Farthest);
+    m_Material->SetFloat(_WideOutlineRange, static_cast<float>(m_Reach) + 1.0f);
+    const float start = side == WideOutlineSide::Outer   ? low
+                        : side == WideOutlineSide::Inner ? high
                                                          : 0.5f * (low + high);
     const float length = side == WideOutlineSide::Centred ? 0.5f * width : width;
     m_Material->SetVector(_WideOutlineBand, {low, high, start, 1.0f / length});
-    m_Material->SetColor(_OutlineColor, component.m_OutlineColor.value());
-    m_Material->SetColor(_WideOutlineOuterColor,
-                         Mix(component.m_OutlineColor.value(), component.m_OuterColor.value(),
-                             component.m_Gradient.value()));
+    m_Material->SetColor(_WideOutlineColor, component.m_OutlineColor.value());
+    m_Material->SetVector(_WideOutlineOuterColor,
+                          glm::mix(component.m_OutlineColor.value().linear().vector(),
+                                   component.m_OuterColor.value().linear().vector(),
+                                   component.m_Gradient.value()));
     m_Material->SetFloat(_WideOutlineFalloff, component.m_Falloff.value());
 }
 
@@ -162,7 +164,7 @@ void WideOutlineRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&)
         RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Point,
                                            TextureWrapMode::Clamp, name);
     };
-    allocate(m_Mask, GraphicsFormat::R8_UNorm, "_WideOutlineMask", k_MaskSamples);
+    allocate(m_Mask, GraphicsFormat::R8_UNorm, "_WideOutlineMask", k_WideMaskSamples);
     allocate(m_Seeds, GraphicsFormat::R16G16B16A16_UNorm, "_WideOutlineSeeds");
     if (m_Method == WideOutlineMethod::JumpFlood)
     {
@@ -185,15 +187,18 @@ void WideOutlineRenderPass::Execute(ScriptableRenderContext& context, RenderingD
         for (const Group& group : m_Groups)
         {
             DrawMask(context, *cmd, renderingData, group);
-            DrawWhole(*cmd, m_Mask, m_Seeds, k_SeedsPass, 1.0f);
+            DrawWhole(*cmd, m_Mask, m_Seeds, WideOutlineShaderPass::Seeds, 1.0f);
             if (m_Method == WideOutlineMethod::JumpFlood)
             {
-                Composite(*cmd, renderingData, group, Flood(*cmd), k_CompositeFloodPass);
+                Composite(*cmd, renderingData, group, Flood(*cmd),
+                          WideOutlineShaderPass::CompositeFlood);
             }
             else
             {
-                DrawWhole(*cmd, m_Seeds, m_Columns, k_ColumnsPass, static_cast<float>(m_Reach));
-                Composite(*cmd, renderingData, group, m_Columns, k_CompositeColumnsPass);
+                DrawWhole(*cmd, m_Seeds, m_Columns, WideOutlineShaderPass::Columns,
+                          static_cast<float>(m_Reach));
+                Composite(*cmd, renderingData, group, m_Columns,
+                          WideOutlineShaderPass::CompositeColumns);
             }
             context.ExecuteCommandBuffer(*cmd);
             cmd->Clear();
@@ -206,8 +211,9 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
                                      const RenderingData& renderingData, const Group& group)
 {
     const CameraData& camera = renderingData.cameraData;
-    const int pass =
-        m_Settings.m_Occlusion == WideOutlineOcclusion::Visible ? k_VisibleMaskPass : k_MaskPass;
+    const int pass = m_Settings.m_Occlusion == WideOutlineOcclusion::Visible
+                         ? WideOutlineShaderPass::VisibleMask
+                         : WideOutlineShaderPass::Mask;
     const glm::vec2 picture(group.region.picture);
     m_Material->SetVector(_WideOutlineCorner, {glm::vec2(group.region.corner), 1.0f / picture});
 
@@ -217,9 +223,7 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
     {
         for (const OutlinedObject& object : group.objects)
         {
-            cmd.DrawMesh(object.item.object->renderer->mesh,
-                         object.item.object->transform.localToWorldMatrix(), m_Material,
-                         object.item.subMesh, pass);
+            cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, pass);
         }
     }
     context.ExecuteCommandBuffer(cmd);
@@ -239,12 +243,12 @@ const RTHandle& WideOutlineRenderPass::Flood(CommandBuffer& cmd)
 {
     // A step of 1 first: it takes away nearly all of what a flood gets wrong.
     const auto largest = std::bit_ceil(static_cast<unsigned>(m_Reach) + 1) / 2;
-    DrawWhole(cmd, m_Seeds, m_FloodA, k_FloodPass, 1.0f);
+    DrawWhole(cmd, m_Seeds, m_FloodA, WideOutlineShaderPass::Flood, 1.0f);
     const RTHandle* source = &m_FloodA;
     const RTHandle* target = &m_FloodB;
     for (unsigned step = largest; step > 0; step /= 2)
     {
-        DrawWhole(cmd, *source, *target, k_FloodPass, static_cast<float>(step));
+        DrawWhole(cmd, *source, *target, WideOutlineShaderPass::Flood, static_cast<float>(step));
         std::swap(source, target);
     }
     return *source;
@@ -256,7 +260,7 @@ void WideOutlineRenderPass::Composite(CommandBuffer& cmd, const RenderingData& r
     CoreUtils::SetRenderTarget(cmd, renderingData.cameraData.renderer->cameraColorTargetHandle());
     cmd.SetViewport(group.region.InPicture());
     MaterialPropertyBlock properties;
-    properties.SetTexture(_BlitTexture, source.rt());
+    properties.SetTexture(_WideOutlineSource, source.rt());
     properties.SetTexture(_WideOutlineSeeds, m_Seeds.rt());
     properties.SetFloat(_WideOutlineStep, static_cast<float>(m_Reach));
     cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, properties);
@@ -267,7 +271,7 @@ void WideOutlineRenderPass::DrawWhole(CommandBuffer& cmd, const RTHandle& source
 {
     CoreUtils::SetRenderTarget(cmd, target);
     MaterialPropertyBlock properties;
-    properties.SetTexture(_BlitTexture, source.rt());
+    properties.SetTexture(_WideOutlineSource, source.rt());
     properties.SetFloat(_WideOutlineStep, step);
     cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, properties);
 }

@@ -37,13 +37,11 @@ public:
         : m_Pipeline(device), m_Device(device)
     {
         camera.orthographic = true;
-        camera.orthographicSize = 0.5f * static_cast<float>(height);
+        SetPicture(width, height);
         camera.transform.localPosition = {0.0f, 0.0f, -10.0f};
         camera.backgroundColor = Color::clear;
         m_Request.scene = &scene;
         m_Request.camera = &camera;
-        m_Request.width = width;
-        m_Request.height = height;
         RegisterVolumeComponents(m_Registry);
         m_Manager = std::make_unique<VolumeManager>(m_Registry);
         m_Stack = std::make_unique<VolumeStack>(m_Manager->CreateStack());
@@ -69,6 +67,29 @@ public:
         GameObject& object = scene.Add("shape");
         object.renderer = MeshRenderer{std::move(mesh), {m_Material}};
         return object;
+    }
+
+    /// A pixel of it is a unit of the world.
+    void SetPicture(int width, int height)
+    {
+        m_Request.width = width;
+        m_Request.height = height;
+        camera.orthographicSize = 0.5f * static_cast<float>(height);
+    }
+    /// In place of what was there.
+    GameObject& Show(const ScreenTriangles& triangles)
+    {
+        scene = Scene();
+        return Add(triangles);
+    }
+    void SetSamples(int count) { m_Pipeline.msaaSampleCount = count; }
+    void Set(const OutlineBand& band)
+    {
+        outline->m_OutlineWidth.Override(static_cast<float>(band.width));
+        outline->m_Gap.Override(static_cast<float>(band.gap));
+        outline->m_Side.Override(band.side == OutlineSide::Outer   ? WideOutlineSide::Outer
+                                 : band.side == OutlineSide::Inner ? WideOutlineSide::Inner
+                                                                   : WideOutlineSide::Centred);
     }
 
     RenderResult Render()

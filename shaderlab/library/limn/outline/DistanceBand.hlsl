@@ -5,7 +5,7 @@
 #include "limn/outline/BoxCoverage.hlsl"
 
 float4 _WideOutlineBand;  // x, y: the ends; z: where the outer colour is farthest from; w: 1 / how far
-float4 _OutlineColor;
+float4 _WideOutlineColor;
 float4 _WideOutlineOuterColor;
 float _WideOutlineFalloff; // 0 = none
 
@@ -33,7 +33,7 @@ float4 ColorInBand(float2 toEdge, float inside)
     float part = PartBelow(_WideOutlineBand.y, direction, distance, inside) -
         PartBelow(_WideOutlineBand.x, direction, distance, inside);
     float along = saturate(abs(distance - _WideOutlineBand.z) * _WideOutlineBand.w);
-    float4 color = lerp(_OutlineColor, _WideOutlineOuterColor, along);
+    float4 color = lerp(_WideOutlineColor, _WideOutlineOuterColor, along);
     if (_WideOutlineFalloff > 0.0)
     {
         part *= pow(max(1.0 - along, 1e-6), _WideOutlineFalloff);
