@@ -29,7 +29,8 @@ double RegionArea(const std::vector<OutlinedObject>& objects, const CameraData& 
     double area = 0.0;
     for (auto first = objects.begin(); first != objects.end();)
     {
-        const auto last = std::find_if(first, objects.end(), [&](const OutlinedObject& object)
+        const auto last = std::find_if(first, objects.end(),
+                                       [&](const OutlinedObject& object)
                                        { return object.group != first->group; });
         if (const auto region = FindOutlineRegion(std::span(first, last), camera, reach))
         {
@@ -63,9 +64,10 @@ void AutoOutlineSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
     inspector.Header("Technique");
-    inspector.Field("m_Technique", m_Technique, k_Techniques,
-                    "How it is drawn; Auto chooses by the objects and the width, and `limn explain` "
-                    "says why");
+    inspector.Field(
+        "m_Technique", m_Technique, k_Techniques,
+        "How it is drawn; Auto chooses by the objects and the width, and `limn explain` "
+        "says why");
     DescribeGrouping(inspector, m_Grouping);
 }
 
@@ -75,7 +77,8 @@ AutoOutlineRendererFeature::AutoOutlineRendererFeature()
 }
 
 AutoOutlineRendererFeature::AutoOutlineRendererFeature(AutoOutlineSettings settings)
-    : m_Settings(std::move(settings)), m_StrokeValues(std::make_unique<StrokeOutline>()),
+    : m_Settings(std::move(settings)),
+      m_StrokeValues(std::make_unique<StrokeOutline>()),
       m_WideValues(std::make_unique<WideOutline>())
 {
     name = "AutoOutlineRendererFeature";
@@ -172,8 +175,7 @@ std::string AutoOutlineRendererFeature::AddWide(ScriptableRenderer& renderer,
     if (!pass)
     {
         auto settings = SettingsFor<WideOutlineSettings>(m_Settings);
-        settings.m_Method =
-            isFlood ? WideOutlineMethod::JumpFlood : WideOutlineMethod::Separable;
+        settings.m_Method = isFlood ? WideOutlineMethod::JumpFlood : WideOutlineMethod::Separable;
         pass = std::make_unique<WideOutlineRenderPass>(
             name, settings, FindTechniqueShader(renderer, WideOutlineRenderPass::k_Shader));
     }
