@@ -95,7 +95,9 @@ void ColorEdgesPass::SetMaterial(const ColorEdges& component, const glm::vec4& t
     m_Material->SetVector(_ColorEdgesRamp, {component.m_Threshold.value(), 1.0f / ramp, 0, 0});
     m_Material->SetColor(_ColorEdgesColor, component.m_OutlineColor.value());
     SetOperator(component.m_Operator.value());
-    const bool isWhole = taps == glm::floor(taps);
+    const bool hasMiddle = component.m_Operator.value() != EdgeOperator::Roberts;
+    const glm::vec3 used(taps.x, taps.y, hasMiddle ? taps.z : 0.0f);
+    const bool isWhole = used == glm::floor(used);
     isWhole ? m_Material->DisableKeyword("_BETWEEN_TEXELS")
             : m_Material->EnableKeyword("_BETWEEN_TEXELS");
 }
