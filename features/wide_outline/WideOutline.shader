@@ -76,6 +76,7 @@ Shader "Hidden/Limn/WideOutline"
             HLSLPROGRAM
             #pragma vertex WholeTarget
             #pragma fragment SeedFragment
+            float _WideOutlineClosesSlits;
             float4 SeedFragment(float4 position : SV_POSITION) : SV_Target
             {
                 float mask[9];
@@ -83,7 +84,7 @@ Shader "Hidden/Limn/WideOutline"
                 {
                     mask[i] = SeedTexel(position.xy + float2(i % 3 - 1, i / 3 - 1)).r;
                 }
-                EdgePlace place = FindEdge(mask);
+                EdgePlace place = FindEdge(mask, _WideOutlineClosesSlits > 0.0);
                 return float4(place.isEdge ? EncodeSeed(place.seed, _WideOutlineRange) : 0.0,
                               place.inside, EncodeDirection(place.outwards));
             }

@@ -29,7 +29,7 @@ struct WideOutlineShaderPass
 
 constexpr int k_WideMaskSamples = 4;
 /// Up to this many pixels two loops cost less than a flood.
-constexpr int k_SeparableReach = 12;
+constexpr int k_SeparableReach = 4;
 
 const ShaderPropertyId _WideOutlineSource = Shader::PropertyToID("_BlitTexture");
 const ShaderPropertyId _WideOutlineSize = Shader::PropertyToID("_WideOutlineSize");
@@ -75,9 +75,11 @@ WideOutlineRenderPass::WideOutlineRenderPass(const std::string& featureName,
 {
     profilingSampler = ProfilingSampler(featureName);
     renderPassEvent = settings.m_RenderPassEvent;
-    ConfigureInput(settings.m_Occlusion == WideOutlineOcclusion::Visible
-                       ? ScriptableRenderPassInput::Depth
-                       : ScriptableRenderPassInput::None);
+    const bool isCut = settings.m_Occlusion == WideOutlineOcclusion::Visible;
+    ConfigureInput(isCut ? ScriptableRenderPassInput::Depth : ScriptableRenderPassInput::None);
+    // The camera's depth is one value a pixel: where an object hides a part of another one, samples
+    // of the latter are lost between the two.
+    m_Material->SetFloat(Shader::PropertyToID("_WideOutlineClosesSlits"), isCut ? 1.0f : 0.0f);
 }
 
 std::string WideOutlineRenderPass::Setup(const WideOutline& component, RenderingData& renderingData)

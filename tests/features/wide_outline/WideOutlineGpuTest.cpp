@@ -317,6 +317,31 @@ TEST_F(WideOutlineGpu, OutlinesWholeObjectsOrWhatIsSeenOfThem)
     }
 }
 
+TEST_F(WideOutlineGpu, HasNoLineWhereAnObjectHidesAPartOfAnotherOfItsGroup)
+{
+    WideOutlineSettings settings;
+    settings.m_Occlusion = WideOutlineOcclusion::Visible;
+    WideOutlineScene scene(SharedDevice(), k_Picture, k_Picture, settings);
+    const ScreenTriangles behind = DiscTriangles({40.3, 44.6}, 20.0);
+    const ScreenTriangles front = StarTriangles({52.0, 52.0}, 6, 12.0, 24.0, 0.3);
+    scene.Add(behind);
+    scene.Add(front).transform.localPosition.z = -2.0f;
+    scene.Set({4.0});
+    const Coverage alpha = scene.DrawAlpha();
+    const Silhouette both(Together({behind, front}));
+    EXPECT_LE(ScoreOutline(alpha, ExactOutlineCoverage(both, {4.0}, k_Picture, k_Picture))
+                  .meanAbsoluteError,
+              0.04);
+    for (int y = 0; y < k_Picture; ++y)
+    {
+        for (int x = 0; x < k_Picture; ++x)
+        {
+            const bool isDeep = both.SignedDistance({x + 0.5, y + 0.5}, 9.0) < -2.0;
+            EXPECT_LE(isDeep ? alpha.At(x, y) : 0.0, 0.0) << x << ", " << y;
+        }
+    }
+}
+
 TEST_F(WideOutlineGpu, GoesOverToItsOuterColourAndFadesAsAGlowDoes)
 {
     const Color near{1.0f, 0.0f, 0.25f, 1.0f};

@@ -29,15 +29,18 @@ struct EdgePlace
 };
 
 // The edge in the middle texel of three by three, coverages row by row from the top left.
-EdgePlace FindEdge(float mask[9])
+// closesSlits: one that no empty texel is next to is none
+EdgePlace FindEdge(float mask[9], bool closesSlits)
 {
     EdgePlace place;
     float own = mask[4];
     float least = min(min(mask[1], mask[3]), min(mask[5], mask[7]));
-    place.isEdge = own > 0.0 && (own < 1.0 || least == 0.0);
+    float cornered = min(min(mask[0], mask[2]), min(mask[6], mask[8]));
+    bool isSlit = closesSlits && min(least, cornered) > 0.0;
+    place.isEdge = own > 0.0 && (own < 1.0 || least == 0.0) && !isSlit;
     place.seed = 0.0;
     place.outwards = 0.0;
-    place.inside = own;
+    place.inside = isSlit ? 1.0 : own;
     float2 inwards = float2(mask[2] + mask[8] - mask[0] - mask[6] + 2.0 * (mask[5] - mask[3]),
                             mask[6] + mask[8] - mask[0] - mask[2] + 2.0 * (mask[7] - mask[1]));
     float steepness = dot(inwards, inwards);
