@@ -121,9 +121,10 @@ protected:
             });
     }
 
-    static void AddOutline(PictureRun& run)
+    static void AddOutline(PictureRun& run, OutlineGrouping grouping = OutlineGrouping::PerGroup)
     {
         InflatedOutlineSettings settings;
+        settings.m_Grouping = grouping;
         settings.m_RenderingLayerMask = k_SelectedLayer;
         run.Add(std::make_unique<InflatedOutlineRendererFeature>(settings));
     }
@@ -216,6 +217,9 @@ TEST_F(InflatedOutlineGpu, HoldsItsWidthInPixelsAndShrinksInMetres)
             const double band = CountPixels(picture, IsOutline);
             return std::sqrt((body + band) / std::numbers::pi) - std::sqrt(body / std::numbers::pi);
         };
+        std::printf(
+            "hull of a ball %.0f m away: 4 px asked, %.2f drawn; 0.1 m asked, %.2f px drawn\n",
+            distance, bandOf({4.0}), bandOf({0.0, 0.1}));
         EXPECT_NEAR(4.0, bandOf({4.0}), 0.25) << distance;
         // A ball of radius 0.5 whose hull's is 0.6: the tangents' angles from the middle.
         const double pixels = 48.0 / std::tan(20.0 * std::numbers::pi / 180.0);
@@ -240,6 +244,32 @@ TEST_F(InflatedOutlineGpu, BlendsASheetsBandWithItsAlpha)
     EXPECT_NEAR(0.5, picture.At(16, 6, 0), 1e-2) << "the band";
     EXPECT_NEAR(0.0, picture.At(16, 6, 1), 1e-3);
     EXPECT_NEAR(0.0, picture.At(16, 3, 0), 1e-3) << "outside";
+}
+
+TEST_F(InflatedOutlineGpu, RunsOverFartherGroupsAndNotOverItsOwn)
+{
+    for (const bool isNearFirst : {false, true}) // in the scene
+    {
+        FlatScene flat(32, 32);
+        const auto add = [&](bool isNear)
+        {
+            GameObject& sheet = flat.Add(isNear ? glm::vec2(12, 12) : glm::vec2(4, 4),
+                                         isNear ? glm::vec2(20, 20) : glm::vec2(28, 28),
+                                         isNear ? 4.0f : 6.0f, Plain({0.0f, 1.0f, 0.0f}));
+            sheet.renderer->renderingLayerMask = RenderingLayerMask::FromIndex(k_SelectedLayer);
+        };
+        add(isNearFirst);
+        add(!isNearFirst);
+        const auto redBeside = [&](OutlineGrouping grouping)
+        {
+            PictureRun run(flat.scene, flat.camera, 32, 32);
+            AddOutline(run, grouping);
+            return run.Color(&With({3.0})).At(16, 10, 0);
+        };
+        EXPECT_NEAR(1.0, redBeside(OutlineGrouping::PerObject), 1e-3);
+        EXPECT_NEAR(1.0, redBeside(OutlineGrouping::PerGroup), 1e-3);
+        EXPECT_NEAR(0.0, redBeside(OutlineGrouping::Together), 1e-3);
+    }
 }
 
 // The half of it that lies in the picture, of an object that does not.
