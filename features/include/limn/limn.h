@@ -20,6 +20,7 @@
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>
