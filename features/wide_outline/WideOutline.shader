@@ -132,10 +132,11 @@ Shader "Hidden/Limn/WideOutline"
                 center * _WideOutlineSize.xy, 0);
         }
 
-        float4 OutlineColor(float2 center, float2 toEdge)
+        // inside: of the pixel
+        float4 OutlineColor(float2 center, float2 toEdge, float inside)
         {
             float2 outwards = DecodeDirection(SeedsAt(center + toEdge).w);
-            return ColorInBand(AlongEdge(toEdge, outwards), SeedsAt(center).z);
+            return ColorInBand(AlongEdge(toEdge, outwards), inside);
         }
         ENDHLSL
 
@@ -150,7 +151,12 @@ Shader "Hidden/Limn/WideOutline"
             float4 CompositeFragment(float4 position : SV_POSITION) : SV_Target
             {
                 float2 center = position.xy - _WideOutlineCorner.xy;
-                return OutlineColor(center, DecodeSeed(SeedTexel(center).xy, _WideOutlineRange));
+                float inside = SeedsAt(center).z;
+                if (IsBesideBand(inside))
+                {
+                    return 0.0;
+                }
+                return OutlineColor(center, DecodeSeed(SeedTexel(center).xy, _WideOutlineRange), inside);
             }
             ENDHLSL
         }
@@ -166,7 +172,12 @@ Shader "Hidden/Limn/WideOutline"
             float4 CompositeFragment(float4 position : SV_POSITION) : SV_Target
             {
                 float2 center = position.xy - _WideOutlineCorner.xy;
-                return OutlineColor(center, RowSeed(center));
+                float inside = SeedsAt(center).z;
+                if (IsBesideBand(inside))
+                {
+                    return 0.0;
+                }
+                return OutlineColor(center, RowSeed(center), inside);
             }
             ENDHLSL
         }

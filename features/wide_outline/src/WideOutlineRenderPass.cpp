@@ -29,7 +29,7 @@ struct WideOutlineShaderPass
 
 constexpr int k_WideMaskSamples = 4;
 /// Up to this many pixels two loops cost less than a flood.
-constexpr int k_SeparableReach = 4;
+constexpr int k_SeparableReach = 8;
 
 const ShaderPropertyId _WideOutlineSource = Shader::PropertyToID("_BlitTexture");
 const ShaderPropertyId _WideOutlineSize = Shader::PropertyToID("_WideOutlineSize");

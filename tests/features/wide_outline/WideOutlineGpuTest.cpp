@@ -171,6 +171,26 @@ TEST_P(WideOutlineByMethodGpu, OutlinesAMeshInPerspective)
     }
 }
 
+TEST_P(WideOutlineByMethodGpu, OutlinesWhatReachesBehindTheCamera)
+{
+    WideOutlineScene& scene = SceneFor(GetParam());
+    scene.camera = Camera();
+    scene.camera.backgroundColor = Color::clear;
+    scene.scene = Scene();
+    GameObject& floor = scene.Add(CreatePrimitive(PrimitiveType::Quad));
+    floor.transform.localPosition = {0.4f, -1.0f, 0.0f};
+    floor.transform.localRotation = EulerToRotation({80.0f, 25.0f, 0.0f});
+    floor.transform.localScale = {1.5f, 9.0f, 1.0f};
+    const Silhouette silhouette(
+        MeshTriangles(*floor.renderer->mesh, floor.transform, scene.camera, k_Picture, k_Picture));
+    scene.Set({7.0});
+    const OutlineScore score = ScoreOutline(
+        scene.DrawAlpha(), ExactOutlineCoverage(silhouette, {7.0}, k_Picture, k_Picture));
+    EXPECT_GT(score.bandPixels, 200u);
+    EXPECT_LE(score.meanAbsoluteError, 0.025);
+    EXPECT_GE(score.intersectionOverUnion, 0.96);
+}
+
 TEST_P(WideOutlineByMethodGpu, ComesIntoViewFromOutsideAndDrawsNoLineAlongTheBorder)
 {
     const double far = k_Picture + 4.3; // half the width outside of the picture

@@ -57,9 +57,9 @@ protected:
 TEST_F(WideOutlineFrame, TakesTwoPassesForANarrowLineInTexturesAsLargeAsTheLine)
 {
     const auto scene = Make();
-    scene->Set({3.0});
+    scene->Set({7.0});
     const RenderResult result = scene->Render();
-    // 40 pixels of disc, 4 on either side.
+    // 40 pixels of disc, 8 on either side.
     EXPECT_THAT(Targets(result), ElementsAre("Mask 64x64", "Seeds 64x64", "Columns 64x64"));
     EXPECT_EQ(scene->feature->pass()->method(), WideOutlineMethod::Separable);
     EXPECT_THAT(result.report.notes, IsEmpty());

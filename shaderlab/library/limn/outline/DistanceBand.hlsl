@@ -16,6 +16,13 @@ float PartBelow(float end, float2 direction, float distance, float inside)
     return end == 0.0 ? inside : BoxCoverage(direction, end - distance);
 }
 
+// Whether a pixel of which this part is inside of the edge is on the side where no outline is.
+bool IsBesideBand(float inside)
+{
+    return inside >= 1.0 ? _WideOutlineBand.x == 0.0 || _WideOutlineBand.x > 1.0
+                         : inside <= 0.0 && (_WideOutlineBand.y == 0.0 || _WideOutlineBand.y < -1.0);
+}
+
 // To the nearest place on the half pixel of edge to either side of a place on it.
 float2 AlongEdge(float2 toPlace, float2 outwards)
 {
