@@ -9,8 +9,21 @@ limn=${2:-$here/../../build/release/editor_stub/limn}
 columns=4
 size=400x250
 
-techniques=(screen_space selection selection_apart mask_difference depth_normals depth_normals_hardened
-    inflated rim color_edges wide strokes see_through)
+# Picture, profile and, behind it, settings of the scene's features with the caption they need.
+techniques=(
+    "screen_space"
+    "selection"
+    "selection|Selection.m_Grouping=PerObject|Selection kept apart: each its own stencil, none melts"
+    "mask_difference"
+    "depth_normals"
+    "color_edges"
+    "rim"
+    "inflated"
+    "wide"
+    "wide|Wide.m_Method=Separable --set WideOutline.m_Falloff=0 --set WideOutline.m_Gradient=0 --set WideOutline.m_OutlineWidth=3 --set WideOutline.m_Gap=3|Wide: a line with a gap"
+    "strokes"
+    "strokes|Strokes.m_Occlusion=SeeThrough|Strokes: what is hidden in its own colour"
+)
 
 pictures=$(mktemp -d)
 trap 'rm -rf "$pictures"' EXIT
@@ -19,12 +32,14 @@ cells=""
 row=""
 count=0
 for technique in "${techniques[@]}"; do
-    profile=$here/$technique.profile.yaml
-    "$limn" render "$here/selection.scene.yaml" --profile "$profile" --size $size --time 0.6 \
-        -q -o "$pictures/$technique.png" >/dev/null
-    caption=$(sed -n '1s/^# //p' "$profile")
+    IFS='|' read -r name settings caption <<<"$technique"
+    profile=$here/$name.profile.yaml
+    read -ra arguments <<<"${settings:+--set $settings}"
+    "$limn" render "$here/selection.scene.yaml" --profile "$profile" "${arguments[@]}" \
+        --size $size --time 0.6 -q -o "$pictures/$count.png" >/dev/null
+    caption=${caption:-$(sed -n '1s/^# //p' "$profile")}
     row+="<TD><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">"
-    row+="<TR><TD><IMG SRC=\"$technique.png\"/></TD></TR>"
+    row+="<TR><TD><IMG SRC=\"$count.png\"/></TD></TR>"
     row+="<TR><TD>${caption/: /<BR/>}</TD></TR></TABLE></TD>"
     count=$((count + 1))
     if ((count % columns == 0)); then
