@@ -291,13 +291,14 @@ TEST_F(MaskDifferenceOutlineGpu, DrawsLinesBetweenGroupsThatTouch)
     }
 }
 
-// The mean of 1, 3, 1 and 3 is 2: ids that count up would hide these lines.
+// The third of five, amid the others: the mean of 1, 2, 4 and 5 is 3, so that ids that count up
+// would hide it.
 TEST_F(MaskDifferenceOutlineGpu, DrawsLinesAroundWhatLiesInTheMiddleOfOthers)
 {
     FlatScene flat(9, 9);
     const std::vector<Rectangle> rectangles{{{1, 4}, {4, 5}, 5, true},
-                                            {{4, 4}, {5, 5}, 5, true},
                                             {{5, 4}, {8, 5}, 5, true},
+                                            {{4, 4}, {5, 5}, 5, true},
                                             {{4, 1}, {5, 4}, 6, true},
                                             {{4, 5}, {5, 8}, 6, true}};
     for (const Rectangle& r : rectangles)
