@@ -9,6 +9,7 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/AutoOutlineRendererFeature.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
@@ -20,6 +21,7 @@
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>
