@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <functional>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
+#include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/features/WideOutlineRendererFeature.h>
