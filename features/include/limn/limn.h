@@ -18,6 +18,7 @@
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+#include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>
