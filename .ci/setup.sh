@@ -6,6 +6,7 @@ limn_build_packages=(
     libvulkan-dev mesa-vulkan-drivers                        # the device: lavapipe where no GPU is
     glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev   # shaders
     libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
+    libembree-dev                                            # what a click hits
     graphviz                                                 # `limn explain --graph` draws with it
 )
 limn_test_packages=(

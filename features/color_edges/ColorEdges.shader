@@ -62,7 +62,7 @@ Shader "Hidden/Limn/ColorEdges"
         Pass // 2: the outline's colour where the brightness changes, blended over the picture
         {
             Name "Edges"
-            Tags { "LimnFullScreen" = "0 0 0 0 where _BlitTexture or _ColorEdgesMask or _OutlineColor is 0 within _ColorEdgesReach texels" }
+            Tags { "LimnFullScreen" = "0 0 0 0 where _BlitTexture or _ColorEdgesMask or _ColorEdgesColor is 0 within _ColorEdgesReach texels" }
             ZTest Always
             Blend One OneMinusSrcAlpha, Zero One
 
@@ -75,7 +75,7 @@ Shader "Hidden/Limn/ColorEdges"
             #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
 
             TEXTURE2D_X(_ColorEdgesMask);
-            half4 _OutlineColor;
+            half4 _ColorEdgesColor;
             float4 _ColorEdgesTaps; // texels: first, last and middle row of taps, of columns as well
             float4 _ColorEdgesRamp; // the step where lines begin, how fast they get stronger
 
@@ -118,8 +118,8 @@ Shader "Hidden/Limn/ColorEdges"
                 float above = Gradient(input.texcoord) - _ColorEdgesRamp.x;
                 float mask =
                     SAMPLE_TEXTURE2D_X_LOD(_ColorEdgesMask, sampler_PointClamp, input.texcoord, 0).r;
-                float strength = saturate(above * _ColorEdgesRamp.y) * mask * _OutlineColor.a;
-                return half4(_OutlineColor.rgb * strength, strength);
+                float strength = saturate(above * _ColorEdgesRamp.y) * mask * _ColorEdgesColor.a;
+                return half4(_ColorEdgesColor.rgb * strength, strength);
             }
             ENDHLSL
         }

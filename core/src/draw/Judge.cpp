@@ -1,13 +1,24 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
-#include <functional>
 #include <limn/core/Culling.h>
 #include <limn/core/Shader.h>
 #include <numeric>
 
 namespace limn
 {
+
+namespace
+{
+
+// A verdict is one in a sum of counts side by side, which is added up without looking at it; that
+// of what is drawn are the lowest bits.
+constexpr int k_CountBits = 12;
+constexpr std::size_t k_MostCounted = (1 << k_CountBits) - 1;
+static_assert(k_CountBits * k_FilterVerdictCount <= 64 &&
+              static_cast<int>(FilterVerdict::Drawn) == 0);
+
+} // namespace
 
 const char* ToString(FilterVerdict verdict)
 {
@@ -54,31 +65,37 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
         return judged;
     }
     const RendererTable& table = *items.table();
-    static thread_local std::vector<std::uint8_t> verdicts; // by class
-    verdicts.clear();
-    for (const RendererTable::RowClass& kind : table.classes())
+    const ClassOrder& order = table.order();
+    static thread_local std::vector<std::uint64_t> ofLooks;
+    ofLooks.clear();
+    for (const std::uint32_t index : order.classOfLook)
     {
-        verdicts.push_back(static_cast<std::uint8_t>(
-            kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn));
+        const RendererTable::RowClass& kind = table.classes()[index];
+        const FilterVerdict verdict =
+            kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn;
+        ofLooks.push_back(std::uint64_t{1} << k_CountBits * static_cast<int>(verdict));
     }
     std::vector<std::uint32_t> drawn = table.spareRows().Take(items.size());
-    // Counted in turns: a counter that was just written is not ready to be read.
-    constexpr std::size_t k_Turns = 4;
-    std::array<std::array<int, k_FilterVerdictCount>, k_Turns> counts{};
     std::size_t count = 0;
     const std::uint32_t* classOf = table.classOf().data();
-    const std::uint8_t* verdictOf = verdicts.data();
+    const std::uint32_t* lookOf = order.looks.data(); // by class
+    const std::uint64_t* ofLook = ofLooks.data();
     const std::vector<std::uint32_t>& rows = items.rows();
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t begin = 0; begin < rows.size(); begin += k_MostCounted)
     {
-        const std::uint8_t verdict = verdictOf[classOf[rows[i]]];
-        ++counts[i % k_Turns][verdict];
-        drawn[count] = rows[i];
-        count += verdict == static_cast<std::uint8_t>(FilterVerdict::Drawn);
-    }
-    for (const auto& turn : counts)
-    {
-        std::ranges::transform(turn, judged.counts, judged.counts.begin(), std::plus());
+        const std::size_t end = std::min(begin + k_MostCounted, rows.size());
+        std::uint64_t sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            const std::uint64_t verdict = ofLook[lookOf[classOf[rows[i]]]];
+            sum += verdict;
+            drawn[count] = rows[i];
+            count += verdict & 1;
+        }
+        for (std::size_t v = 0; v < judged.counts.size(); ++v)
+        {
+            judged.counts[v] += static_cast<int>(sum >> k_CountBits * v & k_MostCounted);
+        }
     }
     drawn.resize(count);
     judged.drawn = RendererItems(items.table(), std::move(drawn));

@@ -245,7 +245,18 @@ public:
         : m_Table(table), m_Commutes(commutes), m_Parts(table.meshParts().size())
     {
         const std::size_t kinds = commutes.size() * m_Parts * 2;
-        m_Seen.assign(kinds <= k_MostKinds ? kinds : 0, Seen());
+        m_Remembers = kinds <= k_MostKinds;
+        if (m_Remembers && kinds > m_Memory.seen.size())
+        {
+            m_Memory.seen.resize(kinds);
+        }
+        constexpr std::uint32_t k_Most = std::uint32_t{1} << 31;
+        if (m_Memory.stretch > k_Most)
+        {
+            std::ranges::fill(m_Memory.seen, Seen());
+            m_Memory.stretch = 0;
+        }
+        ++m_Memory.stretch;
     }
 
     /// Rows of one class that follow upon each other, for one pass.
@@ -299,6 +310,18 @@ private:
         std::uint32_t stretch = 0;
         std::uint32_t batch = 0;
     };
+    /// Of all calls: each begins a stretch of its own, so that nothing has to be cleared for few
+    /// draws out of many kinds.
+    struct Memory
+    {
+        std::vector<Seen> seen; ///< by kind
+        std::uint32_t stretch = 0;
+    };
+    static Memory& MemoryOfThread()
+    {
+        static thread_local Memory memory;
+        return memory;
+    }
     /// With more, only neighbours are put together.
     static constexpr std::size_t k_MostKinds = 1 << 22;
 
@@ -306,17 +329,17 @@ private:
                           const RendererTable::RowClass& rowClass)
     {
         const std::uint32_t number = rowClass.isAgain ? 0 : m_Commutes[pass];
-        m_Stretch += number == 0 || number != m_Number || m_Seen.empty() ? 1 : 0;
+        m_Memory.stretch += number == 0 || number != m_Number || !m_Remembers ? 1 : 0;
         m_Number = number;
-        if (!m_Seen.empty() && m_Seen[kind].stretch == m_Stretch)
+        if (m_Remembers && m_Memory.seen[kind].stretch == m_Memory.stretch)
         {
-            return m_Seen[kind].batch;
+            return m_Memory.seen[kind].batch;
         }
         m_Batches.push_back({pass, rowClass.meshPart, rowClass.isMirrored, 0, 0});
         const auto batch = static_cast<std::uint32_t>(m_Batches.size() - 1);
-        if (!m_Seen.empty())
+        if (m_Remembers)
         {
-            m_Seen[kind] = {m_Stretch, batch};
+            m_Memory.seen[kind] = {m_Memory.stretch, batch};
         }
         return batch;
     }
@@ -324,12 +347,12 @@ private:
     const RendererTable& m_Table;
     const std::vector<std::uint32_t>& m_Commutes;
     const std::size_t m_Parts;
-    std::vector<Seen>& m_Seen = Emptied<Seen>(); ///< by kind
+    Memory& m_Memory = MemoryOfThread();
+    bool m_Remembers = false; ///< kinds that were not the last
     std::vector<Run>& m_Runs = Emptied<Run>();
     std::vector<ObjectBatch>& m_Batches = Emptied<ObjectBatch>();
     std::size_t m_LastKind = 0;
     std::uint32_t m_Batch = 0;
-    std::uint32_t m_Stretch = 0;
     std::uint32_t m_Number = 0;
 };
 

@@ -33,7 +33,8 @@ public:
     void Sort()
     {
         static thread_local std::vector<std::uint64_t> classWords;
-        if (MakeClassWords(classWords))
+        // Few rows are not worth a look at all classes.
+        if (m_Rows.size() * 4 >= m_Table.classes().size() && MakeClassWords(classWords))
         {
             SortWords(classWords.data());
         }

@@ -11,7 +11,27 @@ namespace
 
 using Ids = std::unordered_set<std::uint64_t>;
 
-/// The textures whose contents are read behind the frame's last node.
+/// Whether what is pending takes the place of all that was drawn.
+bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
+{
+    const auto state = states.textures.find(texture.id());
+    return state != states.textures.end() && state->second.isPending &&
+           Only(state->second.constant.flags, AspectsOf(texture)) == AspectsOf(texture);
+}
+
+/// Says of what was Consumed whether it is kept, at the last node that draws into it.
+void Decide(const RenderTexture& texture, bool isRead, TextureStates& states)
+{
+    const auto state = states.textures.find(texture.id());
+    if (state != states.textures.end() && state->second.history == TextureHistory::Consumed)
+    {
+        state->second.history = isRead || IsReplaced(texture, states) ? TextureHistory::Unknown
+                                                                      : TextureHistory::Overwritten;
+    }
+}
+
+/// The textures whose contents are read behind the frame's last node. Those of history Consumed are
+/// if one of their readers in the frame is left.
 Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
                    const TextureStates& states)
 {
@@ -21,11 +41,9 @@ Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
         for (const auto& target : TargetsOf(node))
         {
             const auto state = states.textures.find(target->id());
-            // What is pending takes the place of all that was drawn.
-            const bool isReplaced =
-                state != states.textures.end() && state->second.isPending &&
-                Only(state->second.constant.flags, AspectsOf(*target)) == AspectsOf(*target);
-            if (OutlivesFrame(*target, states) && !isReplaced)
+            const bool isConsumed =
+                state != states.textures.end() && state->second.history == TextureHistory::Consumed;
+            if (OutlivesFrame(*target, states) && !isConsumed && !IsReplaced(*target, states))
             {
                 ids.insert(target->id());
             }
@@ -56,6 +74,10 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {
         const auto targets = TargetsOf(*node);
+        for (const auto& target : targets)
+        {
+            Decide(*target, read.contains(target->id()), frame.states);
+        }
         const bool isRead =
             std::any_of(targets.begin(), targets.end(),
                         [&](const auto& target) { return read.contains(target->id()); });
@@ -79,6 +101,11 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
         {
             read.insert(texture->id());
         }
+    }
+    for (auto& [id, state] : frame.states.textures) // what no node draws into any more
+    {
+        state.history =
+            state.history == TextureHistory::Consumed ? TextureHistory::Unknown : state.history;
     }
     EraseLeftOut(nodes, frame);
 }

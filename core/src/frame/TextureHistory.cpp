@@ -16,6 +16,7 @@ public:
 
     void Read(const std::shared_ptr<const Texture>& texture)
     {
+        m_Consumed.insert(texture->id());
         if (!m_Seen.insert(texture->id()).second)
         {
             return;
@@ -33,12 +34,34 @@ public:
         }
     }
 
+    /// Draws into what is there.
+    void Change(const std::shared_ptr<const Texture>& texture)
+    {
+        Read(texture);
+        m_Consumed.erase(texture->id());
+    }
+
     void Overwrite(const std::shared_ptr<const Texture>& texture)
     {
+        m_Consumed.erase(texture->id());
         if (m_Seen.insert(texture->id()).second)
         {
             StateOf(texture);
             overwritten.push_back(texture->id());
+        }
+    }
+
+    /// Of what the frame overwrites and nobody used before, what it reads behind the last change
+    /// is there for the frame itself: see LeaveOutUnread.
+    void MarkConsumed()
+    {
+        for (const std::uint64_t id : overwritten)
+        {
+            TextureHistory& history = m_Frame.states.textures[id].history;
+            if (history == TextureHistory::Unknown && m_Consumed.contains(id))
+            {
+                history = TextureHistory::Consumed;
+            }
         }
     }
 
@@ -54,6 +77,7 @@ private:
 
     CompiledFrame& m_Frame;
     std::unordered_set<std::uint64_t> m_Seen;
+    std::unordered_set<std::uint64_t> m_Consumed; ///< read since it was changed
 };
 
 } // namespace
@@ -76,10 +100,11 @@ std::vector<std::uint64_t> LearnHistory(const std::vector<FrameNode>& nodes, Out
             }
             else
             {
-                learner.Read(target);
+                learner.Change(target);
             }
         }
     }
+    learner.MarkConsumed();
     for (const auto& output : outputs)
     {
         learner.Read(output);

@@ -6,7 +6,8 @@ namespace limn
 {
 
 /// Looks at the first thing the frame does with each texture: whether it reads what a frame before
-/// left in it, which makes its history Read.
+/// left in it, which makes its history Read; or whether it is the frame itself that reads what it
+/// leaves in one of Unknown history, which makes it Consumed until LeaveOutUnread.
 /// @return the textures that it overwrites
 std::vector<std::uint64_t> LearnHistory(const std::vector<FrameNode>& nodes, OutputSpan outputs,
                                         CompiledFrame& frame);

@@ -12,7 +12,7 @@ namespace limn
 
 class RendererTable;
 
-/// What the order of draws needs to know of each class of a table.
+/// What judging and the order of draws need to know of each class of a table.
 struct ClassOrder
 {
     /// By class: its rank by what OptimizeStateChanges brings together.
@@ -20,6 +20,10 @@ struct ClassOrder
     /// By class: the first that draws the same, layers and masks having been looked at before.
     std::vector<std::uint32_t> firsts;
     int rankBits = 0; ///< that the ranks take
+    /// By class: a number for what filtering looks at, which many classes share: they differ in the
+    /// mesh.
+    std::vector<std::uint32_t> looks;
+    std::vector<std::uint32_t> classOfLook; ///< one of them
 
     void Update(const RendererTable& table);
 };

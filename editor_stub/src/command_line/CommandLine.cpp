@@ -3,6 +3,7 @@
 #include "command_line/Completion.h"
 #include "command_line/Help.h"
 #include "command_line/OptionText.h"
+#include "command_line/SelectionOptions.h"
 #include "command_line/UsageProblem.h"
 #include "commands/DoctorCommand.h"
 #include "commands/SchemaCommand.h"
@@ -205,6 +206,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
         ->type_name("SECONDS")
         ->check(CheckTime);
     AddValueOptions(*verb, options.profile, options.overrides);
+    AddSelectionOptions(*verb, line.selection);
     AddDeviceOption(*verb, options.device);
     auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
                                    "Keep compiled shaders here, not in the user's cache folder; "
@@ -243,7 +245,12 @@ void AddRender(CLI::App& app, CommandLine& line)
         ->type_name("FILE");
     verb->add_flag("--validate", options.validate,
                    "Run under the Vulkan validation layer; its errors give exit code 1");
-    OnceParsed(verb, line, [&line](Console& console) { return RunRender(line.render, console); });
+    OnceParsed(verb, line,
+               [verb, &line](Console& console)
+               {
+                   line.render.selection = SelectionStepsOf(*verb);
+                   return RunRender(line.render, console);
+               });
 }
 
 void AddWatch(CLI::App& app, CommandLine& line)
@@ -253,7 +260,12 @@ void AddWatch(CLI::App& app, CommandLine& line)
     CLI::Option* output = verb->get_option("--output")->description("The PNG file to write");
     output->check([](const std::string& text)
                   { return text == "-" ? "stdout holds one picture only; name a file" : ""; });
-    OnceParsed(verb, line, [&line](Console& console) { return RunWatch(line.render, console); });
+    OnceParsed(verb, line,
+               [verb, &line](Console& console)
+               {
+                   line.render.selection = SelectionStepsOf(*verb);
+                   return RunWatch(line.render, console);
+               });
 }
 
 void AddInspect(CLI::App& app, CommandLine& line)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "command_line/SelectionOptions.h"
 #include "commands/ExplainCommand.h"
 #include "commands/InspectCommand.h"
 #include "commands/RenderCommand.h"
@@ -32,6 +33,7 @@ struct CommandLine
     std::string completionShell;
     std::string size;
     std::string color;
+    SelectionTexts selection;
     bool isQuiet = false;
     bool isVerbose = false;
     std::vector<std::string> packages;

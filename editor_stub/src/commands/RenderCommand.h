@@ -1,6 +1,7 @@
 #pragma once
 
 #include "console/Console.h"
+#include "selection/SceneSelection.h"
 
 #include <map>
 #include <string>
@@ -20,6 +21,7 @@ struct RenderOptions
     int frames = 1;
     std::string profile;
     std::vector<std::string> overrides;
+    std::vector<SelectionStep> selection;
     std::string device;
     bool validate = false;
     std::string statsFile;

@@ -55,6 +55,7 @@ SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
     ApplyOverrides(asset, options.overrides, assets);
     asset.width = options.width > 0 ? options.width : asset.width;
     asset.height = options.height > 0 ? options.height : asset.height;
+    ApplySelection(asset, options.selection);
     return asset;
 }
 

@@ -15,7 +15,7 @@ namespace limn
 /// @throws AssetError if the folder the user named cannot be made
 ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Console& console);
 
-/// The scene with the command line's profile, values and size.
+/// The scene with the command line's profile, values, size and selection.
 /// @throws AssetError
 SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets);
 

@@ -15,22 +15,24 @@ namespace limn
 namespace
 {
 
-constexpr int k_MaskPass = 0;
-constexpr int k_BrightnessPass = 1;
-constexpr int k_EdgesPass = 2;
-constexpr float k_SmallestRamp = 1e-6f; ///< less than any two brightnesses of a texture differ by
+// Names that no other technique has: a library may be compiled as one translation unit.
+constexpr int k_ColorEdgesMask = 0;
+constexpr int k_ColorEdgesBrightness = 1;
+constexpr int k_ColorEdgesLines = 2;
+constexpr float k_SharpestRamp = 1e-6f; ///< less than two brightnesses of a texture differ by
 
-const ShaderPropertyId _OutlineColor{"_OutlineColor"};
+const ShaderPropertyId _ColorEdgesColor{"_ColorEdgesColor"};
 const ShaderPropertyId _ColorEdgesMask{"_ColorEdgesMask"};
 const ShaderPropertyId _ColorEdgesTaps{"_ColorEdgesTaps"};
 const ShaderPropertyId _ColorEdgesReach{"_ColorEdgesReach"};
 const ShaderPropertyId _ColorEdgesRamp{"_ColorEdgesRamp"};
 
-constexpr const char* k_OperatorKeywords[] = {"_ROBERTS", "_SOBEL", "_PREWITT"}; // by EdgeOperator
+constexpr const char* k_ColorEdgesKeywords[] = {"_ROBERTS", "_SOBEL",
+                                                "_PREWITT"}; // by EdgeOperator
 
 /// Rows of taps, `width` texels apart: the first, the last, the middle. On texels where the width
 /// is whole, so that a line gets as wide as it says; in between one of the two moves evenly.
-glm::vec4 Taps(float width)
+glm::vec4 ColorEdgesTaps(float width)
 {
     const float whole = std::floor(width);
     const float part = width - whole;
@@ -71,12 +73,12 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
         }
     }
     const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
-    const glm::vec4 taps = Taps(component.WidthWithin({camera.width, camera.height}));
-    const float ramp = std::max(component.m_Softness.value(), k_SmallestRamp);
+    const glm::vec4 taps = ColorEdgesTaps(component.WidthWithin({camera.width, camera.height}));
+    const float ramp = std::max(component.m_Softness.value(), k_SharpestRamp);
     m_Material->SetVector(_ColorEdgesTaps, taps);
     m_Material->SetFloat(_ColorEdgesReach, taps.y);
     m_Material->SetVector(_ColorEdgesRamp, {component.m_Threshold.value(), 1.0f / ramp, 0, 0});
-    m_Material->SetColor(_OutlineColor, component.m_OutlineColor.value());
+    m_Material->SetColor(_ColorEdgesColor, component.m_OutlineColor.value());
     SetOperator(component.m_Operator.value());
     return "";
 }
@@ -84,16 +86,16 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
 void ColorEdgesPass::SetOperator(EdgeOperator edgeOperator)
 {
     const auto chosen = static_cast<std::size_t>(edgeOperator);
-    if (chosen >= std::size(k_OperatorKeywords))
+    if (chosen >= std::size(k_ColorEdgesKeywords))
     {
         throw ContractError("ColorEdges.m_Operator is " + std::to_string(chosen) +
                             "; it must be Roberts 0, Sobel 1 or Prewitt 2");
     }
-    for (const char* keyword : k_OperatorKeywords)
+    for (const char* keyword : k_ColorEdgesKeywords)
     {
         m_Material->DisableKeyword(keyword);
     }
-    m_Material->EnableKeyword(k_OperatorKeywords[chosen]);
+    m_Material->EnableKeyword(k_ColorEdgesKeywords[chosen]);
 }
 
 void ColorEdgesPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData)
@@ -126,7 +128,7 @@ void ColorEdgesPass::DrawMask(ScriptableRenderContext& context,
     DrawingSettings drawing =
         CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
     drawing.overrideMaterial = m_Material;
-    drawing.overrideMaterialPassIndex = k_MaskPass;
+    drawing.overrideMaterialPassIndex = k_ColorEdgesMask;
     context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
 }
 
@@ -138,8 +140,8 @@ void ColorEdgesPass::Execute(ScriptableRenderContext& context, RenderingData& re
     }
     const RTHandle& color = renderingData.cameraData.renderer->cameraColorTargetHandle();
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    Blitter::BlitCameraTexture(*cmd, color, m_Brightness, m_Material, k_BrightnessPass);
-    Blitter::BlitCameraTexture(*cmd, m_Brightness, color, m_Material, k_EdgesPass);
+    Blitter::BlitCameraTexture(*cmd, color, m_Brightness, m_Material, k_ColorEdgesBrightness);
+    Blitter::BlitCameraTexture(*cmd, m_Brightness, color, m_Material, k_ColorEdgesLines);
     context.ExecuteCommandBuffer(*cmd);
 }
 

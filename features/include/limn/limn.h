@@ -12,6 +12,7 @@
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
+#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/OutlineRegion.h>
 #include <limn/features/RenderObjects.h>
@@ -19,6 +20,7 @@
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
+#include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>

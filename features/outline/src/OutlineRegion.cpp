@@ -91,25 +91,30 @@ std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> o
     {
         if (!Include(box, *object.item.object, viewProjection, picture))
         {
-            box = {glm::dvec2(0.0), glm::dvec2(picture)};
-            break;
+            return FindOutlineRegion(glm::dvec2(0.0), glm::dvec2(picture), picture, reach);
         }
     }
-    // A pixel more for what is smoothed, and the objects just outside that outline into the
-    // picture.
+    return FindOutlineRegion(box.low, box.high, picture, reach);
+}
+
+std::optional<OutlineRegion> FindOutlineRegion(const glm::dvec2& low, const glm::dvec2& high,
+                                               const glm::ivec2& picture, float reach)
+{
+    // A pixel more for what is smoothed.
     const double margin = std::ceil(static_cast<double>(reach)) + 1.0;
-    const glm::dvec2 low = glm::max(glm::floor(box.low) - margin, glm::dvec2(-margin));
-    const glm::dvec2 high = glm::min(glm::ceil(box.high) + margin, glm::dvec2(picture) + margin);
-    const bool touches = box.low.x - margin < picture.x && box.low.y - margin < picture.y &&
-                         box.high.x + margin > 0.0 && box.high.y + margin > 0.0;
-    if (objects.empty() || !touches)
+    const glm::dvec2 border = glm::dvec2(picture) + margin;
+    const glm::dvec2 from = glm::max(glm::floor(low) - margin, glm::dvec2(-margin));
+    const glm::dvec2 to = glm::min(glm::ceil(high) + margin, border);
+    const bool touches = low.x <= high.x && low.y <= high.y && from.x < picture.x &&
+                         from.y < picture.y && to.x > 0.0 && to.y > 0.0;
+    if (!touches)
     {
         return std::nullopt;
     }
     OutlineRegion region;
-    region.corner = glm::ivec2(low);
-    region.size = glm::ivec2(high) - region.corner;
-    region.size = {RoundUp(region.size.x), RoundUp(region.size.y)};
+    region.corner = glm::ivec2(from);
+    region.size = {RoundUp(static_cast<int>(to.x) - region.corner.x),
+                   RoundUp(static_cast<int>(to.y) - region.corner.y)};
     region.picture = picture;
     return region;
 }

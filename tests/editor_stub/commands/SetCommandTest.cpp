@@ -76,8 +76,10 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
     ASSERT_EQ(0, run.exitCode) << run.err;
     const auto schema = nlohmann::json::parse(run.out);
     const auto& feature = schema["properties"]["renderer"]["properties"]["features"]["items"];
-    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", feature["properties"]["type"]["enum"][2]);
-    const auto& settings = feature["allOf"][2]["then"]["properties"];
+    const auto& types = feature["properties"]["type"]["enum"];
+    const auto type = std::find(types.begin(), types.end(), "ScreenSpaceOutlineRenderFeature");
+    ASSERT_NE(types.end(), type);
+    const auto& settings = feature["allOf"][type - types.begin()]["then"]["properties"];
     EXPECT_TRUE(settings.contains("m_LayerMask"));
     EXPECT_TRUE(settings.contains("layerMask"));
     EXPECT_EQ("Basic Settings: When in the frame the outline is drawn",

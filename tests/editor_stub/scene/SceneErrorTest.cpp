@@ -175,24 +175,23 @@ TEST(SceneErrors, NameARenderingLayerIndexOf32)
 TEST(SceneErrors, NameWhatAFeatureCannotBe)
 {
     SceneFolder folder;
-    EXPECT_EQ(
-        (Lines{"4:15: renderer.features[0].type: unknown feature 'Outline' (known: "
-               "FullScreenPassRendererFeature, RenderObjects, ScreenSpaceOutlineRenderFeature)",
-               "6:28: renderer.features[1].m_RenderQueueRange: 7 is none of All 0, Opaque 1, "
-               "Transparent 2",
-               "7:27: renderer.features[1].m_RenderPassEvent: '+x' is no distance from "
-               "AfterRendering; a whole number is expected, AfterRendering+1",
-               "8:36: renderer.features[1].m_ScreenSpaceOutlineShader: unknown shader "
-               "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? (a "
-               "file's path ends in '.shader')"}),
-        folder.ProblemsOf("camera: {}\n"
-                          "renderer:\n"
-                          "  features:\n"
-                          "     - {type: Outline, foo: 1}\n"
-                          "     - type: ScreenSpaceOutlineRenderFeature\n"
-                          "       m_RenderQueueRange: 7\n"
-                          "       m_RenderPassEvent: AfterRendering+x\n"
-                          "       m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutlin\n"));
+    EXPECT_EQ((Lines{"4:15: renderer.features[0].type: unknown feature " +
+                         UnknownName("Outline", folder.assets.features().names()),
+                     "6:28: renderer.features[1].m_RenderQueueRange: 7 is none of All 0, Opaque 1, "
+                     "Transparent 2",
+                     "7:27: renderer.features[1].m_RenderPassEvent: '+x' is no distance from "
+                     "AfterRendering; a whole number is expected, AfterRendering+1",
+                     "8:36: renderer.features[1].m_ScreenSpaceOutlineShader: unknown shader "
+                     "'Hidden/ScreenSpaceOutlin'; did you mean 'Hidden/ScreenSpaceOutline'? (a "
+                     "file's path ends in '.shader')"}),
+              folder.ProblemsOf("camera: {}\n"
+                                "renderer:\n"
+                                "  features:\n"
+                                "     - {type: Outline, foo: 1}\n"
+                                "     - type: ScreenSpaceOutlineRenderFeature\n"
+                                "       m_RenderQueueRange: 7\n"
+                                "       m_RenderPassEvent: AfterRendering+x\n"
+                                "       m_ScreenSpaceOutlineShader: Hidden/ScreenSpaceOutlin\n"));
 }
 
 TEST(SceneErrors, NameASecondDescriptionOfTheSameThing)

@@ -68,8 +68,8 @@ inline std::shared_ptr<Material> Strange(const std::string& value)
         value + "; return float4(x, x, x, 1); }\nENDHLSL\n} } }"));
 }
 
-/// Rectangles seen straight from in front: a unit of the world is a pixel, y runs down from the top
-/// left corner of the picture, as it does in images. The background is black.
+/// Rectangles seen straight from in front, placed in pixels: y runs down from the top left corner
+/// of the picture, as it does in images. The background is black.
 struct FlatScene
 {
     Scene scene;
@@ -85,6 +85,13 @@ struct FlatScene
         camera.backgroundColor = Color::black;
     }
 
+    /// What follows is seen in perspective, at the same pixels.
+    void MakePerspective()
+    {
+        camera.orthographic = false;
+        camera.fieldOfView = 53.13010235f; // as high as far away
+    }
+
     /// @param low, high  its top left and bottom right corner, pixels
     /// @param depth      distance from the camera, 1...11
     GameObject& Add(const glm::vec2& low, const glm::vec2& high, float depth,
@@ -92,8 +99,9 @@ struct FlatScene
     {
         GameObject& object = scene.Add("Rectangle " + std::to_string(scene.objects().size()));
         const glm::vec2 middle = (low + high) * 0.5f - size * 0.5f;
-        object.transform.localPosition = {middle.x, -middle.y, depth};
-        object.transform.localScale = {high.x - low.x, high.y - low.y, 1.0f};
+        const float unit = camera.orthographic ? 1.0f : depth / size.y; // a pixel
+        object.transform.localPosition = {middle.x * unit, -middle.y * unit, depth};
+        object.transform.localScale = {(high.x - low.x) * unit, (high.y - low.y) * unit, 1.0f};
         object.renderer = MeshRenderer{CreatePrimitive(PrimitiveType::Quad), {material}};
         return object;
     }

@@ -34,8 +34,9 @@ struct FrameCompilerOptions
 /// what it leaves to the next.
 ///
 /// Textures outlive the frame where a next one may read them: not those made transient, nor those
-/// that every frame so far has overwritten before it read any. A frame that reads such a one after
-/// all gets a note, and it is kept from then on.
+/// that every frame so far has overwritten before it read any; nor those that no frame has used
+/// before, if this one as recorded reads what it leaves in them and all that reads it is left out.
+/// A frame that reads such a one after all gets a note, and it is kept from then on.
 ///
 /// Its steps, each in a file of core/src/frame:
 /// - SplitIntoNodes: commands on the same targets form a node; a target bound and never drawn into

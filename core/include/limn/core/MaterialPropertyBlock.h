@@ -39,8 +39,13 @@ public:
     /// The value, or null if none was set. Until the next change.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const
     {
-        const auto slot = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
-        return slot != m_Slots.end() && slot->id == id ? &m_Values[slot->value] : nullptr;
+        // By halves, without branches: nothing foretells which way they go.
+        const Slot* slot = m_Slots.data();
+        for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
+        {
+            slot += count / 2 * static_cast<std::size_t>(!(id < slot[count / 2].id));
+        }
+        return !m_Slots.empty() && slot->id == id ? &m_Values[slot->value] : nullptr;
     }
 
     void Remove(ShaderPropertyId id);

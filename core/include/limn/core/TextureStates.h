@@ -20,6 +20,7 @@ enum class TextureUsage
 enum class TextureHistory
 {
     Unknown,     ///< no frame has used it
+    Consumed,    ///< Unknown, and the frame being made itself reads what it leaves in it
     Overwritten, ///< every frame wrote the whole of it before it read any: nothing of it is kept
     Read         ///< a frame read what one before it left: it is kept
 };

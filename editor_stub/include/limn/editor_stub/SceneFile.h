@@ -6,6 +6,7 @@
 #include <limn/core/ScriptableRendererFeature.h>
 #include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/LayerNames.h>
+#include <limn/editor_stub/SelectController.h>
 #include <limn/volume/Volume.h>
 #include <memory>
 #include <vector>
@@ -45,7 +46,8 @@ struct SceneAsset
     RendererAsset renderer;
     std::vector<Volume> volumes;
     std::vector<Turn> turns;
-    std::vector<Diagnostic> notes; ///< what of Unity's assets was left out, and the like
+    std::vector<Selected> selected; ///< by whoever loaded it, in that order
+    std::vector<Diagnostic> notes;  ///< what of Unity's assets was left out, and the like
 };
 
 /// Puts the objects that turn where they are at `seconds`. Whole turns are taken off in double

@@ -39,6 +39,11 @@ struct OutlineRegion
 std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> objects,
                                                const CameraData& camera, float reach);
 
+/// The same for what lies between two points of the picture.
+/// @param low   pixels from the picture's top left; above `high` where there is nothing
+std::optional<OutlineRegion> FindOutlineRegion(const glm::dvec2& low, const glm::dvec2& high,
+                                               const glm::ivec2& picture, float reach);
+
 /// Draws that follow go into a texture of the region, seen from the camera.
 void SetRegionProjection(CommandBuffer& cmd, const OutlineRegion& region, const CameraData& camera);
 /// And again as the camera sees them.

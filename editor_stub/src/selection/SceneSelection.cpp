@@ -1,0 +1,287 @@
+#include "selection/SceneSelection.h"
+
+#include <charconv>
+#include <cmath>
+#include <limn/core/Inspector.h>
+#include <limn/shaderlab/Case.h>
+#include <limn/volume/YamlRead.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Which objects features outline, as far as their settings say it: those of a rendering layer,
+/// in layers and in render queues. The layer Default marks nothing, since everything is in it.
+class SelectionLayers final : public Inspector
+{
+public:
+    void Add(ScriptableRendererFeature& feature)
+    {
+        m_Index = 0;
+        m_Layers = LayerMask::Everything();
+        m_Queues = RenderQueueRange::all;
+        feature.Describe(*this);
+        if (m_Index == 0)
+        {
+            return;
+        }
+        const bool isFirst = renderingLayers.bits == 0;
+        renderingLayers = renderingLayers | RenderingLayerMask::FromIndex(m_Index);
+        layers = isFirst ? m_Layers : layers | m_Layers;
+        queues = isFirst ? m_Queues
+                         : RenderQueueRange(std::min(queues.lowerBound(), m_Queues.lowerBound()),
+                                            std::max(queues.upperBound(), m_Queues.upperBound()));
+    }
+
+    void Field(const FieldInfo& field, FieldValue value) override
+    {
+        if (const auto* index = std::get_if<RenderingLayerValue>(&value))
+        {
+            m_Index = index->value;
+        }
+        if (LayerMask** mask = std::get_if<LayerMask*>(&value))
+        {
+            m_Layers = **mask;
+        }
+        const auto* choice = std::get_if<EnumValue>(&value);
+        if (choice && field.name == "m_RenderQueueRange")
+        {
+            m_Queues = QueuesOf(*choice);
+        }
+    }
+
+    RenderingLayerMask renderingLayers;
+    LayerMask layers = LayerMask::Everything();
+    RenderQueueRange queues = RenderQueueRange::all;
+
+private:
+    static RenderQueueRange QueuesOf(const EnumValue& choice)
+    {
+        for (const EnumEntry& entry : choice.entries)
+        {
+            if (entry.value == choice.value && entry.name != "All")
+            {
+                return entry.name == "Opaque" ? RenderQueueRange::opaque
+                                              : RenderQueueRange::transparent;
+            }
+        }
+        return RenderQueueRange::all;
+    }
+
+    int m_Index = 0;
+    LayerMask m_Layers;
+    RenderQueueRange m_Queues = RenderQueueRange::all;
+};
+
+std::string OptionOf(const SelectionStep& step)
+{
+    const char* names[] = {"--select ", "--click ", "--ctrl-click "};
+    return names[static_cast<std::size_t>(step.kind)] + step.text;
+}
+
+template <typename Number>
+bool ReadNumber(std::string_view text, Number& number)
+{
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && rest == text.data() + text.size();
+}
+
+std::string Trimmed(const std::string& text)
+{
+    const std::size_t begin = text.find_first_not_of(' ');
+    const std::size_t end = text.find_last_not_of(' ');
+    return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+/// A name may have a comma of its own where it stands alone.
+std::vector<std::string> NamesIn(const std::string& text, Scene& scene)
+{
+    if (text.empty() || scene.Find(text))
+    {
+        return text.empty() ? std::vector<std::string>() : std::vector{text};
+    }
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= text.size();)
+    {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        names.push_back(Trimmed(text.substr(begin, comma - begin)));
+        begin = comma + 1;
+    }
+    return names;
+}
+
+class Selector
+{
+public:
+    explicit Selector(SceneAsset& asset, const SelectionLayers& layers)
+        : m_Asset(asset), m_Controller(asset.scene, SettingsOf(layers))
+    {
+    }
+
+    void Do(const SelectionStep& step)
+    {
+        AssetDiagnostics diagnostics(OptionOf(step));
+        if (step.kind == SelectionStep::Kind::Select)
+        {
+            Select(step, diagnostics);
+        }
+        else
+        {
+            Click(step, diagnostics);
+        }
+        diagnostics.ThrowIfErrors();
+        m_Asset.selected = m_Controller.selected();
+    }
+
+private:
+    static SelectSettings SettingsOf(const SelectionLayers& layers)
+    {
+        SelectSettings settings;
+        settings.renderingLayers = layers.renderingLayers;
+        settings.selectableLayers = layers.layers;
+        settings.raycast.renderQueueRange = layers.queues;
+        return settings;
+    }
+
+    /// All objects of each name, at time 0.
+    void Select(const SelectionStep& step, AssetDiagnostics& diagnostics)
+    {
+        std::vector<GameObject*> chosen;
+        for (const std::string& name : NamesIn(step.text, m_Asset.scene))
+        {
+            const std::size_t before = chosen.size();
+            for (const std::unique_ptr<GameObject>& object : m_Asset.scene.objects())
+            {
+                if (object->name == name)
+                {
+                    chosen.push_back(object.get());
+                }
+            }
+            if (chosen.size() == before)
+            {
+                diagnostics.Error({}, "unknown object " + UnknownName(name, NamesLike(name)));
+            }
+        }
+        if (!diagnostics.hasErrors())
+        {
+            m_Controller.Select(chosen, 0.0);
+        }
+    }
+
+    /// What an unknown name may have meant: all names if one is near; else those it is a part of;
+    /// else those of objects that hang below none.
+    std::vector<std::string_view> NamesLike(const std::string& name) const
+    {
+        std::vector<std::string_view> all;
+        std::vector<std::string_view> longer;
+        std::vector<std::string_view> roots;
+        for (const std::unique_ptr<GameObject>& object : m_Asset.scene.objects())
+        {
+            all.push_back(object->name);
+            if (ToLower(object->name).find(ToLower(name)) != std::string::npos)
+            {
+                longer.push_back(object->name);
+            }
+            if (!object->transform.parent)
+            {
+                roots.push_back(object->name);
+            }
+        }
+        if (!NearestName(name, all).empty())
+        {
+            return all;
+        }
+        return longer.empty() || name.empty() ? roots : longer;
+    }
+
+    void Click(const SelectionStep& step, AssetDiagnostics& diagnostics)
+    {
+        const ClickText click = ParseClick(step.text).value_or(ClickText{-1, -1, 0.0});
+        const int width = m_Asset.width;
+        const int height = m_Asset.height;
+        if (click.x < 0 || click.x >= width || click.y < 0 || click.y >= height)
+        {
+            diagnostics.Error({}, "the pixel lies outside of the picture, which is " +
+                                      std::to_string(width) + "x" + std::to_string(height) +
+                                      ": 0," + "0 is its top left and " +
+                                      std::to_string(width - 1) + "," + std::to_string(height - 1) +
+                                      " its bottom right");
+            return;
+        }
+        TurnObjects(m_Asset.turns, click.time);
+        GameObject* hit = m_Controller.GetHitObj(m_Asset.camera, width, height, click.x, click.y);
+        m_Controller.Click(hit, step.kind == SelectionStep::Kind::CtrlClick, click.time);
+        if (!hit)
+        {
+            m_Asset.notes.push_back({Severity::Note, OptionOf(step), {}, WhyNothing(click)});
+        }
+    }
+
+    std::string WhyNothing(const ClickText& click)
+    {
+        const std::optional<RaycastHit> seen =
+            m_Controller.Raycast(m_Asset.camera, m_Asset.width, m_Asset.height, click.x, click.y);
+        const std::string nothing = "; nothing is selected now";
+        if (!seen)
+        {
+            return "there is no object there" + nothing;
+        }
+        const int layer = seen->gameObject->layer;
+        const std::string& name = m_Asset.layers.Name(layer);
+        return "'" + seen->gameObject->name + "' is there, whose layer, " +
+               (name.empty() ? std::to_string(layer) : name) +
+               ", is in no layer mask of a feature that shows a selection" + nothing;
+    }
+
+    SceneAsset& m_Asset;
+    SelectController m_Controller;
+};
+
+} // namespace
+
+std::optional<ClickText> ParseClick(const std::string& text)
+{
+    const std::size_t comma = text.find(',');
+    const std::size_t at = std::min(text.find('@'), text.size());
+    if (comma == std::string::npos || comma > at)
+    {
+        return std::nullopt;
+    }
+    ClickText click;
+    const std::string_view all = text;
+    const bool isGood = ReadNumber(all.substr(0, comma), click.x) &&
+                        ReadNumber(all.substr(comma + 1, at - comma - 1), click.y) &&
+                        (at == text.size() || ReadNumber(all.substr(at + 1), click.time)) &&
+                        std::isfinite(click.time);
+    return isGood ? std::optional(click) : std::nullopt;
+}
+
+void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps)
+{
+    if (steps.empty())
+    {
+        return;
+    }
+    SelectionLayers layers;
+    for (const std::unique_ptr<ScriptableRendererFeature>& feature : asset.renderer.features)
+    {
+        layers.Add(*feature);
+    }
+    if (layers.renderingLayers.bits == 0)
+    {
+        throw AssetError(OptionOf(steps.front()), {},
+                         "no feature of the scene draws the objects of a rendering layer other "
+                         "than Default, so none would show the selection; an outline feature does "
+                         "with m_RenderingLayerMask: Selected and, in the scene, "
+                         "renderingLayers: {8: Selected}");
+    }
+    Selector selector(asset, layers);
+    for (const SelectionStep& step : steps)
+    {
+        selector.Do(step);
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,215 @@
+// The exact outline: silhouette edges as strokes on the screen. StrokeOutlinePass runs the passes in
+// order. Lengths are pixels of the picture, y down, in a texture that is a part of it.
+Shader "Hidden/Limn/StrokeOutline"
+{
+    SubShader
+    {
+        Tags { "RenderPipeline" = "UniversalPipeline" }
+
+        HLSLINCLUDE
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+        #include "limn/outline/Coverage.hlsl"
+
+        float4 _OutlineRegion;  // corner, size
+        float4 _OutlinePicture; // size
+
+        TEXTURE2D(_StrokeDepth);
+        float4 _StrokeDepth_TexelSize;
+
+        // The group's own device depth at a place of the region, 0 where it is not.
+        float OwnDepth(float2 pixel)
+        {
+            return SAMPLE_TEXTURE2D_LOD(_StrokeDepth, sampler_PointClamp,
+                                        pixel * _StrokeDepth_TexelSize.xy, 0).r;
+        }
+
+        float4 PixelToClip(float2 pixel, float2 size)
+        {
+            return float4(pixel.x / size.x * 2.0 - 1.0, 1.0 - pixel.y / size.y * 2.0, 0.5, 1.0);
+        }
+
+        // Two triangles of six vertices; x, y: 0 or 1.
+        float2 QuadCorner(uint vertexID)
+        {
+            uint corner = vertexID % 6u;
+            return float2(corner == 1u || corner == 2u || corner == 4u ? 1.0 : 0.0,
+                          corner == 2u || corner == 4u || corner == 5u ? 1.0 : 0.0);
+        }
+        ENDHLSL
+
+        Pass // 0: the objects of the group, alone
+        {
+            Name "Own Depth"
+            Tags { "LimnWithinMesh" = "True" }
+            ZWrite On
+            ZTest LEqual
+            Cull Off
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma vertex DepthVertex
+            #pragma fragment DepthFragment
+
+            float4 DepthVertex(float4 positionOS : POSITION) : SV_POSITION
+            {
+                return TransformObjectToHClip(positionOS.xyz);
+            }
+
+            half4 DepthFragment() : SV_Target
+            {
+                return 0;
+            }
+            ENDHLSL
+        }
+
+        Pass // 1: strokes on the outer side of silhouette edges
+        {
+            Name "Strokes"
+            ZWrite Off
+            ZTest Always
+            Cull Off
+            Blend One One, One One
+            BlendOp Max, Add
+
+            HLSLPROGRAM
+            #pragma vertex StrokeVertex
+            #pragma fragment StrokeFragment
+            #pragma shader_feature_local _ _STROKE_OCCLUSION
+
+            #if defined(_STROKE_OCCLUSION)
+            TEXTURE2D(_CameraDepthTexture);
+            #endif
+
+            float4 _Strokes[1022];
+            float _OutlineWidth;
+
+            struct StrokeVaryings
+            {
+                float4 positionCS : SV_POSITION;
+                nointerpolation float4 ends : TEXCOORD0;
+                nointerpolation float2 depths : TEXCOORD1;
+            };
+
+            StrokeVaryings StrokeVertex(uint vertexID : SV_VertexID)
+            {
+                float4 ends = _Strokes[vertexID / 6u * 2u];
+                float4 more = _Strokes[vertexID / 6u * 2u + 1u];
+                float2 along = ends.zw - ends.xy;
+                float squared = dot(along, along);
+                along = squared > 0.0 ? along * rsqrt(squared) : float2(1.0, 0.0);
+                float2 outward = float2(along.y, -along.x);
+
+                float2 corner = QuadCorner(vertexID);
+                float2 pixel = corner.x > 0.0 ? ends.zw + along * more.y : ends.xy - along * more.x;
+                pixel += outward * (corner.y > 0.0 ? _OutlineWidth + 1.0 : -1.0);
+                StrokeVaryings output;
+                output.positionCS = more.x < 0.0 ? float4(2.0, 2.0, 0.5, 1.0)
+                                                 : PixelToClip(pixel, _OutlineRegion.zw);
+                output.ends = ends;
+                output.depths = more.zw;
+                return output;
+            }
+
+            // By how much the edge corrects what the pixel's centre says of the objects' coverage.
+            // across: of the centre from the edge, outwards; share: of the pixel along the edge
+            float EdgeCorrection(float2 pixel, float2 nearest, float2 outward, float across,
+                                 float share)
+            {
+                if (share <= 0.0 || abs(across) >= 0.71 || OwnDepth(nearest + outward) > 0.0)
+                {
+                    return 0.0; // too far away, or the objects go on behind the edge
+                }
+                float beyond = PixelCoverage(across, outward);
+                // On the edge the rasteriser decides which side a centre is on.
+                bool isInside = abs(across) < 0.01 ? OwnDepth(pixel) > 0.0 : across < 0.0;
+                return (isInside ? -beyond : 1.0 - beyond) * share;
+            }
+
+            #if defined(_STROKE_OCCLUSION)
+            // Whether the silhouette is seen: just inside of it, where the objects have a surface.
+            bool IsVisible(float2 nearest, float2 outward, float depth)
+            {
+                float2 inside = nearest - outward * 0.5;
+                // Where the surface turns away the camera's depth, which may be that of another
+                // sample, belongs to a place farther in.
+                float own = max(OwnDepth(inside), OwnDepth(inside - outward * 1.5));
+                float2 uv = (inside + _OutlineRegion.xy) / _OutlinePicture.xy;
+                float scene = SAMPLE_TEXTURE2D_LOD(_CameraDepthTexture, sampler_PointClamp, uv, 0).r;
+                return scene <= (own > 0.0 ? own : depth) * 1.001;
+            }
+            #endif
+
+            float4 StrokeFragment(StrokeVaryings input) : SV_Target
+            {
+                float2 pixel = input.positionCS.xy;
+                float2 whole = input.ends.zw - input.ends.xy;
+                float reach = length(whole);
+                float2 along = reach > 0.0 ? whole / reach : float2(1.0, 0.0);
+                float2 outward = float2(along.y, -along.x);
+
+                float2 from = pixel - input.ends.xy;
+                float place = dot(from, along);
+                float across = dot(from, outward);
+                float onEdge = clamp(place, 0.0, reach);
+                float2 apart = from - along * onEdge;
+                float away = length(apart);
+                float2 direction = away > 1e-4 ? apart / away : outward;
+                // Behind the edge of something thin is the outline of its other side.
+                bool isInside = across < 0.0 && place == onEdge && OwnDepth(pixel) > 0.0;
+                float distance = isInside ? -away : away;
+                float covered = PixelCoverage(_OutlineWidth - distance, direction);
+
+                float2 nearest = input.ends.xy + along * onEdge;
+                float extent = 0.5 * (abs(along.x) + abs(along.y));
+                float share = (clamp(place + extent, 0.0, reach) - clamp(place - extent, 0.0, reach)) /
+                              (2.0 * extent);
+                float correction = EdgeCorrection(pixel, nearest, outward, across, share);
+            #if defined(_STROKE_OCCLUSION)
+                float depth = lerp(input.depths.x, input.depths.y, onEdge / max(reach, 1e-6));
+                bool isVisible = IsVisible(nearest, outward, depth);
+                return float4(isVisible ? covered : 0.0, isVisible ? 0.0 : covered, 0.0, correction);
+            #else
+                return float4(covered, 0.0, 0.0, correction);
+            #endif
+            }
+            ENDHLSL
+        }
+
+        Pass // 2: what strokes cover and objects do not, over the camera's colour; alpha is kept
+        {
+            Name "Composite"
+            ZWrite Off
+            ZTest Always
+            Cull Off
+            Blend SrcAlpha OneMinusSrcAlpha, Zero One
+
+            HLSLPROGRAM
+            #pragma vertex TileVertex
+            #pragma fragment CompositeFragment
+
+            TEXTURE2D(_StrokeCoverage);
+            float4 _Tiles[1022]; // left, top, right, bottom
+            half4 _OutlineColor;
+            half4 _OccludedColor;
+
+            float4 TileVertex(uint vertexID : SV_VertexID) : SV_POSITION
+            {
+                float4 tile = _Tiles[vertexID / 6u];
+                float2 pixel = lerp(tile.xy, tile.zw, QuadCorner(vertexID));
+                return PixelToClip(pixel + _OutlineRegion.xy, _OutlinePicture.xy);
+            }
+
+            half4 CompositeFragment(float4 positionCS : SV_POSITION) : SV_Target
+            {
+                float2 pixel = positionCS.xy - _OutlineRegion.xy;
+                float4 strokes = SAMPLE_TEXTURE2D_LOD(_StrokeCoverage, sampler_PointClamp,
+                                                      pixel * _StrokeDepth_TexelSize.xy, 0);
+                float objects = saturate((OwnDepth(pixel) > 0.0 ? 1.0 : 0.0) + strokes.a);
+                float covered = saturate(max(strokes.r, strokes.g) - objects);
+                half4 color = strokes.r >= strokes.g ? _OutlineColor : _OccludedColor;
+                return half4(color.rgb, color.a * covered);
+            }
+            ENDHLSL
+        }
+    }
+}

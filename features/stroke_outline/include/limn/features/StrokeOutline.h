@@ -1,0 +1,19 @@
+#pragma once
+
+#include <limn/features/OutlineComponent.h>
+
+namespace limn
+{
+
+/// What volumes set of the exact outline.
+class StrokeOutline final : public OutlineComponent
+{
+public:
+    ColorParameter m_OccludedColor{
+        this,
+        "m_OccludedColor",
+        Color{0.5f, 0.5f, 0.5f, 1.0f},
+        {.tooltip = "sRGB; of what something hides, where the feature's occlusion is SeeThrough."}};
+};
+
+} // namespace limn

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <limn/core/Material.h>
+#include <limn/core/ScriptableRenderPass.h>
+#include <limn/features/OutlineRegion.h>
+#include <limn/features/StrokeOutline.h>
+#include <memory>
+#include <vector>
+
+namespace limn
+{
+
+/// Which part of an outline is drawn: where the nearest point of the object's silhouette is hidden
+/// by something else or not.
+enum class OutlineOcclusion
+{
+    All,       ///< whatever stands in front
+    Visible,   ///< not hidden
+    Hidden,    ///< hidden
+    SeeThrough ///< both, what is hidden in m_OccludedColor
+};
+
+struct StrokeOutlineSettings : OutlineSettings
+{
+    OutlineGrouping m_Grouping = OutlineGrouping::PerGroup;
+    OutlineOcclusion m_Occlusion = OutlineOcclusion::All;
+
+    void Describe(Inspector& inspector);
+};
+
+class SilhouetteFinder;
+struct StrokeDraws;
+
+/// Draws silhouette edges as strokes on the screen, the widest coverage wins, and what they cover
+/// outside of the objects into the camera's colour, for each group on its own.
+///
+/// _StrokeDepth: D32_SFloat, size of the region: the group's own device depth, 0 where it is not.
+/// _StrokeCoverage: R16G16B16A16_SFloat, the same size: what the strokes cover, r visible, g
+/// hidden; a: by how much the group covers more of the pixel than _StrokeDepth says.
+class StrokeOutlinePass final : public ScriptableRenderPass
+{
+public:
+    static constexpr const char* k_Shader = "Hidden/Limn/StrokeOutline";
+
+    StrokeOutlinePass(const std::string& featureName, const StrokeOutlineSettings& settings,
+                      std::shared_ptr<const Shader> shader);
+    ~StrokeOutlinePass() override;
+
+    /// @return why nothing is drawn, "" if something is
+    std::string Setup(const StrokeOutline& volumeComponent, const RenderingData& renderingData);
+
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+    /// Silhouette edges that were drawn last.
+    int edgeCount() const;
+
+private:
+    void DrawGroup(CommandBuffer& cmd, const StrokeDraws& group, const CameraData& camera);
+    void DrawOwnDepth(CommandBuffer& cmd, const StrokeDraws& group, const CameraData& camera);
+
+    StrokeOutlineSettings m_Settings;
+    std::shared_ptr<Material> m_Material;
+    std::unique_ptr<SilhouetteFinder> m_Finder;
+    std::vector<OutlinedObject> m_Objects;
+    std::vector<std::unique_ptr<StrokeDraws>> m_Groups;
+};
+
+} // namespace limn

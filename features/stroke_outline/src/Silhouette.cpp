@@ -1,0 +1,248 @@
+#include "Silhouette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <unordered_map>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::uint32_t k_NoPoint = ~std::uint32_t{0};
+
+/// How far a point is on the inner side of the near and the far plane.
+double InsideNear(const glm::dvec4& clip)
+{
+    return clip.w - clip.z;
+}
+double InsideFar(const glm::dvec4& clip)
+{
+    return clip.z;
+}
+using Plane = double (*)(const glm::dvec4&);
+
+/// Cuts off what is not inside. @return false if nothing is left
+bool Cut(glm::dvec4& a, glm::dvec4& b, Plane plane)
+{
+    // What was cut by the plane before lies on it but for rounding.
+    const double slack = -1e-12 * (std::abs(a.w) + std::abs(b.w));
+    const double insideA = plane(a);
+    const double insideB = plane(b);
+    if (insideA < slack && insideB < slack)
+    {
+        return false;
+    }
+    if (insideA < slack || insideB < slack)
+    {
+        const glm::dvec4 cut = glm::mix(a, b, insideA / (insideA - insideB));
+        (insideA < slack ? a : b) = cut;
+    }
+    return true;
+}
+
+/// Turns edges of one mesh into strokes.
+class StrokeMaker
+{
+public:
+    StrokeMaker(const glm::dvec2& picture, std::vector<Stroke>& strokes)
+        : m_Picture(picture), m_Strokes(&strokes)
+    {
+    }
+
+    /// @param inner        a point of the object beside the edge; none: it is drawn to both sides
+    /// @param pointA       the mesh's, for joining it with others; or k_NoPoint
+    void Add(glm::dvec4 a, glm::dvec4 b, const glm::dvec4* inner, std::uint32_t pointA,
+             std::uint32_t pointB)
+    {
+        const glm::dvec4 wholeA = a;
+        const glm::dvec4 wholeB = b;
+        if (!Cut(a, b, InsideNear) || !Cut(a, b, InsideFar) || !(a.w > 0.0) || !(b.w > 0.0))
+        {
+            return;
+        }
+        Stroke stroke{ToPixel(a), ToPixel(b), a.z / a.w, b.z / b.w};
+        const double side = inner != nullptr ? SideOf(stroke, *inner) : 0.0;
+        pointA = a == wholeA ? pointA : k_NoPoint;
+        pointB = b == wholeB ? pointB : k_NoPoint;
+        if (side >= 0.0)
+        {
+            Push(stroke, pointA, pointB);
+        }
+        if (side <= 0.0)
+        {
+            std::swap(stroke.a, stroke.b);
+            std::swap(stroke.depthA, stroke.depthB);
+            Push(stroke, pointB, pointA);
+        }
+    }
+
+    /// Finds where strokes go on.
+    void Join()
+    {
+        for (auto& [point, end] : m_Ends)
+        {
+            if (end.count != 2)
+            {
+                continue;
+            }
+            Stroke& in = (*m_Strokes)[end.strokes[0].first];
+            Stroke& out = (*m_Strokes)[end.strokes[1].first];
+            const bool endsAtB = end.strokes[0].second;
+            const bool beginsAtA = !end.strokes[1].second;
+            const glm::dvec2 from = endsAtB ? in.b - in.a : in.a - in.b;
+            const glm::dvec2 to = beginsAtA ? out.b - out.a : out.a - out.b;
+            const double lengths = glm::length(from) * glm::length(to);
+            const double turn = lengths > 0.0 ? glm::dot(from, to) / lengths : -1.0;
+            (endsAtB ? in.turnB : in.turnA) = turn;
+            (beginsAtA ? out.turnA : out.turnB) = turn;
+        }
+    }
+
+private:
+    struct Ends
+    {
+        int count = 0;
+        std::pair<std::size_t, bool> strokes[2]; ///< and whether it is b
+    };
+
+    glm::dvec2 ToPixel(const glm::dvec4& clip) const
+    {
+        return glm::dvec2(1.0 + clip.x / clip.w, 1.0 - clip.y / clip.w) * 0.5 * m_Picture;
+    }
+
+    /// > 0: the object is on the right of a to b, < 0: on the left, 0: it cannot be said.
+    double SideOf(const Stroke& stroke, const glm::dvec4& inner) const
+    {
+        if (!(inner.w > 0.0) || InsideNear(inner) < 0.0)
+        {
+            return 0.0;
+        }
+        const glm::dvec2 along = stroke.b - stroke.a;
+        const glm::dvec2 across = ToPixel(inner) - stroke.a;
+        return along.x * across.y - along.y * across.x;
+    }
+
+    void Push(const Stroke& stroke, std::uint32_t pointA, std::uint32_t pointB)
+    {
+        const std::size_t index = m_Strokes->size();
+        m_Strokes->push_back(stroke);
+        for (const bool isB : {false, true})
+        {
+            const std::uint32_t point = isB ? pointB : pointA;
+            if (point != k_NoPoint)
+            {
+                Ends& ends = m_Ends[point];
+                if (ends.count < 2)
+                {
+                    ends.strokes[ends.count] = {index, isB};
+                }
+                ++ends.count;
+            }
+        }
+    }
+
+    glm::dvec2 m_Picture;
+    std::vector<Stroke>* m_Strokes;
+    std::unordered_map<std::uint32_t, Ends> m_Ends; ///< by point
+};
+
+/// The sign of the area that a face has on the screen, also where it reaches behind the camera.
+signed char Facing(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
+{
+    const glm::dmat3 corners(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w),
+                             glm::dvec3(c.x, c.y, c.w));
+    const double area = glm::determinant(corners);
+    return static_cast<signed char>((area > 0.0) - (area < 0.0));
+}
+
+std::uint32_t ThirdPoint(const WeldedMesh::Face& face, const WeldedMesh::Edge& edge)
+{
+    return face.points[0] ^ face.points[1] ^ face.points[2] ^ edge.points[0] ^ edge.points[1];
+}
+
+/// Where a plane cuts through a face.
+void AddCut(const WeldedMesh::Face& face, const std::vector<glm::dvec4>& clip, Plane plane,
+            StrokeMaker& maker)
+{
+    glm::dvec4 ends[2];
+    int count = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const glm::dvec4& a = clip[face.points[i]];
+        const glm::dvec4& b = clip[face.points[(i + 1) % 3]];
+        const double insideA = plane(a);
+        const double insideB = plane(b);
+        if ((insideA < 0.0) != (insideB < 0.0) && count < 2)
+        {
+            ends[count++] = glm::mix(a, b, insideA / (insideA - insideB));
+        }
+    }
+    if (count == 2)
+    {
+        maker.Add(ends[0], ends[1], nullptr, k_NoPoint, k_NoPoint);
+    }
+}
+
+} // namespace
+
+const WeldedMesh& SilhouetteFinder::Find(const std::shared_ptr<const Mesh>& mesh, int subMesh)
+{
+    const auto key = std::pair(mesh->id(), subMesh);
+    const auto found = m_Meshes.find(key);
+    if (found != m_Meshes.end())
+    {
+        return found->second.welded;
+    }
+    std::erase_if(m_Meshes, [](const auto& entry) { return entry.second.mesh.expired(); });
+    return m_Meshes.emplace(key, Entry{mesh, Weld(*mesh, subMesh)}).first->second.welded;
+}
+
+void SilhouetteFinder::Append(const std::shared_ptr<const Mesh>& mesh, int subMesh,
+                              const glm::dmat4& objectToClip, const glm::dvec2& picture,
+                              std::vector<Stroke>& strokes)
+{
+    const WeldedMesh& welded = Find(mesh, subMesh);
+    m_Clip.clear();
+    bool isCut = false;
+    for (const glm::vec3& point : welded.points)
+    {
+        m_Clip.push_back(objectToClip * glm::dvec4(point, 1.0));
+        isCut = isCut || InsideNear(m_Clip.back()) < 0.0 || InsideFar(m_Clip.back()) < 0.0;
+    }
+    m_Facing.clear();
+    for (const WeldedMesh::Face& face : welded.faces)
+    {
+        m_Facing.push_back(
+            Facing(m_Clip[face.points[0]], m_Clip[face.points[1]], m_Clip[face.points[2]]));
+    }
+
+    StrokeMaker maker(picture, strokes);
+    for (const WeldedMesh::Edge& edge : welded.edges)
+    {
+        const signed char first = m_Facing[edge.faces[0]];
+        const bool isBorder = edge.faces[1] == WeldedMesh::k_NoFace;
+        if (!isBorder && first != 0 && first == m_Facing[edge.faces[1]])
+        {
+            continue;
+        }
+        const std::uint32_t beside = first != 0 || isBorder ? edge.faces[0] : edge.faces[1];
+        const glm::dvec4& inner = m_Clip[ThirdPoint(welded.faces[beside], edge)];
+        maker.Add(m_Clip[edge.points[0]], m_Clip[edge.points[1]],
+                  m_Facing[beside] != 0 ? &inner : nullptr, edge.points[0], edge.points[1]);
+    }
+    for (const WeldedMesh::Face& face : welded.faces)
+    {
+        if (isCut)
+        {
+            AddCut(face, m_Clip, InsideNear, maker);
+            AddCut(face, m_Clip, InsideFar, maker);
+        }
+    }
+    maker.Join();
+}
+
+} // namespace limn

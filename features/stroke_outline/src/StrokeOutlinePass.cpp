@@ -1,0 +1,193 @@
+#include "StrokeDraws.h"
+
+#include <limn/core/CoreUtils.h>
+#include <limn/core/Inspector.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/StrokeOutlinePass.h>
+#include <numeric>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_OwnDepthPass = 0;
+constexpr int k_StrokePass = 1;
+constexpr int k_CompositePass = 2;
+constexpr int k_VerticesPerQuad = 6;
+
+constexpr EnumEntry k_Occlusions[] = {{"All", 0}, {"Visible", 1}, {"Hidden", 2}, {"SeeThrough", 3}};
+
+const ShaderPropertyId _OutlineColor = Shader::PropertyToID("_OutlineColor");
+const ShaderPropertyId _OccludedColor = Shader::PropertyToID("_OccludedColor");
+const ShaderPropertyId _OutlineWidth = Shader::PropertyToID("_OutlineWidth");
+const ShaderPropertyId _OutlineRegion = Shader::PropertyToID("_OutlineRegion");
+const ShaderPropertyId _OutlinePicture = Shader::PropertyToID("_OutlinePicture");
+const ShaderPropertyId _Strokes = Shader::PropertyToID("_Strokes");
+const ShaderPropertyId _Tiles = Shader::PropertyToID("_Tiles");
+const ShaderPropertyId _StrokeDepth = Shader::PropertyToID("_StrokeDepth");
+const ShaderPropertyId _StrokeCoverage = Shader::PropertyToID("_StrokeCoverage");
+
+/// How opaque strokes are where the silhouette is visible, and where it is hidden.
+void SetColors(Material& material, const StrokeOutline& component, OutlineOcclusion occlusion)
+{
+    Color visible = component.m_OutlineColor.value();
+    Color hidden = visible;
+    if (occlusion == OutlineOcclusion::SeeThrough)
+    {
+        hidden = component.m_OccludedColor.value();
+    }
+    visible.a = occlusion == OutlineOcclusion::Hidden ? 0.0f : visible.a;
+    hidden.a = occlusion == OutlineOcclusion::Visible ? 0.0f : hidden.a;
+    material.SetColor(_OutlineColor, visible);
+    material.SetColor(_OccludedColor, hidden);
+}
+
+void DrawQuads(CommandBuffer& cmd, const std::shared_ptr<Material>& material, int pass,
+               ShaderPropertyId id, const ShaderArrays& arrays, MaterialPropertyBlock& properties)
+{
+    for (const std::vector<glm::vec4>& part : arrays.parts)
+    {
+        properties.SetVectorArray(id, part);
+        const int count = static_cast<int>(part.size()) / arrays.stride;
+        cmd.DrawProcedural(glm::mat4(1.0f), material, pass, count * k_VerticesPerQuad, properties);
+    }
+}
+
+} // namespace
+
+void StrokeOutlineSettings::Describe(Inspector& inspector)
+{
+    OutlineSettings::Describe(inspector);
+    inspector.Header("Strokes");
+    DescribeGrouping(inspector, m_Grouping);
+    inspector.Field("m_Occlusion", m_Occlusion, k_Occlusions,
+                    "Whether it is drawn where something stands in front of the object");
+}
+
+StrokeOutlinePass::StrokeOutlinePass(const std::string& featureName,
+                                     const StrokeOutlineSettings& settings,
+                                     std::shared_ptr<const Shader> shader)
+    : m_Settings(settings),
+      m_Material(CoreUtils::CreateEngineMaterial(std::move(shader))),
+      m_Finder(std::make_unique<SilhouetteFinder>())
+{
+    profilingSampler = ProfilingSampler(featureName);
+    renderPassEvent = settings.m_RenderPassEvent;
+    if (settings.m_Occlusion != OutlineOcclusion::All)
+    {
+        ConfigureInput(ScriptableRenderPassInput::Depth);
+        m_Material->EnableKeyword("_STROKE_OCCLUSION");
+    }
+}
+
+StrokeOutlinePass::~StrokeOutlinePass() = default;
+
+std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
+                                     const RenderingData& renderingData)
+{
+    OutlinedObjects found = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
+    if (found.objects.empty())
+    {
+        return found.why;
+    }
+    m_Objects = std::move(found.objects);
+    const CameraData& camera = renderingData.cameraData;
+    const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
+                             camera.cameraTargetDescriptor.height);
+    const double width = volumeComponent.WidthWithin(picture);
+    m_Material->SetFloat(_OutlineWidth, static_cast<float>(width));
+    SetColors(*m_Material, volumeComponent, m_Settings.m_Occlusion);
+
+    const glm::dmat4 viewProjection = glm::dmat4(camera.gpuProjectionMatrix) * camera.viewMatrix;
+    std::size_t used = 0;
+    std::vector<Stroke> strokes;
+    for (auto first = m_Objects.begin(); first != m_Objects.end();)
+    {
+        const auto last = std::find_if(first, m_Objects.end(),
+                                       [&](const OutlinedObject& object)
+                                       { return object.group != first->group; });
+        strokes.clear();
+        for (const OutlinedObject& object : std::span(first, last))
+        {
+            const GameObject& gameObject = *object.item.object;
+            m_Finder->Append(gameObject.renderer->mesh, object.item.subMesh,
+                             viewProjection * gameObject.transform.worldMatrix(), picture, strokes);
+        }
+        if (used == m_Groups.size())
+        {
+            m_Groups.push_back(std::make_unique<StrokeDraws>());
+        }
+        m_Groups[used]->objects = std::span(first, last);
+        used += m_Groups[used]->Assign(strokes, width, picture);
+        first = last;
+    }
+    m_Groups.resize(used);
+    return used > 0 ? "" : "no silhouette of the objects is within reach of the picture";
+}
+
+void StrokeOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData&)
+{
+    for (const auto& group : m_Groups)
+    {
+        RenderTextureDescriptor depth = group->region.Descriptor(GraphicsFormat::D32_SFloat);
+        RenderingUtils::ReAllocateIfNeeded(group->depth, depth, FilterMode::Point,
+                                           TextureWrapMode::Clamp, "_StrokeDepth");
+        RenderingUtils::ReAllocateIfNeeded(
+            group->coverage, group->region.Descriptor(GraphicsFormat::R16G16B16A16_SFloat),
+            FilterMode::Point, TextureWrapMode::Clamp, "_StrokeCoverage");
+    }
+}
+
+void StrokeOutlinePass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
+{
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    {
+        const ProfilingScope scope{*cmd, profilingSampler};
+        for (const auto& group : m_Groups)
+        {
+            DrawGroup(*cmd, *group, renderingData.cameraData);
+        }
+    }
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+void StrokeOutlinePass::DrawGroup(CommandBuffer& cmd, const StrokeDraws& group,
+                                  const CameraData& camera)
+{
+    DrawOwnDepth(cmd, group, camera);
+
+    const OutlineRegion& region = group.region;
+    MaterialPropertyBlock properties;
+    properties.SetVector(_OutlineRegion, glm::vec4(region.corner, region.size));
+    properties.SetVector(_OutlinePicture, glm::vec4(region.picture, 0, 0));
+    properties.SetTexture(_StrokeDepth, group.depth.rt());
+    CoreUtils::SetRenderTarget(cmd, group.coverage, ClearFlag::Color, Color::clear);
+    DrawQuads(cmd, m_Material, k_StrokePass, _Strokes, group.strokes, properties);
+
+    properties.Remove(_Strokes);
+    properties.SetTexture(_StrokeCoverage, group.coverage.rt());
+    CoreUtils::SetRenderTarget(cmd, camera.renderer->cameraColorTargetHandle());
+    DrawQuads(cmd, m_Material, k_CompositePass, _Tiles, group.tiles, properties);
+}
+
+void StrokeOutlinePass::DrawOwnDepth(CommandBuffer& cmd, const StrokeDraws& group,
+                                     const CameraData& camera)
+{
+    CoreUtils::SetRenderTarget(cmd, group.depth, ClearFlag::Depth);
+    SetRegionProjection(cmd, group.region, camera);
+    for (const OutlinedObject& object : group.objects)
+    {
+        cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, k_OwnDepthPass);
+    }
+    SetCameraProjection(cmd, camera);
+}
+
+int StrokeOutlinePass::edgeCount() const
+{
+    return std::accumulate(m_Groups.begin(), m_Groups.end(), 0,
+                           [](int sum, const auto& group) { return sum + group->edgeCount; });
+}
+
+} // namespace limn

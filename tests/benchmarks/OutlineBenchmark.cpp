@@ -1,0 +1,236 @@
+// Outline techniques: how far their pictures are from the exact outline, and what they cost. Frames
+// with and without the outline take turns in one run; the difference is printed as its median with
+// the tenth and ninetieth part. Error figures do not depend on the machine.
+//
+//   cmake --preset release -DLIMN_BUILD_TESTS=ON
+//   cmake --build --preset release --target outline_benchmark
+//   build/release/tests/outline_benchmark [--quick] [--pairs N] [--device NAME] [error|time]...
+
+#include "Samples.h"
+#include "features/outline/TechniquePicture.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/vulkan/VulkanDevice.h>
+#include <limn/vulkan/VulkanError.h>
+
+namespace limn::benchmarks
+{
+
+namespace
+{
+
+using namespace limn::test;
+
+struct Options
+{
+    bool quick = false;
+    int pairs = 31;
+    std::string device;
+    std::vector<std::string> tables;
+};
+
+struct Technique
+{
+    const char* name;
+    std::function<void(TechniquePicture&, float width)> add;
+};
+
+std::vector<Technique> Techniques()
+{
+    return {{"strokes", [](TechniquePicture& picture, float width)
+             {
+                 picture.AddFeature<StrokeOutlineRendererFeature>(StrokeOutlineSettings());
+                 picture.Enable<StrokeOutline>(width);
+             }}};
+}
+
+struct Shape
+{
+    std::string name;
+    ScreenTriangles triangles;
+};
+
+/// @param scale  1 = discs of 400 pixels across in a picture of 1920 x 1080
+std::vector<Shape> Shapes(double scale)
+{
+    const glm::dvec2 middle = glm::dvec2(960.3, 540.6) * scale;
+    const double radius = 200.0 * scale;
+    return {{"disc", DiscTriangles(middle, radius)},
+            {"ring", RingTriangles(middle, 0.6 * radius, radius)},
+            {"star", StarTriangles(middle, 5, 0.4 * radius, radius, 0.3)},
+            {"needle 0.3 px", NeedleTriangles(middle - glm::dvec2(0.9, 0.3) * radius,
+                                              middle + glm::dvec2(0.9, 0.3) * radius, 0.3)},
+            {"two", Together({DiscTriangles(middle - glm::dvec2(0.5, 0.2) * radius, 0.6 * radius),
+                              StarTriangles(middle + glm::dvec2(0.4, 0.3) * radius, 7, 0.3 * radius,
+                                            0.6 * radius)})}};
+}
+
+double Scale(const Options& options)
+{
+    return options.quick ? 0.05 : 1.0;
+}
+
+glm::ivec2 PictureSize(const Options& options)
+{
+    return glm::ivec2(glm::dvec2(1920.0, 1080.0) * Scale(options));
+}
+
+void PrintErrors(VulkanDevice& device, const Options& options)
+{
+    const std::vector<float> widths =
+        options.quick ? std::vector<float>{2.0f} : std::vector<float>{1, 2, 4, 8, 16, 32, 64};
+    const glm::ivec2 size = PictureSize(options);
+    std::printf("\nError of the outline's coverage, %d x %d; over pixels that are in the outline, "
+                "the drawn or the exact one\n%-12s %-14s %5s %9s %9s %8s %8s %9s\n",
+                size.x, size.y, "technique", "shape", "width", "mean abs", "rms", "largest", "IoU",
+                "width off");
+    for (const Shape& shape : Shapes(Scale(options)))
+    {
+        const Silhouette silhouette(shape.triangles);
+        for (const float width : widths)
+        {
+            const Coverage exact = ExactOutlineCoverage(silhouette, {width}, size.x, size.y);
+            for (const Technique& technique : Techniques())
+            {
+                TechniquePicture picture(device, size.x, size.y);
+                picture.Add("shape", shape.triangles);
+                technique.add(picture, width);
+                const OutlineScore score = ScoreOutline(picture.Alpha(), exact);
+                std::printf("%-12s %-14s %5g %9.5f %9.5f %8.3f %8.4f %+8.2f%%\n", technique.name,
+                            shape.name.c_str(), static_cast<double>(width), score.meanAbsoluteError,
+                            score.rootMeanSquare, score.largest, score.intersectionOverUnion,
+                            100.0 * score.widthBias);
+            }
+        }
+    }
+}
+
+/// Milliseconds of the device in all passes of a new frame.
+double DeviceMilliseconds(TechniquePicture& picture, VulkanDevice& device)
+{
+    picture.Render();
+    device.Wait();
+    double sum = 0.0;
+    for (const PassTiming& timing : device.LastFrameTimings())
+    {
+        sum += timing.milliseconds;
+    }
+    return sum;
+}
+
+/// @param isHdr  then whatever blends keeps the half-float target and its final copy alive
+void AddSphere(TechniquePicture& picture, double diameter, bool isHdr)
+{
+    picture.camera.allowHDR = isHdr;
+    GameObject& sphere = picture.Add("sphere", CreatePrimitive(PrimitiveType::Sphere));
+    sphere.transform.localScale = glm::vec3(static_cast<float>(diameter));
+}
+
+void PrintTime(VulkanDevice& device, const Options& options, const Technique& technique,
+               float width, bool isHdr)
+{
+    const glm::ivec2 size = PictureSize(options);
+    const double diameter = 400.0 * Scale(options);
+    TechniquePicture without(device, size.x, size.y);
+    TechniquePicture with(device, size.x, size.y);
+    AddSphere(without, diameter, isHdr);
+    AddSphere(with, diameter, isHdr);
+    technique.add(with, width);
+    DeviceMilliseconds(without, device);
+    DeviceMilliseconds(with, device);
+    Samples plain;
+    Samples added;
+    for (int i = 0; i < options.pairs; ++i)
+    {
+        const double a = DeviceMilliseconds(without, device);
+        plain.Add(a);
+        added.Add(DeviceMilliseconds(with, device) - a);
+    }
+    std::printf("%-12s width %2g %s  + %7.2f [%.2f-%.2f]  without %.2f\n", technique.name,
+                static_cast<double>(width), isHdr ? "HDR" : "LDR", added.Median(), added.Part(0.1),
+                added.Part(0.9), plain.Median());
+}
+
+void PrintTimes(VulkanDevice& device, const Options& options)
+{
+    const glm::ivec2 size = PictureSize(options);
+    std::printf("\nDevice ms that the outline of a sphere of %.0f pixels adds to a frame of %d x "
+                "%d: median [tenth-ninetieth part], and ms of the frame without it\n",
+                400.0 * Scale(options), size.x, size.y);
+    for (const bool isHdr : {false, true})
+    {
+        for (const float width : {2.0f, 8.0f, 32.0f})
+        {
+            for (const Technique& technique : Techniques())
+            {
+                PrintTime(device, options, technique, width, isHdr);
+            }
+        }
+    }
+}
+
+Options ParseOptions(int count, char** arguments)
+{
+    Options options;
+    for (int i = 1; i < count; ++i)
+    {
+        const std::string argument = arguments[i];
+        if (argument == "--quick")
+        {
+            options.quick = true;
+            options.pairs = 1;
+        }
+        else if (argument == "--pairs" && i + 1 < count)
+        {
+            options.pairs = std::max(1, std::atoi(arguments[++i]));
+        }
+        else if (argument == "--device" && i + 1 < count)
+        {
+            options.device = arguments[++i];
+        }
+        else
+        {
+            options.tables.push_back(argument);
+        }
+    }
+    return options;
+}
+
+int Run(const Options& options)
+{
+    VulkanDeviceOptions deviceOptions;
+    deviceOptions.device = options.device;
+    VulkanDevice device(deviceOptions);
+    std::printf("%s\n", device.ChoiceSentence().c_str());
+    const std::pair<const char*, void (*)(VulkanDevice&, const Options&)> tables[] = {
+        {"error", PrintErrors}, {"time", PrintTimes}};
+    for (const auto& [name, print] : tables)
+    {
+        if (options.tables.empty() || std::ranges::count(options.tables, name) > 0)
+        {
+            print(device, options);
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+} // namespace limn::benchmarks
+
+int main(int count, char** arguments)
+{
+    try
+    {
+        return limn::benchmarks::Run(limn::benchmarks::ParseOptions(count, arguments));
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,193 @@
+#include "features/OutlineScene.h"
+#include "features/color_edges/FlatPicture.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
+#include <set>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// Else the difference to the mean of the neighbours overlooks a change.
+TEST(MaskValue, IsTheMeanOfFourOnlyIfAllOfThemAreThatOne)
+{
+    constexpr int count = 24;
+    std::set<double> ids;
+    for (int i = 0; i < count; ++i)
+    {
+        ids.insert(IdOfGroup(i));
+    }
+    ASSERT_EQ(ids.size(), count);
+    for (const double a : ids)
+    {
+        for (const double b : ids)
+        {
+            for (const double c : ids)
+            {
+                for (const double d : ids)
+                {
+                    const bool isOne = a == b && b == c && c == d;
+                    ASSERT_EQ(ids.contains((a + b + c + d) / 4.0), isOne);
+                }
+            }
+        }
+    }
+}
+
+TEST(MaskValue, IsAWholeNumberOfWhichAFloatHoldsTheSumOfFour)
+{
+    std::set<float> ids;
+    for (int i = 0; i < 1023; ++i)
+    {
+        const float id = IdOfGroup(i);
+        EXPECT_EQ(id, std::floor(id));
+        EXPECT_GT(id, 0.0f);
+        EXPECT_LT(4.0f * id, 16777216.0f);
+        ids.insert(id);
+    }
+    EXPECT_EQ(ids.size(), 1023u);
+    EXPECT_EQ(IdOfGroup(1023), IdOfGroup(0));
+    EXPECT_EQ(IdOfGroup(70000), IdOfGroup(70000 % 1023));
+}
+
+TEST(MaskValue, HasColoursThatAreBrightAndFarApart)
+{
+    for (int i = 0; i < 200; ++i)
+    {
+        const glm::vec3 color = ColorOfGroup(i);
+        EXPECT_EQ(std::max({color.r, color.g, color.b}), 1.0f) << i;
+        EXPECT_EQ(std::min({color.r, color.g, color.b}), 0.0f) << i;
+        const glm::vec3 step = glm::abs(ColorOfGroup(i + 1) - color);
+        EXPECT_GT(std::max({step.r, step.g, step.b}), 0.5f) << i;
+    }
+}
+
+class MaskDifferenceFrame : public testing::Test
+{
+protected:
+    RenderResult Render(const std::function<void(MaskDifferenceOutline&)>& set)
+    {
+        UniversalRenderPipeline pipeline(m_Device);
+        UniversalRenderer renderer(Compiler());
+        auto feature = std::make_unique<MaskDifferenceOutlineRendererFeature>(m_Settings);
+        feature->name = "Outline";
+        renderer.AddFeature(std::move(feature));
+        RenderRequest request;
+        request.scene = &m_Content.scene;
+        request.camera = &m_Content.camera;
+        request.width = 320;
+        request.height = 240;
+        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
+        request.compile.leavesOut = false;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+
+    static std::vector<std::string> Targets(const RenderResult& result)
+    {
+        std::vector<std::string> names;
+        for (const CompiledRenderPass& pass : result.frame->passes)
+        {
+            names.push_back(pass.colors.front().texture->name());
+        }
+        return names;
+    }
+
+    MaskDifferenceOutlineSettings m_Settings;
+    OutlineScene m_Content;
+    RecordingDevice m_Device;
+    BlendedComponent<MaskDifferenceOutline> m_Volumes;
+};
+
+void Defaults(MaskDifferenceOutline&) {}
+
+TEST_F(MaskDifferenceFrame, HasAMaskDepthAndALineAddedInPlace)
+{
+    const RenderResult result = Render(Defaults);
+    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture",
+                                             "t_tex0", "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+TEST_F(MaskDifferenceFrame, HasACopyOfThePictureWithoutFramebufferFetch)
+{
+    m_Settings.m_FramebufferFetch = false;
+    EXPECT_THAT(Targets(Render(Defaults)),
+                ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture", "t_tex0", "t_tex1",
+                            "_CameraColorAttachmentA", "limn_Output"));
+}
+
+TEST_F(MaskDifferenceFrame, HasAMaskNoLargerThanTheObjectsNeed)
+{
+    m_Settings.m_Grouping = OutlineGrouping::Together;
+    m_Content.scene.Find("Cube")->activeSelf = false;
+    m_Content.scene.Find("Sphere")->activeSelf = false;
+    const RenderResult result = Render(Defaults);
+    const CompiledRenderPass& mask = result.frame->passes.at(2);
+    EXPECT_LT(mask.width * mask.height, 320 * 240);
+    EXPECT_FALSE(mask.depth) << "which of them is in front does not matter";
+}
+
+struct NothingDrawn
+{
+    const char* note;
+    std::function<void(MaskDifferenceOutline&)> set;
+    std::function<void(OutlineScene&)> change = [](OutlineScene&) {
+    };
+};
+
+TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
+{
+    const NothingDrawn cases[] = {
+        {"Outline: not drawn, no volume at the camera sets MaskDifferenceOutline.m_Enable", {}},
+        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineWidth is 0",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.m_OutlineWidth.Override(0.0f);
+         }},
+        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineColor has alpha 0",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.m_OutlineColor.Override(Color::clear);
+         }},
+        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineColor is black, which adds nothing",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.m_OutlineColor.Override(Color::black);
+         }},
+        {"Outline: not drawn, every depth is clipped",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.outline_depth_threshold_clip_player.Override(0.0f);
+         }},
+        {"Outline: not drawn, every depth is clipped",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.m_ClipDistance.Override(0.25f);
+         }},
+        {"Outline: not drawn, 0 of 0 renderers drawn", Defaults,
+         [](OutlineScene& content)
+         {
+             for (const auto& object : content.scene.objects())
+             {
+                 object->transform.localPosition.x += 1000.0f;
+             }
+         }}};
+    for (const NothingDrawn& c : cases)
+    {
+        m_Content = OutlineScene();
+        c.change(m_Content);
+        const RenderResult result = Render(c.set);
+        EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
+            << c.note;
+        EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
+    }
+}
+
+} // namespace
+} // namespace limn::test

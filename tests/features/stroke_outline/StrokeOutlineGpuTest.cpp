@@ -1,0 +1,340 @@
+#include "features/outline/TechniquePicture.h"
+#include "vulkan/GpuTestDevice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limn/core/PrimitiveMesh.h>
+#include <limn/features/StrokeOutlineRendererFeature.h>
+
+namespace limn::test
+{
+namespace
+{
+
+constexpr int k_Width = 96;
+constexpr int k_Height = 97;
+
+struct Shape
+{
+    const char* name;
+    ScreenTriangles triangles;
+};
+
+std::vector<Shape> Shapes()
+{
+    const glm::dvec2 middle(47.3, 48.6);
+    return {
+        {"disc", DiscTriangles(middle, 20.2)},
+        {"ring", RingTriangles(middle, 11.3, 20.6)},
+        {"star", StarTriangles(middle, 5, 8.5, 22.0, 0.3)},
+        {"needle", NeedleTriangles({30.2, 40.3}, {66.7, 55.1}, 0.3)},
+        {"two",
+         Together({DiscTriangles({40.2, 45.7}, 12.4), StarTriangles({54.9, 52.3}, 7, 7.0, 13.0)})},
+    };
+}
+
+/// A picture with the feature on.
+class StrokePicture : public TechniquePicture
+{
+public:
+    explicit StrokePicture(float width, StrokeOutlineSettings settings = {},
+                           int pixelsWide = k_Width, int pixelsHigh = k_Height)
+        : TechniquePicture(SharedDevice(), pixelsWide, pixelsHigh),
+          feature(AddFeature<StrokeOutlineRendererFeature>(std::move(settings))),
+          component(Enable<StrokeOutline>(width))
+    {
+    }
+
+    /// Of what the objects' meshes are in this picture, taken together.
+    OutlineScore Score(double outlineWidth)
+    {
+        ScreenTriangles all;
+        for (const auto& object : scene.objects())
+        {
+            const ScreenTriangles part = MeshTriangles(*object->renderer->mesh, object->transform,
+                                                       camera, width(), height());
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        return ScoreOutline(
+            Alpha(), ExactOutlineCoverage(Silhouette(all), {outlineWidth}, width(), height()));
+    }
+
+    StrokeOutlineRendererFeature& feature;
+    StrokeOutline& component;
+};
+
+class StrokeOutlineGpu : public GpuTest
+{
+};
+
+TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
+{
+    for (const Shape& shape : Shapes())
+    {
+        const Silhouette silhouette(shape.triangles);
+        for (const double width : {1.0, 2.0, 8.0, 20.0})
+        {
+            SCOPED_TRACE(shape.name + std::string(", width ") + std::to_string(width));
+            StrokePicture picture(static_cast<float>(width));
+            picture.Add("shape", shape.triangles);
+            const OutlineScore score = ScoreOutline(
+                picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height));
+            EXPECT_EQ(score.badValues, 0u);
+            EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
+            EXPECT_GE(score.intersectionOverUnion, width < 8.0 ? 0.975 : 0.998);
+            EXPECT_LE(std::abs(score.widthBias), 0.01);
+        }
+    }
+}
+
+TEST_F(StrokeOutlineGpu, KeepsAThinNeedleWhole)
+{
+    const ScreenTriangles needle = NeedleTriangles({30.2, 40.3}, {66.7, 55.1}, 0.3);
+    const Silhouette silhouette(needle);
+    for (const double width : {1.0, 8.0})
+    {
+        StrokePicture picture(static_cast<float>(width));
+        picture.Add("needle", needle);
+        EXPECT_GE(ScoreOutline(picture.Alpha(),
+                               ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height))
+                      .intersectionOverUnion,
+                  0.99);
+    }
+}
+
+/// Solid, with holes, with corners, and a sheet without thickness.
+TEST_F(StrokeOutlineGpu, IsExactForMeshesFromAnywhere)
+{
+    constexpr PrimitiveType types[] = {PrimitiveType::Sphere, PrimitiveType::Capsule,
+                                       PrimitiveType::Cube, PrimitiveType::Torus,
+                                       PrimitiveType::Quad};
+    float turn = 0.0f;
+    for (const PrimitiveType type : types)
+    {
+        SCOPED_TRACE(static_cast<int>(type));
+        StrokePicture picture(8.0f);
+        picture.camera.orthographic = false;
+        picture.camera.nearClipPlane = 0.1f;
+        picture.camera.fieldOfView = 40.0f;
+        picture.camera.transform.localPosition = {0.1f, -0.05f, -3.6f};
+        GameObject& object = picture.Add("object", CreatePrimitive(type));
+        object.transform.localRotation = EulerToRotation({25.0f + turn, 31.0f, 8.0f});
+        turn += 13.0f;
+        object.transform.localScale = {1.0f, -0.8f, 1.1f}; // mirrored, uneven
+        const OutlineScore score = picture.Score(8.0);
+        EXPECT_EQ(score.badValues, 0u);
+        EXPECT_LE(score.meanAbsoluteError, 0.004);
+        EXPECT_GE(score.intersectionOverUnion, 0.998);
+        EXPECT_LE(std::abs(score.widthBias), 0.01);
+    }
+}
+
+TEST_F(StrokeOutlineGpu, IsExactForAMeshThatTheNearPlaneCuts)
+{
+    StrokePicture picture(6.0f);
+    picture.camera.orthographic = false;
+    picture.camera.nearClipPlane = 0.5f;
+    picture.camera.transform.localPosition = {0.0f, 0.0f, -1.0f};
+    GameObject& object = picture.Add("torus", CreatePrimitive(PrimitiveType::Torus));
+    object.transform.localRotation = EulerToRotation({70.0f, 15.0f, 0.0f});
+    object.transform.localPosition = {0.2f, 0.25f, -0.35f};
+    const OutlineScore score = picture.Score(6.0);
+    EXPECT_GT(score.bandPixels, 300u);
+    EXPECT_LE(score.meanAbsoluteError, 0.006);
+    EXPECT_GE(score.intersectionOverUnion, 0.995);
+}
+
+TEST_F(StrokeOutlineGpu, OutlinesOverlappingObjectsTogetherOrEachOnItsOwn)
+{
+    const ScreenTriangles left = DiscTriangles({40.2, 45.7}, 12.4);
+    const ScreenTriangles right = DiscTriangles({57.9, 52.3}, 12.4);
+    for (const OutlineGrouping grouping : {OutlineGrouping::Together, OutlineGrouping::PerObject})
+    {
+        StrokeOutlineSettings settings;
+        settings.m_Grouping = grouping;
+        StrokePicture picture(5.0f, settings);
+        picture.Add("left", left);
+        picture.Add("right", right);
+        Coverage exact =
+            ExactOutlineCoverage(Silhouette(Together({left, right})), {5.0}, k_Width, k_Height);
+        if (grouping == OutlineGrouping::PerObject)
+        {
+            const Coverage a = ExactOutlineCoverage(Silhouette(left), {5.0}, k_Width, k_Height);
+            const Coverage b = ExactOutlineCoverage(Silhouette(right), {5.0}, k_Width, k_Height);
+            for (std::size_t i = 0; i < exact.values.size(); ++i)
+            {
+                exact.values[i] = 1.0 - (1.0 - a.values[i]) * (1.0 - b.values[i]); // blended
+            }
+        }
+        const OutlineScore score = ScoreOutline(picture.Alpha(), exact);
+        EXPECT_LE(score.meanAbsoluteError, 0.004) << static_cast<int>(grouping);
+        EXPECT_GE(score.intersectionOverUnion, 0.997) << static_cast<int>(grouping);
+    }
+}
+
+TEST_F(StrokeOutlineGpu, ReachesIntoThePictureFromBesideItAndLeavesTheBorderAlone)
+{
+    // It ends 3 pixels left of the picture; another one goes over the lower border.
+    const ScreenTriangles beside = DiscTriangles({-13.0, 30.4}, 10.0);
+    const ScreenTriangles across = DiscTriangles({60.2, 94.3}, 14.1);
+    StrokePicture picture(6.0f);
+    picture.Add("beside", beside);
+    picture.Add("across", across);
+    const OutlineScore score =
+        ScoreOutline(picture.Alpha(), ExactOutlineCoverage(Silhouette(Together({beside, across})),
+                                                           {6.0}, k_Width, k_Height));
+    EXPECT_LE(score.meanAbsoluteError, 0.004);
+    EXPECT_GE(score.intersectionOverUnion, 0.998);
+}
+
+TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
+{
+    const auto expectNothing = [](StrokePicture& picture, const char* why)
+    {
+        const RenderResult& result = picture.Render();
+        for (const CompiledRenderPass& pass : result.frame->passes)
+        {
+            EXPECT_NE(pass.name, "Outline") << why;
+        }
+        ASSERT_EQ(result.report.notes.size(), 1u) << why;
+        EXPECT_EQ(result.report.notes[0], std::string("Outline: not drawn, ") + why);
+    };
+    StrokePicture beside(6.0f);
+    beside.Add("beside", DiscTriangles({-18.0, 30.4}, 10.0)); // 8 pixels away
+    expectNothing(beside, "0 of 0 renderers drawn: the camera sees no renderer at all");
+
+    StrokePicture around(6.0f);
+    around.Add("around", CreatePrimitive(PrimitiveType::Sphere)).transform.localScale =
+        glm::vec3(500.0f);
+    expectNothing(around, "no silhouette of the objects is within reach of the picture");
+
+    StrokePicture thin(0.0f);
+    thin.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
+    expectNothing(thin, "StrokeOutline.m_OutlineWidth is 0");
+
+    StrokePicture clear(4.0f);
+    clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
+    clear.component.m_OutlineColor.Override(Color{1.0f, 1.0f, 1.0f, 0.0f});
+    expectNothing(clear, "StrokeOutline.m_OutlineColor has alpha 0");
+
+    StrokeOutlineSettings settings;
+    settings.m_RenderingLayerMask = 9;
+    StrokePicture unselected(4.0f, settings);
+    unselected.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
+    expectNothing(unselected, "0 of 1 renderer drawn: 1 rendering layer mask");
+}
+
+TEST_F(StrokeOutlineGpu, GrowsWithItsWidthAndStaysWithinItsTexturesOfTheObjectsSize)
+{
+    double last = 0.0;
+    for (const float width : {0.0625f, 0.25f, 0.5f, 1.0f, 3.0f, 12.0f, 40.0f, 1e4f})
+    {
+        StrokePicture picture(width);
+        picture.Add("disc", DiscTriangles({47.3, 48.6}, 12.2));
+        const double area = picture.Alpha().Sum();
+        EXPECT_GT(area, last) << width;
+        last = area;
+    }
+    // Beyond the diagonal the whole picture but the disc is covered.
+    EXPECT_NEAR(last, k_Width * k_Height - 3.14159265 * 12.2 * 12.2, 2.0);
+
+    StrokePicture small(8.0f, {}, 640, 480);
+    small.Add("disc", DiscTriangles({300.3, 200.6}, 20.2));
+    bool isSmall = false;
+    for (const CompiledRenderPass& pass : small.Render().frame->passes)
+    {
+        for (const auto& color : pass.colors)
+        {
+            if (color.texture->name() == "_StrokeCoverage")
+            {
+                EXPECT_EQ(color.texture->width(), 64);
+                EXPECT_EQ(color.texture->height(), 64);
+                isSmall = true;
+            }
+        }
+    }
+    EXPECT_TRUE(isSmall);
+}
+
+TEST_F(StrokeOutlineGpu, DrawsPicturesOfAFewPixels)
+{
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 7}, {3, 2}})
+    {
+        StrokePicture picture(2.0f, {}, width, height);
+        picture.Add("disc", DiscTriangles({-1.0, 0.5}, 0.8));
+        const Silhouette silhouette(DiscTriangles({-1.0, 0.5}, 0.8));
+        const OutlineScore score =
+            ScoreOutline(picture.Alpha(), ExactOutlineCoverage(silhouette, {2.0}, width, height));
+        EXPECT_LE(score.largest, 0.05) << width << " x " << height;
+    }
+}
+
+/// A disc, its left half behind a wall.
+TEST_F(StrokeOutlineGpu, TellsWhatIsHiddenFromWhatIsSeen)
+{
+    const glm::dvec2 middle(47.3, 48.6);
+    const Coverage whole =
+        ExactOutlineCoverage(Silhouette(DiscTriangles(middle, 20.2)), {5.0}, k_Width, k_Height);
+    const auto alpha = [&](OutlineOcclusion occlusion, int channel)
+    {
+        StrokeOutlineSettings settings;
+        settings.m_Occlusion = occlusion;
+        settings.m_RenderingLayerMask = 1;
+        StrokePicture picture(5.0f, settings);
+        picture.component.m_OutlineColor.Override(Color{1.0f, 0.0f, 0.0f, 1.0f});
+        picture.component.m_OccludedColor.Override(Color{0.0f, 1.0f, 0.0f, 1.0f});
+        picture.Add("disc", DiscTriangles(middle, 20.2)).renderer->renderingLayerMask =
+            RenderingLayerMask::FromIndex(1);
+        picture.Add("wall",
+                    {{{{-10.0, -10.0}, {47.3, -10.0}, {47.3, 110.0}}},
+                     {{{-10.0, -10.0}, {47.3, 110.0}, {-10.0, 110.0}}}},
+                    -20.0f);
+        return ChannelOf(picture.Colors(), channel);
+    };
+    /// The exact outline of one side, apart from the columns around the wall's end.
+    const auto expect = [&](const Coverage& measured, bool left, bool right)
+    {
+        double largest = 0.0;
+        for (int y = 0; y < k_Height; ++y)
+        {
+            for (int x = 0; x < k_Width; ++x)
+            {
+                const bool isIn = x < 40 ? left : right;
+                if (x < 40 || x > 54)
+                {
+                    largest = std::max(largest,
+                                       std::abs(measured.At(x, y) - (isIn ? whole.At(x, y) : 0.0)));
+                }
+            }
+        }
+        EXPECT_LE(largest, 0.15);
+    };
+    expect(alpha(OutlineOcclusion::All, 0), true, true);
+    expect(alpha(OutlineOcclusion::Visible, 0), false, true);
+    expect(alpha(OutlineOcclusion::Hidden, 0), true, false);
+    expect(alpha(OutlineOcclusion::SeeThrough, 0), false, true);
+    expect(alpha(OutlineOcclusion::SeeThrough, 1), true, false);
+}
+
+TEST_F(StrokeOutlineGpu, SeesASolidObjectInFrontOfAllElseAsVisible)
+{
+    StrokeOutlineSettings settings;
+    settings.m_Occlusion = OutlineOcclusion::Visible;
+    for (const int samples : {1, 4})
+    {
+        StrokePicture picture(5.0f, settings);
+        picture.SetSamples(samples);
+        picture.camera.orthographic = false;
+        picture.camera.nearClipPlane = 0.3f;
+        picture.camera.fieldOfView = 40.0f;
+        picture.camera.transform.localPosition = {0.0f, 0.0f, -3.0f};
+        picture.Add("sphere", CreatePrimitive(PrimitiveType::Sphere));
+        const OutlineScore score = picture.Score(5.0);
+        EXPECT_LE(score.meanAbsoluteError, 0.004) << samples;
+        EXPECT_GE(score.intersectionOverUnion, 0.997) << samples;
+    }
+}
+
+} // namespace
+} // namespace limn::test
