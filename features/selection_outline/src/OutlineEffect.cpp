@@ -183,15 +183,26 @@ void OutlineEffect::DrawStencils(CommandBuffer& cmd, std::span<const OutlinedObj
 /// and the object's start come as less than a turn of what the shader makes of them.
 void OutlineEffect::DrawStencil(CommandBuffer& cmd, const RendererItem& item, double time)
 {
-    const auto known = m_Settings.startTimes->find(item.object);
-    const double start = known != m_Settings.startTimes->end()
-                             ? known->second
-                             : static_cast<double>(m_Settings.m_PhaseStep) * item.objectIndex;
     const double t = selection_outline::WrapTime(time);
     m_Properties.SetVector(selection_outline::_Time, glm::vec4(t / 20.0, t, t * 2.0, t * 3.0));
-    m_Properties.SetFloat(selection_outline::_StartTime, static_cast<float>(Phase(start)));
+    m_Properties.SetFloat(selection_outline::_StartTime,
+                          static_cast<float>(Phase(StartTimeOf(item))));
     cmd.DrawRenderer(*item.object, m_StencilStep.material, item.subMesh, m_StencilStep.pass,
                      m_Properties);
+}
+
+double OutlineEffect::StartTimeOf(const RendererItem& item) const
+{
+    const Transform* transform = &item.object->transform;
+    for (; transform != nullptr; transform = transform->parent)
+    {
+        const auto known = m_Settings.startTimes->find(transform);
+        if (known != m_Settings.startTimes->end())
+        {
+            return known->second;
+        }
+    }
+    return static_cast<double>(m_Settings.m_PhaseStep) * item.objectIndex;
 }
 
 double OutlineEffect::Phase(double seconds)

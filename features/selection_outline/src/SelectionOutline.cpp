@@ -25,7 +25,7 @@ float SelectionOutline::tapOffset() const
 }
 
 SelectionOutlineSettings::SelectionOutlineSettings()
-    : startTimes(std::make_shared<std::unordered_map<const GameObject*, double>>())
+    : startTimes(std::make_shared<std::unordered_map<const Transform*, double>>())
 {
     m_RenderPassEvent = RenderPassEvent::BeforeRenderingPostProcessing;
 }
@@ -60,7 +60,7 @@ void SelectionOutlineRendererFeature::SetStartTime(const GameObject& object, dou
     {
         throw ContractError(name + ": the start time of '" + object.name + "' is not finite");
     }
-    (*settings().startTimes)[&object] = seconds;
+    (*settings().startTimes)[&object.transform] = seconds;
 }
 
 void SelectionOutlineRendererFeature::ClearStartTimes()

@@ -171,28 +171,26 @@ TEST_F(SelectionGpu, ShowsTheColourThatVolumesSetWhereItDoesNotVary)
     EXPECT_FALSE(At(Changed(run), 0.5, 0.5)) << "what is black is inside as well";
 }
 
-TEST_F(SelectionGpu, StaysWithinItsReach)
+// Beside a straight edge seven blurs of offset o leave the upper tails of a binomial distribution.
+TEST_F(SelectionGpu, FadesInFourStepsDownToItsWidth)
 {
-    content.large.activeSelf = false;
-    content.small.transform.localPosition = {0.0f, 0.0f, 5.0f}; // to 6 pixels from the middle
+    content.small.activeSelf = false;
+    content.large.transform.localScale = glm::vec3(200.0f);
+    content.large.transform.localPosition.x = -120.0f; // to 20 pixels left of the middle
+    content.camera.backgroundColor = Color::black;
     SelectionRun run(k_Side, k_Side, content.scene, content.camera);
     run.component().m_VaryingColor.Override(false);
-    for (const float width : {3.5f, 7.0f, 14.0f})
+    for (const int offset : {1, 2, 3, 5})
     {
-        run.component().m_OutlineWidth.Override(width);
-        const auto changed = Changed(run);
-        double farthest = 0.0;
-        for (int i = 0; i < k_Side * k_Side; ++i)
+        run.component().m_OutlineWidth.Override(7.0f * static_cast<float>(offset));
+        run.RenderForReading(0.0);
+        const Field picture = run.Camera();
+        for (int d = 0; d < 8 * offset; ++d)
         {
-            if (changed[static_cast<std::size_t>(i)])
-            {
-                farthest = std::max({farthest, std::abs(i % k_Side + 0.5 - k_Side / 2.0),
-                                     std::abs(i / k_Side + 0.5 - k_Side / 2.0)});
-            }
+            const double tails[] = {64.0, 29.0, 29.0, 8.0, 8.0, 1.0, 1.0, 0.0};
+            EXPECT_NEAR(picture.At(12 + d, 32), 3.0 * tails[d / offset] / 128.0, 3.0 * 2.01 / 255.0)
+                << d << " pixels beside the edge, offset " << offset;
         }
-        // Bilinear taps take half a texel more each time where they fall between texels.
-        EXPECT_GT(farthest - 6.0, 0.4 * width) << width;
-        EXPECT_LE(farthest - 6.0, width + 3.5) << width;
     }
 }
 

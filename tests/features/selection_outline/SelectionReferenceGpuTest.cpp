@@ -60,11 +60,12 @@ TEST_P(SelectionAtSizeGpu, BlursAsTheArticleDoesForOtherOffsets)
     ExpectNoValidationMessages();
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Sizes, SelectionAtSizeGpu,
-    testing::Values(std::pair(96, 54), std::pair(97, 61), std::pair(33, 47), std::pair(1, 1)),
-    [](const auto& size)
-    { return std::to_string(size.param.first) + "x" + std::to_string(size.param.second); });
+INSTANTIATE_TEST_SUITE_P(Sizes, SelectionAtSizeGpu,
+                         testing::Values(std::pair(96, 54), std::pair(97, 61), std::pair(33, 47)),
+                         [](const auto& size) {
+                             return std::to_string(size.param.first) + "x" +
+                                    std::to_string(size.param.second);
+                         });
 
 class SelectionShadersGpu : public GpuTest
 {
@@ -207,6 +208,35 @@ TEST_F(SelectionTimeGpu, ChangesThatOfOlderShadersByNoMore)
         ExpectColors(settings);
     }
     ExpectNoValidationMessages();
+}
+
+TEST_F(SelectionTimeGpu, CountsFromTheStartOfTheWholeOrElseStepByStep)
+{
+    SquareScene content(9);
+    SelectionOutlineSettings settings = SelectionRun::MakeSettings();
+    settings.m_PhaseStep = 0.3f;
+    SelectionRun run(9, 9, content.scene, content.camera, settings);
+    const auto expectStart = [&](double start)
+    {
+        run.RenderForReading(2.0);
+        const auto expected = StencilColorReference(2.0, start);
+        for (int channel = 0; channel < 4; ++channel)
+        {
+            EXPECT_NEAR(run.Stencil().At(4, 4, channel),
+                        expected[static_cast<std::size_t>(channel)], 1.01 / 255.0)
+                << start;
+        }
+    };
+    expectStart(0.3); // the small one is the second object and drawn last
+    content.small.transform.parent = &content.large.transform;
+    content.small.transform.localScale = glm::vec3(0.5f);
+    content.small.transform.localPosition = {0.0f, 0.0f, -0.1f};
+    run.feature().SetStartTime(content.large, 1.7);
+    expectStart(1.7);
+    run.feature().SetStartTime(content.small, 0.9);
+    expectStart(0.9);
+    run.feature().ClearStartTimes();
+    expectStart(0.3);
 }
 
 // Why the pass hands shaders a time of its own: as a material of the scene the same shader is off.

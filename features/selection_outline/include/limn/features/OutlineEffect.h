@@ -40,8 +40,8 @@ struct SelectionOutlineSettings : OutlineSettings
     /// flaw that the article describes.
     bool m_OnlySelected = true;
 
-    /// Since when objects are selected, seconds; copies share it.
-    std::shared_ptr<std::unordered_map<const GameObject*, double>> startTimes;
+    /// Since when an object with all that hangs below it is selected, seconds; copies share it.
+    std::shared_ptr<std::unordered_map<const Transform*, double>> startTimes;
 
     void Describe(Inspector& inspector);
 };
@@ -89,6 +89,7 @@ private:
     void RenderComposite(CommandBuffer& cmd, const RTHandle& destination, RenderingData& data);
     void DrawStencils(CommandBuffer& cmd, std::span<const OutlinedObject> objects, double time);
     void DrawStencil(CommandBuffer& cmd, const RendererItem& item, double time);
+    double StartTimeOf(const RendererItem& item) const;
 
     SelectionOutlineSettings m_Settings;
     std::shared_ptr<const Shader> m_Shader;

@@ -16,7 +16,8 @@ class SelectionOutlineRendererFeature final
 public:
     using OutlineRendererFeature::OutlineRendererFeature;
 
-    /// Since when an object is selected: its colour starts over there.
+    /// Since when an object is selected, and all below it that has no time of its own: the colour
+    /// starts over there.
     /// @param object   until ClearStartTimes it must not be destroyed
     /// @param seconds  on the clock of RenderRequest::time
     /// @throws ContractError if `seconds` is not finite
