@@ -21,6 +21,7 @@
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/ColorParameter.h>
