@@ -9,6 +9,7 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/AutoOutlineRendererFeature.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
