@@ -1,8 +1,14 @@
 // Outlines of any width by the distance to the nearest place on the silhouette's edge. The textures
-// are as large as the region that the outline can touch; WideOutlineRenderPass says which passes a
-// width takes.
+// are as large as the region that the outline can touch, see WideOutlineRenderPass.
 Shader "Hidden/Limn/WideOutline"
 {
+    Properties
+    {
+        _BaseMap ("Of a cutout", 2D) = "white" {}
+        _BaseColor ("Of a cutout", Color) = (1, 1, 1, 1)
+        _Cutoff ("Of a cutout", Float) = 0.5
+    }
+
     SubShader
     {
         Tags { "RenderPipeline" = "UniversalPipeline" }
@@ -15,6 +21,9 @@ Shader "Hidden/Limn/WideOutline"
         #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
         #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
         #include "limn/outline/NearestSeed.hlsl"
+        #if defined(_VISIBLE_ONLY)
+        #include "limn/outline/SeenByCamera.hlsl"
+        #endif
 
         float4 _WideOutlineCorner; // xy: of the textures in the picture, zw: 1 / the picture; pixels
 
@@ -23,14 +32,13 @@ Shader "Hidden/Limn/WideOutline"
             return TransformObjectToHClip(positionOS.xyz);
         }
 
-        // SV_POSITION says which texel it is.
         float4 WholeTarget(uint vertexID : SV_VertexID) : SV_POSITION
         {
             return GetFullScreenTriangleVertexPosition(vertexID);
         }
         ENDHLSL
 
-        Pass // 0: the objects, whatever stands in front of them
+        Pass // 0: the objects
         {
             Name "Mask"
             Tags { "LimnWithinMesh" = "True" }
@@ -38,32 +46,39 @@ Shader "Hidden/Limn/WideOutline"
             HLSLPROGRAM
             #pragma vertex MaskVertex
             #pragma fragment MaskFragment
+            #pragma multi_compile_local _ _VISIBLE_ONLY
+            #if defined(_VISIBLE_ONLY)
+            half MaskFragment(float4 position : SV_POSITION) : SV_Target
+            {
+                clip(SeenByCamera(position, _WideOutlineCorner) ? 1.0 : -1.0);
+                return 1;
+            }
+            #else
             half MaskFragment() : SV_Target
             {
                 return 1;
             }
+            #endif
             ENDHLSL
         }
 
-        Pass // 1: what the camera saw of them
+        Pass // 1: those that their texture cuts out, smooth along the cut
         {
-            Name "Visible Mask"
+            Name "Cutout Mask"
             Tags { "LimnWithinMesh" = "True" }
+            BlendOp Max
 
             HLSLPROGRAM
-            #pragma vertex MaskVertex
-            #pragma fragment VisibleFragment
-            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/DeclareDepthTexture.hlsl"
-            half VisibleFragment(float4 position : SV_POSITION) : SV_Target
+            #pragma vertex CutoutVertex
+            #pragma fragment CutoutFragment
+            #pragma multi_compile_local _ _VISIBLE_ONLY
+            #include "limn/outline/Cutout.hlsl"
+            half CutoutFragment(CutoutVaryings input) : SV_Target
             {
-                // The scene's depth may be that of another place in the pixel: allow for the slope.
-                // Nothing is known to stand in front of what is outside of the picture.
-                float2 uv = (position.xy + _WideOutlineCorner.xy) * _WideOutlineCorner.zw;
-                float slope = abs(ddx(position.z)) + abs(ddy(position.z));
-                float front = SampleSceneDepth(saturate(uv));
-                bool isOutside = any(uv < 0.0) || any(uv > 1.0);
-                clip(isOutside || position.z * (1.0 + 1e-6) + slope >= front ? 1.0 : -1.0);
-                return 1;
+                #if defined(_VISIBLE_ONLY)
+                clip(SeenByCamera(input.position, _WideOutlineCorner) ? 1.0 : -1.0);
+                #endif
+                return CutoutPart(input.uv);
             }
             ENDHLSL
         }

@@ -9,14 +9,17 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
+#include <limn/features/AutoOutlineRendererFeature.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
+#include <limn/features/InflatedOutlineRendererFeature.h>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/OutlineRegion.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
+#include <limn/features/RimOutlineRendererFeature.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>

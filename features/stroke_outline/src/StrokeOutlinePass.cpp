@@ -186,8 +186,8 @@ void StrokeOutlinePass::DrawOwnDepth(CommandBuffer& cmd, const StrokeDraws& grou
 
 double StrokeOutlinePass::strokeArea() const
 {
-    return std::accumulate(m_Groups.begin(), m_Groups.end(), 0.0, [](double sum, const auto& group)
-                           { return sum + group->strokeArea; });
+    return std::accumulate(m_Groups.begin(), m_Groups.end(), 0.0,
+                           [](double sum, const auto& group) { return sum + group->strokeArea; });
 }
 
 int StrokeOutlinePass::edgeCount() const

@@ -18,7 +18,7 @@ struct WideOutlineShaderPass
     enum
     {
         Mask,
-        VisibleMask,
+        CutoutMask,
         Seeds,
         Flood,
         Columns,
@@ -55,6 +55,32 @@ void RequireNumberOfWideOutline(const char* name, float value)
     }
 }
 
+/// Whether the alpha of a texture cuts holes into it, as URP's materials say it.
+bool IsCutout(const OutlinedObject& object)
+{
+    constexpr RenderQueueRange k_CutoutQueues(2450, 2500);
+    const Material& material = *object.item.material;
+    return material.IsKeywordEnabled("_ALPHATEST_ON") ||
+           k_CutoutQueues.Contains(material.renderQueue());
+}
+
+/// What a material has of that.
+MaterialPropertyBlock CutoutOf(const Material& material)
+{
+    static const ShaderPropertyId names[] = {
+        Shader::PropertyToID("_BaseMap"), Shader::PropertyToID("_BaseMap_ST"),
+        Shader::PropertyToID("_BaseColor"), Shader::PropertyToID("_Cutoff")};
+    MaterialPropertyBlock block;
+    for (const ShaderPropertyId name : names)
+    {
+        if (const ShaderPropertyValue* value = material.Find(name))
+        {
+            block.Set(name, *value);
+        }
+    }
+    return block;
+}
+
 } // namespace
 
 void WideOutlineSettings::Describe(Inspector& inspector)
@@ -80,6 +106,10 @@ WideOutlineRenderPass::WideOutlineRenderPass(const std::string& featureName,
     // The camera's depth is one value a pixel: where an object hides a part of another one, samples
     // of the latter are lost between the two.
     m_Material->SetFloat(Shader::PropertyToID("_WideOutlineClosesSlits"), isCut ? 1.0f : 0.0f);
+    if (isCut)
+    {
+        m_Material->EnableKeyword("_VISIBLE_ONLY");
+    }
 }
 
 std::string WideOutlineRenderPass::Setup(const WideOutline& component, RenderingData& renderingData)
@@ -213,32 +243,35 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
                                      const RenderingData& renderingData, const Group& group)
 {
     const CameraData& camera = renderingData.cameraData;
-    const int pass = m_Settings.m_Occlusion == WideOutlineOcclusion::Visible
-                         ? WideOutlineShaderPass::VisibleMask
-                         : WideOutlineShaderPass::Mask;
     const glm::vec2 picture(group.region.picture);
     m_Material->SetVector(_WideOutlineCorner, {glm::vec2(group.region.corner), 1.0f / picture});
 
     CoreUtils::SetRenderTarget(cmd, m_Mask, ClearFlag::Color, Color::clear);
     SetRegionProjection(cmd, group.region, camera);
-    if (m_Settings.m_Grouping != OutlineGrouping::Together)
+    const bool isPlain = std::ranges::none_of(group.objects, IsCutout);
+    if (isPlain && m_Settings.m_Grouping == OutlineGrouping::Together)
     {
-        for (const OutlinedObject& object : group.objects)
-        {
-            cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, pass);
-        }
-    }
-    context.ExecuteCommandBuffer(cmd);
-    cmd.Clear();
-    if (m_Settings.m_Grouping == OutlineGrouping::Together)
-    {
+        context.ExecuteCommandBuffer(cmd);
+        cmd.Clear();
         DrawingSettings drawing = CreateDrawingSettings(ForwardShaderTags(), renderingData,
                                                         SortingCriteria::CommonOpaque);
         drawing.overrideMaterial = m_Material;
-        drawing.overrideMaterialPassIndex = pass;
+        drawing.overrideMaterialPassIndex = WideOutlineShaderPass::Mask;
         context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
     }
+    else
+    {
+        for (const OutlinedObject& object : group.objects)
+        {
+            const int pass =
+                IsCutout(object) ? WideOutlineShaderPass::CutoutMask : WideOutlineShaderPass::Mask;
+            cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, pass,
+                             CutoutOf(*object.item.material));
+        }
+    }
     SetCameraProjection(cmd, camera);
+    context.ExecuteCommandBuffer(cmd);
+    cmd.Clear();
 }
 
 const RTHandle& WideOutlineRenderPass::Flood(CommandBuffer& cmd)

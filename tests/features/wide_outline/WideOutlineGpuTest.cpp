@@ -337,6 +337,66 @@ TEST_F(WideOutlineGpu, OutlinesWholeObjectsOrWhatIsSeenOfThem)
     }
 }
 
+/// A quad that the alpha of a texture makes a disc of a quarter of its width, as URP's materials
+/// do.
+std::shared_ptr<Material> CutoutDisc()
+{
+    constexpr int k_Side = 64;
+    std::vector<std::byte> texels;
+    for (int i = 0; i < k_Side * k_Side; ++i)
+    {
+        const double away = std::hypot(i % k_Side - 31.5, static_cast<int>(i / k_Side) - 31.5);
+        const double alpha = std::clamp(0.6 + (16.0 - away) / 8.0, 0.0, 1.0); // 0.6 at the edge
+        texels.insert(texels.end(), 3, std::byte{255});
+        texels.push_back(static_cast<std::byte>(std::lround(255.0 * alpha)));
+    }
+    const auto material = std::make_shared<Material>(ShaderOf(
+        "Shader \"Test/Cutout\" { SubShader { Pass { Tags { \"LightMode\" = \"UniversalForward\" }"
+        " HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n#include "
+        "\"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return TransformObjectToHClip(p.xyz); }\n"
+        "half4 F() : SV_Target { clip(-1); return 0; }\nENDHLSL } } }"));
+    material->EnableKeyword("_ALPHATEST_ON");
+    material->SetTexture(Shader::PropertyToID("_BaseMap"),
+                         std::make_shared<Texture2D>("disc", k_Side, k_Side,
+                                                     GraphicsFormat::R8G8B8A8_UNorm, texels));
+    material->SetFloat(Shader::PropertyToID("_Cutoff"), 0.6f);
+    return material;
+}
+
+TEST_F(WideOutlineGpu, FollowsWhatTheAlphaOfATextureCutsOut)
+{
+    for (const auto& [occlusion, grouping] :
+         {std::pair(WideOutlineOcclusion::All, OutlineGrouping::Together),
+          {WideOutlineOcclusion::All, OutlineGrouping::PerObject},
+          {WideOutlineOcclusion::Visible, OutlineGrouping::Together}})
+    {
+        WideOutlineSettings settings;
+        settings.m_Occlusion = occlusion;
+        settings.m_Grouping = grouping;
+        WideOutlineScene scene(SharedDevice(), k_Picture, k_Picture, settings);
+        GameObject& quad = scene.Add(CreatePrimitive(PrimitiveType::Quad));
+        quad.transform.localScale = glm::vec3(80.0f);
+        quad.renderer->sharedMaterials = {CutoutDisc()};
+        const ScreenTriangles solid = NeedleTriangles({40.0, 6.3}, {60.0, 4.1}, 5.0);
+        scene.Add(solid);
+        scene.Set({8.0});
+        const Silhouette disc(DiscTriangles({48.0, 48.0}, 20.0));
+        const Silhouette bar(solid);
+        Coverage exact = ExactOutlineCoverage(disc, {8.0}, k_Picture, k_Picture);
+        const Coverage other = ExactOutlineCoverage(bar, {8.0}, k_Picture, k_Picture);
+        for (std::size_t i = 0; i < exact.values.size(); ++i)
+        {
+            exact.values[i] = std::max(exact.values[i], other.values[i]);
+        }
+        const OutlineScore score = ScoreOutline(scene.DrawAlpha(), exact);
+        SCOPED_TRACE(std::to_string(static_cast<int>(occlusion)) + ", " +
+                     std::to_string(static_cast<int>(grouping)));
+        EXPECT_LE(score.meanAbsoluteError, 0.015);
+        EXPECT_GE(score.intersectionOverUnion, 0.97);
+    }
+}
+
 TEST_F(WideOutlineGpu, HasNoLineWhereAnObjectHidesAPartOfAnotherOfItsGroup)
 {
     WideOutlineSettings settings;
