@@ -13,7 +13,7 @@ size=400x250
 techniques=(
     "screen_space"
     "selection"
-    "selection|Selection.m_Grouping=PerObject|Selection kept apart: each its own stencil, none melts"
+    "selection|Selection.m_Grouping=PerGroup|Selection kept apart: a stencil each, none melts"
     "mask_difference"
     "depth_normals"
     "color_edges"
