@@ -10,6 +10,7 @@
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
+#include <limn/features/DepthNormalsOutlineRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
