@@ -70,6 +70,7 @@ Shader "Hidden/Limn/ColorEdges"
             #pragma vertex Vert
             #pragma fragment EdgesFragment
             #pragma multi_compile_local_fragment _ROBERTS _SOBEL _PREWITT
+            #pragma multi_compile_local_fragment _ _BETWEEN_TEXELS // taps; else in their middle
 
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
             #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
@@ -81,7 +82,11 @@ Shader "Hidden/Limn/ColorEdges"
 
             float Brightness(float2 place)
             {
+            #ifdef _BETWEEN_TEXELS
                 return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, place, 0).r;
+            #else
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, place, 0).r;
+            #endif
             }
 
             // How much the brightness changes across the taps: a straight step of h gives h.

@@ -11,7 +11,8 @@
 //                  where the depth is this or more there is no line: 0 near plane, 1 far plane
 //
 // What t_scene_depth holds: 0 near ... 1 far; with SYSTEM_DEPTH_RANGE_NEGATIVE -1 ... 1; with
-// USE_REVERSED_Z the other way round. limn's own depth is reversed, 1 ... 0.
+// USE_REVERSED_Z the other way round. limn's own depth is reversed, 1 ... 0. With _NO_DEPTH_CLIP it is
+// not read.
 Shader "Hidden/Limn/MaskDifferenceOutline"
 {
     SubShader
@@ -56,6 +57,9 @@ Shader "Hidden/Limn/MaskDifferenceOutline"
 
         float DepthClip(float2 screen)
         {
+        #ifdef _NO_DEPTH_CLIP
+            return 1.0;
+        #else
             float depth = SAMPLE_TEXTURE2D_X_LOD(t_scene_depth, sampler_PointClamp, screen, 0).r;
         #ifdef SYSTEM_DEPTH_RANGE_NEGATIVE
             depth = depth * 0.5 + 0.5;
@@ -64,6 +68,7 @@ Shader "Hidden/Limn/MaskDifferenceOutline"
             depth = 1.0 - depth;
         #endif
             return 1.0 - step(outline_depth_threshold_clip_player, depth);
+        #endif
         }
 
         float3 Outline(OutlineVaryings input, float2 screen)
@@ -120,6 +125,7 @@ Shader "Hidden/Limn/MaskDifferenceOutline"
             #pragma fragment OutlineFragment
             #pragma multi_compile_local_fragment _ SYSTEM_DEPTH_RANGE_NEGATIVE
             #pragma multi_compile_local_fragment _ USE_REVERSED_Z
+            #pragma multi_compile_local_fragment _ _NO_DEPTH_CLIP
 
             TEXTURE2D_X(t_tex1);
 
@@ -146,6 +152,7 @@ Shader "Hidden/Limn/MaskDifferenceOutline"
             #pragma fragment OutlineFragment
             #pragma multi_compile_local_fragment _ SYSTEM_DEPTH_RANGE_NEGATIVE
             #pragma multi_compile_local_fragment _ USE_REVERSED_Z
+            #pragma multi_compile_local_fragment _ _NO_DEPTH_CLIP
 
             float4 OutlineFragment(OutlineVaryings input) : SV_Target
             {

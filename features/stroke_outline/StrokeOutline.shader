@@ -8,7 +8,7 @@ Shader "Hidden/Limn/StrokeOutline"
 
         HLSLINCLUDE
         #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-        #include "limn/outline/Coverage.hlsl"
+        #include "limn/outline/BoxCoverage.hlsl"
 
         float4 _OutlineRegion;  // corner, size
         float4 _OutlinePicture; // size
@@ -119,7 +119,7 @@ Shader "Hidden/Limn/StrokeOutline"
                 {
                     return 0.0; // too far away, or the objects go on behind the edge
                 }
-                float beyond = PixelCoverage(across, outward);
+                float beyond = BoxCoverage(outward, across);
                 // On the edge the rasteriser decides which side a centre is on.
                 bool isInside = abs(across) < 0.01 ? OwnDepth(pixel) > 0.0 : across < 0.0;
                 return (isInside ? -beyond : 1.0 - beyond) * share;
@@ -157,7 +157,7 @@ Shader "Hidden/Limn/StrokeOutline"
                 // Behind the edge of something thin is the outline of its other side.
                 bool isInside = across < 0.0 && place == onEdge && OwnDepth(pixel) > 0.0;
                 float distance = isInside ? -away : away;
-                float covered = PixelCoverage(_OutlineWidth - distance, direction);
+                float covered = BoxCoverage(direction, _OutlineWidth - distance);
 
                 float2 nearest = input.ends.xy + along * onEdge;
                 float extent = 0.5 * (abs(along.x) + abs(along.y));

@@ -13,7 +13,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
+#include <limn/features/ScreenSpaceOutline.h>
+#include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
 
@@ -39,13 +43,41 @@ struct Technique
     std::function<void(TechniquePicture&, float width)> add;
 };
 
+template <typename Feature, typename Component, typename Settings>
+Technique Make(const char* name, Settings settings)
+{
+    return {name, [settings](TechniquePicture& picture, float width)
+            {
+                picture.AddFeature<Feature>(settings);
+                picture.Enable<Component>(width);
+            }};
+}
+
+Technique Wide(const char* name, WideOutlineMethod method)
+{
+    WideOutlineSettings settings;
+    settings.m_Method = method;
+    return Make<WideOutlineRendererFeature, WideOutline>(name, settings);
+}
+
+/// The article's: as wide as it goes, 10 pixels.
+Technique ScreenSpace()
+{
+    ScreenSpaceOutlineSettings settings;
+    settings.m_ScreenSpaceOutlineShader =
+        FindShippedShader("Hidden/ScreenSpaceOutline", Compiler());
+    settings.m_LayerMask = LayerMask::Everything();
+    return Make<ScreenSpaceOutlineRenderFeature, ScreenSpaceOutline>("screen space", settings);
+}
+
 std::vector<Technique> Techniques()
 {
-    return {{"strokes", [](TechniquePicture& picture, float width)
-             {
-                 picture.AddFeature<StrokeOutlineRendererFeature>(StrokeOutlineSettings());
-                 picture.Enable<StrokeOutline>(width);
-             }}};
+    return {Make<StrokeOutlineRendererFeature, StrokeOutline>("strokes", StrokeOutlineSettings()),
+            Wide("separable", WideOutlineMethod::Separable),
+            Wide("jump flood", WideOutlineMethod::JumpFlood),
+            Make<MaskDifferenceOutlineRendererFeature, MaskDifferenceOutline>(
+                "mask differ.", MaskDifferenceOutlineSettings()),
+            ScreenSpace()};
 }
 
 struct Shape

@@ -151,6 +151,7 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.notes.clear();
+    result.report.choices.clear();
     result.frame = nullptr; // else the next would have to leave it as it is
     AllocateOutput(m_Output, request);
     renderer.SetOutput(m_Output);

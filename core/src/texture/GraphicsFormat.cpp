@@ -46,11 +46,13 @@ int BytesPerTexel(GraphicsFormat format)
     case GraphicsFormat::R8G8B8A8_SRGB:
     case GraphicsFormat::R8G8B8A8_UNorm:
     case GraphicsFormat::R8G8B8A8_SNorm:
+    case GraphicsFormat::R16G16_UNorm:
     case GraphicsFormat::R16G16_SFloat:
     case GraphicsFormat::R32_SFloat:
     case GraphicsFormat::B10G11R11_UFloatPack32:
     case GraphicsFormat::D32_SFloat:
         return 4;
+    case GraphicsFormat::R16G16B16A16_UNorm:
     case GraphicsFormat::R16G16B16A16_SFloat:
     case GraphicsFormat::R32G32_SFloat:
     case GraphicsFormat::D32_SFloat_S8_UInt:
@@ -73,6 +75,7 @@ int ChannelCount(GraphicsFormat format)
     case GraphicsFormat::R32_SFloat:
     case GraphicsFormat::D32_SFloat:
         return 1;
+    case GraphicsFormat::R16G16_UNorm:
     case GraphicsFormat::R16G16_SFloat:
     case GraphicsFormat::R32G32_SFloat:
     case GraphicsFormat::D32_SFloat_S8_UInt:
@@ -82,6 +85,7 @@ int ChannelCount(GraphicsFormat format)
     case GraphicsFormat::R8G8B8A8_SRGB:
     case GraphicsFormat::R8G8B8A8_UNorm:
     case GraphicsFormat::R8G8B8A8_SNorm:
+    case GraphicsFormat::R16G16B16A16_UNorm:
     case GraphicsFormat::R16G16B16A16_SFloat:
     case GraphicsFormat::R32G32B32A32_SFloat:
         return 4;
@@ -106,6 +110,10 @@ const char* ToString(GraphicsFormat format)
         return "R8G8B8A8_UNorm";
     case GraphicsFormat::R8G8B8A8_SNorm:
         return "R8G8B8A8_SNorm";
+    case GraphicsFormat::R16G16_UNorm:
+        return "R16G16_UNorm";
+    case GraphicsFormat::R16G16B16A16_UNorm:
+        return "R16G16B16A16_UNorm";
     case GraphicsFormat::R16_SFloat:
         return "R16_SFloat";
     case GraphicsFormat::R16G16_SFloat:

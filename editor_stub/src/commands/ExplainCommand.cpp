@@ -163,6 +163,7 @@ Json ToJson(const Explanation& explanation)
             {"variants", variants},
             {"variantsBuilt", explanation.builtVariants},
             {"objects", ToJson(explanation.objects)},
+            {"choices", explanation.report.choices},
             {"notes", explanation.report.notes}};
 }
 

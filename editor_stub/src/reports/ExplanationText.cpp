@@ -333,6 +333,7 @@ ReportLines LeftOutLines(const Explanation& explanation)
 std::string ShortText(const Explanation& explanation)
 {
     return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
+           Section("chosen", explanation.report.choices, k_ListedLines) +
            Section("passes", PassLines(explanation.report), k_ListedLines) +
            Section("the device runs", RunLines(explanation.frame), k_ListedLines) +
            Section("left out", LeftOutLines(explanation), k_ListedLines) +
@@ -352,6 +353,7 @@ std::string LongText(const Explanation& explanation)
     }
     const std::string objects = Objects(explanation.objects, "  ");
     return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
+           Section("chosen", explanation.report.choices) +
            Section("passes", PassLines(explanation.report)) +
            Section("the device runs", RunLines(explanation.frame)) +
            Section("left out", LeftOutLines(explanation)) +

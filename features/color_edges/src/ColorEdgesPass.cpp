@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
-#include <limn/features/OutlinedObjects.h>
+#include <limn/features/OutlineRegion.h>
 
 namespace limn
 {
@@ -15,7 +16,6 @@ namespace limn
 namespace
 {
 
-// Names that no other technique has: a library may be compiled as one translation unit.
 constexpr int k_ColorEdgesMask = 0;
 constexpr int k_ColorEdgesBrightness = 1;
 constexpr int k_ColorEdgesLines = 2;
@@ -63,24 +63,43 @@ ColorEdgesPass::ColorEdgesPass(const std::string& featureName, const ColorEdgesS
 
 std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingData& renderingData)
 {
+    const CameraData& camera = renderingData.cameraData;
+    const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
+                             camera.cameraTargetDescriptor.height);
+    const glm::vec4 taps = ColorEdgesTaps(component.WidthWithin(picture));
+    m_Part = {0, 0, picture.x, picture.y};
     if (m_Settings.m_OnlyFilteredObjects)
     {
-        std::string why =
-            FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together).why;
-        if (!why.empty())
+        const OutlinedObjects found =
+            FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together);
+        if (found.objects.empty())
         {
-            return why;
+            return found.why;
+        }
+        const auto region = FindOutlineRegion(found.objects, camera, taps.y);
+        m_Part = region ? region->InPicture() : ViewportRect{};
+        if (m_Part.width == 0 || m_Part.height == 0)
+        {
+            return "no filtered object is in the picture";
         }
     }
-    const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
-    const glm::vec4 taps = ColorEdgesTaps(component.WidthWithin({camera.width, camera.height}));
+    SetMaterial(component, taps);
+    return "";
+}
+
+void ColorEdgesPass::SetMaterial(const ColorEdges& component, const glm::vec4& taps)
+{
     const float ramp = std::max(component.m_Softness.value(), k_SharpestRamp);
     m_Material->SetVector(_ColorEdgesTaps, taps);
     m_Material->SetFloat(_ColorEdgesReach, taps.y);
     m_Material->SetVector(_ColorEdgesRamp, {component.m_Threshold.value(), 1.0f / ramp, 0, 0});
     m_Material->SetColor(_ColorEdgesColor, component.m_OutlineColor.value());
     SetOperator(component.m_Operator.value());
-    return "";
+    const bool hasMiddle = component.m_Operator.value() != EdgeOperator::Roberts;
+    const glm::vec3 used(taps.x, taps.y, hasMiddle ? taps.z : 0.0f);
+    const bool isWhole = used == glm::floor(used);
+    isWhole ? m_Material->DisableKeyword("_BETWEEN_TEXELS")
+            : m_Material->EnableKeyword("_BETWEEN_TEXELS");
 }
 
 void ColorEdgesPass::SetOperator(EdgeOperator edgeOperator)
@@ -140,9 +159,24 @@ void ColorEdgesPass::Execute(ScriptableRenderContext& context, RenderingData& re
     }
     const RTHandle& color = renderingData.cameraData.renderer->cameraColorTargetHandle();
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    Blitter::BlitCameraTexture(*cmd, color, m_Brightness, m_Material, k_ColorEdgesBrightness);
-    Blitter::BlitCameraTexture(*cmd, m_Brightness, color, m_Material, k_ColorEdgesLines);
+    BlitPart(*cmd, color, m_Brightness, k_ColorEdgesBrightness);
+    BlitPart(*cmd, m_Brightness, color, k_ColorEdgesLines);
     context.ExecuteCommandBuffer(*cmd);
+}
+
+void ColorEdgesPass::BlitPart(CommandBuffer& cmd, const RTHandle& source, const RTHandle& target,
+                              int shaderPass) const
+{
+    const glm::vec4 size(source.rt()->width(), source.rt()->height(), source.rt()->width(),
+                         source.rt()->height());
+    CoreUtils::SetRenderTarget(cmd, target);
+    if (m_Settings.m_OnlyFilteredObjects)
+    {
+        cmd.SetViewport(m_Part);
+    }
+    Blitter::BlitTexture(cmd, source,
+                         glm::vec4(m_Part.width, m_Part.height, m_Part.x, m_Part.y) / size,
+                         m_Material, shaderPass);
 }
 
 } // namespace limn

@@ -14,8 +14,7 @@ namespace limn
 namespace
 {
 
-/// Of the shader; the article's names first. Other techniques may be compiled into the same
-/// translation unit.
+/// What the shader calls its inputs, the article's names first, and its passes.
 struct MaskDifferenceNames
 {
     ShaderPropertyId t_tex0{"t_tex0"};
@@ -86,7 +85,6 @@ MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureN
         m_CopyMaterial = CoreUtils::CreateEngineMaterial(
             FindBuiltinShader("Hidden/Universal/CoreBlit", shader->compiler()));
     }
-    ConfigureInput(ScriptableRenderPassInput::Depth);
 }
 
 std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& component,
@@ -118,6 +116,10 @@ std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& compon
     m_Material->SetVector(k_MaskDifference.u_rt_size, {size, 1.0f / size});
     m_Material->SetFloat(k_MaskDifference.width, component.reach());
     m_Material->SetFloat(k_MaskDifference.outline_depth_threshold_clip_player, threshold);
+    const bool clipsDepth = threshold <= 1.0f; // the largest there is
+    clipsDepth ? m_Material->DisableKeyword("_NO_DEPTH_CLIP")
+               : m_Material->EnableKeyword("_NO_DEPTH_CLIP");
+    ConfigureInput(clipsDepth ? ScriptableRenderPassInput::Depth : ScriptableRenderPassInput::None);
     return "";
 }
 

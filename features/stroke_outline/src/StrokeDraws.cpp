@@ -179,6 +179,7 @@ bool StrokeDraws::Assign(std::vector<Stroke>& strokesOfGroup, double width,
     }
     region = *found;
     edgeCount = static_cast<int>(strokesOfGroup.size());
+    strokeArea = 0.0;
     const glm::dvec2 corner(region.corner);
     Tiles touched(region.size);
     std::vector<glm::vec4> values;
@@ -193,6 +194,7 @@ bool StrokeDraws::Assign(std::vector<Stroke>& strokesOfGroup, double width,
         const glm::dvec2 b = stroke.b - corner;
         values.emplace_back(a.x, a.y, b.x, b.y);
         values.emplace_back(before, behind, stroke.depthA, stroke.depthB);
+        strokeArea += (before + glm::length(b - a) + behind) * (radius + k_Smoothing);
         touched.Touch(a - along * before, b + along * behind, outward * radius,
                       outward * -k_Smoothing);
     }

@@ -31,6 +31,7 @@ struct StrokeDraws
     OutlineRegion region;
     std::span<const OutlinedObject> objects;
     int edgeCount = 0;
+    double strokeArea = 0.0; ///< pixels
     /// Two vectors each: ends in pixels of the region; how far it goes on beyond them (negative:
     /// there is none) and their device depths.
     ShaderArrays strokes{2, {}};

@@ -184,6 +184,12 @@ void StrokeOutlinePass::DrawOwnDepth(CommandBuffer& cmd, const StrokeDraws& grou
     SetCameraProjection(cmd, camera);
 }
 
+double StrokeOutlinePass::strokeArea() const
+{
+    return std::accumulate(m_Groups.begin(), m_Groups.end(), 0.0,
+                           [](double sum, const auto& group) { return sum + group->strokeArea; });
+}
+
 int StrokeOutlinePass::edgeCount() const
 {
     return std::accumulate(m_Groups.begin(), m_Groups.end(), 0,

@@ -22,6 +22,8 @@ const FormatFact k_Facts[] = {
     {GraphicsFormat::R8_UNorm, "R8_UNorm", 5, 1},
     {GraphicsFormat::R8G8B8A8_UNorm, "R8G8B8A8_UNorm", 8, 4 * 1},
     {GraphicsFormat::R8G8B8A8_SNorm, "R8G8B8A8_SNorm", 12, 4 * 1},
+    {GraphicsFormat::R16G16_UNorm, "R16G16_UNorm", 22, 2 * 2},
+    {GraphicsFormat::R16G16B16A16_UNorm, "R16G16B16A16_UNorm", 24, 4 * 2},
     {GraphicsFormat::R16_SFloat, "R16_SFloat", 45, 2},
     {GraphicsFormat::R16G16_SFloat, "R16G16_SFloat", 46, 2 * 2},
     {GraphicsFormat::R16G16B16A16_SFloat, "R16G16B16A16_SFloat", 48, 4 * 2},

@@ -297,22 +297,22 @@ TEST_F(ColorEdgesGpu, KeepsWhatIsNoNumberWhereItIs)
 
 TEST_F(ColorEdgesGpu, LimitsLinesToWhereFilteredObjectsAreSeen)
 {
-    FlatScene flat(24, 16);
-    flat.Add({0, 0}, {24, 16}, 9, Plain({0.1f, 0.1f, 0.1f}));
-    flat.Add({4, 4}, {14, 12}, 6, Plain({0.8f, 0.8f, 0.8f})).layer = k_FurnitureLayer;
-    flat.Add({10, 2}, {20, 9}, 3, Plain({0.3f, 0.3f, 0.3f})); // before it, but no furniture
+    FlatScene flat(64, 46);
+    flat.Add({0, 0}, {64, 46}, 9, Plain({0.1f, 0.1f, 0.1f}));
+    flat.Add({44, 34}, {54, 42}, 6, Plain({0.8f, 0.8f, 0.8f})).layer = k_FurnitureLayer;
+    flat.Add({50, 32}, {60, 39}, 3, Plain({0.3f, 0.3f, 0.3f})); // before it, but no furniture
     const Look look{EdgeOperator::Prewitt, 4.0};
     Lines all(flat);
     const Field base = all.Color(nullptr);
     const Field everywhere = all.Color(&With(look));
     const Field limited = Lines(flat, true).Color(&With(look));
     int lines = 0;
-    for (int y = 0; y < 16; ++y)
+    for (int y = 0; y < 46; ++y)
     {
-        for (int x = 0; x < 24; ++x)
+        for (int x = 0; x < 64; ++x)
         {
             const bool isSeen =
-                x >= 4 && x < 14 && y >= 4 && y < 12 && !(x >= 10 && x < 20 && y >= 2 && y < 9);
+                x >= 44 && x < 54 && y >= 34 && y < 42 && !(x >= 50 && x < 60 && y >= 32 && y < 39);
             for (int channel = 0; channel < 3; ++channel)
             {
                 EXPECT_EQ(limited.At(x, y, channel), (isSeen ? everywhere : base).At(x, y, channel))

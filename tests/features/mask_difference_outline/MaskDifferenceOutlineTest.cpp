@@ -106,19 +106,31 @@ protected:
 
 void Defaults(MaskDifferenceOutline&) {}
 
-TEST_F(MaskDifferenceFrame, HasAMaskDepthAndALineAddedInPlace)
+TEST_F(MaskDifferenceFrame, HasAMaskAndALineAddedInPlace)
 {
     const RenderResult result = Render(Defaults);
-    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture",
-                                             "t_tex0", "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "t_tex0",
+                                             "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+TEST_F(MaskDifferenceFrame, HasTheScenesDepthOnlyWhereLinesAreClipped)
+{
+    const auto clipped = ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture", "t_tex0",
+                                     "_CameraColorAttachmentA", "limn_Output");
+    EXPECT_THAT(Targets(Render([](MaskDifferenceOutline& outline)
+                               { outline.outline_depth_threshold_clip_player.Override(1.0f); })),
+                clipped);
+    EXPECT_THAT(Targets(Render([](MaskDifferenceOutline& outline)
+                               { outline.m_ClipDistance.Override(5.0f); })),
+                clipped);
 }
 
 TEST_F(MaskDifferenceFrame, HasACopyOfThePictureWithoutFramebufferFetch)
 {
     m_Settings.m_FramebufferFetch = false;
     EXPECT_THAT(Targets(Render(Defaults)),
-                ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture", "t_tex0", "t_tex1",
+                ElementsAre("_CameraColorAttachmentA", "t_tex0", "t_tex1",
                             "_CameraColorAttachmentA", "limn_Output"));
 }
 
@@ -128,7 +140,7 @@ TEST_F(MaskDifferenceFrame, HasAMaskNoLargerThanTheObjectsNeed)
     m_Content.scene.Find("Cube")->activeSelf = false;
     m_Content.scene.Find("Sphere")->activeSelf = false;
     const RenderResult result = Render(Defaults);
-    const CompiledRenderPass& mask = result.frame->passes.at(2);
+    const CompiledRenderPass& mask = result.frame->passes.at(1);
     EXPECT_LT(mask.width * mask.height, 320 * 240);
     EXPECT_FALSE(mask.depth) << "which of them is in front does not matter";
 }

@@ -126,16 +126,18 @@ TEST_P(ClearEveryFormat, HasTheFormatsBytes)
 // 0x1E0, so red 1 and blue 1 of B10G11R11 make 0x3C0 | 0x1E0 << 22 = 0x780003C0.
 INSTANTIATE_TEST_SUITE_P(
     Formats, ClearEveryFormat,
-    testing::Values(FormatCase{GraphicsFormat::R8_UNorm, {255}},
-                    FormatCase{GraphicsFormat::R8G8B8A8_UNorm, {255, 0, 255, 255}},
-                    FormatCase{GraphicsFormat::R8G8B8A8_SRGB, {255, 0, 255, 255}},
-                    FormatCase{GraphicsFormat::R16_SFloat, {0, 0x3C}},
-                    FormatCase{GraphicsFormat::R16G16_SFloat, {0, 0x3C, 0, 0}},
-                    FormatCase{GraphicsFormat::R16G16B16A16_SFloat,
-                               {0, 0x3C, 0, 0, 0, 0x3C, 0, 0x3C}},
-                    FormatCase{GraphicsFormat::R32_SFloat, {0, 0, 0x80, 0x3F}},
-                    FormatCase{GraphicsFormat::R32G32_SFloat, {0, 0, 0x80, 0x3F, 0, 0, 0, 0}},
-                    FormatCase{GraphicsFormat::B10G11R11_UFloatPack32, {0xC0, 0x03, 0, 0x78}}),
+    testing::Values(
+        FormatCase{GraphicsFormat::R8_UNorm, {255}},
+        FormatCase{GraphicsFormat::R8G8B8A8_UNorm, {255, 0, 255, 255}},
+        FormatCase{GraphicsFormat::R8G8B8A8_SRGB, {255, 0, 255, 255}},
+        FormatCase{GraphicsFormat::R16G16_UNorm, {255, 255, 0, 0}},
+        FormatCase{GraphicsFormat::R16G16B16A16_UNorm, {255, 255, 0, 0, 255, 255, 255, 255}},
+        FormatCase{GraphicsFormat::R16_SFloat, {0, 0x3C}},
+        FormatCase{GraphicsFormat::R16G16_SFloat, {0, 0x3C, 0, 0}},
+        FormatCase{GraphicsFormat::R16G16B16A16_SFloat, {0, 0x3C, 0, 0, 0, 0x3C, 0, 0x3C}},
+        FormatCase{GraphicsFormat::R32_SFloat, {0, 0, 0x80, 0x3F}},
+        FormatCase{GraphicsFormat::R32G32_SFloat, {0, 0, 0x80, 0x3F, 0, 0, 0, 0}},
+        FormatCase{GraphicsFormat::B10G11R11_UFloatPack32, {0xC0, 0x03, 0, 0x78}}),
     [](const auto& which) { return std::string(ToString(which.param.format)); });
 
 } // namespace limn::test

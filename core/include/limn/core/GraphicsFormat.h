@@ -11,6 +11,8 @@ enum class GraphicsFormat
     R8_UNorm = 5,
     R8G8B8A8_UNorm = 8,
     R8G8B8A8_SNorm = 12,
+    R16G16_UNorm = 22,
+    R16G16B16A16_UNorm = 24,
     R16_SFloat = 45,
     R16G16_SFloat = 46,
     R16G16B16A16_SFloat = 48,

@@ -30,6 +30,7 @@ struct RenderReport
     std::vector<DrawRenderersReport> draws; ///< in the order they were made
     std::vector<std::string>
         notes; ///< sentences for the user, each a reason why something is absent
+    std::vector<std::string> choices; ///< what features decided by themselves, and why
 };
 
 } // namespace limn

@@ -30,6 +30,10 @@ VkFormat ToVkFormat(GraphicsFormat format)
         return VK_FORMAT_R8G8B8A8_UNORM;
     case GraphicsFormat::R8G8B8A8_SNorm:
         return VK_FORMAT_R8G8B8A8_SNORM;
+    case GraphicsFormat::R16G16_UNorm:
+        return VK_FORMAT_R16G16_UNORM;
+    case GraphicsFormat::R16G16B16A16_UNorm:
+        return VK_FORMAT_R16G16B16A16_UNORM;
     case GraphicsFormat::R16_SFloat:
         return VK_FORMAT_R16_SFLOAT;
     case GraphicsFormat::R16G16_SFloat:

@@ -31,11 +31,15 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
+    void SetMaterial(const ColorEdges& component, const glm::vec4& taps);
     void SetOperator(EdgeOperator edgeOperator);
     void DrawMask(ScriptableRenderContext& context, const RenderingData& renderingData) const;
+    void BlitPart(CommandBuffer& cmd, const RTHandle& source, const RTHandle& target,
+                  int shaderPass) const;
 
     const ColorEdgesSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
+    ViewportRect m_Part; ///< of the picture, that lines can be in and come from
     RTHandle m_Mask;
     RTHandle m_Brightness;
 };

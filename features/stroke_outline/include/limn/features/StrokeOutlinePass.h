@@ -52,8 +52,9 @@ public:
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
-    /// Silhouette edges that were drawn last.
-    int edgeCount() const;
+    /// Of what the last Setup found, for choosing between techniques.
+    int edgeCount() const;     ///< silhouette edges
+    double strokeArea() const; ///< of their strokes, those that lie on others included, pixels
 
 private:
     void DrawGroup(CommandBuffer& cmd, const StrokeDraws& group, const CameraData& camera);

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <limn/core/Inspector.h>
+#include <limn/features/AutoOutlineRendererFeature.h>
+#include <limn/features/OutlineRegion.h>
+#include <limn/features/OutlineRendererFeature.h>
+#include <limn/features/StrokeOutlinePass.h>
+#include <limn/features/WideOutlineRenderPass.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr EnumEntry k_Techniques[] = {
+    {"Auto", 0}, {"Strokes", 1}, {"Separable", 2}, {"JumpFlood", 3}};
+constexpr RenderQueueRange k_AlphaTestQueues(2450, 2500);
+
+bool IsAlphaTested(const OutlinedObject& object)
+{
+    const Material& material = *object.item.material;
+    return material.IsKeywordEnabled("_ALPHATEST_ON") ||
+           k_AlphaTestQueues.Contains(material.renderQueue());
+}
+
+/// Pixels of the groups' regions.
+double RegionArea(const std::vector<OutlinedObject>& objects, const CameraData& camera, float reach)
+{
+    double area = 0.0;
+    for (auto first = objects.begin(); first != objects.end();)
+    {
+        const auto last = std::find_if(first, objects.end(),
+                                       [&](const OutlinedObject& object)
+                                       { return object.group != first->group; });
+        if (const auto region = FindOutlineRegion(std::span(first, last), camera, reach))
+        {
+            area += static_cast<double>(region->size.x) * region->size.y;
+        }
+        first = last;
+    }
+    return area;
+}
+
+/// Gives a technique's component the values of this one's.
+void CopyValues(const AutoOutline& from, OutlineComponent& to)
+{
+    to.m_Enable.Override(true);
+    to.m_OutlineColor.Override(from.m_OutlineColor.value());
+    to.m_OutlineWidth.Override(from.m_OutlineWidth.value());
+}
+
+template <typename Settings>
+Settings SettingsFor(const AutoOutlineSettings& from)
+{
+    Settings settings;
+    static_cast<OutlineSettings&>(settings) = from;
+    settings.m_Grouping = from.m_Grouping;
+    return settings;
+}
+
+} // namespace
+
+void AutoOutlineSettings::Describe(Inspector& inspector)
+{
+    OutlineSettings::Describe(inspector);
+    inspector.Header("Technique");
+    inspector.Field(
+        "m_Technique", m_Technique, k_Techniques,
+        "How it is drawn; Auto chooses by the objects and the width, and `limn explain` "
+        "says why");
+    DescribeGrouping(inspector, m_Grouping);
+}
+
+AutoOutlineRendererFeature::AutoOutlineRendererFeature()
+    : AutoOutlineRendererFeature(AutoOutlineSettings())
+{
+}
+
+AutoOutlineRendererFeature::AutoOutlineRendererFeature(AutoOutlineSettings settings)
+    : m_Settings(std::move(settings)),
+      m_StrokeValues(std::make_unique<StrokeOutline>()),
+      m_WideValues(std::make_unique<WideOutline>())
+{
+    name = "AutoOutlineRendererFeature";
+}
+
+AutoOutlineRendererFeature::~AutoOutlineRendererFeature() = default;
+
+void AutoOutlineRendererFeature::Create()
+{
+    m_Strokes.reset();
+    m_Wide[0].reset();
+    m_Wide[1].reset();
+}
+
+void AutoOutlineRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
+                                                 RenderingData& renderingData)
+{
+    const auto* component = renderingData.volumeStack->GetComponent<AutoOutline>();
+    std::string why = WhyInactive(component, "AutoOutline");
+    if (why.empty())
+    {
+        CopyValues(*component, *m_StrokeValues);
+        CopyValues(*component, *m_WideValues);
+        why = AddTechnique(*component, renderer, renderingData);
+    }
+    if (!why.empty())
+    {
+        renderingData.report->notes.push_back(name + ": not drawn, " + why);
+    }
+}
+
+std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& component,
+                                                     ScriptableRenderer& renderer,
+                                                     RenderingData& renderingData)
+{
+    const OutlinedObjects found =
+        FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
+    if (found.objects.empty())
+    {
+        return found.why;
+    }
+    OutlineWork work;
+    work.isAlphaTested = std::ranges::any_of(found.objects, IsAlphaTested);
+    const OutlineTechnique wanted = m_Settings.m_Technique;
+    const bool isAuto = wanted == OutlineTechnique::Auto;
+    if (wanted == OutlineTechnique::Strokes || (isAuto && !work.isAlphaTested))
+    {
+        MakeStrokes(renderer);
+        const std::string why = m_Strokes->Setup(*m_StrokeValues, renderingData);
+        if (!why.empty())
+        {
+            return why;
+        }
+        work.edgeCount = m_Strokes->edgeCount();
+        work.strokeArea = m_Strokes->strokeArea();
+    }
+    work.width = component.m_OutlineWidth.value();
+    work.regionArea = RegionArea(found.objects, renderingData.cameraData, component.reach());
+    const OutlineChoice choice =
+        isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique says"};
+    std::string why;
+    if (choice.technique == OutlineTechnique::Strokes)
+    {
+        renderer.EnqueuePass(*m_Strokes);
+    }
+    else
+    {
+        why = AddWide(renderer, renderingData, choice.technique);
+    }
+    if (why.empty())
+    {
+        renderingData.report->choices.push_back(name + ": " + ToString(choice.technique) + ", " +
+                                                choice.why);
+    }
+    return why;
+}
+
+void AutoOutlineRendererFeature::MakeStrokes(const ScriptableRenderer& renderer)
+{
+    if (!m_Strokes)
+    {
+        m_Strokes = std::make_unique<StrokeOutlinePass>(
+            name, SettingsFor<StrokeOutlineSettings>(m_Settings),
+            FindTechniqueShader(renderer, StrokeOutlinePass::k_Shader));
+    }
+}
+
+std::string AutoOutlineRendererFeature::AddWide(ScriptableRenderer& renderer,
+                                                RenderingData& renderingData,
+                                                OutlineTechnique technique)
+{
+    const bool isFlood = technique == OutlineTechnique::JumpFlood;
+    std::unique_ptr<WideOutlineRenderPass>& pass = m_Wide[isFlood ? 1 : 0];
+    if (!pass)
+    {
+        auto settings = SettingsFor<WideOutlineSettings>(m_Settings);
+        settings.m_Method = isFlood ? WideOutlineMethod::JumpFlood : WideOutlineMethod::Separable;
+        pass = std::make_unique<WideOutlineRenderPass>(
+            name, settings, FindTechniqueShader(renderer, WideOutlineRenderPass::k_Shader));
+    }
+    const std::string why = pass->Setup(*m_WideValues, renderingData);
+    if (why.empty())
+    {
+        renderer.EnqueuePass(*pass);
+    }
+    return why;
+}
+
+float AutoOutlineRendererFeature::cullingMargin(const VolumeStackPointer& volumeStack) const
+{
+    const auto* component = volumeStack->GetComponent<AutoOutline>();
+    return WhyInactive(component, "").empty() ? component->reach() : 0.0f;
+}
+
+} // namespace limn

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+#include <limn/features/OutlineTechnique.h>
+#include <sstream>
+
+namespace limn
+{
+
+namespace
+{
+
+// What a pixel costs, in reads of a texture; outline_benchmark's times on lavapipe come to this.
+constexpr double k_ReadsOfStroke = 25.0;
+constexpr double k_ReadsOfFloodStep = 12.0;
+constexpr double k_ReadsOfSeeds = 30.0; ///< the mask, the places on its edge, and the composite
+
+double CostOfStrokes(const OutlineWork& work)
+{
+    return work.strokeArea * k_ReadsOfStroke;
+}
+
+double CostOfSeparable(const OutlineWork& work)
+{
+    return work.regionArea * (k_ReadsOfSeeds + 2.0 * (2.0 * std::ceil(work.width) + 1.0));
+}
+
+double CostOfJumpFlood(const OutlineWork& work)
+{
+    const double steps = 1.0 + std::ceil(std::log2(work.width + 1.0));
+    return work.regionArea * (k_ReadsOfSeeds + k_ReadsOfFloodStep * steps);
+}
+
+std::string Millions(double number)
+{
+    std::ostringstream text;
+    text.precision(number < 1e6 ? 2 : 3);
+    text << number * 1e-6 << " million";
+    return text.str();
+}
+
+} // namespace
+
+const char* ToString(OutlineTechnique technique)
+{
+    switch (technique)
+    {
+    case OutlineTechnique::Auto:
+        return "Auto";
+    case OutlineTechnique::Strokes:
+        return "Strokes";
+    case OutlineTechnique::Separable:
+        return "Separable";
+    case OutlineTechnique::JumpFlood:
+        return "JumpFlood";
+    }
+    return "?";
+}
+
+OutlineChoice ChooseOutlineTechnique(const OutlineWork& work)
+{
+    const double separable = CostOfSeparable(work);
+    const double flood = CostOfJumpFlood(work);
+    const double transform = std::min(separable, flood);
+    const OutlineTechnique best =
+        separable <= flood ? OutlineTechnique::Separable : OutlineTechnique::JumpFlood;
+    if (work.isAlphaTested)
+    {
+        return {best, "a material is alpha-tested, so the mesh's silhouette is not what is seen"};
+    }
+    const double strokes = CostOfStrokes(work);
+    const std::string costs = std::to_string(work.edgeCount) + " silhouette edges cost about " +
+                              Millions(strokes) + " texture reads, a distance transform " +
+                              Millions(transform);
+    return {strokes <= transform ? OutlineTechnique::Strokes : best, costs};
+}
+
+} // namespace limn

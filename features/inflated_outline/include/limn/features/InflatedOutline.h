@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limn/features/OutlineComponent.h>
+#include <limn/volume/EnumParameter.h>
+
+namespace limn
+{
+
+/// What the thickness of an inflated hull is counted in.
+enum class InflatedWidthUnit
+{
+    Pixels, ///< on the screen, whatever the distance
+    Metres  ///< in the world, as in the article: thinner far away
+};
+
+/// What the outline of InflatedOutlineRendererFeature looks like, as volumes set it.
+class InflatedOutline final : public OutlineComponent
+{
+public:
+    EnumParameter<InflatedWidthUnit> m_WidthUnit{
+        this,
+        "m_WidthUnit",
+        InflatedWidthUnit::Pixels,
+        {{"Pixels", InflatedWidthUnit::Pixels}, {"Metres", InflatedWidthUnit::Metres}},
+        {.tooltip = "Whether m_OutlineWidth or m_WidthInMetres says how wide the outline is."}};
+    MinFloatParameter m_WidthInMetres{
+        this,
+        "m_WidthInMetres",
+        0.02f,
+        0.0f,
+        {.tooltip = "How far the hull lies outside of its object, in the world.", .unit = "m"}};
+
+    /// How many pixels a metre is depends on the object; hulls in metres that reach in from farther
+    /// outside of the picture than a quarter of a large screen are not drawn.
+    float reach() const override
+    {
+        return m_WidthUnit.value() == InflatedWidthUnit::Metres ? 1024.0f : m_OutlineWidth.value();
+    }
+};
+
+} // namespace limn

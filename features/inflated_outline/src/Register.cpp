@@ -1,0 +1,15 @@
+#include <limn/features/FeatureRegistry.h>
+#include <limn/features/InflatedOutline.h>
+#include <limn/features/InflatedOutlineRendererFeature.h>
+#include <limn/volume/VolumeComponentRegistry.h>
+
+namespace limn::inflated_outline
+{
+
+void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<InflatedOutlineRendererFeature>("InflatedOutlineRendererFeature");
+    components.Register<InflatedOutline>("InflatedOutline");
+}
+
+} // namespace limn::inflated_outline

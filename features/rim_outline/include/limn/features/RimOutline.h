@@ -1,0 +1,54 @@
+#pragma once
+
+#include <limn/features/OutlineComponent.h>
+#include <limn/volume/EnumParameter.h>
+
+namespace limn
+{
+
+/// Which parts of a surface are its rim; theta is the angle between normal and line of sight.
+enum class RimVariant
+{
+    Soft,      ///< all of it, as strongly as the sine of theta
+    Threshold, ///< where theta is above an angle
+    Pixels     ///< what is so many pixels away from the silhouette, as its curvature has it
+};
+
+/// What the rim of RimOutlineRendererFeature looks like, as volumes set it.
+class RimOutline final : public OutlineComponent
+{
+public:
+    EnumParameter<RimVariant> m_Variant{this,
+                                        "m_Variant",
+                                        RimVariant::Soft,
+                                        {{"Soft", RimVariant::Soft},
+                                         {"Threshold", RimVariant::Threshold},
+                                         {"Pixels", RimVariant::Pixels}},
+                                        {.tooltip =
+                                             "How far the rim goes: Soft fades with "
+                                             "m_Falloff, Threshold ends at m_ThresholdAngle, "
+                                             "Pixels at m_OutlineWidth."}};
+    ClampedFloatParameter m_Falloff{
+        this,
+        "m_Falloff",
+        1.0f,
+        0.1f,
+        64.0f,
+        {.tooltip = "The power that the sine is raised to; 1 is the article's, more is narrower."}};
+    ClampedFloatParameter m_ThresholdAngle{
+        this,
+        "m_ThresholdAngle",
+        70.0f,
+        0.0f,
+        90.0f,
+        {.tooltip = "The angle between normal and line of sight above which the rim begins.",
+         .unit = "degrees"}};
+
+    /// It lies within its objects; 0 where it draws nothing.
+    float reach() const override
+    {
+        return m_Variant.value() == RimVariant::Pixels ? m_OutlineWidth.value() : 1.0f;
+    }
+};
+
+} // namespace limn

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <limn/features/OutlineComponent.h>
+#include <limn/volume/EnumParameter.h>
+
+namespace limn
+{
+
+/// Where a wide outline lies: outside of the silhouette, inside, or half of it on either side.
+enum class WideOutlineSide
+{
+    Outer,
+    Inner,
+    Centred
+};
+
+/// What volumes set of a wide outline.
+class WideOutline final : public OutlineComponent
+{
+public:
+    EnumParameter<WideOutlineSide> m_Side{this,
+                                          "m_Side",
+                                          WideOutlineSide::Outer,
+                                          {{"Outer", WideOutlineSide::Outer},
+                                           {"Inner", WideOutlineSide::Inner},
+                                           {"Centred", WideOutlineSide::Centred}},
+                                          {.tooltip = "Where the outline lies."}};
+    MinFloatParameter m_Gap{
+        this,
+        "m_Gap",
+        0.0f,
+        0.0f,
+        {.tooltip = "How far the outline keeps off the silhouette.", .unit = "pixels"}};
+    ClampedFloatParameter m_Gradient{
+        this, "m_Gradient", 0.0f,
+        0.0f, 1.0f,         {.tooltip = "How far the colour goes over to m_OuterColor."}};
+    ColorParameter m_OuterColor{
+        this, "m_OuterColor", Color::black, {.tooltip = "sRGB; at the outline's far end."}};
+    MinFloatParameter m_Falloff{
+        this,
+        "m_Falloff",
+        0.0f,
+        0.0f,
+        {.tooltip = "A glow: alpha goes to 0 at the far end, evenly for 1, sooner for more; 0 = a "
+                    "line."}};
+
+    float reach() const override;
+};
+
+} // namespace limn

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <limn/core/Material.h>
+#include <limn/core/ScriptableRenderPass.h>
+#include <limn/features/OutlineRegion.h>
+#include <limn/features/OutlineSettings.h>
+#include <limn/features/WideOutline.h>
+
+namespace limn
+{
+
+/// How the nearest place on the edge is found.
+enum class WideOutlineMethod
+{
+    Auto,      ///< whichever costs less for the width
+    JumpFlood, ///< a pass for each doubling of the width
+    Separable  ///< two passes that look as far as the width
+};
+
+enum class WideOutlineOcclusion
+{
+    All,    ///< whole objects, whatever stands in front of them
+    Visible ///< the part of them that the camera sees has an outline
+};
+
+struct WideOutlineSettings : OutlineSettings
+{
+    WideOutlineMethod m_Method = WideOutlineMethod::Auto;
+    WideOutlineOcclusion m_Occlusion = WideOutlineOcclusion::All;
+    OutlineGrouping m_Grouping = OutlineGrouping::Together;
+
+    void Describe(Inspector& inspector);
+};
+
+/// Draws the objects into a mask, finds places on its edge, spreads the nearest ones as far as the
+/// outline reaches, and blends what lies at the right distance into the camera's colour; again for
+/// each group of objects.
+///
+/// Textures [region height, region width]: _WideOutlineMask, R8_UNorm of four samples (every Vulkan
+/// device has them); _WideOutlineSeeds, R16G16B16A16_UNorm, see EdgeSeeds.hlsl; _WideOutlineFloodA
+/// and B, R16G16_UNorm, or _WideOutlineColumns, R16G16B16A16_UNorm.
+class WideOutlineRenderPass final : public ScriptableRenderPass
+{
+public:
+    static constexpr const char* k_Shader = "Hidden/Limn/WideOutline";
+
+    WideOutlineRenderPass(const std::string& featureName, const WideOutlineSettings& settings,
+                          std::shared_ptr<const Shader> shader);
+
+    /// @return why nothing is drawn, or ""
+    /// @throws ContractError if a number is not finite
+    std::string Setup(const WideOutline& component, RenderingData& renderingData);
+
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+    /// What Auto has come to in the last Setup.
+    WideOutlineMethod method() const { return m_Method; }
+
+private:
+    struct Group
+    {
+        std::vector<OutlinedObject> objects;
+        OutlineRegion region;
+    };
+
+    void SetBand(const WideOutline& component, const glm::ivec2& picture);
+    void DrawMask(ScriptableRenderContext& context, CommandBuffer& cmd,
+                  const RenderingData& renderingData, const Group& group);
+    const RTHandle& Flood(CommandBuffer& cmd);
+    void Composite(CommandBuffer& cmd, const RenderingData& renderingData, const Group& group,
+                   const RTHandle& source, int pass);
+    void DrawWhole(CommandBuffer& cmd, const RTHandle& source, const RTHandle& target, int pass,
+                   float step);
+
+    WideOutlineSettings m_Settings;
+    std::shared_ptr<Material> m_Material;
+    std::vector<Group> m_Groups;
+    WideOutlineMethod m_Method = WideOutlineMethod::JumpFlood;
+    float m_Farthest = 0.0f; ///< end of the outline from the edge, on either side, pixels
+    int m_Reach = 0;         ///< pixels: no place on the edge that is farther away matters
+    RTHandle m_Mask;
+    RTHandle m_Seeds;
+    RTHandle m_FloodA;
+    RTHandle m_FloodB;
+    RTHandle m_Columns;
+};
+
+} // namespace limn

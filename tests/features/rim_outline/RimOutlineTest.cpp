@@ -1,0 +1,95 @@
+#include "features/inflated_outline/BodiesScene.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/features/RimOutlineRendererFeature.h>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class RimOutlineFrame : public testing::Test
+{
+protected:
+    RimOutlineFrame() { m_Settings.m_RenderingLayerMask = k_SelectedLayer; }
+
+    RenderResult Render(const std::function<void(RimOutline&)>& set)
+    {
+        UniversalRenderPipeline pipeline(m_Device);
+        UniversalRenderer renderer(Compiler());
+        auto feature = std::make_unique<RimOutlineRendererFeature>(m_Settings);
+        feature->name = "Rim";
+        renderer.AddFeature(std::move(feature));
+        RenderRequest request;
+        request.scene = &m_Content.scene;
+        request.camera = &m_Content.camera;
+        request.width = 64;
+        request.height = 48;
+        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+
+    std::string NoteOf(const std::function<void(RimOutline&)>& set)
+    {
+        const RenderResult result = Render(set);
+        return result.report.notes.empty() ? "" : result.report.notes.front();
+    }
+
+    RimOutlineSettings m_Settings;
+    BodiesScene m_Content;
+    RecordingDevice m_Device;
+    BlendedComponent<RimOutline> m_Volumes;
+};
+
+} // namespace
+
+TEST_F(RimOutlineFrame, IsDrawnBeforeWhatIsTransparent)
+{
+    const RenderResult result = Render([](RimOutline&) {});
+    std::vector<std::string> names;
+    for (const ExecutedPassReport& pass : result.report.passes)
+    {
+        names.push_back(pass.name.name());
+    }
+    EXPECT_THAT(
+        names, ElementsAre("Draw Opaque Objects", "Rim", "Draw Transparent Objects", "Final Blit"));
+    EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+// The width counts where the rim is asked for in pixels.
+TEST_F(RimOutlineFrame, SaysWhyItDrawsNothing)
+{
+    EXPECT_EQ("Rim: not drawn, no volume at the camera sets RimOutline.m_Enable, which is false by "
+              "default",
+              NoteOf({}));
+    const auto withoutWidth = [](RimVariant variant)
+    {
+        return [variant](RimOutline& outline)
+        {
+            outline.m_Variant.Override(variant);
+            outline.m_OutlineWidth.Override(0.0f);
+        };
+    };
+    EXPECT_EQ("Rim: not drawn, RimOutline.m_OutlineWidth is 0",
+              NoteOf(withoutWidth(RimVariant::Pixels)));
+    EXPECT_EQ("", NoteOf(withoutWidth(RimVariant::Soft)));
+    EXPECT_EQ("", NoteOf(withoutWidth(RimVariant::Threshold)));
+    EXPECT_EQ("Rim: not drawn, RimOutline.m_OutlineColor has alpha 0",
+              NoteOf([](RimOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }));
+    m_Settings.m_RenderingLayerMask = 30;
+    EXPECT_EQ("Rim: not drawn, 0 of 5 renderers drawn: 5 rendering layer mask",
+              NoteOf([](RimOutline&) {}));
+}
+
+TEST_F(RimOutlineFrame, RefusesAVariantThatThereIsNot)
+{
+    EXPECT_THROW(
+        Render([](RimOutline& outline) { outline.m_Variant.Override(static_cast<RimVariant>(3)); }),
+        ContractError);
+}
+
+} // namespace limn::test
