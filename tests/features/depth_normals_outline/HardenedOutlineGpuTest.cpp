@@ -139,6 +139,30 @@ TEST_F(HardenedOutlineGpu, DrawsNothingOnAPlaneHoweverItLies)
                 hardened);
 }
 
+// The floor goes on, but is not drawn any more.
+TEST_F(HardenedOutlineGpu, DrawsNothingWhereThePlaneIsCutOffByTheFarPlane)
+{
+    Floor floor;
+    floor.camera.farClipPlane = 60.0f;
+    LinedRun run(floor.black, floor.camera, 64, 41);
+    for (const bool isOrthographic : {false, true})
+    {
+        for (const double degrees : {3.0, 5.0, 12.0})
+        {
+            floor.Look(degrees, isOrthographic);
+            floor.camera.farClipPlane = isOrthographic ? 101.0f : 60.0f;
+            for (const int samples : {1, 4})
+            {
+                run.SetSamples(samples);
+                EXPECT_EQ(SumOf(run.Lines(As({4.0, 0.0, 2.0}))), 0.0)
+                    << degrees << " degrees, orthographic " << isOrthographic << ", samples "
+                    << samples;
+                EXPECT_GT(SumOf(run.Lines(AsTheArticle)), 20.0) << degrees;
+            }
+        }
+    }
+}
+
 /// Two black sheets, each over half of a picture whose units are pixels, turned around the y axis.
 struct Sheets
 {

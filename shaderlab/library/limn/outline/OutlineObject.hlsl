@@ -73,29 +73,32 @@ float limn_Step(float before, float center, float behind, float unknown)
     return min(gapBefore, gapBehind) > 0.0 ? (isBehind ? gapBehind : gapBefore) : 0.0;
 }
 
-// Depths at a place left, right, up and down of a pixel, of those the picture has.
-float4 limn_DepthsAround(int2 pixel, int2 taps, int2 size)
+// Depths left, right, up and down of a pixel.
+float4 limn_DepthsAround(int2 pixel, int2 taps)
 {
-    uint2 low = uint2(max(pixel - taps, int2(0, 0)));
-    uint2 high = uint2(min(pixel + taps, size - 1));
+    uint2 low = uint2(pixel - taps);
+    uint2 high = uint2(pixel + taps);
     return float4(LoadSceneDepth(uint2(low.x, pixel.y)), LoadSceneDepth(uint2(high.x, pixel.y)),
                   LoadSceneDepth(uint2(pixel.x, low.y)), LoadSceneDepth(uint2(pixel.x, high.y)));
 }
 
 // The largest step from a pixel of the background, where only samples of it see an object: what is
 // around ends here, unless it is a plane that goes on behind the far plane.
-float limn_StepFromBackground(float4 around, float4 beyond)
+float limn_StepFromBackground(int2 pixel, int2 taps)
 {
-    float4 expected = saturate(2.0 * around - beyond);
-    return max(max(limn_Gap(0.0, expected.x, 0.0), limn_Gap(0.0, expected.y, 0.0)),
-               max(limn_Gap(0.0, expected.z, 0.0), limn_Gap(0.0, expected.w, 0.0)));
+    float4 around = limn_DepthsAround(pixel, taps);
+    float4 slope = around - limn_DepthsAround(pixel, taps * 2);
+    float4 expected = saturate(around + slope);
+    float4 unknown = abs(slope) / 64.0;
+    return max(max(limn_Gap(0.0, expected.x, unknown.x), limn_Gap(0.0, expected.y, unknown.y)),
+               max(limn_Gap(0.0, expected.z, unknown.z), limn_Gap(0.0, expected.w, unknown.w)));
 }
 
-// Degrees between two normals of any length; 0 where there is none.
-float limn_AngleBetween(float3 a, float3 b)
+// The cosine between two normals of any length; 1 where there is none.
+float limn_CosineBetween(float3 a, float3 b)
 {
-    bool areBoth = min(dot(a, a), dot(b, b)) > 0.25;
-    return areBoth ? degrees(atan2(length(cross(a, b)), dot(a, b))) : 0.0;
+    float lengths = dot(a, a) * dot(b, b);
+    return lengths > 0.25 ? dot(a, b) * rsqrt(lengths) : 1.0;
 }
 
 // The largest step (metres) and angle (degrees) between a pixel and those `reach` pixels from it,
@@ -104,14 +107,14 @@ float2 limn_StepAndAngle(float2 uv, float reach)
 {
     float2 size = _CameraDepthTexture_TexelSize.zw;
     int2 pixel = clamp(int2(uv * size), int2(0, 0), int2(size) - 1);
-    int2 taps = min(int2(reach, reach), min(pixel, int2(size) - 1 - pixel));
+    int2 room = min(pixel, int2(size) - 1 - pixel);
+    int2 taps = min(int2(reach, reach), room);
     float center = LoadSceneDepth(uint2(pixel));
-    float4 around = limn_DepthsAround(pixel, taps, int2(size));
     if (center == 0.0)
     {
-        return float2(
-            limn_StepFromBackground(around, limn_DepthsAround(pixel, taps * 2, int2(size))), 0.0);
+        return float2(limn_StepFromBackground(pixel, min(taps, room / 2)), 0.0);
     }
+    float4 around = limn_DepthsAround(pixel, taps);
     float4 differences = abs(around - center);
     // The smaller difference is the slope of the surface itself. It is not known better than
     // vertices are placed, which devices do to 1/256 pixel, nor depth better than a float is
@@ -126,12 +129,12 @@ float2 limn_StepAndAngle(float2 uv, float reach)
     float3 normal = LoadSceneNormals(uint2(pixel));
     uint2 low = uint2(pixel - taps);
     uint2 high = uint2(pixel + taps);
-    float angle =
-        max(max(limn_AngleBetween(normal, LoadSceneNormals(uint2(low.x, pixel.y))),
-                limn_AngleBetween(normal, LoadSceneNormals(uint2(high.x, pixel.y)))),
-            max(limn_AngleBetween(normal, LoadSceneNormals(uint2(pixel.x, low.y))),
-                limn_AngleBetween(normal, LoadSceneNormals(uint2(pixel.x, high.y)))));
-    return float2(step, angle);
+    float least =
+        min(min(limn_CosineBetween(normal, LoadSceneNormals(uint2(low.x, pixel.y))),
+                limn_CosineBetween(normal, LoadSceneNormals(uint2(high.x, pixel.y)))),
+            min(limn_CosineBetween(normal, LoadSceneNormals(uint2(pixel.x, low.y))),
+                limn_CosineBetween(normal, LoadSceneNormals(uint2(pixel.x, high.y)))));
+    return float2(step, degrees(acos(clamp(least, -1.0, 1.0))));
 }
 
 // 0 up to a threshold, 1 from so much above it on. No threshold, or one below 0: nothing.
