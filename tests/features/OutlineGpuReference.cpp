@@ -50,10 +50,11 @@ Field ToField(const Image& image)
         }
         return field;
     }
-    if (image.format != GraphicsFormat::R8_UNorm)
+    if (image.format != GraphicsFormat::R8_UNorm && BytesPerTexel(image.format) != 4)
     {
-        throw std::invalid_argument("ToField knows R8_UNorm and R16G16B16A16_SFloat");
+        throw std::invalid_argument("ToField knows R8_UNorm, R8G8B8A8 and R16G16B16A16_SFloat");
     }
+    field.channels = BytesPerTexel(image.format);
     for (const std::byte texel : image.texels)
     {
         field.values.push_back(std::to_integer<int>(texel) / 255.0);

@@ -92,6 +92,8 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
+    data.scene = request.scene;
+    data.time = request.time;
     data.volumeStack = request.volumeStack;
     const glm::vec2 margin =
         2.0f * renderer.cullingMargin(data.volumeStack) / glm::vec2(request.width, request.height);

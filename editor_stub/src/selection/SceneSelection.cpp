@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <limn/core/Inspector.h>
+#include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/shaderlab/Case.h>
 #include <limn/volume/YamlRead.h>
 
@@ -74,6 +75,22 @@ private:
     LayerMask m_Layers;
     RenderQueueRange m_Queues = RenderQueueRange::all;
 };
+
+/// Tells features that colour objects by when they were selected.
+void SetStartTimes(SceneAsset& asset)
+{
+    for (const std::unique_ptr<ScriptableRendererFeature>& feature : asset.renderer.features)
+    {
+        if (auto* outline = dynamic_cast<SelectionOutlineRendererFeature*>(feature.get()))
+        {
+            outline->ClearStartTimes();
+            for (const Selected& selected : asset.selected)
+            {
+                outline->SetStartTime(*selected.object, selected.time);
+            }
+        }
+    }
+}
 
 std::string OptionOf(const SelectionStep& step)
 {
@@ -282,6 +299,7 @@ void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps)
     {
         selector.Do(step);
     }
+    SetStartTimes(asset);
 }
 
 } // namespace limn

@@ -23,6 +23,7 @@
 #include <limn/features/RimOutlineRendererFeature.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
+#include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>

@@ -3,6 +3,7 @@
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
+#include <limn/features/SelectionOutlineRendererFeature.h>
 
 namespace limn::test
 {
@@ -208,6 +209,25 @@ TEST(SelectionOptions, ThatAreNoClickAreRefused)
     const CommandRun run = RunCommand({"render", "s", "-o", "o", "--click", "12"});
     EXPECT_EQ(2, run.exitCode);
     EXPECT_THAT(run.err, HasSubstr("--click: '12' is no pixel; X,Y from the top left is expected"));
+}
+
+TEST(SceneSelectionTimes, ReachTheFeatureThatColoursByThem)
+{
+    SceneFolder folder;
+    SceneAsset asset = folder.Load(std::string(k_Camera) +
+                                   "renderer:\n"
+                                   "  features:\n"
+                                   "    - type: SelectionOutlineRendererFeature\n"
+                                   "      m_RenderingLayerMask: Selected\n" +
+                                   k_Objects);
+    ApplySelection(asset, std::vector<SelectionStep>{{Kind::Select, "Desk Lamp"},
+                                                     {Kind::CtrlClick, "80,50@2.5"}});
+    const auto& feature =
+        dynamic_cast<SelectionOutlineRendererFeature&>(*asset.renderer.features.at(0));
+    const auto& times = *feature.settings().startTimes;
+    EXPECT_EQ(times.size(), 2u);
+    EXPECT_EQ(times.at(&asset.scene.Find("Desk Lamp")->transform), 0.0);
+    EXPECT_EQ(times.at(&asset.scene.Find("Glow")->transform), 2.5);
 }
 
 } // namespace limn::test
