@@ -10,9 +10,10 @@ namespace limn
 {
 
 /// What shaders read of the camera: _CameraDepthTexture, _CameraNormalsTexture,
-/// _CameraOpaqueTexture, and the built-in pipeline's _CameraDepthNormalsTexture. Whether one is made shows only when all passes are recorded: then the pass
-/// that makes it is run at the place where it belongs, which is by what passes asked for
-/// (ConfigureInput), and by the first pass that read the depth as if it had asked.
+/// _CameraOpaqueTexture, and the built-in pipeline's _CameraDepthNormalsTexture. Whether one is
+/// made shows only when all passes are recorded: then the pass that makes it is run at the place
+/// where it belongs, which is by what passes asked for (ConfigureInput), and by the first pass that
+/// read the depth as if it had asked.
 ///
 ///     150  DepthPrepass or DepthNormalPrepass: depth, if normals were asked for or depth by a pass
 ///          of event <= 250; normals; EncodeDepthNormals of both, if that is read

@@ -304,10 +304,9 @@ TEST_F(CameraTextures, HaveWhatTheBuiltInPipelineHasOfDepthAndNormalsWhereAShade
 TEST_F(CameraTextures, HaveThemForOpaqueObjectsToo)
 {
     AddCube("_CameraDepthNormalsTexture", 2000);
-    EXPECT_THAT(Ran(Render()),
-                ElementsAre("150 DepthNormalPrepass", "150 EncodeDepthNormals",
-                            "250 Draw Opaque Objects", "450 Draw Transparent Objects",
-                            "1001 Final Blit"));
+    EXPECT_THAT(Ran(Render()), ElementsAre("150 DepthNormalPrepass", "150 EncodeDepthNormals",
+                                           "250 Draw Opaque Objects",
+                                           "450 Draw Transparent Objects", "1001 Final Blit"));
 }
 
 TEST_F(CameraTextures, DoNotKeepTheDepthOfNormalsThatNothingReads)
