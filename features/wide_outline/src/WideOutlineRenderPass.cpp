@@ -263,10 +263,11 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
     {
         for (const OutlinedObject& object : group.objects)
         {
-            const int pass =
-                IsCutout(object) ? WideOutlineShaderPass::CutoutMask : WideOutlineShaderPass::Mask;
-            cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh, pass,
-                             CutoutOf(*object.item.material));
+            const bool isCutout = IsCutout(object);
+            cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh,
+                             isCutout ? WideOutlineShaderPass::CutoutMask
+                                      : WideOutlineShaderPass::Mask,
+                             isCutout ? CutoutOf(*object.item.material) : MaterialPropertyBlock());
         }
     }
     SetCameraProjection(cmd, camera);

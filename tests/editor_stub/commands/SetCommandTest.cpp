@@ -79,7 +79,8 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
     const auto& types = feature["properties"]["type"]["enum"];
     const auto type = std::find(types.begin(), types.end(), "ScreenSpaceOutlineRenderFeature");
     ASSERT_NE(types.end(), type);
-    const auto& settings = feature["allOf"][type - types.begin()]["then"]["properties"];
+    const auto index = static_cast<std::size_t>(type - types.begin());
+    const auto& settings = feature["allOf"][index]["then"]["properties"];
     EXPECT_TRUE(settings.contains("m_LayerMask"));
     EXPECT_TRUE(settings.contains("layerMask"));
     EXPECT_EQ("Basic Settings: When in the frame the outline is drawn",
