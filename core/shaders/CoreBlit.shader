@@ -83,5 +83,38 @@ Shader "Hidden/Universal/CoreBlit"
             }
             ENDHLSL
         }
+
+        Pass // world-space normals and depth to what the built-in pipeline has of both
+        {
+            Name "DepthNormals"
+            Tags { "LimnFullScreen" = "True" }
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment EncodeDepthNormals
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/DeclareDepthTexture.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+            #include "limn/BuiltinEncoding.hlsl"
+
+            float4 EncodeDepthNormals(Varyings input) : SV_Target
+            {
+                float3 normalWS =
+                    SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0).xyz;
+                if (dot(normalWS, normalWS) < 0.25)
+                {
+                    return float4(0.5, 0.5, 1.0, 1.0); // nothing was drawn: towards the camera, far
+                }
+                float depth = SampleSceneDepth(input.texcoord);
+                float eyeDepth = IsPerspectiveProjection()
+                                     ? LinearEyeDepth(depth, _ZBufferParams)
+                                     : lerp(_ProjectionParams.z, _ProjectionParams.y, depth);
+                float3 normalVS = normalize(mul((float3x3)UNITY_MATRIX_V, normalWS));
+                normalVS.z = max(normalVS.z, -0.75); // one away from the camera has no place there
+                return EncodeDepthNormal(eyeDepth * _ProjectionParams.w, normalVS);
+            }
+            ENDHLSL
+        }
     }
 }

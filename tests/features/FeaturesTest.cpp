@@ -13,9 +13,11 @@ TEST(Features, OfEveryFolderAreRegistered)
     FeatureRegistry features;
     VolumeComponentRegistry components;
     RegisterFeatures(features, components);
-    EXPECT_THAT(features.names(),
-                testing::IsSupersetOf({"ColorEdgesRendererFeature", "FullScreenPassRendererFeature",
-                                       "RenderObjects", "ScreenSpaceOutlineRenderFeature"}));
+    EXPECT_THAT(
+        features.names(),
+        testing::IsSupersetOf({"ColorEdgesRendererFeature", "DepthNormalsOutlineRendererFeature",
+                               "FullScreenPassRendererFeature", "RenderObjects",
+                               "ScreenSpaceOutlineRenderFeature"}));
     const auto feature = features.Create("ScreenSpaceOutlineRenderFeature");
     EXPECT_NE(nullptr, dynamic_cast<ScreenSpaceOutlineRenderFeature*>(feature.get()));
     EXPECT_NE(features.Create("RenderObjects"), features.Create("RenderObjects"));
@@ -33,10 +35,10 @@ TEST(Features, EveryShippedShaderIsFoundByItsName)
 {
     const auto compiler = std::make_shared<ShaderCompiler>();
     EXPECT_THAT(ShippedShaders().names(),
-                testing::IsSupersetOf({"Hidden/Limn/ColorEdges", "Hidden/ScreenSpaceOutline",
-                                       "Hidden/Universal/CoreBlit", "Limn/TranslucentOutline",
-                                       "Limn/TranslucentOutlineHull", "Limn/TranslucentSolid",
-                                       "Universal Render Pipeline/Lit",
+                testing::IsSupersetOf({"Hidden/Limn/ColorEdges", "Hidden/Limn/DepthNormalsOutline",
+                                       "Hidden/ScreenSpaceOutline", "Hidden/Universal/CoreBlit",
+                                       "Limn/TranslucentOutline", "Limn/TranslucentOutlineHull",
+                                       "Limn/TranslucentSolid", "Universal Render Pipeline/Lit",
                                        "Universal Render Pipeline/Unlit"}));
     for (const std::string_view name : ShippedShaders().names())
     {

@@ -72,6 +72,7 @@ struct CameraTexture
 };
 constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150"},
                                               {"_CameraNormalsTexture", "gray", "gray", "150"},
+                                              {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
                                               {"_CameraOpaqueTexture", "gray", "gray", "400"}};
 
 /// Meshes are made of triangles, and so are procedural draws.

@@ -20,15 +20,21 @@ public:
         renderPassEvent = event;
     }
 
-    void SetTargets(const RTHandle& source, const RTHandle& destination)
+    /// @param depth  what the material reads as _CameraDepthTexture; none = what all draws do
+    void SetTargets(const RTHandle& source, const RTHandle& destination, const RTHandle& depth = {})
     {
         m_Source = source;
+        m_Depth = depth;
         ConfigureTarget(destination);
     }
 
     void Execute(ScriptableRenderContext& context, RenderingData&) override
     {
         const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+        if (m_Depth)
+        {
+            cmd->SetGlobalTexture(ShaderPropertyId("_CameraDepthTexture"), m_Depth);
+        }
         Blitter::BlitTexture(*cmd, m_Source, {1.0f, 1.0f, 0.0f, 0.0f}, m_Material, m_MaterialPass);
         context.ExecuteCommandBuffer(*cmd);
     }
@@ -37,6 +43,7 @@ private:
     std::shared_ptr<const Material> m_Material;
     int m_MaterialPass;
     RTHandle m_Source;
+    RTHandle m_Depth;
 };
 
 } // namespace limn

@@ -12,9 +12,11 @@ using enum RenderPassEvent;
 
 const ShaderPropertyId _CameraDepthTexture{"_CameraDepthTexture"};
 const ShaderPropertyId _CameraNormalsTexture{"_CameraNormalsTexture"};
+const ShaderPropertyId _CameraDepthNormalsTexture{"_CameraDepthNormalsTexture"};
 const ShaderPropertyId _CameraOpaqueTexture{"_CameraOpaqueTexture"};
 constexpr int k_NearestBlit = 0; // "Nearest" of CoreBlit.shader
 constexpr int k_DepthBlit = 3;   // "Depth"
+constexpr int k_DepthNormalsBlit = 4;
 
 void Set(ScriptableRenderContext& context, ShaderPropertyId id, const RTHandle& texture)
 {
@@ -32,7 +34,8 @@ CameraTextures::CameraTextures(const std::shared_ptr<const Material>& blit)
                            {ShaderTagId("DepthNormals"), ShaderTagId("DepthNormalsOnly")},
                            RenderQueueRange::opaque, SortingCriteria::CommonOpaque),
       m_CopyDepth("CopyDepth", AfterRenderingTransparents, blit, k_DepthBlit),
-      m_CopyColor("CopyColor", AfterRenderingSkybox, blit, k_NearestBlit)
+      m_CopyColor("CopyColor", AfterRenderingSkybox, blit, k_NearestBlit),
+      m_EncodeDepthNormals("EncodeDepthNormals", BeforeRenderingPrePasses, blit, k_DepthNormalsBlit)
 {
     m_DepthPrepass.ConfigureClear(ClearFlag::All, Color::black);
     m_DepthNormalPrepass.ConfigureClear(ClearFlag::All, Color::black);
@@ -87,6 +90,7 @@ void CameraTextures::Allocate(const RenderTextureDescriptor& camera)
     allocate(m_PrepassDepth, "_CameraDepthTexture", GraphicsFormat::None, camera.depthBufferBits);
     allocate(m_CopiedDepth, "_CameraDepthTexture", GraphicsFormat::R32_SFloat);
     allocate(m_Normals, "_CameraNormalsTexture", GraphicsFormat::R8G8B8A8_SNorm);
+    allocate(m_DepthNormals, "_CameraDepthNormalsTexture", GraphicsFormat::R8G8B8A8_UNorm);
     allocate(m_OpaqueColor, "_CameraOpaqueTexture", camera.graphicsFormat);
 }
 
@@ -104,6 +108,7 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
         m_PrepassPlace = place;
         Set(context, _CameraDepthTexture, m_PrepassDepth);
         Set(context, _CameraNormalsTexture, m_Normals);
+        Set(context, _CameraDepthNormalsTexture, m_DepthNormals);
     }
     // What reads the depth up to here reads that of the prepass; all that follows does so then.
     if (!m_IsDepthChosen && next > BeforeRenderingOpaques)
@@ -124,7 +129,8 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
 bool CameraTextures::TakesDepthFromPrepass(const ScriptableRenderContext& context) const
 {
     return m_AsksForNormals || m_FirstDepthEvent <= BeforeRenderingOpaques ||
-           context.Reads(*m_PrepassDepth.rt()) || context.Reads(*m_Normals.rt());
+           context.Reads(*m_PrepassDepth.rt()) || context.Reads(*m_Normals.rt()) ||
+           context.Reads(*m_DepthNormals.rt());
 }
 
 std::vector<CameraTextures::LatePass> CameraTextures::Needed(const ScriptableRenderContext& context,
@@ -142,7 +148,13 @@ std::vector<CameraTextures::LatePass> CameraTextures::Needed(const ScriptableRen
         passes.push_back(CopyDepth(depth));
     }
     const bool readsDepth = context.Reads(*m_PrepassDepth.rt());
-    if (context.Reads(*m_Normals.rt()) || (readsDepth && m_AsksForNormals))
+    const bool readsBoth = context.Reads(*m_DepthNormals.rt());
+    if (readsBoth)
+    {
+        m_EncodeDepthNormals.SetTargets(m_Normals, m_DepthNormals, m_PrepassDepth);
+        passes.push_back({m_PrepassPlace.value(), &m_EncodeDepthNormals});
+    }
+    if (readsBoth || context.Reads(*m_Normals.rt()) || (readsDepth && m_AsksForNormals))
     {
         passes.push_back({m_PrepassPlace.value(), &m_DepthNormalPrepass});
     }

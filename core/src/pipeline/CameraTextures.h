@@ -9,13 +9,14 @@
 namespace limn
 {
 
-/// What shaders read of the camera: _CameraDepthTexture, _CameraNormalsTexture and
-/// _CameraOpaqueTexture. Whether one is made shows only when all passes are recorded: then the pass
-/// that makes it is run at the place where it belongs, which is by what passes asked for
-/// (ConfigureInput), and by the first pass that read the depth as if it had asked.
+/// What shaders read of the camera: _CameraDepthTexture, _CameraNormalsTexture,
+/// _CameraOpaqueTexture, and the built-in pipeline's _CameraDepthNormalsTexture. Whether one is
+/// made shows only when all passes are recorded: then the pass that makes it is run at the place
+/// where it belongs, which is by what passes asked for (ConfigureInput), and by the first pass that
+/// read the depth as if it had asked.
 ///
 ///     150  DepthPrepass or DepthNormalPrepass: depth, if normals were asked for or depth by a pass
-///          of event <= 250; normals
+///          of event <= 250; normals; EncodeDepthNormals of both, if that is read
 ///          CopyDepth before the first pass that asked for depth, at 500 at the latest: depth
 ///     400  CopyColor: opaque colour
 ///
@@ -62,9 +63,11 @@ private:
     DrawObjectsPass m_DepthNormalPrepass;
     BlitPass m_CopyDepth;
     BlitPass m_CopyColor;
+    BlitPass m_EncodeDepthNormals;
     RTHandle m_PrepassDepth;
     RTHandle m_CopiedDepth;
     RTHandle m_Normals;
+    RTHandle m_DepthNormals; ///< view space and eye depth, see EncodeDepthNormal of UnityCG.cginc
     RTHandle m_OpaqueColor;
 
     // Of the frame:

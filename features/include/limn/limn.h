@@ -11,6 +11,7 @@
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/AutoOutlineRendererFeature.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
+#include <limn/features/DepthNormalsOutlineRendererFeature.h>
 #include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/InflatedOutlineRendererFeature.h>

@@ -286,6 +286,29 @@ TEST_F(CameraTextures, HaveTheNormalsOfAPrepassWithTheDepth)
     EXPECT_EQ(prepass.depth->store, StoreOp::Store);
 }
 
+TEST_F(CameraTextures, HaveWhatTheBuiltInPipelineHasOfDepthAndNormalsWhereAShaderReadsIt)
+{
+    AddPass("reads", 600, Needs::None, {"_CameraDepthNormalsTexture"});
+    const RenderResult result = Render();
+    EXPECT_THAT(Ran(result), ElementsAre("150 DepthNormalPrepass", "150 EncodeDepthNormals",
+                                         "250 Draw Opaque Objects", "450 Draw Transparent Objects",
+                                         "600 reads", "1001 Final Blit"));
+    const CompiledRenderPass encode = PassInto(result, "_CameraDepthNormalsTexture");
+    const RenderTexture& texture = *encode.colors.at(0).texture;
+    EXPECT_EQ(texture.descriptor(),
+              RenderTextureDescriptor(64, 32, GraphicsFormat::R8G8B8A8_UNorm));
+    EXPECT_EQ(texture.sampler().filterMode, FilterMode::Point);
+    EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+TEST_F(CameraTextures, HaveThemForOpaqueObjectsToo)
+{
+    AddCube("_CameraDepthNormalsTexture", 2000);
+    EXPECT_THAT(Ran(Render()), ElementsAre("150 DepthNormalPrepass", "150 EncodeDepthNormals",
+                                           "250 Draw Opaque Objects",
+                                           "450 Draw Transparent Objects", "1001 Final Blit"));
+}
+
 TEST_F(CameraTextures, DoNotKeepTheDepthOfNormalsThatNothingReads)
 {
     AddPass("reads", 600, Needs::None, {"_CameraNormalsTexture"});

@@ -184,7 +184,7 @@ TEST_F(SelectionGpu, FadesInFourStepsDownToItsWidth)
     {
         run.component().m_OutlineWidth.Override(7.0f * static_cast<float>(offset));
         run.RenderForReading(0.0);
-        const Field picture = run.Camera();
+        const Field picture = run.CameraColor();
         for (int d = 0; d < 8 * offset; ++d)
         {
             const double tails[] = {64.0, 29.0, 29.0, 8.0, 8.0, 1.0, 1.0, 0.0};

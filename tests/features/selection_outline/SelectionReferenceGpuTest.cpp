@@ -22,7 +22,7 @@ TEST_P(SelectionAtSizeGpu, AgreesWithTheArticleInDoublePrecision)
     run.feature().SetStartTime(*content.scene.Find("Cube"), 0.4);
     run.Enable(false);
     run.RenderForReading(1.3);
-    const Field base = run.Camera();
+    const Field base = run.CameraColor();
     run.Enable(true);
     run.RenderForReading(1.3);
 
@@ -30,15 +30,16 @@ TEST_P(SelectionAtSizeGpu, AgreesWithTheArticleInDoublePrecision)
     const Field low = BlurredReference(stencil, 2.0, 3, -1);
     const Field high = BlurredReference(stencil, 2.0, 3, 1);
     EXPECT_EQ(CompareBetween(run.Blur(), low, high).largest, 0.0);
-    const Outside all = CompareBetween(run.Camera(), CompositeReference(base, stencil, low, 3.0),
-                                       CompositeReference(base, stencil, high, 3.0));
+    const Outside all =
+        CompareBetween(run.CameraColor(), CompositeReference(base, stencil, low, 3.0),
+                       CompositeReference(base, stencil, high, 3.0));
     EXPECT_LE(all.largest, 2.0);
     EXPECT_GE(all.shareWithinTwo, 0.999);
     // Ties of seven blurs leave some room; those of the last one, and of none, leave less.
     const Difference composite =
-        Compare(run.Camera(), CompositeReference(base, stencil, run.Blur(), 3.0));
+        Compare(run.CameraColor(), CompositeReference(base, stencil, run.Blur(), 3.0));
     EXPECT_LE(composite.largest, 1.0);
-    EXPECT_GT(Compare(run.Camera(), base).largest, 100.0) << "something is drawn";
+    EXPECT_GT(Compare(run.CameraColor(), base).largest, 100.0) << "something is drawn";
     ExpectNoValidationMessages();
 }
 
@@ -256,7 +257,7 @@ TEST_F(SelectionTimeGpu, OfTheFrameIsTooCoarseAfterMonths)
     double largest = 0.0;
     for (int channel = 0; channel < 3; ++channel)
     {
-        const double drawn = std::clamp(run.Camera().At(4, 4, channel), 0.0, 1.0);
+        const double drawn = std::clamp(run.CameraColor().At(4, 4, channel), 0.0, 1.0);
         largest = std::max(largest,
                            std::abs(drawn - expected[static_cast<std::size_t>(channel)]) * 255.0);
     }

@@ -123,7 +123,7 @@ public:
         throw std::runtime_error("no texture " + beginning + " in the frame");
     }
     // Of the last object or group.
-    Field Camera() const { return Texture("_CameraColorAttachmentA"); }
+    Field CameraColor() const { return Texture("_CameraColorAttachmentA"); }
     Field Stencil() const { return Texture("TempBuffer 1 "); }
     Field Blur() const { return Texture("TempBuffer 2 "); }
     Field BlurBefore() const { return Texture("TempBuffer 3 "); } ///< what the last blur read

@@ -1,0 +1,72 @@
+#include <limn/features/DepthNormalsOutlinePass.h>
+
+#include <limn/core/CoreUtils.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/OutlinedObjects.h>
+
+namespace limn
+{
+
+namespace
+{
+
+const ShaderPropertyId _OutlineColor{"_OutlineColor"};
+const ShaderPropertyId _OutlineThickness{"_OutlineThickness"};
+const ShaderPropertyId _DepthThreshold{"_DepthThreshold"};
+const ShaderPropertyId _AngleThreshold{"_AngleThreshold"};
+const ShaderPropertyId _Softness{"_Softness"};
+const ShaderPropertyId _DepthSensitivity{"_DepthSensitivity"};
+const ShaderPropertyId _NormalsSensitivity{"_NormalsSensitivity"};
+
+int PassOf(DepthNormalsTechnique technique)
+{
+    switch (technique)
+    {
+    case DepthNormalsTechnique::Article:
+        return 0;
+    case DepthNormalsTechnique::Hardened:
+        return 1;
+    }
+    throw ContractError("DepthNormalsOutline.m_Technique is " +
+                        std::to_string(static_cast<int>(technique)) +
+                        "; it must be Hardened 0 or Article 1");
+}
+
+} // namespace
+
+DepthNormalsOutlinePass::DepthNormalsOutlinePass(const std::string& featureName,
+                                                 const OutlineSettings& settings,
+                                                 std::shared_ptr<const Shader> shader)
+    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
+{
+    profilingSampler = ProfilingSampler(featureName);
+    renderPassEvent = settings.m_RenderPassEvent;
+    ConfigureInput(ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Normal);
+}
+
+std::string DepthNormalsOutlinePass::Setup(const DepthNormalsOutline& component,
+                                           const RenderingData& renderingData)
+{
+    const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
+    m_MaterialPass = PassOf(component.m_Technique.value());
+    m_Material->SetColor(_OutlineColor, component.m_OutlineColor.value());
+    m_Material->SetFloat(_OutlineThickness, component.WidthWithin({camera.width, camera.height}));
+    m_Material->SetFloat(_DepthThreshold, component.m_DepthThreshold.value());
+    m_Material->SetFloat(_AngleThreshold, component.m_AngleThreshold.value());
+    m_Material->SetFloat(_Softness, component.m_Softness.value());
+    m_Material->SetFloat(_DepthSensitivity, component.m_DepthSensitivity.value());
+    m_Material->SetFloat(_NormalsSensitivity, component.m_NormalsSensitivity.value());
+    return FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together).why;
+}
+
+void DepthNormalsOutlinePass::Execute(ScriptableRenderContext& context,
+                                      RenderingData& renderingData)
+{
+    DrawingSettings drawing =
+        CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
+    drawing.overrideMaterial = m_Material;
+    drawing.overrideMaterialPassIndex = m_MaterialPass;
+    context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
+}
+
+} // namespace limn

@@ -1,0 +1,137 @@
+#include "features/OutlineScene.h"
+#include "features/color_edges/FlatPicture.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/features/DepthNormalsOutlineRendererFeature.h>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using SetOutline = std::function<void(DepthNormalsOutline&)>;
+
+class DepthNormalsFrame : public testing::Test
+{
+protected:
+    DepthNormalsFrame()
+    {
+        m_Settings.m_LayerMask = LayerMask::FromIndex(k_FurnitureLayer);
+        m_Settings.m_RenderingLayerMask = k_SelectedLayer;
+    }
+
+    RenderResult Render(const SetOutline& set)
+    {
+        UniversalRenderPipeline pipeline(m_Device);
+        UniversalRenderer renderer(Compiler());
+        auto feature = std::make_unique<DepthNormalsOutlineRendererFeature>(m_Settings);
+        feature->name = "Lines";
+        renderer.AddFeature(std::move(feature));
+        RenderRequest request;
+        request.scene = &m_Content.scene;
+        request.camera = &m_Content.camera;
+        request.width = 64;
+        request.height = 48;
+        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
+        return pipeline.RenderSingleCamera(renderer, request);
+    }
+
+    static std::vector<std::string> Ran(const RenderResult& result)
+    {
+        std::vector<std::string> names;
+        for (const ExecutedPassReport& pass : result.report.passes)
+        {
+            names.push_back(pass.name.name());
+        }
+        return names;
+    }
+
+    DepthNormalsOutlineSettings m_Settings;
+    OutlineScene m_Content;
+    RecordingDevice m_Device;
+    BlendedComponent<DepthNormalsOutline> m_Volumes;
+};
+
+void AsItIs(DepthNormalsOutline&) {}
+void LikeTheArticle(DepthNormalsOutline& outline)
+{
+    outline.m_Technique.Override(DepthNormalsTechnique::Article);
+}
+
+TEST_F(DepthNormalsFrame, HasDepthAndNormalsMadeAndTheObjectsDrawnOnceMoreBeforeTransparentOnes)
+{
+    const RenderResult result = Render(AsItIs);
+    EXPECT_THAT(Ran(result), ElementsAre("DepthNormalPrepass", "Draw Opaque Objects", "Lines",
+                                         "Draw Transparent Objects", "Final Blit"));
+    EXPECT_THAT(result.report.notes, IsEmpty());
+}
+
+TEST_F(DepthNormalsFrame, HasTheBuiltInPipelinesTextureMadeForTheArticlesTechnique)
+{
+    EXPECT_THAT(Ran(Render(LikeTheArticle)),
+                ElementsAre("DepthNormalPrepass", "EncodeDepthNormals", "Draw Opaque Objects",
+                            "Lines", "Draw Transparent Objects", "Final Blit"));
+}
+
+struct WhyNoLines
+{
+    const char* note;
+    SetOutline set;
+    std::function<void(OutlineScene&)> change = [](OutlineScene&) {
+    };
+};
+
+TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
+{
+    const WhyNoLines cases[] = {
+        {"Lines: not drawn, no volume at the camera sets DepthNormalsOutline.m_Enable, which is "
+         "false by default",
+         {}},
+        {"Lines: not drawn, DepthNormalsOutline.m_OutlineWidth is 0",
+         [](DepthNormalsOutline& outline)
+         {
+             outline.m_OutlineWidth.Override(0.0f);
+         }},
+        {"Lines: not drawn, DepthNormalsOutline.m_OutlineColor has alpha 0",
+         [](DepthNormalsOutline& outline)
+         {
+             outline.m_OutlineColor.Override(Color::clear);
+         }},
+        {"Lines: not drawn, 0 of 3 renderers drawn: 3 layer mask", AsItIs,
+         [](OutlineScene& content)
+         {
+             for (const auto& object : content.scene.objects())
+             {
+                 object->layer = 0;
+             }
+         }},
+        {"Lines: not drawn, 0 of 1 renderer drawn: 1 rendering layer mask", AsItIs,
+         [](OutlineScene& content)
+         {
+             content.scene.Find("Torus")->transform.localPosition.x = 1000.0f;
+             content.scene.Find("Cube")->transform.localPosition.x = 1000.0f;
+         }}};
+    for (const WhyNoLines& c : cases)
+    {
+        m_Content = OutlineScene();
+        c.change(m_Content);
+        const RenderResult result = Render(c.set);
+        EXPECT_THAT(Ran(result),
+                    ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"))
+            << c.note;
+        EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
+    }
+}
+
+TEST_F(DepthNormalsFrame, RefusesATechniqueThatThereIsNot)
+{
+    EXPECT_THROW(Render([](DepthNormalsOutline& outline)
+                        { outline.m_Technique.Override(static_cast<DepthNormalsTechnique>(2)); }),
+                 ContractError);
+}
+
+} // namespace
+} // namespace limn::test
