@@ -9,6 +9,7 @@ Shader "Hidden/Limn/StrokeOutline"
         HLSLINCLUDE
         #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
         #include "limn/outline/BoxCoverage.hlsl"
+        #include "limn/outline/ScreenQuads.hlsl"
 
         float4 _OutlineRegion;  // corner, size
         float4 _OutlinePicture; // size
@@ -21,19 +22,6 @@ Shader "Hidden/Limn/StrokeOutline"
         {
             return SAMPLE_TEXTURE2D_LOD(_StrokeDepth, sampler_PointClamp,
                                         pixel * _StrokeDepth_TexelSize.xy, 0).r;
-        }
-
-        float4 PixelToClip(float2 pixel, float2 size)
-        {
-            return float4(pixel.x / size.x * 2.0 - 1.0, 1.0 - pixel.y / size.y * 2.0, 0.5, 1.0);
-        }
-
-        // Two triangles of six vertices; x, y: 0 or 1.
-        float2 QuadCorner(uint vertexID)
-        {
-            uint corner = vertexID % 6u;
-            return float2(corner == 1u || corner == 2u || corner == 4u ? 1.0 : 0.0,
-                          corner == 2u || corner == 4u || corner == 5u ? 1.0 : 0.0);
         }
         ENDHLSL
 
@@ -54,11 +42,7 @@ Shader "Hidden/Limn/StrokeOutline"
             {
                 return TransformObjectToHClip(positionOS.xyz);
             }
-
-            half4 DepthFragment() : SV_Target
-            {
-                return 0;
-            }
+            half4 DepthFragment() : SV_Target { return 0; }
             ENDHLSL
         }
 

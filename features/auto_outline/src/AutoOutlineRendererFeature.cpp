@@ -14,15 +14,6 @@ namespace
 
 constexpr EnumEntry k_Techniques[] = {
     {"Auto", 0}, {"Strokes", 1}, {"Separable", 2}, {"JumpFlood", 3}};
-constexpr RenderQueueRange k_AlphaTestQueues(2450, 2500);
-
-bool IsAlphaTested(const OutlinedObject& object)
-{
-    const Material& material = *object.item.material;
-    return material.IsKeywordEnabled("_ALPHATEST_ON") ||
-           k_AlphaTestQueues.Contains(material.renderQueue());
-}
-
 /// Pixels of the groups' regions.
 double RegionArea(const std::vector<OutlinedObject>& objects, const CameraData& camera, float reach)
 {
@@ -121,7 +112,8 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
         return found.why;
     }
     OutlineWork work;
-    work.isAlphaTested = std::ranges::any_of(found.objects, IsAlphaTested);
+    work.isAlphaTested = std::ranges::any_of(found.objects, [](const OutlinedObject& object)
+                                             { return IsAlphaTested(*object.item.material); });
     const OutlineTechnique wanted = m_Settings.m_Technique;
     const bool isAuto = wanted == OutlineTechnique::Auto;
     if (wanted == OutlineTechnique::Strokes || (isAuto && !work.isAlphaTested))

@@ -20,6 +20,13 @@ const Transform* RootOf(const Transform& transform)
 
 } // namespace
 
+bool IsAlphaTested(const Material& material)
+{
+    constexpr RenderQueueRange k_AlphaTest(2450, 2500);
+    return material.IsKeywordEnabled("_ALPHATEST_ON") ||
+           k_AlphaTest.Contains(material.renderQueue());
+}
+
 OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
                                     const OutlineSettings& settings, OutlineGrouping grouping)
 {

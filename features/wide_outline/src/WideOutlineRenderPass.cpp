@@ -55,16 +55,12 @@ void RequireNumberOfWideOutline(const char* name, float value)
     }
 }
 
-/// Whether the alpha of a texture cuts holes into it, as URP's materials say it.
 bool IsCutout(const OutlinedObject& object)
 {
-    constexpr RenderQueueRange k_CutoutQueues(2450, 2500);
-    const Material& material = *object.item.material;
-    return material.IsKeywordEnabled("_ALPHATEST_ON") ||
-           k_CutoutQueues.Contains(material.renderQueue());
+    return IsAlphaTested(*object.item.material);
 }
 
-/// What a material has of that.
+/// What a material cuts holes with.
 MaterialPropertyBlock CutoutOf(const Material& material)
 {
     static const ShaderPropertyId names[] = {

@@ -14,6 +14,10 @@ struct OutlinedObject
     int group = 0; ///< 0...; those of one group have one silhouette
 };
 
+/// Whether a material's alpha cuts holes into what its mesh covers, as URP's materials say it: by
+/// the keyword _ALPHATEST_ON, or a queue of RenderQueue.AlphaTest, 2450 to 2500.
+bool IsAlphaTested(const Material& material);
+
 /// The culling results that pass the filter, by group, else in the scene's order.
 struct OutlinedObjects
 {
