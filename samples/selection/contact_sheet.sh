@@ -5,7 +5,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 out=${1:-out/techniques.png}
-limn=${2:-$here/../../build/release/editor_stub/limn}
+limn=${2:-build/release/editor_stub/limn}
 columns=4
 size=400x250
 

@@ -28,7 +28,7 @@ export XDG_CACHE_HOME=$folder/cache
 block sh 2 >commands.sh
 [ -s commands.sh ] || fail "there is no second shell block"
 bash -euO expand_aliases commands.sh || fail "a command of the second shell block fails"
-for picture in out/a.png out/b.png out/c.png out/d.png out/e.png out/f.png; do
+for picture in out/a.png out/b.png out/c.png out/d.png out/e.png out/f.png out/g.png out/techniques.png; do
     [ -s "$picture" ] || fail "$picture was not drawn"
 done
 

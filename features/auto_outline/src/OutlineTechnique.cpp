@@ -9,14 +9,16 @@ namespace limn
 namespace
 {
 
-// What a pixel costs, in reads of a texture; outline_benchmark's times on lavapipe come to this.
-constexpr double k_ReadsOfStroke = 25.0;
-constexpr double k_ReadsOfFloodStep = 12.0;
+// What a pixel costs, in reads of a texture (1.2 ns): outline_benchmark's times on lavapipe with two
+// cores come to this.
+constexpr double k_ReadsOfStroke = 15.0;
+constexpr double k_ReadsOfOwnDepth = 7.0; ///< and the composite
+constexpr double k_ReadsOfFloodStep = 8.5;
 constexpr double k_ReadsOfSeeds = 30.0; ///< the mask, the places on its edge, and the composite
 
 double CostOfStrokes(const OutlineWork& work)
 {
-    return work.strokeArea * k_ReadsOfStroke;
+    return work.strokeArea * k_ReadsOfStroke + work.regionArea * k_ReadsOfOwnDepth;
 }
 
 double CostOfSeparable(const OutlineWork& work)
