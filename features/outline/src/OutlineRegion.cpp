@@ -100,8 +100,9 @@ std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> o
 std::optional<OutlineRegion> FindOutlineRegion(const glm::dvec2& low, const glm::dvec2& high,
                                                const glm::ivec2& picture, float reach)
 {
-    // A pixel more for what is smoothed.
-    const double margin = std::ceil(static_cast<double>(reach)) + 1.0;
+    // No farther than across the picture; a pixel more for what is smoothed.
+    const double farthest = picture.x + picture.y;
+    const double margin = std::ceil(std::min(static_cast<double>(reach), farthest)) + 1.0;
     const glm::dvec2 border = glm::dvec2(picture) + margin;
     const glm::dvec2 from = glm::max(glm::floor(low) - margin, glm::dvec2(-margin));
     const glm::dvec2 to = glm::min(glm::ceil(high) + margin, border);

@@ -1,6 +1,7 @@
 #include "core/scene/TestScene.h"
 
 #include <gmock/gmock.h>
+#include <limits>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/features/OutlineRegion.h>
@@ -77,6 +78,17 @@ TEST_F(OutlineRegions, AreNoneWhereNoOutlineTouchesThePicture)
     EXPECT_FALSE(Find({Cube({0.0f, 3.5f, 0.0f})}, 4.0f));
     EXPECT_FALSE(Find({}, 4.0f));
     EXPECT_TRUE(Find({Cube({-5.6f - 0.25f, 0.0f, 0.0f})}, 8.0f));
+}
+
+TEST_F(OutlineRegions, EndAtThePictureForAnyReach)
+{
+    for (const float reach : {1e4f, 1e30f, std::numeric_limits<float>::infinity()})
+    {
+        const auto region = Find({Cube({0.0f, 0.0f, 0.0f})}, reach);
+        ASSERT_TRUE(region);
+        EXPECT_EQ(region->InPicture(), (ViewportRect{0, 0, 200, 100}));
+        EXPECT_LE(region->size.x, 1024);
+    }
 }
 
 TEST_F(OutlineRegions, HoldThePictureWhereAnObjectReachesBehindTheNearPlane)
