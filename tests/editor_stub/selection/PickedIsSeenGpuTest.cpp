@@ -25,7 +25,7 @@ struct Colored : SelectionScene
     {
         camera.orthographic = orthographic;
         camera.orthographicSize = 2.0f;
-        camera.backgroundColor = Color(0.0f, 0.0f, 0.0f, 1.0f);
+        camera.backgroundColor = Color{0.0f, 0.0f, 0.0f, 1.0f};
         camera.transform.localRotation = EulerToRotation({10.0f, -15.0f, 5.0f});
         const PrimitiveType types[] = {PrimitiveType::Sphere,   PrimitiveType::Capsule,
                                        PrimitiveType::Cylinder, PrimitiveType::Cube,
@@ -45,7 +45,7 @@ struct Colored : SelectionScene
             {
                 return ((i + 1) & bit) != 0 ? 1.0f : 0.0f;
             };
-            paint->SetColor(ShaderPropertyId{"_BaseColor"}, Color(has(1), has(2), has(4), 1.0f));
+            paint->SetColor(ShaderPropertyId{"_BaseColor"}, Color{has(1), has(2), has(4), 1.0f});
             object.renderer->sharedMaterials = {paint};
         }
     }
