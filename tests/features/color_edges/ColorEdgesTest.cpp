@@ -1,8 +1,8 @@
 #include "features/OutlineScene.h"
 #include "features/color_edges/FlatPicture.h"
+#include "features/outline/TechniqueFrame.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
 
 namespace limn::test
@@ -13,40 +13,11 @@ namespace
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class ColorEdgesFrame : public testing::Test
+class ColorEdgesFrame
+    : public TechniqueFrame<ColorEdgesRendererFeature, ColorEdgesSettings, ColorEdges, OutlineScene>
 {
 protected:
-    RenderResult Render(const std::function<void(ColorEdges&)>& set, bool leavesOut = false)
-    {
-        UniversalRenderPipeline pipeline(m_Device);
-        UniversalRenderer renderer(Compiler());
-        auto feature = std::make_unique<ColorEdgesRendererFeature>(m_Settings);
-        feature->name = "Edges";
-        renderer.AddFeature(std::move(feature));
-        RenderRequest request;
-        request.scene = &m_Content.scene;
-        request.camera = &m_Content.camera;
-        request.width = 64;
-        request.height = 48;
-        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
-        request.compile.leavesOut = leavesOut;
-        return pipeline.RenderSingleCamera(renderer, request);
-    }
-
-    static std::vector<std::string> Targets(const RenderResult& result)
-    {
-        std::vector<std::string> names;
-        for (const CompiledRenderPass& pass : result.frame->passes)
-        {
-            names.push_back(pass.colors.front().texture->name());
-        }
-        return names;
-    }
-
-    ColorEdgesSettings m_Settings;
-    OutlineScene m_Content;
-    RecordingDevice m_Device;
-    BlendedComponent<ColorEdges> m_Volumes;
+    ColorEdgesFrame() : TechniqueFrame("Edges") { m_LeavesOut = false; }
 };
 
 void Nothing(ColorEdges&) {}
@@ -54,8 +25,8 @@ void Nothing(ColorEdges&) {}
 TEST_F(ColorEdgesFrame, HasThePictureReadAsBrightnessAndLinesDrawnOverIt)
 {
     const RenderResult result = Render(Nothing);
-    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "_ColorEdgesBrightness",
-                                             "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "_ColorEdgesBrightness",
+                                               "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes, IsEmpty());
     EXPECT_EQ(result.frame->passes[1].width, 64);
     EXPECT_EQ(result.frame->passes[1].height, 48);
@@ -65,7 +36,7 @@ TEST_F(ColorEdgesFrame, HasAMaskWhereLinesAreLimitedToObjects)
 {
     m_Settings.m_OnlyFilteredObjects = true;
     const RenderResult result = Render(Nothing);
-    EXPECT_THAT(Targets(result),
+    EXPECT_THAT(TargetsOf(result),
                 ElementsAre("_CameraColorAttachmentA", "_ColorEdgesMask", "_ColorEdgesBrightness",
                             "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_TRUE(result.frame->passes[1].depth) << "what hides an object hides its lines";
@@ -148,7 +119,7 @@ TEST_F(ColorEdgesFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
         m_Content = OutlineScene();
         c.change(m_Content);
         const RenderResult result = Render(c.set);
-        EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
+        EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
             << c.note;
         EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
     }

@@ -1,8 +1,8 @@
 #include "features/OutlineScene.h"
 #include "features/color_edges/FlatPicture.h"
+#include "features/outline/TechniqueFrame.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/features/DepthNormalsOutlineRendererFeature.h>
 
 namespace limn::test
@@ -14,45 +14,16 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using SetOutline = std::function<void(DepthNormalsOutline&)>;
 
-class DepthNormalsFrame : public testing::Test
+class DepthNormalsFrame
+    : public TechniqueFrame<DepthNormalsOutlineRendererFeature, DepthNormalsOutlineSettings,
+                            DepthNormalsOutline, OutlineScene>
 {
 protected:
-    DepthNormalsFrame()
+    DepthNormalsFrame() : TechniqueFrame("Lines")
     {
         m_Settings.m_LayerMask = LayerMask::FromIndex(k_FurnitureLayer);
         m_Settings.m_RenderingLayerMask = k_SelectedLayer;
     }
-
-    RenderResult Render(const SetOutline& set)
-    {
-        UniversalRenderPipeline pipeline(m_Device);
-        UniversalRenderer renderer(Compiler());
-        auto feature = std::make_unique<DepthNormalsOutlineRendererFeature>(m_Settings);
-        feature->name = "Lines";
-        renderer.AddFeature(std::move(feature));
-        RenderRequest request;
-        request.scene = &m_Content.scene;
-        request.camera = &m_Content.camera;
-        request.width = 64;
-        request.height = 48;
-        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
-        return pipeline.RenderSingleCamera(renderer, request);
-    }
-
-    static std::vector<std::string> Ran(const RenderResult& result)
-    {
-        std::vector<std::string> names;
-        for (const ExecutedPassReport& pass : result.report.passes)
-        {
-            names.push_back(pass.name.name());
-        }
-        return names;
-    }
-
-    DepthNormalsOutlineSettings m_Settings;
-    OutlineScene m_Content;
-    RecordingDevice m_Device;
-    BlendedComponent<DepthNormalsOutline> m_Volumes;
 };
 
 void AsItIs(DepthNormalsOutline&) {}
@@ -64,14 +35,14 @@ void LikeTheArticle(DepthNormalsOutline& outline)
 TEST_F(DepthNormalsFrame, HasDepthAndNormalsMadeAndTheObjectsDrawnOnceMoreBeforeTransparentOnes)
 {
     const RenderResult result = Render(AsItIs);
-    EXPECT_THAT(Ran(result), ElementsAre("DepthNormalPrepass", "Draw Opaque Objects", "Lines",
-                                         "Draw Transparent Objects", "Final Blit"));
+    EXPECT_THAT(PassesOf(result), ElementsAre("DepthNormalPrepass", "Draw Opaque Objects", "Lines",
+                                              "Draw Transparent Objects", "Final Blit"));
     EXPECT_THAT(result.report.notes, IsEmpty());
 }
 
 TEST_F(DepthNormalsFrame, HasTheBuiltInPipelinesTextureMadeForTheArticlesTechnique)
 {
-    EXPECT_THAT(Ran(Render(LikeTheArticle)),
+    EXPECT_THAT(PassesOf(Render(LikeTheArticle)),
                 ElementsAre("DepthNormalPrepass", "EncodeDepthNormals", "Draw Opaque Objects",
                             "Lines", "Draw Transparent Objects", "Final Blit"));
 }
@@ -119,7 +90,7 @@ TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
         m_Content = OutlineScene();
         c.change(m_Content);
         const RenderResult result = Render(c.set);
-        EXPECT_THAT(Ran(result),
+        EXPECT_THAT(PassesOf(result),
                     ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"))
             << c.note;
         EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));

@@ -1,7 +1,7 @@
 #include "features/inflated_outline/BodiesScene.h"
+#include "features/outline/TechniqueFrame.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/features/InflatedOutlineRendererFeature.h>
 
 namespace limn::test
@@ -12,49 +12,15 @@ namespace
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class InflatedOutlineFrame : public testing::Test
+class InflatedOutlineFrame
+    : public TechniqueFrame<InflatedOutlineRendererFeature, InflatedOutlineSettings,
+                            InflatedOutline, BodiesScene>
 {
 protected:
-    InflatedOutlineFrame() { m_Settings.m_RenderingLayerMask = k_SelectedLayer; }
-
-    RenderResult Render(const std::function<void(InflatedOutline&)>& set)
+    InflatedOutlineFrame() : TechniqueFrame("Hull")
     {
-        UniversalRenderPipeline pipeline(m_Device);
-        UniversalRenderer renderer(Compiler());
-        auto feature = std::make_unique<InflatedOutlineRendererFeature>(m_Settings);
-        feature->name = "Hull";
-        renderer.AddFeature(std::move(feature));
-        RenderRequest request;
-        request.scene = &m_Content.scene;
-        request.camera = &m_Content.camera;
-        request.width = 64;
-        request.height = 48;
-        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
-        return pipeline.RenderSingleCamera(renderer, request);
+        m_Settings.m_RenderingLayerMask = k_SelectedLayer;
     }
-
-    /// The note of a frame without the outline.
-    std::string NoteOf(const std::function<void(InflatedOutline&)>& set)
-    {
-        const RenderResult result = Render(set);
-        EXPECT_THAT(PassesOf(result), testing::Not(testing::Contains("Hull")));
-        return result.report.notes.empty() ? "" : result.report.notes.front();
-    }
-
-    static std::vector<std::string> PassesOf(const RenderResult& result)
-    {
-        std::vector<std::string> names;
-        for (const ExecutedPassReport& pass : result.report.passes)
-        {
-            names.push_back(pass.name.name());
-        }
-        return names;
-    }
-
-    InflatedOutlineSettings m_Settings;
-    BodiesScene m_Content;
-    RecordingDevice m_Device;
-    BlendedComponent<InflatedOutline> m_Volumes;
 };
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "features/OutlineScene.h"
 #include "features/color_edges/FlatPicture.h"
+#include "features/outline/TechniqueFrame.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <set>
 
@@ -68,40 +68,16 @@ TEST(MaskValue, HasColoursThatAreBrightAndFarApart)
     }
 }
 
-class MaskDifferenceFrame : public testing::Test
+class MaskDifferenceFrame
+    : public TechniqueFrame<MaskDifferenceOutlineRendererFeature, MaskDifferenceOutlineSettings,
+                            MaskDifferenceOutline, OutlineScene>
 {
 protected:
-    RenderResult Render(const std::function<void(MaskDifferenceOutline&)>& set)
+    MaskDifferenceFrame() : TechniqueFrame("Outline")
     {
-        UniversalRenderPipeline pipeline(m_Device);
-        UniversalRenderer renderer(Compiler());
-        auto feature = std::make_unique<MaskDifferenceOutlineRendererFeature>(m_Settings);
-        feature->name = "Outline";
-        renderer.AddFeature(std::move(feature));
-        RenderRequest request;
-        request.scene = &m_Content.scene;
-        request.camera = &m_Content.camera;
-        request.width = 320;
-        request.height = 240;
-        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
-        request.compile.leavesOut = false;
-        return pipeline.RenderSingleCamera(renderer, request);
+        m_Size = {320, 240};
+        m_LeavesOut = false;
     }
-
-    static std::vector<std::string> Targets(const RenderResult& result)
-    {
-        std::vector<std::string> names;
-        for (const CompiledRenderPass& pass : result.frame->passes)
-        {
-            names.push_back(pass.colors.front().texture->name());
-        }
-        return names;
-    }
-
-    MaskDifferenceOutlineSettings m_Settings;
-    OutlineScene m_Content;
-    RecordingDevice m_Device;
-    BlendedComponent<MaskDifferenceOutline> m_Volumes;
 };
 
 void Defaults(MaskDifferenceOutline&) {}
@@ -109,8 +85,8 @@ void Defaults(MaskDifferenceOutline&) {}
 TEST_F(MaskDifferenceFrame, HasAMaskAndALineAddedInPlace)
 {
     const RenderResult result = Render(Defaults);
-    EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "t_tex0",
-                                             "_CameraColorAttachmentA", "limn_Output"));
+    EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "t_tex0",
+                                               "_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes, IsEmpty());
 }
 
@@ -118,18 +94,18 @@ TEST_F(MaskDifferenceFrame, HasTheScenesDepthOnlyWhereLinesAreClipped)
 {
     const auto clipped = ElementsAre("_CameraColorAttachmentA", "_CameraDepthTexture", "t_tex0",
                                      "_CameraColorAttachmentA", "limn_Output");
-    EXPECT_THAT(Targets(Render([](MaskDifferenceOutline& outline)
-                               { outline.outline_depth_threshold_clip_player.Override(1.0f); })),
+    EXPECT_THAT(TargetsOf(Render([](MaskDifferenceOutline& outline)
+                                 { outline.outline_depth_threshold_clip_player.Override(1.0f); })),
                 clipped);
-    EXPECT_THAT(Targets(Render([](MaskDifferenceOutline& outline)
-                               { outline.m_ClipDistance.Override(5.0f); })),
+    EXPECT_THAT(TargetsOf(Render([](MaskDifferenceOutline& outline)
+                                 { outline.m_ClipDistance.Override(5.0f); })),
                 clipped);
 }
 
 TEST_F(MaskDifferenceFrame, HasACopyOfThePictureWithoutFramebufferFetch)
 {
     m_Settings.m_FramebufferFetch = false;
-    EXPECT_THAT(Targets(Render(Defaults)),
+    EXPECT_THAT(TargetsOf(Render(Defaults)),
                 ElementsAre("_CameraColorAttachmentA", "t_tex0", "t_tex1",
                             "_CameraColorAttachmentA", "limn_Output"));
 }
@@ -195,7 +171,7 @@ TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
         m_Content = OutlineScene();
         c.change(m_Content);
         const RenderResult result = Render(c.set);
-        EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
+        EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
             << c.note;
         EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
     }

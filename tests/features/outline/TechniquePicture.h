@@ -71,8 +71,9 @@ public:
     GameObject& Add(const char* name, std::shared_ptr<const Mesh> mesh,
                     const Color& color = Color::black)
     {
-        auto material = std::make_shared<Material>(
-            FindBuiltinShader("Universal Render Pipeline/Unlit", Compiler()));
+        static const auto shader = // compiled once for all pictures
+            FindBuiltinShader("Universal Render Pipeline/Unlit", Compiler());
+        auto material = std::make_shared<Material>(shader);
         material->SetColor(ShaderPropertyId("_BaseColor"), color);
         GameObject& object = scene.Add(name);
         object.renderer = MeshRenderer{std::move(mesh), {std::move(material)}};

@@ -1,7 +1,7 @@
 #include "features/inflated_outline/BodiesScene.h"
+#include "features/outline/TechniqueFrame.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/features/RimOutlineRendererFeature.h>
 
 namespace limn::test
@@ -12,37 +12,11 @@ namespace
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class RimOutlineFrame : public testing::Test
+class RimOutlineFrame
+    : public TechniqueFrame<RimOutlineRendererFeature, RimOutlineSettings, RimOutline, BodiesScene>
 {
 protected:
-    RimOutlineFrame() { m_Settings.m_RenderingLayerMask = k_SelectedLayer; }
-
-    RenderResult Render(const std::function<void(RimOutline&)>& set)
-    {
-        UniversalRenderPipeline pipeline(m_Device);
-        UniversalRenderer renderer(Compiler());
-        auto feature = std::make_unique<RimOutlineRendererFeature>(m_Settings);
-        feature->name = "Rim";
-        renderer.AddFeature(std::move(feature));
-        RenderRequest request;
-        request.scene = &m_Content.scene;
-        request.camera = &m_Content.camera;
-        request.width = 64;
-        request.height = 48;
-        request.volumeStack = set ? &m_Volumes.With(set) : nullptr;
-        return pipeline.RenderSingleCamera(renderer, request);
-    }
-
-    std::string NoteOf(const std::function<void(RimOutline&)>& set)
-    {
-        const RenderResult result = Render(set);
-        return result.report.notes.empty() ? "" : result.report.notes.front();
-    }
-
-    RimOutlineSettings m_Settings;
-    BodiesScene m_Content;
-    RecordingDevice m_Device;
-    BlendedComponent<RimOutline> m_Volumes;
+    RimOutlineFrame() : TechniqueFrame("Rim") { m_Settings.m_RenderingLayerMask = k_SelectedLayer; }
 };
 
 } // namespace
@@ -50,13 +24,8 @@ protected:
 TEST_F(RimOutlineFrame, IsDrawnBeforeWhatIsTransparent)
 {
     const RenderResult result = Render([](RimOutline&) {});
-    std::vector<std::string> names;
-    for (const ExecutedPassReport& pass : result.report.passes)
-    {
-        names.push_back(pass.name.name());
-    }
-    EXPECT_THAT(
-        names, ElementsAre("Draw Opaque Objects", "Rim", "Draw Transparent Objects", "Final Blit"));
+    EXPECT_THAT(PassesOf(result), ElementsAre("Draw Opaque Objects", "Rim",
+                                              "Draw Transparent Objects", "Final Blit"));
     EXPECT_THAT(result.report.notes, IsEmpty());
 }
 

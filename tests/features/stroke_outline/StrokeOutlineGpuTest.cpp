@@ -73,11 +73,12 @@ TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
     for (const Shape& shape : Shapes())
     {
         const Silhouette silhouette(shape.triangles);
+        StrokePicture picture(1.0f);
+        picture.Add("shape", shape.triangles);
         for (const double width : {1.0, 2.0, 8.0, 20.0})
         {
             SCOPED_TRACE(shape.name + std::string(", width ") + std::to_string(width));
-            StrokePicture picture(static_cast<float>(width));
-            picture.Add("shape", shape.triangles);
+            picture.component.m_OutlineWidth.Override(static_cast<float>(width));
             const OutlineScore score = ScoreOutline(
                 picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height));
             EXPECT_EQ(score.badValues, 0u);
@@ -228,10 +229,11 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 TEST_F(StrokeOutlineGpu, GrowsWithItsWidthAndStaysWithinItsTexturesOfTheObjectsSize)
 {
     double last = 0.0;
+    StrokePicture picture(1.0f);
+    picture.Add("disc", DiscTriangles({47.3, 48.6}, 12.2));
     for (const float width : {0.0625f, 0.25f, 0.5f, 1.0f, 3.0f, 12.0f, 40.0f, 1e4f})
     {
-        StrokePicture picture(width);
-        picture.Add("disc", DiscTriangles({47.3, 48.6}, 12.2));
+        picture.component.m_OutlineWidth.Override(width);
         const double area = picture.Alpha().Sum();
         EXPECT_GT(area, last) << width;
         last = area;
