@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <limits>
 #include <limn/core/Camera.h>
 #include <limn/editor_stub/Raycast.h>
 #include <random>
@@ -76,8 +77,11 @@ TEST(Ray, BeginsOnAnObliqueNearPlane)
     const Ray ray = ScreenPointToRay(camera, 64, 64, {8.0, 20.0});
     EXPECT_NEAR(ray.origin.z, 2.0 + ray.origin.x, 1e-6); // view space looks along -z
     ExpectNear({8.0, 20.0}, Project(camera, 64, 64, ray.origin + 5.0 * ray.direction), 1e-5);
-    const double end = DistanceToFarPlane(camera, ray);
-    EXPECT_NEAR(0.0, Project(camera, 64, 64, ray.origin + end * ray.direction).z, 1e-6);
+    // The far plane comes nearer where the frustum reaches farthest behind the near one.
+    EXPECT_EQ(DistanceToFarPlane(camera, ray), std::numeric_limits<double>::infinity());
+    const Ray left = ScreenPointToRay(camera, 64, 64, {0.0, 32.0});
+    const glm::dvec3 end = left.origin + DistanceToFarPlane(camera, left) * left.direction;
+    EXPECT_NEAR(end.z, 1000.0, 0.1);
 }
 
 TEST(Ray, OfTheBottomLeftCornerLooksDownAndLeft)
