@@ -47,7 +47,7 @@ glm::dvec3 Camera::renderOrigin() const
                : glm::round(position / k_Step) * k_Step;
 }
 
-glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
+glm::mat4 Camera::gpuProjectionMatrix(float aspect, bool usesReversedZBuffer) const
 {
     const double n = nearClipPlane;
     const double f = farClipPlane;
@@ -61,6 +61,10 @@ glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
         Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
     }
     Expect(f > n, "farClipPlane", f, "greater than nearClipPlane");
+    const auto inDirection = [&](const glm::dmat4& reversed)
+    {
+        return glm::mat4(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
+    };
     glm::dmat4 projection(0.0);
     if (orthographic)
     {
@@ -70,7 +74,7 @@ glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
         projection[2][2] = 1.0 / (f - n);
         projection[3][2] = f / (f - n);
         projection[3][3] = 1.0;
-        return glm::mat4(projection);
+        return inDirection(projection);
     }
     Expect(fieldOfView > 0.0f && fieldOfView < 180.0f, "fieldOfView", fieldOfView,
            "between 0 and 180 degrees");
@@ -80,7 +84,7 @@ glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
     projection[2][2] = n / (f - n);
     projection[2][3] = -1.0;
     projection[3][2] = f * n / (f - n);
-    return glm::mat4(projection);
+    return inDirection(projection);
 }
 
 } // namespace limn
