@@ -51,7 +51,7 @@ struct Camera
     /// @param aspect               width / height
     /// @param usesReversedZBuffer  z is w at the near plane; see ShaderCompilerOptions
     /// @throws ContractError naming the field, if one is outside its range or not finite
-    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix) 
+    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix)
     glm::mat4 gpuProjectionMatrix(float aspect, bool usesReversedZBuffer = true) const;
 };
 
