@@ -98,7 +98,7 @@ TEST(CurvePrecision, ACurveIsTheExactCubicRoundedOnce)
 {
     RandomFloats random(31);
     double largest = 0.0;
-    for (int i = 0; i < 100'000; ++i)
+    for (int i = 0; i < 50'000; ++i)
     {
         const AnimationCurve curve = RandomCurve(random);
         const float time = RandomTime(random, curve);
@@ -113,14 +113,14 @@ TEST(CurvePrecision, ACurveIsTheExactCubicRoundedOnce)
             largest = std::max(largest, static_cast<double>(error / ulp));
         }
     }
-    std::cout << "largest error of 100000 values of curves: " << largest << " ulp\n";
+    std::cout << "largest error of 50000 values of curves: " << largest << " ulp\n";
 }
 
 TEST(CurvePrecision, ABlendOfCurvesHasTheBlendOfTheirValuesAtEveryKey)
 {
     RandomFloats random(32);
     double largest = 0.0;
-    for (int i = 0; i < 20'000; ++i)
+    for (int i = 0; i < 10'000; ++i)
     {
         const AnimationCurve from = RandomCurve(random);
         const AnimationCurve to = RandomCurve(random);
@@ -142,7 +142,7 @@ TEST(CurvePrecision, ABlendOfCurvesHasTheBlendOfTheirValuesAtEveryKey)
             largest = std::max(largest, static_cast<double>(error / ulp));
         }
     }
-    std::cout << "largest error of the keys of 20000 blends of curves: " << largest
+    std::cout << "largest error of the keys of 10000 blends of curves: " << largest
               << " ulp of the larger\n";
 }
 
