@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/TestScene.h"
-#include "features/reference/OutlineReference.h"
+#include "reference/OutlineReference.h"
 
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -11,6 +11,8 @@
 
 namespace limn::test
 {
+
+using namespace study; // the exact outline
 
 /// Black objects on black, so that a white outline is its own alpha. In the camera that it begins
 /// with a unit is a pixel, x to the right and y up from the middle of the picture.

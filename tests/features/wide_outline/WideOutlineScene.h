@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/TestScene.h"
-#include "features/reference/OutlineReference.h"
+#include "reference/OutlineReference.h"
 
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -12,6 +12,8 @@
 
 namespace limn::test
 {
+
+using namespace study; // the exact outline
 
 /// A mesh that shows these triangles where they are, before a camera that sees a unit a pixel.
 inline std::shared_ptr<const Mesh> MeshOf(const ScreenTriangles& triangles, int width, int height)

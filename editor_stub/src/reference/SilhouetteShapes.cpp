@@ -1,4 +1,4 @@
-#include "features/reference/Silhouette.h"
+#include "reference/Silhouette.h"
 
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
@@ -7,7 +7,7 @@
 #include <limn/core/Mesh.h>
 #include <limn/core/Transform.h>
 
-namespace limn::test
+namespace limn::study
 {
 
 namespace
@@ -158,4 +158,4 @@ ScreenTriangles Together(std::initializer_list<ScreenTriangles> parts)
     return all;
 }
 
-} // namespace limn::test
+} // namespace limn::study

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "features/reference/BoxTree.h"
+#include "reference/BoxTree.h"
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -13,7 +13,7 @@ struct Transform;
 class Mesh;
 } // namespace limn
 
-namespace limn::test
+namespace limn::study
 {
 
 /// Triangles of the picture, either way round, in pixels: (0, 0) is the upper left corner of the
@@ -62,4 +62,4 @@ private:
     Box m_Bounds;
 };
 
-} // namespace limn::test
+} // namespace limn::study

@@ -1,4 +1,4 @@
-#include "features/reference/OutlineReference.h"
+#include "reference/OutlineReference.h"
 
 #include <cmath>
 #include <functional>
@@ -9,7 +9,7 @@
 #include <limn/core/Image.h>
 #include <limn/core/PrimitiveMesh.h>
 
-namespace limn::test
+namespace limn::study
 {
 namespace
 {
@@ -393,4 +393,4 @@ TEST(OutlineReference, ReadsChannelsOfImages)
 }
 
 } // namespace
-} // namespace limn::test
+} // namespace limn::study

@@ -1,9 +1,9 @@
-#include "features/reference/Silhouette.h"
+#include "reference/Silhouette.h"
 
 #include <cmath>
 #include <tuple>
 
-namespace limn::test
+namespace limn::study
 {
 
 namespace
@@ -214,4 +214,4 @@ double Silhouette::Perimeter() const
     return sum;
 }
 
-} // namespace limn::test
+} // namespace limn::study

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "features/reference/Silhouette.h"
+#include "reference/Silhouette.h"
 
 #include <cstddef>
 #include <vector>
@@ -10,7 +10,7 @@ namespace limn
 struct Image;
 }
 
-namespace limn::test
+namespace limn::study
 {
 
 /// Numbers 0...1, one a pixel, row 0 at the top.
@@ -102,4 +102,4 @@ struct ContourScores
 ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouette,
                             const OutlineBand& band);
 
-} // namespace limn::test
+} // namespace limn::study

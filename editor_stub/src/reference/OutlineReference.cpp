@@ -1,4 +1,4 @@
-#include "features/reference/OutlineReference.h"
+#include "reference/OutlineReference.h"
 
 #include <cmath>
 #include <cstring>
@@ -7,7 +7,7 @@
 #include <limn/core/Image.h>
 #include <stdexcept>
 
-namespace limn::test
+namespace limn::study
 {
 
 namespace
@@ -295,4 +295,4 @@ ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouet
     return scores;
 }
 
-} // namespace limn::test
+} // namespace limn::study

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace limn::test
+namespace limn::study
 {
 
 /// An axis-aligned box of the plane; empty until something is added.
@@ -172,4 +172,4 @@ private:
     std::vector<Node> m_Nodes;
 };
 
-} // namespace limn::test
+} // namespace limn::study

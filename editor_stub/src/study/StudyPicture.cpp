@@ -1,0 +1,74 @@
+#include "study/StudyPicture.h"
+
+namespace limn::study
+{
+
+StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device)
+    : m_Asset(std::move(asset)),
+      m_Device(device),
+      m_Pipeline(device),
+      m_Renderer(assets.compiler()),
+      m_Volumes(assets.volumeComponents()),
+      m_Stack(m_Volumes.CreateStack())
+{
+    m_Renderer.opaqueLayerMask = m_Asset.renderer.opaqueLayerMask;
+    m_Renderer.transparentLayerMask = m_Asset.renderer.transparentLayerMask;
+    for (std::unique_ptr<ScriptableRendererFeature>& feature : m_Asset.renderer.features)
+    {
+        m_Renderer.AddFeature(std::move(feature));
+    }
+    m_Asset.renderer.features.clear();
+    for (const Volume& volume : m_Asset.volumes)
+    {
+        m_Volumes.Register(&volume);
+    }
+    m_Pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+}
+
+const RenderResult& StudyPicture::Render(Timeline* timeline)
+{
+    const Camera& camera = m_Asset.camera;
+    m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
+                     camera.volumeLayerMask);
+    m_Request.scene = &m_Asset.scene;
+    m_Request.camera = &camera;
+    m_Request.width = m_Asset.width;
+    m_Request.height = m_Asset.height;
+    m_Request.time = time;
+    m_Request.volumeStack = &m_Stack;
+    m_Request.timeline = timeline;
+    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request, m_Result);
+    return m_Result;
+}
+
+Image StudyPicture::Colors()
+{
+    constexpr const char* k_CameraColor = "_CameraColorAttachmentA";
+    m_Request.compile.leavesOut = false; // a colour that goes straight into the output is 8 bits
+    m_Request.alsoReadBack.clear();
+    Render();
+    for (const CompiledRenderPass& pass : m_Result.frame->passes)
+    {
+        if (!pass.colors.empty() && pass.colors.front().texture->name() == k_CameraColor)
+        {
+            m_Request.alsoReadBack = {RTHandle(pass.colors.front().texture)};
+        }
+    }
+    Render();
+    m_Request.compile.leavesOut = true;
+    return m_Device.ReadBack(*m_Request.alsoReadBack.at(0).rt());
+}
+
+Coverage StudyPicture::Alpha()
+{
+    return ChannelOf(Colors(), 0);
+}
+
+Image StudyPicture::Output()
+{
+    m_Request.alsoReadBack.clear();
+    Render();
+    return m_Device.ReadBack(*m_Result.output.rt());
+}
+
+} // namespace limn::study

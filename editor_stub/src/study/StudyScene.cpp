@@ -1,0 +1,185 @@
+#include "study/StudyScene.h"
+
+#include "study/Techniques.h"
+
+#include <limn/core/Inspector.h>
+#include <limn/core/Judge.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr RenderingLayerMask k_Outlined = RenderingLayerMask::FromIndex(k_OutlinedLayer);
+
+std::shared_ptr<const Material> BlackMaterial(AssetContext& assets)
+{
+    auto material =
+        std::make_shared<Material>(assets.FindShader("Universal Render Pipeline/Unlit"));
+    material->SetColor(ShaderPropertyId("_BaseColor"), Color::black);
+    return material;
+}
+
+/// What an outline feature filters by, by the names that all of them share.
+class FilterFinder final : public Inspector
+{
+public:
+    void Field(const FieldInfo& field, FieldValue value) override
+    {
+        if (field.name == "m_LayerMask")
+        {
+            m_Filter.layerMask = *std::get<LayerMask*>(value);
+        }
+        else if (field.name == "m_RenderingLayerMask")
+        {
+            m_Filter.renderingLayerMask =
+                RenderingLayerMask::FromIndex(std::get<RenderingLayerValue>(value).value);
+            m_IsOutline = true;
+        }
+        else if (field.name == "m_RenderQueueRange")
+        {
+            constexpr RenderQueueRange k_Ranges[] = {
+                RenderQueueRange::all, RenderQueueRange::opaque, RenderQueueRange::transparent};
+            const int index = std::get<EnumValue>(value).value;
+            m_Filter.renderQueueRange = k_Ranges[static_cast<std::size_t>(index)];
+        }
+    }
+    bool isOutline() const { return m_IsOutline; }
+    const FilteringSettings& filter() const { return m_Filter; }
+
+private:
+    bool m_IsOutline = false;
+    FilteringSettings m_Filter;
+};
+
+FilteringSettings FilterOf(SceneAsset& asset)
+{
+    for (const auto& feature : asset.renderer.features)
+    {
+        FilterFinder finder;
+        feature->Describe(finder);
+        if (feature->isActive() && finder.isOutline())
+        {
+            return finder.filter();
+        }
+    }
+    throw AssetError(asset.path.string(), {},
+                     "no active feature outlines anything, so it is unknown which objects a report "
+                     "is about; one like {type: ScreenSpaceOutlineRenderFeature, ...} with its "
+                     "m_LayerMask and m_RenderingLayerMask says so");
+}
+
+bool IsTaken(const GameObject& object, const FilteringSettings& filter)
+{
+    const MeshRenderer& renderer = *object.renderer;
+    return std::ranges::any_of(
+        renderer.sharedMaterials,
+        [&](const auto& material)
+        {
+            return material && JudgeMasks({material->renderQueue(), object.layer,
+                                           renderer.renderingLayerMask, material->shader().get()},
+                                          filter) == FilterVerdict::Drawn;
+        });
+}
+
+} // namespace
+
+SceneAsset EmptyPicture(int width, int height)
+{
+    SceneAsset asset;
+    asset.width = width;
+    asset.height = height;
+    asset.camera.orthographic = true;
+    asset.camera.orthographicSize = static_cast<float>(height) / 2.0f;
+    asset.camera.nearClipPlane = 1.0f;
+    asset.camera.farClipPlane = 1000.0f;
+    asset.camera.transform.localPosition = {0.0f, 0.0f, -100.0f};
+    asset.camera.backgroundColor = Color::black;
+    return asset;
+}
+
+GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
+                        std::shared_ptr<const Mesh> mesh, AssetContext& assets)
+{
+    GameObject& object = picture.scene.Add(name);
+    object.renderer = MeshRenderer{std::move(mesh), {BlackMaterial(assets)}, k_Outlined};
+    return object;
+}
+
+GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
+                     AssetContext& assets, const glm::dvec2& offset)
+{
+    MeshData data;
+    for (const auto& triangle : triangles)
+    {
+        for (const glm::dvec2& p : triangle)
+        {
+            data.triangles.push_back(static_cast<std::uint32_t>(data.vertices.size()));
+            data.vertices.emplace_back(p.x + offset.x - 0.5 * picture.width,
+                                       0.5 * picture.height - p.y - offset.y, 0.0);
+        }
+    }
+    return AddOutlined(picture, name, std::make_shared<const Mesh>(name, std::move(data)), assets);
+}
+
+std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
+{
+    const FilteringSettings filter = FilterOf(asset);
+    std::vector<GameObject*> outlined;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (!object->renderer)
+        {
+            continue;
+        }
+        RenderingLayerMask& mask = object->renderer->renderingLayerMask;
+        const bool isOutlined = object->renderer->enabled && IsTaken(*object, filter);
+        mask.bits = (mask.bits & ~k_Outlined.bits) | (isOutlined ? k_Outlined.bits : 0u);
+        if (isOutlined)
+        {
+            outlined.push_back(object.get());
+        }
+    }
+    if (outlined.empty())
+    {
+        throw AssetError(asset.path.string(), {},
+                         "its outline feature takes none of its " +
+                             std::to_string(asset.scene.objects().size()) +
+                             " objects; 'limn explain' says by which rule");
+    }
+    return outlined;
+}
+
+void MakeBlack(SceneAsset& asset, AssetContext& assets)
+{
+    asset.camera.backgroundColor = Color::black;
+    const std::shared_ptr<const Material> black = BlackMaterial(assets);
+    for (const auto& object : asset.scene.objects())
+    {
+        if (object->renderer)
+        {
+            for (auto& material : object->renderer->sharedMaterials)
+            {
+                material = black;
+            }
+        }
+    }
+}
+
+Silhouette OutlinedSilhouette(const SceneAsset& asset)
+{
+    ScreenTriangles triangles;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (object->renderer && object->renderer->renderingLayerMask.Intersects(k_Outlined))
+        {
+            const ScreenTriangles part = MeshTriangles(*object->renderer->mesh, object->transform,
+                                                       asset.camera, asset.width, asset.height);
+            triangles.insert(triangles.end(), part.begin(), part.end());
+        }
+    }
+    return Silhouette(triangles);
+}
+
+} // namespace limn::study

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "reference/OutlineReference.h"
+
+#include <limn/editor_stub/SceneFile.h>
+
+namespace limn::study
+{
+
+/// A black picture seen by an orthographic camera: a unit is a pixel, x to the right and y up from
+/// the middle.
+SceneAsset EmptyPicture(int width, int height);
+
+/// A black, outlined object at the origin.
+GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
+                        std::shared_ptr<const Mesh> mesh, AssetContext& assets);
+/// A black, flat, outlined object from pixels of an EmptyPicture.
+/// @param offset  pixels it is moved by, y downwards
+GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
+                     AssetContext& assets, const glm::dvec2& offset = glm::dvec2(0.0));
+
+/// Puts what the scene's first outline feature that is active would outline into the rendering
+/// layer k_OutlinedLayer, and nothing else.
+/// @returns the objects
+/// @throws AssetError if there is no such feature, or it takes no object
+std::vector<GameObject*> MarkOutlined(SceneAsset& asset);
+
+/// Makes everything black, lit by nothing, so that a white outline is its own alpha.
+void MakeBlack(SceneAsset& asset, AssetContext& assets);
+
+/// What the outlined objects cover in the scene's picture, whatever is in front of them; in double
+/// precision, from their triangles.
+Silhouette OutlinedSilhouette(const SceneAsset& asset);
+
+} // namespace limn::study
