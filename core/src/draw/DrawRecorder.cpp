@@ -266,10 +266,9 @@ void DrawRecorder::ExpectSameDepth(const Material& material) const
         {
             return isReversed ? "1 near ... 0 far" : "0 near ... 1 far";
         };
-        throw DrawError("material '" + material.name() + "': shader '" +
-                        material.shader()->name() + "' is compiled for depths of " +
-                        text(!m_Frame.usesReversedZBuffer) + ", but the frame has " +
-                        text(m_Frame.usesReversedZBuffer) +
+        throw DrawError("material '" + material.name() + "': shader '" + material.shader()->name() +
+                        "' is compiled for depths of " + text(!m_Frame.usesReversedZBuffer) +
+                        ", but the frame has " + text(m_Frame.usesReversedZBuffer) +
                         "; give it the renderer's shaderCompiler()");
     }
 }
