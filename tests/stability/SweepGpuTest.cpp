@@ -18,7 +18,9 @@ TEST(Sweep, PrintsTemporarily)
         levels.sizes = {{96, 64}, {1, 1}, {3, 7}};
     }
     const char* only = std::getenv("ONLY");
-    AssetContext assets;
+    ShaderCompilerOptions options;
+    options.cacheFolder = std::filesystem::temp_directory_path() / "limn_stab_cache";
+    AssetContext assets(options);
     std::vector<CellId> cells = PlanStability(
         Techniques(), std::getenv("PAIR") ? SweepSize::Pairwise : SweepSize::Sampled, levels);
     std::map<std::string, int> failed;
