@@ -16,6 +16,7 @@ constexpr double k_LargestPart = 0.3; ///< of the picture's height
 constexpr double k_LargestRadius = 60.0;
 
 const char* const k_Views[] = {"perspective", "orthographic", "oblique"};
+const char* const k_Directions[] = {"reversed", "standard"};
 const char* const k_Scalings[] = {"", "mirrored", "singular"};
 
 double Tangent(double fieldOfView)
@@ -97,6 +98,12 @@ bool Take(ExtremeCase& extreme, const std::string& key, const std::string& value
         extreme.view = static_cast<ExtremeView>(view.value_or(0));
         return view.has_value();
     }
+    if (key == "z")
+    {
+        const auto direction = IndexOf(k_Directions, value);
+        extreme.isStandardZ = direction == 1u;
+        return direction.has_value();
+    }
     if (const auto scaling = IndexOf(k_Scalings, value); key == "scale" && scaling)
     {
         extreme.scaling = static_cast<ExtremeScale>(*scaling);
@@ -132,7 +139,8 @@ std::string ExtremeCase::Variant() const
         text << scale;
     }
     text << k_Scalings[static_cast<std::size_t>(scaling)] << " samples=" << samples
-         << " view=" << k_Views[static_cast<std::size_t>(view)];
+         << " view=" << k_Views[static_cast<std::size_t>(view)]
+         << " z=" << k_Directions[isStandardZ ? 1 : 0];
     return text.str();
 }
 
@@ -179,7 +187,7 @@ std::vector<int> ExtremeLevels::Counts() const
     std::vector<int> counts;
     for (const std::size_t count :
          {depthRatios.size(), widths.size(), sizes.size(), fieldsOfView.size(), scales.size() + 2,
-          samples.size(), views.size()})
+          samples.size(), views.size(), standardZ.size()})
     {
         counts.push_back(static_cast<int>(count));
     }
@@ -208,6 +216,7 @@ ExtremeCase ExtremeLevels::At(const Combination& combination) const
     }
     extreme.samples = level(samples, 5);
     extreme.view = level(views, 6);
+    extreme.isStandardZ = level(standardZ, 7);
     return extreme;
 }
 

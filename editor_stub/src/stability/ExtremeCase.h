@@ -38,9 +38,10 @@ struct ExtremeCase
     double scale = 1.0;
     int samples = 1; ///< a pixel
     ExtremeView view = ExtremeView::Perspective;
+    bool isStandardZ = false; ///< see ShaderCompilerOptions::usesReversedZBuffer
 
     /// Everything but width and size, readable and always the same:
-    /// "ratio=1e+02 fov=60 scale=mirrored samples=4 view=oblique".
+    /// "ratio=1e+02 fov=60 scale=mirrored samples=4 view=oblique z=reversed".
     std::string Variant() const;
     /// The case that a cell's name says.
     /// @throws ContractError if its variant is not of Variant()
@@ -71,6 +72,7 @@ struct ExtremeLevels
     std::vector<int> samples{1, 4};
     std::vector<ExtremeView> views{ExtremeView::Perspective, ExtremeView::Orthographic,
                                    ExtremeView::Oblique};
+    std::vector<bool> standardZ{false, true};
 
     std::vector<int> Counts() const; ///< of each factor
     ExtremeCase At(const Combination& combination) const;

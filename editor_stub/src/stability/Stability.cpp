@@ -19,8 +19,7 @@ struct Drawn
 {
     Coverage alpha;
     double area = 0.0; ///< pixels
-    int badTexels = 0;
-    int outOfRange = 0;
+    BadValues bad;
 };
 
 Drawn Draw(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
@@ -31,15 +30,7 @@ Drawn Draw(const ExtremeCase& extreme, const Technique& technique, AssetContext&
     StudyPicture picture(std::move(asset), assets, device);
     const Image colors = picture.Colors();
     Drawn drawn;
-    for (int channel = 0; channel < 4; ++channel)
-    {
-        const Coverage values = ChannelOf(colors, channel);
-        for (const double value : values.values)
-        {
-            drawn.badTexels += std::isfinite(value) ? 0 : 1;
-            drawn.outOfRange += value < -k_RangeSlack || value > 1.0 + k_RangeSlack ? 1 : 0;
-        }
-    }
+    drawn.bad = CountBadValues(colors);
     drawn.alpha = ChannelOf(colors, 0);
     drawn.area = drawn.alpha.Sum();
     return drawn;
@@ -120,12 +111,12 @@ std::string Number(double value)
 
 void CheckTexels(const Drawn& drawn, Checks& checks)
 {
-    checks.Set("badTexels", drawn.badTexels);
-    checks.Set("outOfRange", drawn.outOfRange);
-    checks.Expect(drawn.badTexels == 0,
-                  std::to_string(drawn.badTexels) + " values are NaN or infinite");
-    checks.Expect(drawn.outOfRange == 0,
-                  std::to_string(drawn.outOfRange) + " values are outside 0...1");
+    checks.Set("badTexels", drawn.bad.notFinite);
+    checks.Set("outOfRange", drawn.bad.outOfRange);
+    checks.Expect(drawn.bad.notFinite == 0,
+                  std::to_string(drawn.bad.notFinite) + " values are NaN or infinite");
+    checks.Expect(drawn.bad.outOfRange == 0,
+                  std::to_string(drawn.bad.outOfRange) + " values are outside 0...1");
 }
 
 ShapeFacts FactsOf(const Silhouette& silhouette, const Window& window, const OutlineScore& score)
@@ -224,6 +215,20 @@ bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetCont
 
 } // namespace
 
+BadValues CountBadValues(const Image& colors)
+{
+    BadValues bad;
+    for (int channel = 0; channel < 4; ++channel)
+    {
+        for (const double value : ChannelOf(colors, channel).values)
+        {
+            bad.notFinite += std::isfinite(value) ? 0 : 1;
+            bad.outOfRange += value < -k_RangeSlack || value > 1.0 + k_RangeSlack ? 1 : 0;
+        }
+    }
+    return bad;
+}
+
 std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
                                   const ExtremeLevels& levels)
 {
@@ -260,7 +265,24 @@ std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSi
     return cells;
 }
 
-CellResult MeasureStability(const CellId& cell, AssetContext& assets, VulkanDevice& device)
+StabilityStudy::StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device)
+    : m_Options(std::move(options)), m_Device(device)
+{
+}
+
+AssetContext& StabilityStudy::AssetsFor(const ExtremeCase& extreme)
+{
+    std::unique_ptr<AssetContext>& assets = extreme.isStandardZ ? m_Standard : m_Reversed;
+    if (!assets)
+    {
+        ShaderCompilerOptions options = m_Options;
+        options.usesReversedZBuffer = !extreme.isStandardZ;
+        assets = std::make_unique<AssetContext>(std::move(options));
+    }
+    return *assets;
+}
+
+CellResult StabilityStudy::Measure(const CellId& cell)
 {
     const Technique* technique = FindTechnique(cell.technique);
     if (cell.kind != CellKind::Stability || technique == nullptr || cell.pictureWidth < 1 ||
@@ -269,21 +291,22 @@ CellResult MeasureStability(const CellId& cell, AssetContext& assets, VulkanDevi
         throw ContractError("'" + cell.Name() + "' is no cell of the stability sweep");
     }
     const ExtremeCase extreme = ExtremeCase::OfCell(cell);
+    AssetContext& assets = AssetsFor(extreme);
     CellResult result;
     result.id = cell;
     result.values["failures"] = 0.0;
     Checks checks(result);
-    const std::size_t messages = device.validationMessages().size();
+    const std::size_t messages = m_Device.validationMessages().size();
     try
     {
         if (!IsRefused(extreme, *technique, assets, checks))
         {
-            const Drawn drawn = Draw(extreme, *technique, assets, device);
+            const Drawn drawn = Draw(extreme, *technique, assets, m_Device);
             CheckTexels(drawn, checks);
-            if (drawn.badTexels == 0)
+            if (drawn.bad.notFinite == 0)
             {
                 CheckShape(extreme, *technique, drawn, assets, checks);
-                CheckGrowth(extreme, *technique, drawn, assets, device, checks);
+                CheckGrowth(extreme, *technique, drawn, assets, m_Device, checks);
             }
         }
     }
@@ -291,7 +314,7 @@ CellResult MeasureStability(const CellId& cell, AssetContext& assets, VulkanDevi
     {
         checks.Expect(false, error.what());
     }
-    const std::vector<ValidationMessage> all = device.validationMessages();
+    const std::vector<ValidationMessage> all = m_Device.validationMessages();
     checks.Set("validationMessages", static_cast<double>(all.size() - messages));
     checks.Expect(all.size() == messages,
                   all.size() == messages ? "" : "the validation layer says " + all[messages].text);

@@ -35,18 +35,45 @@ struct ShapeFacts
 std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
                                  const ShapeFacts& shape);
 
-/// Draws the case that the cell's id says, with its width and with twice that.
-///
-/// The checks, each a sentence in CellResult::notes that begins with "failed: ": no texel of the
-/// camera's colour (half floats, before they are rounded) NaN, infinite or outside 0...1; no
-/// exception; no message of the validation layer; no less area for twice the width; an error within
-/// ErrorBound; nothing drawn for the width 0, something for a pixel and more. A width that is no
-/// finite number has to be refused with a sentence.
-///
-/// values: badTexels, outOfRange, validationMessages, meanAbsoluteError, errorBound, areaGrowth,
-/// failures; those that there are.
-/// @param device  made with VulkanDeviceOptions::validation, or no messages are counted
-/// @throws ContractError for a cell that is not of PlanStability
-CellResult MeasureStability(const CellId& cell, AssetContext& assets, VulkanDevice& device);
+/// Values of all channels of a picture that no picture should have.
+struct BadValues
+{
+    int notFinite = 0;
+    int outOfRange = 0; ///< of 0...1, by more than 1e-3
+};
+/// @throws std::invalid_argument for formats that ChannelOf does not read
+BadValues CountBadValues(const Image& colors);
+
+/// Measures cells of PlanStability, in any order.
+class StabilityStudy
+{
+public:
+    /// @param options  its cacheFolder makes the difference between seconds and minutes; the
+    ///     direction of Z is each case's
+    /// @param device   made with VulkanDeviceOptions::validation, or no messages are counted; must
+    ///     outlive this
+    StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device);
+
+    /// Draws the case that the cell's id says, with its width and with twice that.
+    ///
+    /// The checks, each a sentence in CellResult::notes that begins with "failed: ": no texel of
+    /// the camera's colour (half floats, before they are rounded) NaN, infinite or outside 0...1;
+    /// no exception; no message of the validation layer; no less area for twice the width; an error
+    /// within ErrorBound; nothing drawn for the width 0, something for a pixel and more. A width
+    /// that is no finite number has to be refused with a sentence.
+    ///
+    /// values: badTexels, outOfRange, validationMessages, meanAbsoluteError, bandPixels,
+    /// errorBound, areaGrowth, failures; those that there are.
+    /// @throws ContractError for a cell that is not of PlanStability
+    CellResult Measure(const CellId& cell);
+
+private:
+    AssetContext& AssetsFor(const ExtremeCase& extreme);
+
+    ShaderCompilerOptions m_Options;
+    VulkanDevice& m_Device;
+    std::unique_ptr<AssetContext> m_Reversed;
+    std::unique_ptr<AssetContext> m_Standard;
+};
 
 } // namespace limn::study
