@@ -306,8 +306,8 @@ private:
                 }
             }
         }
-        std::ranges::stable_partition(points,
-                                      [](const PlotPoint* point) { return point->isOnFront; });
+        std::stable_partition(points.begin(), points.end(),
+                              [](const PlotPoint* point) { return point->isOnFront; });
         std::vector<LabelWish> wishes;
         for (const PlotPoint* point : points)
         {
