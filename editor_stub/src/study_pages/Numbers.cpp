@@ -1,0 +1,99 @@
+#include "study_pages/Numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace limn::study
+{
+
+namespace
+{
+
+template <typename... Format>
+std::string ToText(double value, Format... format)
+{
+    char text[400]; // the largest double has 309 digits
+    const auto [end, error] = std::to_chars(text, text + sizeof(text), value, format...);
+    return std::string(text, end);
+}
+
+} // namespace
+
+std::string Readable(double value)
+{
+    if (std::isnan(value))
+    {
+        return "NaN";
+    }
+    if (std::isinf(value))
+    {
+        return value < 0.0 ? "-infinite" : "infinite";
+    }
+    const double size = std::abs(value);
+    if (value == 0.0)
+    {
+        return "0";
+    }
+    if (size < 1e-4 || size >= 1e9)
+    {
+        return ToText(value, std::chars_format::scientific, 1);
+    }
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    std::string text = ToText(value, std::chars_format::fixed, decimals);
+    if (decimals > 0)
+    {
+        text.erase(text.find_last_not_of('0') + 1); // 0.1, not 0.100
+        text.erase(text.find_last_not_of('.') + 1);
+    }
+    return text;
+}
+
+std::string Exact(double value)
+{
+    return std::isnan(value) ? "nan" : ToText(value);
+}
+
+std::string Count(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string Duration(double seconds)
+{
+    constexpr double k_Most = 1e9;
+    if (!(seconds >= 1.0))
+    {
+        return "less than 1 s";
+    }
+    const auto whole = static_cast<long>(std::min(seconds, k_Most) + 0.5);
+    const auto part = [](long count, const char* unit)
+    {
+        return count == 0 ? "" : std::to_string(count) + unit;
+    };
+    const std::string minutes = part(whole / 60 % 60, " min");
+    const std::string large = whole >= 3600 ? part(whole / 3600, " h") : minutes;
+    const std::string small = whole >= 3600 ? minutes : part(whole % 60, " s");
+    return large + (large.empty() || small.empty() ? "" : " ") + small;
+}
+
+Spread SpreadOf(std::vector<double> values)
+{
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    std::ranges::sort(values);
+    const auto at = [&values](double part)
+    {
+        if (values.empty())
+        {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        const double place = part * static_cast<double>(values.size() - 1);
+        const auto below = static_cast<std::size_t>(place);
+        const std::size_t above = std::min(below + 1, values.size() - 1);
+        return std::lerp(values[below], values[above], place - std::floor(place));
+    };
+    return {at(0.25), at(0.5), at(0.75)};
+}
+
+} // namespace limn::study

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace limn::study
+{
+
+/// As people read it: three significant digits without zeros at the end, "0.00312", "0.1", "14.7";
+/// whole digits stay, so 12345.6 is "12346"; below 0.0001 and from 1e9 on "3.1e-05"; "NaN",
+/// "infinite", "-infinite". Independent of the locale.
+std::string Readable(double value);
+
+/// As short as it reads back as the same number: "0.1", "nan", "inf", "-inf".
+std::string Exact(double value);
+
+/// "3 cells", "1 cell".
+std::string Count(std::size_t count, const std::string& noun);
+
+/// "1 min 20 s", "3 h 5 min", "less than 1 s".
+std::string Duration(double seconds);
+
+/// Of the finite values: the lower quartile, the median and the upper quartile, between neighbours
+/// by linear interpolation; NaN without any.
+struct Spread
+{
+    double lower;
+    double median;
+    double upper;
+};
+Spread SpreadOf(std::vector<double> values);
+
+} // namespace limn::study

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "study_pages/Pareto.h"
+
+namespace limn::study
+{
+
+/// One row a cell: what makes its id, all of Metrics() and their quartiles where there are any, the
+/// notes. RFC 4180 with \n at line ends; figures read back as they were, "nan", "inf" and "-inf"
+/// among them; empty where there is none.
+std::string ResultsCsv(const Study& study);
+
+} // namespace limn::study
