@@ -3,6 +3,7 @@
 #include "command_line/Completion.h"
 #include "command_line/Help.h"
 #include "command_line/OptionText.h"
+#include "command_line/ReportOptions.h"
 #include "command_line/SelectionOptions.h"
 #include "command_line/UsageProblem.h"
 #include "commands/DoctorCommand.h"
@@ -320,6 +321,30 @@ void AddShader(CLI::App& app, CommandLine& line)
     OnceParsed(verb, line, [&line](Console& console) { return RunShader(line.shader, console); });
 }
 
+void AddReport(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "report", "Measure the error and the cost of every outline technique in a scene");
+    AddReportOptions(*verb, line.render.scene, line.report);
+    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
+        ->type_name("WxH")
+        ->check(CheckSize);
+    AddDeviceOption(*verb, line.render.device);
+    AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
+    OnceParsed(verb, line,
+               [verb, &line](Console& console)
+               {
+                   const std::string problem = ReportUsageProblem(*verb);
+                   if (!problem.empty())
+                   {
+                       console.Error(problem);
+                       return static_cast<int>(ExitCode::WrongUsage);
+                   }
+                   return RunReport(line.render, line.report, console);
+               });
+}
+
 void AddExplain(CLI::App& app, CommandLine& line)
 {
     ExplainOptions& options = line.explain;
@@ -446,6 +471,7 @@ void AddEverything(CLI::App& app, CommandLine& line)
     AddWatch(app, line);
     AddInspect(app, line);
     AddExplain(app, line);
+    AddReport(app, line);
     AddSet(app, line);
     AddSchema(app, line);
     AddShader(app, line);

@@ -2,10 +2,10 @@
 
 #include "reports/ExplainedFrame.h"
 #include "study/StudyScene.h"
+#include "study_pages/Numbers.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <functional>
 #include <limn/core/Timeline.h>
 
 namespace limn::study
@@ -48,8 +48,9 @@ struct Contestant
 
 void AddMedian(CellResult& result, const std::string& key, const std::vector<double>& values)
 {
-    result.values[key] = Quantile(values, 0.5);
-    result.quartiles[key] = {Quantile(values, 0.25), Quantile(values, 0.75)};
+    const Spread spread = SpreadOf(values);
+    result.values[key] = spread.median;
+    result.quartiles[key] = {spread.lower, spread.upper};
 }
 
 int DrawsOf(const CompiledFrame& frame)
@@ -124,19 +125,6 @@ FrameBytes BytesOf(const CompiledFrame& frame)
         bytes.targets += texture.isDrawn ? static_cast<double>(texture.bytes) : 0.0;
     }
     return bytes;
-}
-
-double Quantile(std::vector<double> values, double part)
-{
-    if (values.empty())
-    {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    std::ranges::sort(values);
-    const double place = part * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const double above = values[std::min(below + 1, values.size() - 1)];
-    return values[below] + (above - values[below]) * (place - std::floor(place));
 }
 
 double StudyBench::copyBandwidth()

@@ -104,7 +104,7 @@ double MeanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double SpreadOf(const std::vector<double>& values)
+double DeviationOf(const std::vector<double>& values)
 {
     const double mean = MeanOf(values);
     double squares = 0.0;
@@ -165,6 +165,19 @@ const StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
             std::make_unique<Reference>(Reference{name, std::move(silhouette), std::move(exact)});
     }
     return *m_Reference;
+}
+
+CellResult StudyBench::Measure(const CellId& id)
+{
+    switch (id.kind)
+    {
+    case CellKind::Geometry:
+        return MeasureGeometry(id);
+    case CellKind::Temporal:
+        return MeasureTemporal(id);
+    default:
+        throw ContractError(id.Name() + ": cells of this kind are not measured one by one");
+    }
 }
 
 CellResult StudyBench::MeasureGeometry(const CellId& id)
@@ -253,10 +266,10 @@ CellResult StudyBench::MeasureTemporal(const CellId& id)
         exactBefore = exact;
     }
     result.values = {{"flicker", MeanOf(changes)},
-                     {"areaWobble", SpreadOf(areas)},
+                     {"areaWobble", DeviationOf(areas)},
                      {"areaLow", *std::ranges::min_element(areas)},
                      {"areaHigh", *std::ranges::max_element(areas)},
-                     {"contourSwim", SpreadOf(contours)}};
+                     {"contourSwim", DeviationOf(contours)}};
     return result;
 }
 

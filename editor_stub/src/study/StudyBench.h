@@ -22,6 +22,8 @@ public:
                VulkanDevice& device);
     ~StudyBench();
 
+    /// A cell of any kind but cost.
+    CellResult Measure(const CellId& id);
     /// A cell of geometry: the drawn outline against the exact one.
     CellResult MeasureGeometry(const CellId& id);
     /// A cell of temporal: what flickers while the subject, a shape, moves by sixteenths of a
@@ -61,8 +63,5 @@ struct FrameBytes
     double targets = 0.0;
 };
 FrameBytes BytesOf(const CompiledFrame& frame);
-
-/// The value below which a part of them lies; NaN of none.
-double Quantile(std::vector<double> values, double part);
 
 } // namespace limn::study

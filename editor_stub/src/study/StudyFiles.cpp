@@ -112,6 +112,33 @@ private:
     int m_Descriptor;
 };
 
+std::string LineOf(const CellResult& cell)
+{
+    return ToJson(cell).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// From the first part that has it.
+void CopyPicture(std::span<const std::string> parts, const std::string& name,
+                 const std::filesystem::path& folder)
+{
+    for (const std::filesystem::path part : parts)
+    {
+        std::error_code error;
+        if (std::filesystem::exists(part / name, error))
+        {
+            std::filesystem::create_directories((folder / name).parent_path(), error);
+            std::filesystem::copy_file(part / name, folder / name,
+                                       std::filesystem::copy_options::overwrite_existing, error);
+            if (error)
+            {
+                throw AssetError((folder / name).string(), {},
+                                 "cannot be written: " + error.message());
+            }
+            return;
+        }
+    }
+}
+
 /// Puts the cells in the order they were planned; unplanned ones last.
 void Sort(Study& study)
 {
@@ -194,9 +221,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
 
 void StudyFolder::Add(CellResult cell)
 {
-    const std::string line =
-        ToJson(cell).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    AppendedFile(CellsFile(m_Path)).Append(line);
+    AppendedFile(CellsFile(m_Path)).Append(LineOf(cell));
     m_Names.insert(cell.id.Name());
     m_Study.cells.push_back(std::move(cell));
 }
@@ -248,6 +273,24 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
         }
     }
     return merged;
+}
+
+void WriteMerged(const std::filesystem::path& folder, const Study& study,
+                 std::span<const std::string> parts)
+{
+    Study header = study;
+    header.cells.clear();
+    StudyFolder target(folder, header);
+    std::string lines;
+    for (const CellResult& cell : study.cells)
+    {
+        lines += LineOf(cell);
+        for (const auto& [what, name] : cell.pictures)
+        {
+            CopyPicture(parts, name, folder);
+        }
+    }
+    WriteFile(CellsFile(folder), lines);
 }
 
 std::vector<std::string> CompareStudies(const Study& first, const Study& second)

@@ -49,6 +49,12 @@ struct MergedStudy
 /// One for each scene, device, options and version of limn, in the order of the parts.
 std::vector<MergedStudy> MergeStudies(std::span<const Study> parts);
 
+/// Writes a merged study with its pictures into a folder of its own.
+/// @param parts  folders that the pictures are copied from
+/// @throws AssetError if the folder holds another study, or something cannot be written
+void WriteMerged(const std::filesystem::path& folder, const Study& study,
+                 std::span<const std::string> parts);
+
 /// What two studies of the same cells say differently, a line each, what is measured apart
 /// (Metric::isMeasured).
 std::vector<std::string> CompareStudies(const Study& first, const Study& second);
