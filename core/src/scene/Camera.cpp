@@ -1,6 +1,8 @@
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
+#include <limits>
 #include <limn/core/Camera.h>
 #include <limn/shaderlab/Diagnostic.h>
 
@@ -17,6 +19,103 @@ void Expect(bool condition, const char* field, double value, const char* range)
         throw ContractError("camera: " + std::string(field) + " is " + std::to_string(value) +
                             ", it must be " + range);
     }
+}
+
+/// Between z from -w to w (OpenGL) and from w to 0 (reversed).
+/// @param scale  2 from reversed to OpenGL, 1/2 back
+glm::dmat4 TurnDepth(const glm::dmat4& projection, double scale)
+{
+    const glm::dvec4 w = glm::row(projection, 3);
+    const glm::dvec4 z = glm::row(projection, 2);
+    return glm::row(projection, 2, scale > 1.0 ? w - scale * z : scale * (w - z));
+}
+
+/// Of the camera's own matrix.
+glm::dmat4 CheckedProjection(const Camera& camera)
+{
+    const glm::dmat4 projection = TurnDepth(*camera.projectionMatrix, 0.5);
+    for (int column = 0; column < 4; ++column)
+    {
+        for (int row = 0; row < 4; ++row)
+        {
+            const double value = (*camera.projectionMatrix)[column][row];
+            if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+            {
+                throw ContractError("camera: projectionMatrix has " + std::to_string(value) +
+                                    " in row " + std::to_string(row) + ", column " +
+                                    std::to_string(column) + ": no finite float");
+            }
+        }
+    }
+    const glm::dvec4 last = camera.orthographic ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(0, 0, -1, 0);
+    if (glm::row(projection, 3) != last)
+    {
+        throw ContractError("camera: projectionMatrix must have the last row " +
+                            std::string(camera.orthographic ? "(0, 0, 0, 1)" : "(0, 0, -1, 0)") +
+                            ", as the camera has " +
+                            (camera.orthographic ? "no perspective" : "perspective"));
+    }
+    if (!(std::abs(glm::determinant(glm::dmat4(glm::mat4(projection)))) > 0.0))
+    {
+        throw ContractError("camera: projectionMatrix is singular in float precision: it takes "
+                            "away a dimension");
+    }
+    return projection;
+}
+
+glm::dmat4 OrthographicProjection(const Camera& camera, double aspect)
+{
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    Expect(camera.orthographicSize > 0.0f, "orthographicSize", camera.orthographicSize,
+           "greater than 0");
+    glm::dmat4 projection(0.0);
+    projection[0][0] = 1.0 / (static_cast<double>(camera.orthographicSize) * aspect);
+    projection[1][1] = 1.0 / static_cast<double>(camera.orthographicSize);
+    projection[2][2] = 1.0 / (f - n);
+    projection[3][2] = f / (f - n);
+    projection[3][3] = 1.0;
+    return projection;
+}
+
+glm::dmat4 PerspectiveProjection(const Camera& camera, double aspect)
+{
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    Expect(camera.fieldOfView > 0.0f && camera.fieldOfView < 180.0f, "fieldOfView",
+           camera.fieldOfView, "between 0 and 180 degrees");
+    const double cotangent =
+        1.0 / std::tan(glm::radians(static_cast<double>(camera.fieldOfView)) * 0.5);
+    glm::dmat4 projection(0.0);
+    projection[0][0] = cotangent / aspect;
+    projection[1][1] = cotangent;
+    projection[2][2] = n / (f - n);
+    projection[2][3] = -1.0;
+    projection[3][2] = f * n / (f - n);
+    return projection;
+}
+
+/// z from w at the near plane to 0 at the far one.
+glm::dmat4 GpuProjection(const Camera& camera, float aspect)
+{
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    Expect(aspect > 0.0f, "aspect", aspect, "greater than 0");
+    if (camera.orthographic)
+    {
+        Expect(std::isfinite(n), "nearClipPlane", n, "finite");
+    }
+    else
+    {
+        Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
+    }
+    Expect(f > n, "farClipPlane", f, "greater than nearClipPlane");
+    if (camera.projectionMatrix)
+    {
+        return CheckedProjection(camera);
+    }
+    return camera.orthographic ? OrthographicProjection(camera, aspect)
+                               : PerspectiveProjection(camera, aspect);
 }
 
 } // namespace
@@ -49,38 +148,32 @@ glm::dvec3 Camera::renderOrigin() const
 
 glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
 {
-    const double n = nearClipPlane;
-    const double f = farClipPlane;
-    Expect(aspect > 0.0f, "aspect", aspect, "greater than 0");
-    if (orthographic)
+    return glm::mat4(GpuProjection(*this, aspect));
+}
+
+glm::dmat4 Camera::projectionMatrixFor(float aspect) const
+{
+    return TurnDepth(GpuProjection(*this, aspect), 2.0);
+}
+
+glm::dmat4 Camera::CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const
+{
+    glm::dmat4 projection = projectionMatrixFor(aspect);
+    // The corner of the frustum that is farthest on the plane's kept side stays on the far plane.
+    const glm::dmat4 toView = glm::inverse(projection);
+    const glm::dvec4 inClip = glm::transpose(toView) * clipPlane;
+    const glm::dvec4 corner =
+        toView * glm::dvec4(glm::sign(inClip.x), glm::sign(inClip.y), 1.0, 1.0);
+    const glm::dvec4 last = glm::row(projection, 3);
+    const double unit = 2.0 * glm::dot(last, corner) / glm::dot(clipPlane, corner);
+    const bool isBehind = orthographic || !(clipPlane.w > 0.0);
+    if (!isBehind || !(unit > 0.0) || !std::isfinite(unit))
     {
-        Expect(std::isfinite(n), "nearClipPlane", n, "finite");
+        throw ContractError("camera: the oblique near plane keeps the camera itself, or nothing "
+                            "that it sees");
     }
-    else
-    {
-        Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
-    }
-    Expect(f > n, "farClipPlane", f, "greater than nearClipPlane");
-    glm::dmat4 projection(0.0);
-    if (orthographic)
-    {
-        Expect(orthographicSize > 0.0f, "orthographicSize", orthographicSize, "greater than 0");
-        projection[0][0] = 1.0 / (static_cast<double>(orthographicSize) * aspect);
-        projection[1][1] = 1.0 / static_cast<double>(orthographicSize);
-        projection[2][2] = 1.0 / (f - n);
-        projection[3][2] = f / (f - n);
-        projection[3][3] = 1.0;
-        return glm::mat4(projection);
-    }
-    Expect(fieldOfView > 0.0f && fieldOfView < 180.0f, "fieldOfView", fieldOfView,
-           "between 0 and 180 degrees");
-    const double cotangent = 1.0 / std::tan(glm::radians(static_cast<double>(fieldOfView)) * 0.5);
-    projection[0][0] = cotangent / aspect;
-    projection[1][1] = cotangent;
-    projection[2][2] = n / (f - n);
-    projection[2][3] = -1.0;
-    projection[3][2] = f * n / (f - n);
-    return glm::mat4(projection);
+    projection = glm::row(projection, 2, unit * clipPlane - last);
+    return projection;
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <limn/core/Camera.h>
 #include <limn/editor_stub/Raycast.h>
 
@@ -16,19 +17,17 @@ Ray ScreenPointToRay(const Camera& camera, int width, int height, const glm::dve
                             "x" + std::to_string(height) + " pixels");
     }
     // The very matrix that the device draws with.
-    const glm::mat4 projection =
-        camera.gpuProjectionMatrix(static_cast<float>(width) / static_cast<float>(height));
-    const glm::dvec2 inClip = 2.0 * point / glm::dvec2(width, height) - 1.0;
-    const glm::dvec2 across =
-        inClip / glm::dvec2(static_cast<double>(projection[0][0]), projection[1][1]);
-    const double near = static_cast<double>(camera.nearClipPlane);
+    const glm::dmat4 toView = glm::inverse(glm::dmat4(
+        camera.gpuProjectionMatrix(static_cast<float>(width) / static_cast<float>(height))));
+    const glm::dvec4 start =
+        toView * glm::dvec4(2.0 * point / glm::dvec2(width, height) - 1.0, 1.0, 1.0);
+    // Which way the point in view space goes when the depth falls.
+    const glm::dvec4 fall = -toView[2];
+    const glm::dvec3 along = glm::dvec3(fall) * start.w - glm::dvec3(start) * fall.w;
     // Not the rotation itself, whose quaternion is of unit length as far as floats are.
     const glm::dmat3 toWorld = glm::inverse(glm::dmat3(camera.viewMatrix()));
     const glm::dvec3 position(camera.transform.worldMatrix()[3]);
-    const glm::dvec3 slope =
-        camera.orthographic ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(across, -1.0);
-    const glm::dvec3 start = camera.orthographic ? glm::dvec3(across, -near) : slope * near;
-    return {position + toWorld * start, glm::normalize(toWorld * slope)};
+    return {position + toWorld * (glm::dvec3(start) / start.w), glm::normalize(toWorld * along)};
 }
 
 Ray PixelToRay(const Camera& camera, int width, int height, int x, int y)
@@ -44,9 +43,11 @@ Ray PixelToRay(const Camera& camera, int width, int height, int x, int y)
 
 double DistanceToFarPlane(const Camera& camera, const Ray& ray)
 {
-    const double depth =
-        static_cast<double>(camera.farClipPlane) - static_cast<double>(camera.nearClipPlane);
-    return -depth / (glm::dmat3(camera.viewMatrix()) * ray.direction).z;
+    const glm::dmat4 toClip =
+        glm::dmat4(camera.gpuProjectionMatrix(1.0f)) * camera.viewMatrix(); // any shape's depth
+    const double depth = (toClip * glm::dvec4(ray.origin, 1.0)).z;
+    const double fall = -(toClip * glm::dvec4(ray.direction, 0.0)).z;
+    return fall > 0.0 ? depth / fall : std::numeric_limits<double>::infinity();
 }
 
 } // namespace limn

@@ -35,14 +35,9 @@ const MaskDifferenceNames k_MaskDifference;
 /// The depth of what is so far away from the camera's plane: 0 near plane ... 1 far plane.
 double MaskDifferenceDepthAt(double distance, const Camera& camera)
 {
-    const double n = camera.nearClipPlane;
-    const double f = camera.farClipPlane;
-    if (distance <= n)
-    {
-        return 0.0;
-    }
-    return camera.orthographic ? (distance - n) / (f - n)
-                               : (1.0 / n - 1.0 / distance) / (1.0 / n - 1.0 / f);
+    const glm::dmat4 projection(camera.gpuProjectionMatrix(1.0f)); // depth knows no shape
+    const glm::dvec4 clip = projection * glm::dvec4(0.0, 0.0, -distance, 1.0);
+    return clip.z < clip.w ? 1.0 - std::max(clip.z / clip.w, 0.0) : 0.0;
 }
 
 float MaskDifferenceThreshold(const MaskDifferenceOutline& component, const Camera& camera)

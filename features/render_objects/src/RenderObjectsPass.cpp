@@ -96,6 +96,7 @@ void RenderObjectsPass::SetCamera(CommandBuffer& cmd, const CameraData& cameraDa
 {
     Camera camera = *cameraData.camera;
     camera.orthographic = false;
+    camera.projectionMatrix.reset();
     camera.fieldOfView = m_CameraSettings.cameraFieldOfView;
     const RenderTextureDescriptor& target = cameraData.cameraTargetDescriptor;
     const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);

@@ -74,6 +74,20 @@ TEST_F(Culling, KeepsABoxAroundTheCamera)
     EXPECT_TRUE(Sees({0, 0, 0}, 1000.0f));
 }
 
+TEST_F(Culling, GoesByTheCamerasOwnProjection)
+{
+    glm::dmat4 matrix = m_Camera.projectionMatrixFor(1.0f);
+    matrix[2][0] = 2.0; // from one to three metres to the right, a metre away
+    m_Camera.projectionMatrix = matrix;
+    EXPECT_TRUE(Sees({20, 0, 10}));
+    EXPECT_FALSE(Sees({8, 0, 10}));
+    m_Camera.projectionMatrix.reset();
+    EXPECT_TRUE(Sees({5, 0, 5}));
+    m_Camera.projectionMatrix = m_Camera.CalculateObliqueMatrix({-1, 0, -1, -2}, 1.0f);
+    EXPECT_FALSE(Sees({5, 0, 5})) << "before the oblique near plane";
+    EXPECT_TRUE(Sees({-4, 0, 5}));
+}
+
 TEST_F(Culling, MovesWithTheCamera)
 {
     m_Camera.transform.localPosition = {100, 0, 0};

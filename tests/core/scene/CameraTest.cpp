@@ -1,4 +1,5 @@
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <limits>
 #include <limn/core/Camera.h>
@@ -124,6 +125,119 @@ TEST(Camera, NamesTheFieldThatIsNotFinite)
     flat.orthographic = true;
     flat.nearClipPlane = nan;
     EXPECT_EQ(ErrorOf(flat), "camera: nearClipPlane is nan, it must be finite");
+}
+
+/// The frustum from (-1, -2) to (3, 1) at 2 m, 10 m deep: worked out by hand from its six numbers.
+glm::dmat4 OffCentre()
+{
+    glm::dmat4 matrix(0.0);
+    matrix[0][0] = 1.0;
+    matrix[1][1] = 4.0 / 3.0;
+    matrix[2] = {0.5, -1.0 / 3.0, -1.5, -1.0};
+    matrix[3][2] = -5.0;
+    return matrix;
+}
+
+TEST(ProjectionMatrix, IsOpenGLsWithItsDepthTurned)
+{
+    Camera camera = Perspective(60.0f, 2.0f, 10.0f);
+    camera.projectionMatrix = OffCentre();
+    for (const float aspect : {1.0f, 2.0f}) // has a shape of its own
+    {
+        EXPECT_LT(glm::length(Project(camera, aspect, {3, 1, -2}) - glm::dvec3(1, 1, 1)), 1e-6);
+        EXPECT_LT(glm::length(Project(camera, aspect, {-1, -2, -2}) - glm::dvec3(-1, -1, 1)), 1e-6);
+        EXPECT_LT(glm::length(Project(camera, aspect, {15, -10, -10}) - glm::dvec3(1, -1, 0)),
+                  1e-6);
+    }
+    EXPECT_EQ(camera.projectionMatrixFor(1.0f), OffCentre());
+}
+
+TEST(ProjectionMatrix, OfTheCameraItselfChangesNothing)
+{
+    for (const float far : {30.0f, 1e5f, 3e8f})
+    {
+        for (const bool orthographic : {false, true})
+        {
+            Camera camera = Perspective(37.0f, 0.3f, far);
+            camera.orthographic = orthographic;
+            const glm::mat4 before = camera.gpuProjectionMatrix(1.7f);
+            camera.projectionMatrix = camera.projectionMatrixFor(1.7f);
+            const glm::mat4 after = camera.gpuProjectionMatrix(1.7f);
+            for (int i = 0; i < 16; ++i)
+            {
+                const float value = before[i / 4][i % 4];
+                EXPECT_NEAR(after[i / 4][i % 4], value, 4e-7f * std::abs(value))
+                    << far << ", " << i;
+            }
+        }
+    }
+}
+
+TEST(ProjectionMatrix, ShiftsByPartsOfAPixelAsAskedTo)
+{
+    // What is 10 pixels wide moves right by 1/16 of a pixel.
+    Camera camera = Perspective(90.0f, 0.3f, 1000.0f);
+    glm::dmat4 matrix = camera.projectionMatrixFor(1.0f);
+    matrix = glm::translate(glm::dmat4(1.0), glm::dvec3(2.0 / 10.0 / 16.0, 0.0, 0.0)) * matrix;
+    camera.projectionMatrix = matrix;
+    EXPECT_NEAR(Project(camera, 1.0f, {-5, 0, -5}).x, -1.0 + 0.0125, 1e-7);
+    EXPECT_NEAR(Project(camera, 1.0f, {0, 3, -300}).x, 0.0125, 1e-7);
+}
+
+TEST(ProjectionMatrix, CutsWithAnObliquePlane)
+{
+    // Kept is what is farther than the plane through (0, 0, -2) that rises to the right.
+    const glm::dvec4 plane(-1.0, 0.0, -1.0, -2.0);
+    for (const bool orthographic : {false, true})
+    {
+        Camera camera = Perspective(90.0f, 0.1f, 50.0f);
+        camera.orthographic = orthographic;
+        camera.orthographicSize = 20.0f;
+        const Camera plain = camera;
+        camera.projectionMatrix = camera.CalculateObliqueMatrix(plane, 1.0f);
+        for (const glm::dvec3& point : {glm::dvec3(0, 0, -2), {1, 1, -3}, {-1, 0, -1}})
+        {
+            EXPECT_NEAR(Project(camera, 1.0f, point).z, 1.0, 1e-6);
+        }
+        EXPECT_GT(Project(camera, 1.0f, {1, 0, -2.9}).z, 1.0) << "cut away";
+        EXPECT_LT(Project(camera, 1.0f, {1, 0, -3.1}).z, 1.0) << "kept";
+        const glm::dvec3 farCorner(orthographic ? -20 : -50, 0, -50);
+        EXPECT_GE(Project(camera, 1.0f, farCorner).z, -1e-6) << "before the far plane";
+        for (const glm::dvec3& point : {glm::dvec3(3, 2, -9), {-1, 7, -40}})
+        {
+            const glm::dvec3 there = Project(camera, 1.0f, point);
+            const glm::dvec3 before = Project(plain, 1.0f, point);
+            EXPECT_LT(glm::length(glm::dvec2(there) - glm::dvec2(before)), 1e-7) << "same place";
+        }
+    }
+}
+
+TEST(ProjectionMatrix, IsRefusedWhereItIsNone)
+{
+    Camera camera = Perspective(60.0f, 2.0f, 10.0f);
+    camera.projectionMatrix = OffCentre();
+    (*camera.projectionMatrix)[1][0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ErrorOf(camera),
+              "camera: projectionMatrix has nan in row 0, column 1: no finite float");
+    (*camera.projectionMatrix)[1][0] = 1e39;
+    EXPECT_NE(ErrorOf(camera).find("in row 0, column 1: no finite float"), std::string::npos);
+    camera.projectionMatrix = glm::dmat4(1.0);
+    EXPECT_EQ(ErrorOf(camera), "camera: projectionMatrix must have the last row (0, 0, -1, 0), as "
+                               "the camera has perspective");
+    camera.orthographic = true;
+    EXPECT_EQ(camera.gpuProjectionMatrix(1.0f)[1][1], 1.0f);
+    camera.projectionMatrix = OffCentre();
+    EXPECT_EQ(ErrorOf(camera), "camera: projectionMatrix must have the last row (0, 0, 0, 1), as "
+                               "the camera has no perspective");
+    camera.projectionMatrix = glm::dmat4(1.0);
+    (*camera.projectionMatrix)[1][1] = 0.0;
+    EXPECT_EQ(ErrorOf(camera), "camera: projectionMatrix is singular in float precision: it takes "
+                               "away a dimension");
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [] {
+                      static_cast<void>(Camera().CalculateObliqueMatrix({0, 0, -1, 2}, 1.0f));
+                  }),
+              "camera: the oblique near plane keeps the camera itself, or nothing that it sees");
 }
 
 void ExpectView(const Camera& camera, const glm::vec3& world, const glm::vec3& expected)

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <limits>
 #include <limn/core/Camera.h>
 #include <limn/editor_stub/Raycast.h>
 #include <random>
@@ -46,6 +47,13 @@ TEST(Ray, AllOfItIsDrawnAtThePointItIsOf)
         camera.farClipPlane = 300.0f;
         const int width = 37 + i;
         const int height = 251 - i;
+        if (i % 4 > 1) // a frustum that is not centred
+        {
+            camera.projectionMatrix =
+                camera.projectionMatrixFor(static_cast<float>(width) / static_cast<float>(height));
+            (*camera.projectionMatrix)[camera.orthographic ? 3 : 2] +=
+                glm::dvec4(any(random), any(random), 0.0, 0.0);
+        }
         const glm::dvec2 point{(any(random) * 0.5 + 0.5) * width,
                                (any(random) * 0.5 + 0.5) * height};
         const Ray ray = ScreenPointToRay(camera, width, height, point);
@@ -60,6 +68,20 @@ TEST(Ray, AllOfItIsDrawnAtThePointItIsOf)
         EXPECT_NEAR(0.0, far.z, 1e-6);
         ExpectNear(point, Project(camera, width, height, ray.origin + 7.5 * ray.direction), 1e-6);
     }
+}
+
+TEST(Ray, BeginsOnAnObliqueNearPlane)
+{
+    Camera camera;
+    camera.projectionMatrix = camera.CalculateObliqueMatrix({-1.0, 0.0, -1.0, -2.0}, 1.0f);
+    const Ray ray = ScreenPointToRay(camera, 64, 64, {8.0, 20.0});
+    EXPECT_NEAR(ray.origin.z, 2.0 + ray.origin.x, 1e-6); // view space looks along -z
+    ExpectNear({8.0, 20.0}, Project(camera, 64, 64, ray.origin + 5.0 * ray.direction), 1e-5);
+    // The far plane comes nearer where the frustum reaches farthest behind the near one.
+    EXPECT_EQ(DistanceToFarPlane(camera, ray), std::numeric_limits<double>::infinity());
+    const Ray left = ScreenPointToRay(camera, 64, 64, {0.0, 32.0});
+    const glm::dvec3 end = left.origin + DistanceToFarPlane(camera, left) * left.direction;
+    EXPECT_NEAR(end.z, 1000.0, 0.1);
 }
 
 TEST(Ray, OfTheBottomLeftCornerLooksDownAndLeft)

@@ -146,6 +146,44 @@ TEST_F(StrokeOutlineGpu, IsExactForAMeshThatTheNearPlaneCuts)
     EXPECT_GE(score.intersectionOverUnion, 0.995);
 }
 
+TEST_F(StrokeOutlineGpu, IsExactForACamerasOwnProjection)
+{
+    const auto look = [](bool orthographic)
+    {
+        auto picture = std::make_unique<StrokePicture>(6.0f);
+        Camera& camera = picture->camera;
+        camera.orthographic = orthographic;
+        camera.orthographicSize = 2.0f;
+        camera.nearClipPlane = 0.5f;
+        camera.transform.localPosition = {0.0f, 0.0f, -3.0f};
+        picture->Add("torus", CreatePrimitive(PrimitiveType::Torus)).transform.localRotation =
+            EulerToRotation({70.0f, 15.0f, 0.0f});
+        return picture;
+    };
+    const float aspect = static_cast<float>(k_Width) / static_cast<float>(k_Height);
+    for (const bool orthographic : {false, true})
+    {
+        const auto plain = look(orthographic);
+        const auto moved = look(orthographic);
+        glm::dmat4 offCentre = moved->camera.projectionMatrixFor(aspect);
+        offCentre[orthographic ? 3 : 2] += glm::dvec4(0.3, -0.2, 0.0, 0.0);
+        moved->camera.projectionMatrix = offCentre;
+        const auto cut = look(orthographic); // by a plane through the torus
+        cut->camera.projectionMatrix =
+            cut->camera.CalculateObliqueMatrix({-0.5, 0.2, -1.0, -3.0}, aspect);
+        for (const auto& picture : {&moved, &cut})
+        {
+            const OutlineScore score = (*picture)->Score(6.0);
+            EXPECT_GT(score.bandPixels, 300u);
+            EXPECT_EQ(score.badValues, 0u);
+            // As where any near plane cuts a thin part.
+            EXPECT_LE(score.meanAbsoluteError, picture == &cut ? 0.007 : 0.004);
+            EXPECT_GE(score.intersectionOverUnion, picture == &cut ? 0.985 : 0.995);
+            EXPECT_NE((*picture)->Output(), plain->Output());
+        }
+    }
+}
+
 TEST_F(StrokeOutlineGpu, OutlinesOverlappingObjectsTogetherOrEachOnItsOwn)
 {
     const ScreenTriangles left = DiscTriangles({40.2, 45.7}, 12.4);

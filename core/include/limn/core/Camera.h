@@ -27,6 +27,12 @@ struct Camera
     float fieldOfView = 60.0f;     ///< vertical, degrees, (0, 180)
     float nearClipPlane = 0.3f;    ///< metres, > 0 for perspective
     float farClipPlane = 1000.0f;  ///< metres, > nearClipPlane
+    /// In place of what fieldOfView or orthographicSize and the picture's shape make: view to clip
+    /// space as OpenGL has it, z from -w at the near plane to w at the far one. Its last row is
+    /// (0, 0, -1, 0), or (0, 0, 0, 1) if `orthographic`; near and far plane are what shaders
+    /// believe, so keep them as in the matrix. Double, because half of z's digits go where near and
+    /// far are far apart. Unity: Camera.projectionMatrix; reset() is ResetProjectionMatrix.
+    std::optional<glm::dmat4> projectionMatrix;
     CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
@@ -49,9 +55,24 @@ struct Camera
     /// View to clip space: y up, z from w at the near plane to 0 at the far one. Computed in double
     /// precision: exact to float rounding for any near and far.
     /// @param aspect  width / height
-    /// @throws ContractError naming the field, if one is outside its range or not finite
+    /// @throws ContractError naming the field, if one is outside its range or not finite, or if
+    ///     projectionMatrix is no projection of this camera's kind, singular or beyond a float
     /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix) on a reversed-Z device
     glm::mat4 gpuProjectionMatrix(float aspect) const;
+
+    /// projectionMatrix, or what the fields make in its place: what to begin with for a matrix of
+    /// one's own. Its z keeps as many digits as 1e16 near / far has.
+    /// @throws ContractError as gpuProjectionMatrix. Unity: Camera.projectionMatrix, when read.
+    glm::dmat4 projectionMatrixFor(float aspect) const;
+
+    /// The same picture with another near plane: everything on the side of it to which its normal
+    /// points. The far plane goes through where the old one meets the near one.
+    /// @param clipPlane  in view space: a point p is kept where dot(clipPlane, (p, 1)) > 0; the
+    ///     camera is on its other side
+    /// @throws ContractError as gpuProjectionMatrix, or if the camera is on the kept side
+    /// @source E. Lengyel, "Oblique View Frustum Depth Projection and Clipping", 2005
+    /// Unity: Camera.CalculateObliqueMatrix (2022.3).
+    glm::dmat4 CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const;
 };
 
 } // namespace limn

@@ -35,7 +35,8 @@ Ray ScreenPointToRay(const Camera& camera, int width, int height, const glm::dve
 /// @throws ContractError outside of the picture, and as ScreenPointToRay
 Ray PixelToRay(const Camera& camera, int width, int height, int x, int y);
 
-/// How far from its origin a ray of ScreenPointToRay leaves what the camera draws, metres.
+/// How far from its origin a ray of ScreenPointToRay leaves what the camera draws, metres; infinite
+/// where an oblique projection goes on for ever.
 double DistanceToFarPlane(const Camera& camera, const Ray& ray);
 
 /// Which sides of triangles a ray meets. Front is what Unity's mesh colliders have, and what a
