@@ -153,6 +153,13 @@ void AddPackageOption(CLI::App& verb, CommandLine& line)
         ->check(CheckPackage);
 }
 
+void AddSizeOption(CLI::App& verb, std::string& size)
+{
+    verb.add_option("--size", size, "Picture size in pixels; without it the scene's")
+        ->type_name("WxH")
+        ->check(CheckSize);
+}
+
 void AddDeviceOption(CLI::App& verb, std::string& device)
 {
     verb.add_option("--device", device,
@@ -200,9 +207,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
         ->type_name("FILE")
         ->required()
         ->check(CheckPicture);
-    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
-        ->type_name("WxH")
-        ->check(CheckSize);
+    AddSizeOption(*verb, line.size);
     verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
         ->type_name("SECONDS")
         ->check(CheckTime);
@@ -325,24 +330,13 @@ void AddReport(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
         "report", "Measure the error and the cost of every outline technique in a scene");
-    AddReportOptions(*verb, line.render.scene, line.report);
-    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
-        ->type_name("WxH")
-        ->check(CheckSize);
+    AddReportOptions(*verb, line.report);
+    AddSizeOption(*verb, line.size);
     AddDeviceOption(*verb, line.render.device);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     OnceParsed(verb, line,
-               [verb, &line](Console& console)
-               {
-                   const std::string problem = ReportUsageProblem(*verb);
-                   if (!problem.empty())
-                   {
-                       console.Error(problem);
-                       return static_cast<int>(ExitCode::WrongUsage);
-                   }
-                   return RunReport(line.render, line.report, console);
-               });
+               [&line](Console& console) { return RunReport(line.render, line.report, console); });
 }
 
 void AddExplain(CLI::App& app, CommandLine& line)
@@ -442,13 +436,12 @@ void AddHelp(CLI::App& app, CommandLine& line)
 
 void AddVersion(CLI::App& app, CommandLine& line)
 {
-    CLI::App* verb = app.add_subcommand("version", "Print the version, as -V does");
-    OnceParsed(verb, line,
-               [&app](Console& console)
-               {
-                   console.out() << app.version() << '\n';
-                   return static_cast<int>(ExitCode::Done);
-               });
+    const auto print = [&app](Console& console)
+    {
+        console.out() << app.version() << '\n';
+        return static_cast<int>(ExitCode::Done);
+    };
+    OnceParsed(app.add_subcommand("version", "Print the version, as -V does"), line, print);
 }
 
 } // namespace

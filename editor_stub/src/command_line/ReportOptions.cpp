@@ -52,18 +52,21 @@ std::string CheckBudget(const std::string& text)
 
 } // namespace
 
-void AddReportOptions(CLI::App& verb, std::string& scene, ReportCommandOptions& options)
+void AddReportOptions(CLI::App& verb, ReportCommandOptions& options)
 {
-    auto* sceneOption =
-        verb.add_option("scene", scene, "A scene file, *.scene.yaml")->type_name("SCENE");
+    verb.add_option("paths", options.paths,
+                    "A scene file, *.scene.yaml; for --merge and --compare folders of reports")
+        ->type_name("SCENE|DIR")
+        ->required();
     auto* output = verb.add_option("-o,--output", options.output,
                                    "The folder for the report; what an interrupted run left there "
                                    "is taken over")
-                       ->type_name("DIR");
+                       ->type_name("DIR")
+                       ->required();
     verb.add_flag("--quick", options.isQuick, "Fewer widths, shapes and sizes: within a minute");
     verb.add_flag("--stability", options.hasStability,
                   "Put the techniques through extreme inputs, in place of all else");
-    verb.add_option("--technique", options.techniques, "Only these")
+    verb.add_option("--technique", options.techniques, "Only this one")
         ->type_name("NAME")
         ->allow_extra_args(false);
     verb.add_option("--budget", options.budget,
@@ -72,33 +75,26 @@ void AddReportOptions(CLI::App& verb, std::string& scene, ReportCommandOptions& 
         ->check(CheckBudget);
     auto* shard = verb.add_option_function<std::string>(
                           "--shard",
-                          [&options](const std::string& text)
-                          { std::tie(options.shard, options.shards) = ParseShard(text).value(); },
-                          "Measure the I-th of N parts, for --merge")
+                          [&options](const std::string& text) {
+                              std::tie(options.shard, options.shards) =
+                                  ParseShard(text).value_or(std::pair(1, 1));
+                          },
+                          "Measure the I-th of N parts, which --merge puts together")
                       ->type_name("I/N")
                       ->check(CheckShard);
-    auto* merge = verb.add_option("--merge", options.merge,
-                                  "Make one report of the folders of all parts; nothing is drawn")
-                      ->type_name("DIR...")
-                      ->excludes(sceneOption)
+    auto* merge = verb.add_flag("--merge", options.isMerge,
+                                "Make one report of the folders of all parts; nothing is drawn")
                       ->excludes(shard);
-    verb.add_option("--compare", options.compare,
-                    "Say in which cells two folders differ, times apart")
-        ->type_name("DIR DIR")
-        ->expected(2)
-        ->excludes(sceneOption)
-        ->excludes(merge)
-        ->excludes(output);
-}
-
-std::string ReportUsageProblem(const CLI::App& verb)
-{
-    const bool isCompared = verb.count("--compare") > 0;
-    if (verb.count("scene") + verb.count("--merge") == 0 && !isCompared)
-    {
-        return "report: a SCENE, --merge or --compare is expected";
-    }
-    return verb.count("--output") == 0 && !isCompared ? "report: -o DIR is expected" : "";
+    verb.add_flag_callback(
+            "--compare",
+            [&options, output]
+            {
+                options.isCompare = true;
+                output->required(false);
+            },
+            "Say in which cells two folders differ, times apart; exit code 1 if they do")
+        ->excludes(shard)
+        ->excludes(merge);
 }
 
 } // namespace limn

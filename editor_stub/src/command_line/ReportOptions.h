@@ -11,10 +11,7 @@ namespace limn
 {
 
 /// Adds what only `limn report` takes.
-/// @param scene, options  must outlive `verb`
-void AddReportOptions(CLI::App& verb, std::string& scene, ReportCommandOptions& options);
-
-/// What is missing on a parsed command line, "" if nothing is.
-std::string ReportUsageProblem(const CLI::App& verb);
+/// @param options  must outlive `verb`
+void AddReportOptions(CLI::App& verb, ReportCommandOptions& options);
 
 } // namespace limn

@@ -223,7 +223,7 @@ ReportOptions PageOptions(const ReportCommandOptions& options)
 int Merge(const ReportCommandOptions& options, Console& console)
 {
     std::vector<Study> parts;
-    for (const std::string& folder : options.merge)
+    for (const std::string& folder : options.paths)
     {
         parts.push_back(ReadStudy(folder));
     }
@@ -250,7 +250,7 @@ int Merge(const ReportCommandOptions& options, Console& console)
         }
         isWhole = isWhole && part.missing.empty();
         Study study = part.study;
-        WriteMerged(folder, study, options.merge);
+        WriteMerged(folder, study, options.paths);
         console.Note(folder.string() + ": " + study.scene + " on " + study.device + ", " +
                      std::to_string(study.cells.size()) + " of " +
                      std::to_string(study.planned.size()) + " cells");
@@ -261,8 +261,8 @@ int Merge(const ReportCommandOptions& options, Console& console)
 
 int Compare(const ReportCommandOptions& options, Console& console)
 {
-    const Study first = ReadStudy(options.compare[0]);
-    const Study second = ReadStudy(options.compare[1]);
+    const Study first = ReadStudy(options.paths[0]);
+    const Study second = ReadStudy(options.paths[1]);
     const std::vector<std::string> differences = CompareStudies(first, second);
     for (const std::string& difference : differences)
     {
@@ -276,16 +276,24 @@ int Compare(const ReportCommandOptions& options, Console& console)
 
 } // namespace
 
-int RunReport(const RenderOptions& render, const ReportCommandOptions& options, Console& console)
+int RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console)
 {
-    if (!options.compare.empty())
-    {
-        return Compare(options, console);
-    }
-    if (!options.merge.empty())
+    if (options.isMerge)
     {
         return Merge(options, console);
     }
+    const std::size_t expected = options.isCompare ? 2 : 1;
+    if (options.paths.size() != expected)
+    {
+        console.Error(options.isCompare ? "report --compare: two folders of reports are expected"
+                                        : "report: one scene is expected");
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    if (options.isCompare)
+    {
+        return Compare(options, console);
+    }
+    render.scene = options.paths.front();
     RequireKind(render.scene, {FileKind::Scene}, "report");
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(render, console);
     VulkanDevice device({render.device, false, compilerOptions.cacheFolder});

@@ -8,21 +8,22 @@ namespace limn
 /// `limn report`, as the command line has it.
 struct ReportCommandOptions
 {
-    std::string output; ///< the study's folder
+    std::vector<std::string> paths; ///< the scene, or folders of studies
+    std::string output;             ///< the study's folder
     bool isQuick = false;
     bool hasStability = false;
     std::vector<std::string> techniques;
     double budget = 0.0; ///< milliseconds; 0 = none
     int shard = 1;       ///< 1...shards
     int shards = 1;
-    std::vector<std::string> merge;   ///< folders of studies
-    std::vector<std::string> compare; ///< two folders of studies
+    bool isMerge = false;
+    bool isCompare = false;
 };
 
 /// Measures the error and the cost of outline techniques in a scene, and writes a report.
-/// @param render  the scene, its picture's size, the device, caches, packages and roots
+/// @param render  the picture's size, the device, caches, packages and roots
 /// @return an ExitCode: BadInput if merged parts lack cells, or compared ones differ
 /// @throws AssetError, VulkanError; what was measured until then stays in the folder
-int RunReport(const RenderOptions& render, const ReportCommandOptions& options, Console& console);
+int RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console);
 
 } // namespace limn
