@@ -28,15 +28,19 @@ void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, i
 void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& spare, int firstBit);
 
 /// The square of the distance to the camera, with the sign of the distance, and everything that is
-/// no number at the far end: comparisons of NaN would leave the order undefined.
-inline float SortDistance(const glm::vec3& offset, const SortingSettings& sorting)
+/// no number at the far end: comparisons of NaN would leave the order undefined. In double, and
+/// rounded to a float once: of two distances the larger never comes out smaller, unless the squares
+/// differ by less than a double holds of their terms. Distances are equal whose squares are the
+/// same float, all below 1e-23 m and all above 1.8e19 m among them.
+inline float SortDistance(const glm::dvec3& offset, const SortingSettings& sorting)
 {
-    const float along = glm::dot(offset, sorting.cameraForward);
-    const float square = sorting.distanceMetric == DistanceMetric::Perspective
-                             ? glm::dot(offset, offset)
-                             : along * std::abs(along);
-    constexpr float k_Largest = std::numeric_limits<float>::max();
-    return std::abs(square) <= k_Largest ? square : k_Largest;
+    const double along = glm::dot(offset, glm::dvec3(sorting.cameraForward));
+    const double square = sorting.distanceMetric == DistanceMetric::Perspective
+                              ? glm::dot(offset, offset)
+                              : along * std::abs(along);
+    constexpr double k_Largest = std::numeric_limits<float>::max();
+    const double near = square <= k_Largest ? square : k_Largest; // of NaN, too
+    return static_cast<float>(near >= -k_Largest ? near : -k_Largest);
 }
 
 /// The order of floats as one of integers.

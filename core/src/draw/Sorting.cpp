@@ -143,11 +143,11 @@ private:
         const auto fill = [&, out = entries.data()](std::size_t, std::size_t begin, std::size_t end)
         {
             const SortingSettings sorting = m_Sorting;
-            const glm::vec3 camera = m_Camera;
+            const glm::dvec3 camera = m_Camera;
             for (std::size_t i = begin; i < end; ++i)
             {
                 const std::uint32_t row = m_Rows[i];
-                const glm::vec3 offset = glm::vec3(x[row], y[row], z[row]) - camera;
+                const glm::dvec3 offset = glm::dvec3(x[row], y[row], z[row]) - camera;
                 out[i] = make(row, SortDistance(offset, sorting));
             }
         };
@@ -171,7 +171,7 @@ private:
     const RendererTable& m_Table;
     const ClassOrder& m_Order;
     const SortingSettings& m_Sorting;
-    const glm::vec3 m_Camera; ///< relative to the table's origin
+    const glm::dvec3 m_Camera; ///< relative to the table's origin
     const bool m_IsByState;
     std::vector<std::uint32_t>& m_Rows;
     std::vector<ClassRun>& m_Runs;
@@ -213,7 +213,7 @@ void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting
     for (const int index : indices)
     {
         const auto i = static_cast<std::size_t>(index);
-        const glm::vec3 offset(items[i].boundsCenter - sorting.cameraPosition);
+        const glm::dvec3 offset = items[i].boundsCenter - sorting.cameraPosition;
         entries.push_back(
             {SortKey(sorting.criteria, items[i].filter.renderQueue, SortDistance(offset, sorting),
                      static_cast<std::uint16_t>(items[i].materialIndex)),

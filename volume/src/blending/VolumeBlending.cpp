@@ -19,9 +19,9 @@ double SquaredDistance(const Volume& volume, const glm::vec3& trigger)
     {
         if (collider.enabled)
         {
-            const glm::vec3 point =
+            const glm::dvec3 point =
                 collider.ClosestPoint(trigger, volume.position, volume.rotation, volume.scale);
-            const glm::dvec3 offset = glm::dvec3(point) - glm::dvec3(trigger);
+            const glm::dvec3 offset = point - glm::dvec3(trigger);
             closest = std::min(closest, glm::dot(offset, offset));
         }
     };
@@ -59,7 +59,8 @@ std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
         return std::nullopt;
     }
     const double fade = blend2 > 0.0 ? 1.0 - distance2 / blend2 : 1.0;
-    return VolumeInfluence{static_cast<float>(fade) * weight, weight, distance2};
+    return VolumeInfluence{static_cast<float>(fade * static_cast<double>(weight)), weight,
+                           distance2};
 }
 
 } // namespace limn

@@ -1,5 +1,7 @@
 #include <limn/volume/KeyframeUtility.h>
 
+#include "blending/Lerp.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,11 +28,6 @@ Keyframe EvaluatedKey(std::span<const Keyframe> keys, std::size_t next, float ti
         return {time, keys[next == 0 ? 0 : next - 1].value};
     }
     return AnimationCurve::EvaluateBetween(keys[next - 1], keys[next], time);
-}
-
-float Lerp(float from, float to, float t)
-{
-    return from + (to - from) * t;
 }
 
 float LerpTangents(float from, float to, float t)

@@ -1,8 +1,10 @@
 #include <limn/volume/ValueParameter.h>
 
+#include "blending/Lerp.h"
 #include "parameters/ParameterValues.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <limn/core/Material.h>
 #include <limn/core/Texture.h>
@@ -13,21 +15,18 @@ namespace limn::detail
 namespace
 {
 
-// Unity's Lerp functions without their clamp, in the order of operations that C# has.
-
-float Lerp(float from, float to, float t)
-{
-    return from + (to - from) * t;
-}
+using limn::Lerp;
 
 int Lerp(int from, int to, float t)
 {
-    // A float holds neither every int nor the difference of two, hence the detours.
-    const auto difference = static_cast<float>(static_cast<std::int64_t>(to) - from);
-    const float blended = static_cast<float>(from) + difference * t;
-    constexpr auto least = static_cast<float>(std::numeric_limits<int>::min());
-    return blended >= -least ? std::numeric_limits<int>::max()
-                             : static_cast<int>(std::max(least, blended));
+    const double part = (static_cast<double>(to) - from) * static_cast<double>(t);
+    const double blended = from + part;
+    const double whole = std::round(blended);
+    // 7 of 10 at 0.7f, which is a little less: what a float cannot tell from a whole number is one.
+    const bool isWhole = std::abs(blended - whole) <= std::min(0.25, std::abs(part) * 0x1p-24);
+    constexpr double least = std::numeric_limits<int>::min(); // of NaN, too
+    constexpr double most = std::numeric_limits<int>::max();
+    return static_cast<int>(std::min(most, std::max(least, isWhole ? whole : blended)));
 }
 
 Color Lerp(const Color& from, const Color& to, float t)
@@ -40,7 +39,12 @@ template <glm::length_t Count>
 glm::vec<Count, float> Lerp(const glm::vec<Count, float>& from, const glm::vec<Count, float>& to,
                             float t)
 {
-    return from + (to - from) * t;
+    glm::vec<Count, float> blended;
+    for (glm::length_t i = 0; i < Count; ++i)
+    {
+        blended[i] = Lerp(from[i], to[i], t);
+    }
+    return blended;
 }
 
 } // namespace

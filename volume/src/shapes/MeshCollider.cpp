@@ -172,10 +172,10 @@ MeshCollider::MeshCollider(std::shared_ptr<const Mesh> mesh) : m_Mesh(std::move(
     }
 }
 
-glm::vec3 MeshCollider::ClosestPoint(const glm::vec3& point, const glm::vec3& position,
-                                     const glm::quat& rotation, const glm::vec3& scale) const
+glm::dvec3 MeshCollider::ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                                      const glm::quat& rotation, const glm::vec3& scale) const
 {
-    const glm::dquat turn(rotation);
+    const glm::dquat turn = glm::normalize(glm::dquat(rotation));
     const glm::dvec3 inMesh = glm::conjugate(turn) * (glm::dvec3(point) - glm::dvec3(position));
     const glm::dvec3 scaling(scale);
     const glm::dvec3 middle = scaling * MiddleOf(*m_Mesh);
@@ -194,7 +194,7 @@ glm::vec3 MeshCollider::ClosestPoint(const glm::vec3& point, const glm::vec3& po
         }
     }
     const bool isThere = shortest == 0.0 || (isInside && shortest < 1e300);
-    return isThere ? point : glm::vec3(glm::dvec3(position) + turn * closest);
+    return isThere ? glm::dvec3(point) : glm::dvec3(position) + turn * closest;
 }
 
 } // namespace limn

@@ -13,7 +13,7 @@ enum class SortingCriteria
     None = 0,
     SortingLayer = 1, ///< accepted; limn has no 2D sorting layers, so all are equal
     RenderQueue = 2,
-    BackToFront = 4,
+    BackToFront = 4,           ///< distances whose squares are the same float are equal
     QuantizedFrontToBack = 8,  ///< distances within the same eighth of an octave are equal
     OptimizeStateChanges = 16, ///< equal shader, material and mesh together
     CanvasOrder = 32,          ///< accepted; all are equal

@@ -15,10 +15,10 @@ struct BoxCollider
     glm::vec3 size{1.0f};   ///< full lengths of the edges in the object's space
 
     /// The point of the box, inside or on its surface, that is closest to `point`, all in world
-    /// space. Negative sizes and scales count as positive.
-    /// @param rotation  a unit quaternion
-    glm::vec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
-                           const glm::quat& rotation, const glm::vec3& scale) const;
+    /// space, not yet rounded to floats. Negative sizes and scales count as positive.
+    /// @param rotation  of unit length but for rounding
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
 };
 
 } // namespace limn

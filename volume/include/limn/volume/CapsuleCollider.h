@@ -18,8 +18,8 @@ struct CapsuleCollider
 
     /// As BoxCollider::ClosestPoint.
     /// @throws ContractError if direction is none of the three
-    glm::vec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
-                           const glm::quat& rotation, const glm::vec3& scale) const;
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
 };
 
 } // namespace limn

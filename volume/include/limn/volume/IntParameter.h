@@ -5,7 +5,8 @@
 namespace limn
 {
 
-/// A whole number; a blend is rounded toward zero, and stops at the greatest and the least int.
+/// A whole number; a blend is rounded toward zero, or to the whole number that it misses by no more
+/// than t is rounded (0 to 10 at 0.7f is 7), and stops at the greatest and the least int.
 /// Unity: IntParameter (URP 14).
 class IntParameter : public detail::LerpParameter<int>
 {

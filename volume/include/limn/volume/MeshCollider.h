@@ -23,8 +23,8 @@ public:
     const Mesh& mesh() const { return *m_Mesh; }
 
     /// As BoxCollider::ClosestPoint. Looks at every triangle.
-    glm::vec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
-                           const glm::quat& rotation, const glm::vec3& scale) const;
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
 
 private:
     std::shared_ptr<const Mesh> m_Mesh;

@@ -15,8 +15,8 @@ struct SphereCollider
     float radius = 0.5f;    ///< in the object's space; the longest axis of its scale multiplies it
 
     /// As BoxCollider::ClosestPoint.
-    glm::vec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
-                           const glm::quat& rotation, const glm::vec3& scale) const;
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
 };
 
 } // namespace limn

@@ -29,7 +29,8 @@ protected:
                   const ProfileContext& context) override;
 };
 
-/// from + (to - from) t, per component; t is not clamped. Sealed, as Unity's are.
+/// from (1 - t) + to t, per component; t is not clamped. Floats are blended in double: t = 1 gives
+/// exactly `to`, and no t between 0 and 1 anything beyond the two. Sealed, as Unity's are.
 template <typename T>
 class LerpParameter : public ValueParameter<T>
 {
