@@ -19,16 +19,16 @@ const char* const k_Views[] = {"perspective", "orthographic", "oblique"};
 const char* const k_Directions[] = {"reversed", "standard"};
 const char* const k_Scalings[] = {"", "mirrored", "singular"};
 
-double Tangent(double fieldOfView)
+double HalfTangent(double fieldOfView)
 {
     return std::tan(fieldOfView * std::numbers::pi / 360.0);
 }
 
 /// From the camera to the object's middle, metres, for a scale of 1.
-double Distance(const ExtremeCase& extreme)
+double CameraDistance(const ExtremeCase& extreme)
 {
     const double part = 2.0 * extreme.ObjectRadius() / extreme.size.y;
-    return std::max(1.6 * k_Radius, k_Radius / (part * Tangent(extreme.fieldOfView)));
+    return std::max(1.6 * k_Radius, k_Radius / (part * HalfTangent(extreme.fieldOfView)));
 }
 
 /// A plane before the object that leans by 20 degrees, and a middle that is beside the picture's.
@@ -46,7 +46,7 @@ void MakeOblique(Camera& camera, float aspect, double objectDistance, double obj
 
 Camera CameraOf(const ExtremeCase& extreme)
 {
-    const double distance = Distance(extreme) * extreme.scale;
+    const double distance = CameraDistance(extreme) * extreme.scale;
     const double radius = k_Radius * extreme.scale;
     const double reach = std::sqrt(extreme.depthRatio);
     Camera camera;
@@ -90,7 +90,7 @@ std::optional<std::size_t> IndexOf(const char* const (&names)[Count], const std:
 
 /// Takes "key=value" into the case.
 /// @return false if there is no such
-bool Take(ExtremeCase& extreme, const std::string& key, const std::string& value)
+bool TakeLevel(ExtremeCase& extreme, const std::string& key, const std::string& value)
 {
     if (key == "view")
     {
@@ -154,7 +154,7 @@ ExtremeCase ExtremeCase::OfCell(const CellId& cell)
     {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos ||
-            !Take(extreme, part.substr(0, equals), part.substr(equals + 1)))
+            !TakeLevel(extreme, part.substr(0, equals), part.substr(equals + 1)))
         {
             throw ContractError("'" + cell.Name() + "' is no cell of the stability sweep: '" +
                                 part + "' is not known");

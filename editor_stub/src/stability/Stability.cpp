@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/vulkan/VulkanDevice.h>
 
 namespace limn::study
 {
@@ -15,21 +16,21 @@ constexpr double k_RangeSlack = 1e-3;
 constexpr double k_LeastGrowth = 0.999;
 
 /// What a picture of a case came to.
-struct Drawn
+struct DrawnCase
 {
     Coverage alpha;
     double area = 0.0; ///< pixels
     BadValues bad;
 };
 
-Drawn Draw(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
-           VulkanDevice& device)
+DrawnCase DrawCase(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
+                   VulkanDevice& device)
 {
     SceneAsset asset = extreme.Scene(assets, !technique.info.noWidth.empty());
     UseTechnique(asset, technique, extreme.width, assets);
     StudyPicture picture(std::move(asset), assets, device);
     const Image colors = picture.Colors();
-    Drawn drawn;
+    DrawnCase drawn;
     drawn.bad = CountBadValues(colors);
     drawn.alpha = ChannelOf(colors, 0);
     drawn.area = drawn.alpha.Sum();
@@ -38,12 +39,12 @@ Drawn Draw(const ExtremeCase& extreme, const Technique& technique, AssetContext&
 
 /// The part of the picture that can tell something: around the object, as far as the outline's
 /// shape depends on it.
-struct Window
+struct CompareWindow
 {
     glm::ivec2 corner{0};
     glm::ivec2 size{0};
 
-    Window(const ExtremeCase& extreme, const Silhouette& silhouette)
+    CompareWindow(const ExtremeCase& extreme, const Silhouette& silhouette)
     {
         const glm::dvec2 picture(extreme.size);
         const double margin = std::min(extreme.width, 64.0) + 8.0;
@@ -69,7 +70,7 @@ struct Window
     }
 };
 
-ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& by)
+ScreenTriangles MovedTriangles(ScreenTriangles triangles, const glm::dvec2& by)
 {
     for (auto& triangle : triangles)
     {
@@ -82,10 +83,10 @@ ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& by)
 }
 
 /// Collects what a cell comes to.
-class Checks
+class CellChecks
 {
 public:
-    explicit Checks(CellResult& result) : m_Result(result) {}
+    explicit CellChecks(CellResult& result) : m_Result(result) {}
 
     void Expect(bool condition, const std::string& otherwise)
     {
@@ -102,14 +103,14 @@ private:
     CellResult& m_Result;
 };
 
-std::string Number(double value)
+std::string ShortNumber(double value)
 {
     char text[40];
     std::snprintf(text, sizeof(text), "%.4g", value);
     return text;
 }
 
-void CheckTexels(const Drawn& drawn, Checks& checks)
+void CheckTexels(const DrawnCase& drawn, CellChecks& checks)
 {
     checks.Set("badTexels", drawn.bad.notFinite);
     checks.Set("outOfRange", drawn.bad.outOfRange);
@@ -119,7 +120,8 @@ void CheckTexels(const Drawn& drawn, Checks& checks)
                   std::to_string(drawn.bad.outOfRange) + " values are outside 0...1");
 }
 
-ShapeFacts FactsOf(const Silhouette& silhouette, const Window& window, const OutlineScore& score)
+ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
+                   const OutlineScore& score)
 {
     constexpr double k_TubePart = 0.2; // of the torus
     const glm::dvec2 extent = silhouette.bounds().high - silhouette.bounds().low;
@@ -135,21 +137,21 @@ ShapeFacts FactsOf(const Silhouette& silhouette, const Window& window, const Out
 }
 
 /// Of a picture that has finite texels.
-void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Drawn& drawn,
-                AssetContext& assets, Checks& checks)
+void CheckShape(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                AssetContext& assets, CellChecks& checks)
 {
     if (extreme.width == 0.0)
     {
         const double object = technique.info.noWidth.empty() ? drawn.area : 0.0;
-        checks.Expect(object == 0.0, "a width of 0 draws " + Number(object) + " pixels");
+        checks.Expect(object == 0.0, "a width of 0 draws " + ShortNumber(object) + " pixels");
         return;
     }
     const SceneAsset asset = extreme.Scene(assets, false);
     const GameObject& object = *asset.scene.objects().front();
     const ScreenTriangles triangles = MeshTriangles(*object.renderer->mesh, object.transform,
                                                     asset.camera, asset.width, asset.height);
-    const Window window(extreme, Silhouette(triangles));
-    const Silhouette silhouette(Moved(triangles, -glm::dvec2(window.corner)));
+    const CompareWindow window(extreme, Silhouette(triangles));
+    const Silhouette silhouette(MovedTriangles(triangles, -glm::dvec2(window.corner)));
     const Coverage exact =
         ExactOutlineCoverage(silhouette, {extreme.width}, window.size.x, window.size.y);
     const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
@@ -158,7 +160,7 @@ void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Dr
     const bool isSeen =
         technique.info.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
     checks.Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
-                  "nothing is drawn where an outline has " + Number(exact.Sum()) + " pixels");
+                  "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels");
     if (!technique.info.noWidth.empty())
     {
         return;
@@ -170,13 +172,13 @@ void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Dr
     {
         checks.Set("errorBound", *bound);
         checks.Expect(score.meanAbsoluteError <= *bound, "a mean error of " +
-                                                             Number(score.meanAbsoluteError) +
-                                                             ", more than " + Number(*bound));
+                                                             ShortNumber(score.meanAbsoluteError) +
+                                                             ", more than " + ShortNumber(*bound));
     }
 }
 
-void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const Drawn& drawn,
-                 AssetContext& assets, VulkanDevice& device, Checks& checks)
+void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                 AssetContext& assets, VulkanDevice& device, CellChecks& checks)
 {
     ExtremeCase wider = extreme;
     wider.width *= 2.0;
@@ -184,20 +186,20 @@ void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const D
     {
         return;
     }
-    const double area = Draw(wider, technique, assets, device).area;
+    const double area = DrawCase(wider, technique, assets, device).area;
     if (drawn.area > 0.0)
     {
         checks.Set("areaGrowth", area / drawn.area);
     }
-    checks.Expect(area >= k_LeastGrowth * drawn.area, "twice the width has " + Number(area) +
+    checks.Expect(area >= k_LeastGrowth * drawn.area, "twice the width has " + ShortNumber(area) +
                                                           " pixels, less than " +
-                                                          Number(drawn.area));
+                                                          ShortNumber(drawn.area));
 }
 
 /// The technique refuses the width, for a reason.
 /// @return whether it did
 bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
-               Checks& checks)
+               CellChecks& checks)
 {
     try
     {
@@ -295,13 +297,13 @@ CellResult StabilityStudy::Measure(const CellId& cell)
     CellResult result;
     result.id = cell;
     result.values["failures"] = 0.0;
-    Checks checks(result);
+    CellChecks checks(result);
     const std::size_t messages = m_Device.validationMessages().size();
     try
     {
         if (!IsRefused(extreme, *technique, assets, checks))
         {
-            const Drawn drawn = Draw(extreme, *technique, assets, m_Device);
+            const DrawnCase drawn = DrawCase(extreme, *technique, assets, m_Device);
             CheckTexels(drawn, checks);
             if (drawn.bad.notFinite == 0)
             {

@@ -2,7 +2,10 @@
 
 #include "stability/ExtremeCase.h"
 
-#include <limn/vulkan/VulkanDevice.h>
+namespace limn
+{
+class VulkanDevice;
+}
 
 namespace limn::study
 {
