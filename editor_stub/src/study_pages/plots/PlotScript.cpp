@@ -1,7 +1,7 @@
-#include "study_pages/LabelPlacement.h"
+#include "study_pages/plots/LabelPlacement.h"
 #include "study_pages/Numbers.h"
-#include "study_pages/PlotAxis.h"
-#include "study_pages/Plots.h"
+#include "study_pages/plots/PlotAxis.h"
+#include "study_pages/plots/Plots.h"
 
 #include <algorithm>
 #include <array>
