@@ -103,6 +103,23 @@ double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
     return sum;
 }
 
+void DropColumnsOfNothing(Table& table)
+{
+    for (std::size_t column = table.columns.size(); column-- > 0;)
+    {
+        if (std::ranges::all_of(table.rows,
+                                [column](const auto& row) { return row[column] == k_Nothing; }))
+        {
+            const auto offset = static_cast<std::ptrdiff_t>(column);
+            table.columns.erase(table.columns.begin() + offset);
+            for (auto& row : table.rows)
+            {
+                row.erase(row.begin() + offset);
+            }
+        }
+    }
+}
+
 } // namespace
 
 Table TechniquesTable(const Comparison& comparison)
@@ -111,40 +128,30 @@ Table TechniquesTable(const Comparison& comparison)
                 "All techniques at " + Readable(comparison.width) + " px",
                 {{"technique", "", false},
                  {"mean error", "", true},
+                 {"error quartiles", "", true},
                  {"GPU time added", "ms", true},
                  {"its quartiles", "ms", true},
-                 {"error quartiles", "", true},
                  {"stability checks failed", "", true},
                  {"what it is", "", false}},
                 {},
                 {}};
-    const bool hasErrors =
-        std::ranges::any_of(comparison.standings, [](const Standing& standing)
-                            { return !std::isnan(standing.errorQuartiles.first); });
     for (std::size_t i = 0; i < comparison.standings.size(); ++i)
     {
         const Standing& standing = comparison.standings[i];
         const TechniqueInfo& technique = *standing.technique;
         table.rows.push_back(
-            {technique.name, Figure(standing.at.error), Figure(standing.at.milliseconds),
-             FromTo(standing.timeQuartiles), FromTo(standing.errorQuartiles),
+            {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
+             Figure(standing.at.milliseconds), FromTo(standing.timeQuartiles),
              standing.stabilityCells == 0 ? k_Nothing
                                           : std::to_string(standing.failures) + " of " +
                                                 std::to_string(standing.stabilityCells),
              technique.summary + (technique.isArticle ? " (an article's own formula)" : "")});
-        if (!hasErrors)
-        {
-            table.rows.back().erase(table.rows.back().begin() + 4);
-        }
         if (std::ranges::find(comparison.front, i) != comparison.front.end())
         {
             table.marked.push_back(i);
         }
     }
-    if (!hasErrors)
-    {
-        table.columns.erase(table.columns.begin() + 4);
-    }
+    DropColumnsOfNothing(table);
     return table;
 }
 

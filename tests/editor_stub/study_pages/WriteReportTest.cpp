@@ -248,6 +248,7 @@ TEST(ReportTables, HaveTheStudysFigures)
     EXPECT_EQ("infinite", At(techniques, "Fails", "mean error"));
     EXPECT_EQ("–", At(techniques, "Rim", "mean error"));
     EXPECT_EQ("3 of 20", At(techniques, "Screen space", "stability checks failed"));
+    EXPECT_EQ("nowhere", At(techniques, "Separable", "error quartiles")) << "it is of one outline";
     const Table widths = WidthsTable(sample, "scene");
     EXPECT_EQ("0.006", At(widths, "Separable", "32"));
     const Table stability = StabilityTable(sample, comparison);
@@ -266,6 +267,20 @@ TEST(ReportTables, HaveTheStudysFigures)
         {
             EXPECT_EQ(table.columns.size(), row.size()) << table.id;
         }
+    }
+}
+
+TEST(ReportSections, SayWhyCellsHaveNoFigures)
+{
+    const study::Study sample = FullSample();
+    const study::ReportText report = ReportOf(sample, Compare(sample), {});
+    const auto error = std::ranges::find(report.sections, "error", &study::Section::id);
+    ASSERT_NE(report.sections.end(), error);
+    EXPECT_THAT(error->paragraphs,
+                testing::Contains("Rim: not compared: it is as wide as the object is curved."));
+    for (const Table& table : error->tables)
+    {
+        EXPECT_EQ("nowhere", At(table, "Rim", "technique")) << table.id;
     }
 }
 
