@@ -392,7 +392,6 @@ TEST(OutlineReference, ReadsChannelsOfImages)
     EXPECT_THROW(ChannelOf(image, 0), std::invalid_argument);
 }
 
-
 /// One row of pixels.
 Coverage Row(std::vector<double> values)
 {
