@@ -1,5 +1,5 @@
-#include "study_pages/plots/LabelPlacement.h"
 #include "study_pages/Numbers.h"
+#include "study_pages/plots/LabelPlacement.h"
 #include "study_pages/plots/PlotAxis.h"
 #include "study_pages/plots/Plots.h"
 
