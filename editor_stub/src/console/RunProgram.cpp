@@ -80,8 +80,8 @@ std::string RunProgram(std::vector<std::string> words, const std::string& input,
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     {
-        throw std::runtime_error("the program '" + words[0] + "' failed: " +
-                                 Sentence(ReadAll(complaints.get())));
+        throw std::runtime_error("the program '" + words[0] +
+                                 "' failed: " + Sentence(ReadAll(complaints.get())));
     }
     return ReadAll(out.get());
 }
