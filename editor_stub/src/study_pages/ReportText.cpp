@@ -68,6 +68,12 @@ bool IsEmpty(const Section& section)
 Section Choice(const Comparison& comparison)
 {
     Section section{"choice", "Error against time", {}, {"error_time"}, {}, {}};
+    if (std::ranges::all_of(
+            comparison.standings, [](const Standing& standing)
+            { return std::isnan(standing.at.error) && std::isnan(standing.at.milliseconds); }))
+    {
+        return section; // of stability only
+    }
     AddTable(section, BudgetsTable(comparison));
     AddTable(section, TechniquesTable(comparison));
     section.paragraphs.push_back(
@@ -241,6 +247,29 @@ std::string Missing(const Study& study)
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
+/// For a study of stability only: who passed, and who failed how often.
+std::string Verdict(const Comparison& comparison)
+{
+    std::string passed;
+    std::string failed;
+    for (const Standing& standing : comparison.standings)
+    {
+        const std::string& name = standing.technique->name;
+        if (standing.failures > 0)
+        {
+            failed += (failed.empty() ? "" : ", ") + name + " " +
+                      std::to_string(standing.failures) + " of " +
+                      std::to_string(standing.stabilityCells);
+        }
+        else if (standing.stabilityCells > 0)
+        {
+            passed += (passed.empty() ? "" : ", ") + name;
+        }
+    }
+    return (passed.empty() ? "No technique passes all checks." : passed + " passed all checks.") +
+           (failed.empty() ? "" : " Checks failed: " + failed + ".");
+}
+
 } // namespace
 
 ReportText ReportOf(const Study& study, const Comparison& comparison, const ReportOptions& options)
@@ -253,6 +282,12 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
         Recommend(comparison,
                   options.budgetMilliseconds.value_or(std::numeric_limits<double>::infinity()))
             .sentence;
+    const bool hasStability = std::ranges::any_of(comparison.standings, [](const Standing& standing)
+                                                  { return standing.stabilityCells > 0; });
+    if (comparison.front.empty() && hasStability)
+    {
+        report.recommendation = Verdict(comparison);
+    }
     report.remarks = options.remarks;
     if (std::string missing = Missing(study); !missing.empty())
     {
