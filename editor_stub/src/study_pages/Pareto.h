@@ -40,6 +40,8 @@ struct Comparison
     /// several the one that the scene's outline was compared at, else the largest.
     int pictureWidth = 0;
     int pictureHeight = 0;
+    /// The median over the techniques' cells; NaN without any.
+    double floorMilliseconds = 0.0;
     /// Whose error it is: "scene" where the scene's own outline was compared; else "" and the error
     /// is the median over all shapes, with their quartiles. At several sizes: the median over them.
     std::string subject;
@@ -59,7 +61,8 @@ struct Recommendation
     std::string sentence;               ///< for people, with the figures
 };
 
-/// The least error whose time is within the budget; of equal errors the quickest.
+/// The least error whose time is within the budget; of equal errors the quickest, and what is as
+/// good within what its times spread is named.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

@@ -1,6 +1,7 @@
 #include "study_pages/Pareto.h"
 #include "SampleStudy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -120,7 +121,9 @@ TEST(ParetoFront, IsWhatItsDefinitionSaysForRandomPoints)
         }
         const std::vector<std::size_t> front = ParetoFront(points);
         largest = std::max(largest, front.size());
-        ASSERT_THAT(front, testing::UnorderedElementsAreArray(FrontByDefinition(points)));
+        std::vector<std::size_t> sorted = front;
+        std::ranges::sort(sorted);
+        ASSERT_EQ(FrontByDefinition(points), sorted);
         for (std::size_t i = 1; i < front.size(); ++i)
         {
             ASSERT_LE(points[front[i - 1]].milliseconds, points[front[i]].milliseconds);
@@ -260,6 +263,23 @@ TEST(Recommendation, OfEqualErrorsIsTheQuickest)
     AddPoint(sample, "Slower", 4.0, 2.0, 0.25);
     AddPoint(sample, "Quicker", 4.0, 1.0, 0.25);
     EXPECT_EQ("Quicker", Recommend(Compare(sample), 5.0).standing->technique->name);
+}
+
+TEST(Recommendation, NamesWhatIsAsGoodWithinTheSpreadOfTimes)
+{
+    study::Study sample = EmptySample();
+    for (const char* name : {"Chosen", "Near", "Slow", "Worse"})
+    {
+        AddTechnique(sample, name);
+    }
+    AddPoint(sample, "Chosen", 4.0, 1.0, 0.25); // 0.9 to 1.2 ms
+    AddPoint(sample, "Near", 4.0, 1.1, 0.251);  // 0.99 to 1.32 ms
+    AddPoint(sample, "Slow", 4.0, 1.9, 0.25);   // 1.71 to 2.28 ms
+    AddPoint(sample, "Worse", 4.0, 1.1, 0.26);
+    const study::Comparison comparison = Compare(sample);
+    const std::string sentence = " As good, within what its times spread: Near.";
+    EXPECT_THAT(Recommend(comparison, 5.0).sentence, testing::EndsWith(sentence));
+    EXPECT_THAT(Recommend(comparison, 1.05).sentence, testing::Not(HasSubstr("As good")));
 }
 
 } // namespace
