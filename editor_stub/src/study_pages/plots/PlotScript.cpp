@@ -278,8 +278,9 @@ private:
     {
         const auto add = [this](double x0, double y0, double x1, double y1, double half)
         {
-            const auto [left, right] = std::minmax(PixelX(x0), PixelX(x1));
-            const auto [top, bottom] = std::minmax(PixelY(y0), PixelY(y1));
+            const auto [left, right] =
+                std::minmax({PixelX(x0), PixelX(x1)}); // a pair of values, not of references
+            const auto [top, bottom] = std::minmax({PixelY(y0), PixelY(y1)});
             m_Obstacles.push_back({left - half, top - half, right + half, bottom + half});
         };
         for (const PlotSeries& series : m_Plot.series)
