@@ -7,11 +7,12 @@ limn_build_packages=(
     glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev   # shaders
     libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
     libembree-dev                                            # what a click hits
-    graphviz                                                 # `limn explain --graph` draws with it
+    graphviz gnuplot-nox                                     # `limn explain --graph` and `limn report` draw with them
 )
 limn_test_packages=(
     libgtest-dev libgmock-dev vulkan-validationlayers
     python3-jsonschema python3-yaml                          # `limn schema` is validated
+    chromium-headless-shell                                  # the page of `limn report` is looked at
     ccache mold                                              # the next build is quicker; found by CMake
 )
 

@@ -109,7 +109,8 @@ Shader "Hidden/Universal/CoreBlit"
                 float depth = SampleSceneDepth(input.texcoord);
                 float eyeDepth = IsPerspectiveProjection()
                                      ? LinearEyeDepth(depth, _ZBufferParams)
-                                     : lerp(_ProjectionParams.z, _ProjectionParams.y, depth);
+                                     : lerp(_ProjectionParams.z, _ProjectionParams.y,
+                                            limn_Nearness(depth));
                 float3 normalVS = normalize(mul((float3x3)UNITY_MATRIX_V, normalWS));
                 normalVS.z = max(normalVS.z, -0.75); // one away from the camera has no place there
                 return EncodeDepthNormal(eyeDepth * _ProjectionParams.w, normalVS);

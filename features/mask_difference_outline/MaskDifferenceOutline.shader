@@ -11,7 +11,7 @@
 //                  where the depth is this or more there is no line: 0 near plane, 1 far plane
 //
 // What t_scene_depth holds: 0 near ... 1 far; with SYSTEM_DEPTH_RANGE_NEGATIVE -1 ... 1; with
-// USE_REVERSED_Z the other way round. limn's own depth is reversed, 1 ... 0. With _NO_DEPTH_CLIP it is
+// USE_REVERSED_Z the other way round. limn's own depth mostly is. With _NO_DEPTH_CLIP it is
 // not read.
 Shader "Hidden/Limn/MaskDifferenceOutline"
 {

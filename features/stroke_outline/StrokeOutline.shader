@@ -17,11 +17,11 @@ Shader "Hidden/Limn/StrokeOutline"
         TEXTURE2D(_StrokeDepth);
         float4 _StrokeDepth_TexelSize;
 
-        // The group's own device depth at a place of the region, 0 where it is not.
+        // The group's own depth at a place of the region, 1 near ... 0 far, 0 where it is not.
         float OwnDepth(float2 pixel)
         {
-            return SAMPLE_TEXTURE2D_LOD(_StrokeDepth, sampler_PointClamp,
-                                        pixel * _StrokeDepth_TexelSize.xy, 0).r;
+            return limn_Nearness(SAMPLE_TEXTURE2D_LOD(_StrokeDepth, sampler_PointClamp,
+                                                      pixel * _StrokeDepth_TexelSize.xy, 0).r);
         }
         ENDHLSL
 
@@ -119,7 +119,7 @@ Shader "Hidden/Limn/StrokeOutline"
                 float own = max(OwnDepth(inside), OwnDepth(inside - outward * 1.5));
                 float2 uv = (inside + _OutlineRegion.xy) / _OutlinePicture.xy;
                 float scene = SAMPLE_TEXTURE2D_LOD(_CameraDepthTexture, sampler_PointClamp, uv, 0).r;
-                return scene <= (own > 0.0 ? own : depth) * 1.001;
+                return limn_Nearness(scene) <= (own > 0.0 ? own : depth) * 1.001;
             }
             #endif
 

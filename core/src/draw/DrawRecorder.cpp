@@ -147,6 +147,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
                                const RenderStateBlock& stateBlock)
 {
     m_HasDraws = true;
+    ExpectSameDepth(material);
     DrawSetup draw;
     draw.program = material.Compile(shaderPass);
     draw.shader = material.shader();
@@ -254,6 +255,22 @@ void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)
 {
     m_Depth = command.depth;
     m_Frame.commands.emplace_back(command);
+}
+
+/// A shader of another compiler than the renderer's may take near for far.
+void DrawRecorder::ExpectSameDepth(const Material& material) const
+{
+    if (material.shader()->usesReversedZBuffer() != m_Frame.usesReversedZBuffer)
+    {
+        const auto text = [](bool isReversed)
+        {
+            return isReversed ? "1 near ... 0 far" : "0 near ... 1 far";
+        };
+        throw DrawError("material '" + material.name() + "': shader '" + material.shader()->name() +
+                        "' is compiled for depths of " + text(!m_Frame.usesReversedZBuffer) +
+                        ", but the frame has " + text(m_Frame.usesReversedZBuffer) +
+                        "; give it the renderer's shaderCompiler()");
+    }
 }
 
 /// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil

@@ -60,6 +60,7 @@ public:
     bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
 
 private:
+    void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
     std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
                                                      const MaterialPropertyBlock* properties);

@@ -69,8 +69,9 @@ struct CameraTexture
     const char* color; ///< Unity's, where nothing was written yet: 0 is far with reversed Z
     const char* look;
     const char* event;
+    bool isDepth = false;
 };
-constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150"},
+constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150", true},
                                               {"_CameraNormalsTexture", "gray", "gray", "150"},
                                               {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
                                               {"_CameraOpaqueTexture", "gray", "gray", "400"}};
@@ -300,6 +301,7 @@ void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sou
         const auto texture = source.state ? nullptr : FindTexture(source.texture, sources);
         SamplerState state = texture ? texture->sampler() : source.state.value_or(SamplerState());
         state.comparison = layout.samplers[i].comparison;
+        state.standardZ = !sources.material->shader()->usesReversedZBuffer();
         m_Building.samplers.push_back({layout.samplers[i].binding, state});
     }
 }
@@ -358,7 +360,11 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
                                 "'" +
                                     sources.material->name() + "' nor anything global sets it"));
     }
-    return DefaultTexture(isMade ? made->color : "gray", dimension);
+    const bool isFarWhite = isMade && made->isDepth && !shader.usesReversedZBuffer();
+    return DefaultTexture(isFarWhite ? "white"
+                          : isMade   ? made->color
+                                     : "gray",
+                          dimension);
 }
 
 } // namespace limn

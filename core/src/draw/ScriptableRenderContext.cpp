@@ -37,12 +37,13 @@ ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm
 }
 
 void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& origin,
-                                    FrameCommands spare)
+                                    FrameCommands spare, bool usesReversedZBuffer)
 {
     m_Report = &report;
     m_Origin = origin;
     m_PassName.clear();
     m_Frame = Emptied(std::move(spare));
+    m_Frame.usesReversedZBuffer = usesReversedZBuffer;
     m_Globals.Clear();
     m_Recorder->Begin(m_Report->notes, m_Origin);
 }

@@ -73,6 +73,7 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
     return m_Frame && options.isLast == m_Options.isLast &&
            options.leavesOut == m_Options.leavesOut &&
            options.limitsRegions == m_Options.limitsRegions &&
+           commands.usesReversedZBuffer == m_Frame->usesReversedZBuffer &&
            std::ranges::equal(outputs, m_Outputs) && commands.commands == m_Commands.commands &&
            commands.meshes == m_Commands.meshes && commands.objects == m_Frame->objects &&
            commands.uniformData.size() == m_Frame->uniformData.size() &&

@@ -66,9 +66,14 @@ double Reciprocal(double x)
     return x == 0.0 ? 0.0 : 1.0 / x;
 }
 
-/// For Linear01Depth and LinearEyeDepth on a reversed-Z device (urp.md §5.4).
-glm::vec4 ZBufferParams(double n, double f)
+/// For Linear01Depth and LinearEyeDepth (urp.md §5.4).
+glm::vec4 ZBufferParams(double n, double f, bool usesReversedZBuffer)
 {
+    if (!usesReversedZBuffer)
+    {
+        return glm::vec4(1.0 - f * Reciprocal(n), f * Reciprocal(n), Reciprocal(f) - Reciprocal(n),
+                         Reciprocal(n));
+    }
     return glm::vec4(f * Reciprocal(n) - 1.0, 1.0, Reciprocal(n) - Reciprocal(f), Reciprocal(f));
 }
 
@@ -111,7 +116,7 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     Vector(cmd, _ScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
     Vector(cmd, _ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
     Vector(cmd, _ScreenSize, {w, h, 1.0f / w, 1.0f / h});
-    Vector(cmd, _ZBufferParams, ZBufferParams(n, f));
+    Vector(cmd, _ZBufferParams, ZBufferParams(n, f, data.usesReversedZBuffer));
     Vector(cmd, unity_OrthoParams,
            {camera.orthographicSize * w / h, camera.orthographicSize, 0.0f,
             camera.orthographic ? 1.0f : 0.0f});

@@ -91,7 +91,10 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.cameraTargetDescriptor = descriptor;
     data.cameraData.renderer = &renderer;
     data.cameraData.viewMatrix = camera.viewMatrix();
-    data.cameraData.gpuProjectionMatrix = camera.gpuProjectionMatrix(aspect);
+    const std::shared_ptr<ShaderCompiler> compiler = renderer.shaderCompiler();
+    data.cameraData.usesReversedZBuffer = !compiler || compiler->usesReversedZBuffer();
+    data.cameraData.gpuProjectionMatrix =
+        camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer);
     data.scene = request.scene;
     data.time = request.time;
     data.volumeStack = request.volumeStack;
@@ -166,7 +169,8 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     renderingData.temporaryTextures = &m_TemporaryTextures;
     NoteBeyondFloat(renderingData.cullResults, result.report);
     ScriptableRenderContext& context = *m_Context;
-    context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands));
+    context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands),
+                  renderingData.cameraData.usesReversedZBuffer);
     Measure(request.timeline, "record",
             [&]
             {

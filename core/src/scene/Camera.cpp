@@ -146,9 +146,10 @@ glm::dvec3 Camera::renderOrigin() const
                : glm::round(position / k_Step) * k_Step;
 }
 
-glm::mat4 Camera::gpuProjectionMatrix(float aspect) const
+glm::mat4 Camera::gpuProjectionMatrix(float aspect, bool usesReversedZBuffer) const
 {
-    return glm::mat4(GpuProjection(*this, aspect));
+    const glm::dmat4 reversed = GpuProjection(*this, aspect);
+    return glm::mat4(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
 }
 
 glm::dmat4 Camera::projectionMatrixFor(float aspect) const

@@ -3,6 +3,7 @@
 #include "command_line/Completion.h"
 #include "command_line/Help.h"
 #include "command_line/OptionText.h"
+#include "command_line/ReportOptions.h"
 #include "command_line/SelectionOptions.h"
 #include "command_line/UsageProblem.h"
 #include "commands/DoctorCommand.h"
@@ -152,6 +153,13 @@ void AddPackageOption(CLI::App& verb, CommandLine& line)
         ->check(CheckPackage);
 }
 
+void AddSizeOption(CLI::App& verb, std::string& size)
+{
+    verb.add_option("--size", size, "Picture size in pixels; without it the scene's")
+        ->type_name("WxH")
+        ->check(CheckSize);
+}
+
 void AddDeviceOption(CLI::App& verb, std::string& device)
 {
     verb.add_option("--device", device,
@@ -199,9 +207,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
         ->type_name("FILE")
         ->required()
         ->check(CheckPicture);
-    verb->add_option("--size", line.size, "Picture size in pixels; without it the scene's")
-        ->type_name("WxH")
-        ->check(CheckSize);
+    AddSizeOption(*verb, line.size);
     verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
         ->type_name("SECONDS")
         ->check(CheckTime);
@@ -320,6 +326,19 @@ void AddShader(CLI::App& app, CommandLine& line)
     OnceParsed(verb, line, [&line](Console& console) { return RunShader(line.shader, console); });
 }
 
+void AddReport(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "report", "Measure the error and the cost of every outline technique in a scene");
+    AddReportOptions(*verb, line.report);
+    AddSizeOption(*verb, line.size);
+    AddDeviceOption(*verb, line.render.device);
+    AddPackageOption(*verb, line);
+    AddRootOption(*verb, line);
+    OnceParsed(verb, line,
+               [&line](Console& console) { return RunReport(line.render, line.report, console); });
+}
+
 void AddExplain(CLI::App& app, CommandLine& line)
 {
     ExplainOptions& options = line.explain;
@@ -417,13 +436,12 @@ void AddHelp(CLI::App& app, CommandLine& line)
 
 void AddVersion(CLI::App& app, CommandLine& line)
 {
-    CLI::App* verb = app.add_subcommand("version", "Print the version, as -V does");
-    OnceParsed(verb, line,
-               [&app](Console& console)
-               {
-                   console.out() << app.version() << '\n';
-                   return static_cast<int>(ExitCode::Done);
-               });
+    const auto print = [&app](Console& console)
+    {
+        console.out() << app.version() << '\n';
+        return static_cast<int>(ExitCode::Done);
+    };
+    OnceParsed(app.add_subcommand("version", "Print the version, as -V does"), line, print);
 }
 
 } // namespace
@@ -446,6 +464,7 @@ void AddEverything(CLI::App& app, CommandLine& line)
     AddWatch(app, line);
     AddInspect(app, line);
     AddExplain(app, line);
+    AddReport(app, line);
     AddSet(app, line);
     AddSchema(app, line);
     AddShader(app, line);

@@ -4,6 +4,7 @@
 #include "commands/ExplainCommand.h"
 #include "commands/InspectCommand.h"
 #include "commands/RenderCommand.h"
+#include "commands/ReportCommand.h"
 #include "commands/SetCommand.h"
 #include "commands/ShaderCommand.h"
 
@@ -27,6 +28,7 @@ struct CommandLine
     ExplainOptions explain;
     InspectOptions inspect;
     SetOptions set;
+    ReportCommandOptions report;
     std::string schemaKind;
     std::string doctorDevice;
     std::string helpVerb; ///< "": of limn itself

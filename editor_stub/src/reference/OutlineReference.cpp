@@ -142,8 +142,67 @@ void RequireSameSize(const Coverage& a, const Coverage& b)
 void AddCrossing(ContourScore& score, double error)
 {
     score.mean += error;
+    score.spread += error * error;
     score.largest = std::max(score.largest, std::abs(error));
     ++score.crossings;
+}
+
+/// Where alpha crosses one half between two neighbour pixels.
+std::vector<glm::dvec2> Crossings(const Coverage& coverage)
+{
+    std::vector<glm::dvec2> places;
+    const auto look = [&](int x, int y, int dx, int dy)
+    {
+        if (x + dx >= coverage.width || y + dy >= coverage.height)
+        {
+            return;
+        }
+        const double here = coverage.At(x, y) - 0.5;
+        const double there = coverage.At(x + dx, y + dy) - 0.5;
+        if ((here > 0.0) != (there > 0.0))
+        {
+            places.push_back(glm::dvec2(x + 0.5, y + 0.5) +
+                             here / (here - there) * glm::dvec2(dx, dy));
+        }
+    };
+    for (int y = 0; y < coverage.height; ++y)
+    {
+        for (int x = 0; x < coverage.width; ++x)
+        {
+            look(x, y, 1, 0);
+            look(x, y, 0, 1);
+        }
+    }
+    return places;
+}
+
+BoxTree TreeOf(const std::vector<glm::dvec2>& places)
+{
+    std::vector<Box> boxes(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        boxes[i].Add(places[i]);
+    }
+    return BoxTree(std::move(boxes));
+}
+
+/// The greatest distance from one of `from` to the nearest one of `to`.
+double Farthest(const std::vector<glm::dvec2>& from, const std::vector<glm::dvec2>& to)
+{
+    const BoxTree tree = TreeOf(to);
+    double farthest = 0.0;
+    for (const glm::dvec2& place : from)
+    {
+        double nearest = std::numeric_limits<double>::infinity();
+        tree.Nearest(place, nearest,
+                     [&](std::size_t index)
+                     {
+                         nearest = std::min(nearest, glm::distance(place, to[index]));
+                         return nearest;
+                     });
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
 }
 
 } // namespace
@@ -260,39 +319,27 @@ ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouet
     const double high = band.High();
     const double limit = std::max(std::abs(low), std::abs(high)) + 64.0;
     ContourScores scores;
-    const auto look = [&](int x, int y, int dx, int dy)
+    for (const glm::dvec2& place : Crossings(measured))
     {
-        const double here = measured.At(x, y) - 0.5;
-        const double there = measured.At(x + dx, y + dy) - 0.5;
-        if ((here > 0.0) == (there > 0.0))
-        {
-            return;
-        }
-        const double step = here / (here - there);
-        const double distance = silhouette.SignedDistance(
-            glm::dvec2(x + 0.5, y + 0.5) + step * glm::dvec2(dx, dy), limit);
+        const double distance = silhouette.SignedDistance(place, limit);
         const bool isLow = std::abs(distance - low) < std::abs(distance - high);
         AddCrossing(isLow ? scores.low : scores.high, distance - (isLow ? low : high));
-    };
-    for (int y = 0; y < measured.height; ++y)
-    {
-        for (int x = 0; x < measured.width; ++x)
-        {
-            if (x + 1 < measured.width)
-            {
-                look(x, y, 1, 0);
-            }
-            if (y + 1 < measured.height)
-            {
-                look(x, y, 0, 1);
-            }
-        }
     }
     for (ContourScore* score : {&scores.low, &scores.high})
     {
-        score->mean /= score->crossings > 0 ? static_cast<double>(score->crossings) : 1.0;
+        const double count = score->crossings > 0 ? static_cast<double>(score->crossings) : 1.0;
+        score->mean /= count;
+        score->spread = std::sqrt(std::max(0.0, score->spread / count - score->mean * score->mean));
     }
     return scores;
+}
+
+double HausdorffDistance(const Coverage& a, const Coverage& b)
+{
+    RequireSameSize(a, b);
+    const std::vector<glm::dvec2> ofA = Crossings(a);
+    const std::vector<glm::dvec2> ofB = Crossings(b);
+    return std::max(Farthest(ofA, ofB), Farthest(ofB, ofA));
 }
 
 } // namespace limn::study

@@ -91,6 +91,7 @@ OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, doubl
 struct ContourScore
 {
     double mean = 0.0;
+    double spread = 0.0;  ///< standard deviation: how uneven the line's end is
     double largest = 0.0; ///< absolute
     std::size_t crossings = 0;
 };
@@ -101,5 +102,11 @@ struct ContourScores
 };
 ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouette,
                             const OutlineBand& band);
+
+/// How far the places where alpha crosses one half are apart, pixels: the greatest distance from
+/// one of either picture to the nearest one of the other. 0 if neither has any, infinite if one
+/// has.
+/// @throws std::invalid_argument if sizes differ
+double HausdorffDistance(const Coverage& a, const Coverage& b);
 
 } // namespace limn::study

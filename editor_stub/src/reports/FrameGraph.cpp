@@ -1,18 +1,13 @@
 #include "reports/FrameGraph.h"
 
+#include "console/RunProgram.h"
+
 #include <limn/shaderlab/Diagnostic.h>
 #include <limn/shaderlab/WriteFile.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <limits>
-#include <memory>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <system_error>
-
-extern char** environ;
 
 namespace limn
 {
@@ -246,62 +241,24 @@ private:
     std::string m_Text;
 };
 
-struct CloseFile
-{
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
-
-TemporaryFile OpenTemporary(const std::string& text = {})
-{
-    TemporaryFile file(std::tmpfile());
-    if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-        std::fflush(file.get()) != 0)
-    {
-        throw std::system_error(errno, std::generic_category(), "a temporary file");
-    }
-    std::rewind(file.get());
-    return file;
-}
-
 /// Runs `dot -T<format>`. @return what it prints
 std::string RunDot(const std::string& format, const std::string& graph,
                    const std::filesystem::path& path)
 {
-    const TemporaryFile in = OpenTemporary(graph);
-    const TemporaryFile out = OpenTemporary();
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, fileno(in.get()), 0);
-    posix_spawn_file_actions_adddup2(&actions, fileno(out.get()), 1);
-    std::string program = "dot";
-    std::string option = "-T" + format;
-    char* const args[] = {program.data(), option.data(), nullptr};
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, "dot", &actions, nullptr, args, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
+    try
     {
-        throw std::system_error(error, std::generic_category(),
-                                "the program 'dot' draws graphs, and cannot be started (Debian: "
-                                "apt install graphviz; a file that ends in .dot needs none)");
+        return RunProgram({"dot", "-T" + format}, graph,
+                          "the program 'dot' draws graphs, and cannot be started (Debian: "
+                          "apt install graphviz; a file that ends in .dot needs none)");
     }
-    int status = 0;
-    while (waitpid(child, &status, 0) == -1 && errno == EINTR)
+    catch (const std::system_error&)
     {
+        throw;
     }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    catch (const std::runtime_error& error)
     {
-        throw AssetError(path.string(), {}, "the program 'dot' failed to draw the graph");
+        throw AssetError(path.string(), {}, error.what());
     }
-    std::string result;
-    std::rewind(out.get());
-    std::array<char, 65536> part{};
-    for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), out.get())) > 0;)
-    {
-        result.append(part.data(), n);
-    }
-    return result;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace limn::study
 {
@@ -10,18 +11,29 @@ namespace limn::study
 namespace
 {
 
-const char* NameOf(CellKind kind)
-{
-    constexpr const char* k_Names[] = {"geometry", "numerical", "temporal", "cost", "stability"};
-    return k_Names[static_cast<std::size_t>(kind)];
-}
+constexpr const char* k_KindNames[] = {"geometry", "numerical", "temporal", "cost", "stability"};
 
 } // namespace
+
+const char* ToString(CellKind kind)
+{
+    return k_KindNames[static_cast<std::size_t>(kind)];
+}
+
+CellKind CellKindFrom(std::string_view name)
+{
+    const auto found = std::ranges::find(k_KindNames, name);
+    if (found == std::end(k_KindNames))
+    {
+        throw std::invalid_argument("no kind of cell is called '" + std::string(name) + "'");
+    }
+    return static_cast<CellKind>(found - std::begin(k_KindNames));
+}
 
 std::string CellId::Name() const
 {
     std::ostringstream name;
-    name << NameOf(kind) << '/' << technique << '/' << subject << '/' << width << '/'
+    name << ToString(kind) << '/' << technique << '/' << subject << '/' << width << '/'
          << pictureWidth << 'x' << pictureHeight;
     if (!variant.empty())
     {

@@ -20,6 +20,10 @@ enum class CellKind
     Stability  ///< whether an extreme input is survived
 };
 
+const char* ToString(CellKind kind); ///< "geometry", ...
+/// @throws std::invalid_argument for other words
+CellKind CellKindFrom(std::string_view name);
+
 /// One thing that is measured on its own: what a shard takes or leaves, what an interrupted run
 /// has or lacks. Its name is unique in a study and the same in every run.
 struct CellId
@@ -34,7 +38,6 @@ struct CellId
 
     /// "geometry/Strokes/disc/8/1920x1080", behind it "/half" if there is a variant.
     std::string Name() const;
-    bool operator==(const CellId&) const = default;
 };
 
 /// A figure's name in results, what it is called in tables, its unit.

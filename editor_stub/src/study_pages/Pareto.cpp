@@ -118,7 +118,7 @@ void AddError(Standing& standing, const Study& study, const Comparison& comparis
     for (const CellResult& cell : study.cells)
     {
         if (IsPlain(cell, CellKind::Geometry, comparison.width) &&
-            cell.id.technique == standing.technique->name && HasFinite(cell, k_Error) &&
+            cell.id.technique == standing.technique->name && cell.Has(k_Error) &&
             (comparison.subject.empty() || cell.id.subject == comparison.subject))
         {
             errors.push_back(cell.Value(k_Error));
@@ -126,26 +126,43 @@ void AddError(Standing& standing, const Study& study, const Comparison& comparis
         }
     }
     const Spread spread = SpreadOf(errors);
-    standing.at.error = spread.median;
+    standing.at.error = errors.size() == 1 ? errors.front() : spread.median;
     if (errors.size() > 1)
     {
         standing.errorQuartiles = {spread.lower, spread.upper};
     }
 }
 
+bool IsCompared(const CellResult& cell, const Comparison& comparison)
+{
+    return IsPlain(cell, CellKind::Cost, comparison.width) &&
+           cell.id.pictureWidth == comparison.pictureWidth &&
+           cell.id.pictureHeight == comparison.pictureHeight && HasFinite(cell, k_Time);
+}
+
 void AddTime(Standing& standing, const Study& study, const Comparison& comparison)
 {
     for (const CellResult& cell : study.cells)
     {
-        if (IsPlain(cell, CellKind::Cost, comparison.width) &&
-            cell.id.technique == standing.technique->name &&
-            cell.id.pictureWidth == comparison.pictureWidth &&
-            cell.id.pictureHeight == comparison.pictureHeight && HasFinite(cell, k_Time))
+        if (IsCompared(cell, comparison) && cell.id.technique == standing.technique->name)
         {
             standing.at.milliseconds = cell.Value(k_Time);
             standing.timeQuartiles = QuartilesOf(cell, k_Time);
         }
     }
+}
+
+double MedianFloor(const Study& study, const Comparison& comparison)
+{
+    std::vector<double> floors;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsCompared(cell, comparison))
+        {
+            floors.push_back(cell.Value("floorMilliseconds"));
+        }
+    }
+    return SpreadOf(floors).median;
 }
 
 void AddStability(Standing& standing, const Study& study)
@@ -221,6 +238,7 @@ Comparison Compare(const Study& study, double width)
     Comparison comparison;
     comparison.width = width > 0.0 ? width : BestWidth(study);
     std::tie(comparison.pictureWidth, comparison.pictureHeight) = BestSize(study, comparison.width);
+    comparison.floorMilliseconds = MedianFloor(study, comparison);
     const bool hasScene =
         std::ranges::any_of(study.cells,
                             [&](const CellResult& cell)

@@ -40,6 +40,8 @@ struct Comparison
     /// several the one that the scene's outline was compared at, else the largest.
     int pictureWidth = 0;
     int pictureHeight = 0;
+    /// The median over the techniques' cells; NaN without any.
+    double floorMilliseconds = 0.0;
     /// Whose error it is: "scene" where the scene's own outline was compared; else "" and the error
     /// is the median over all shapes, with their quartiles. At several sizes: the median over them.
     std::string subject;

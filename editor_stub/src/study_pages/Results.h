@@ -10,4 +10,8 @@ namespace limn::study
 /// among them; empty where there is none.
 std::string ResultsCsv(const Study& study);
 
+/// All that a study holds, the metrics and the comparison with its front. Figures read back as they
+/// were; those that JSON has no number for are the strings "nan", "inf" and "-inf".
+std::string ResultsJson(const Study& study, const Comparison& comparison);
+
 } // namespace limn::study

@@ -1,7 +1,7 @@
 #include "study_pages/Numbers.h"
 #include "study_pages/Results.h"
 
-#include <algorithm>
+#include <set>
 
 namespace limn::study
 {
@@ -23,26 +23,43 @@ std::string CsvField(const std::string& text)
     return quoted + "\"";
 }
 
-bool HasQuartiles(const Study& study, const Metric& metric)
+using Keys = std::set<std::string>;
+
+/// Of the metrics that have columns for quartiles: those that are measured, and those that have
+/// some.
+Keys WithQuartiles(const Study& study)
 {
-    return metric.isMeasured ||
-           std::ranges::any_of(study.cells, [&metric](const CellResult& cell)
-                               { return cell.quartiles.contains(metric.key); });
+    Keys keys;
+    for (const Metric& metric : Metrics())
+    {
+        if (metric.isMeasured)
+        {
+            keys.insert(metric.key);
+        }
+    }
+    for (const CellResult& cell : study.cells)
+    {
+        for (const auto& [key, ends] : cell.quartiles)
+        {
+            keys.insert(key);
+        }
+    }
+    return keys;
 }
 
-std::string Header(const Study& study)
+std::string Header(const Keys& withQuartiles)
 {
     std::string line = "kind,technique,subject,width,pictureWidth,pictureHeight,variant";
     for (const Metric& metric : Metrics())
     {
         const std::string key = metric.key;
         line += "," + key;
-        line += HasQuartiles(study, metric) ? "," + key + "Lower," + key + "Upper" : "";
+        line += withQuartiles.contains(key) ? "," + key + "Lower," + key + "Upper" : "";
     }
     return line + ",notes\n";
 }
 
-std::string Row(const Study& study, const CellResult& cell)
+std::string Row(const CellResult& cell, const Keys& withQuartiles)
 {
     const CellId& id = cell.id;
     std::string line = id.Name().substr(0, id.Name().find('/')) + "," + CsvField(id.technique) +
@@ -52,7 +69,7 @@ std::string Row(const Study& study, const CellResult& cell)
     for (const Metric& metric : Metrics())
     {
         line += "," + (cell.Has(metric.key) ? Exact(cell.Value(metric.key)) : "");
-        if (HasQuartiles(study, metric))
+        if (withQuartiles.contains(metric.key))
         {
             const auto found = cell.quartiles.find(metric.key);
             line += found == cell.quartiles.end()
@@ -72,10 +89,11 @@ std::string Row(const Study& study, const CellResult& cell)
 
 std::string ResultsCsv(const Study& study)
 {
-    std::string text = Header(study);
+    const Keys withQuartiles = WithQuartiles(study);
+    std::string text = Header(withQuartiles);
     for (const CellResult& cell : study.cells)
     {
-        text += Row(study, cell);
+        text += Row(cell, withQuartiles);
     }
     return text;
 }

@@ -74,7 +74,10 @@ MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureN
 {
     profilingSampler = ProfilingSampler(featureName);
     renderPassEvent = settings.m_RenderPassEvent;
-    m_Material->EnableKeyword("USE_REVERSED_Z");
+    if (shader->usesReversedZBuffer())
+    {
+        m_Material->EnableKeyword("USE_REVERSED_Z");
+    }
     if (!settings.m_FramebufferFetch)
     {
         m_CopyMaterial = CoreUtils::CreateEngineMaterial(

@@ -85,7 +85,7 @@ std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> o
 {
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
-    const glm::dmat4 viewProjection = glm::dmat4(camera.gpuProjectionMatrix) * camera.viewMatrix;
+    const glm::dmat4 viewProjection = camera.reversedViewProjection();
     Box box;
     for (const OutlinedObject& object : objects)
     {

@@ -16,7 +16,7 @@ struct Stroke
 {
     glm::dvec2 a; ///< pixels of the picture
     glm::dvec2 b;
-    double depthA = 0.0; ///< device depth
+    double depthA = 0.0; ///< 1 near ... 0 far
     double depthB = 0.0;
     /// Lines that go on from a and b where the silhouette does not branch or end: the cosine of the
     /// angle by which it turns there; -1 otherwise.

@@ -100,7 +100,7 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
     m_Material->SetFloat(_OutlineWidth, static_cast<float>(width));
     SetColors(*m_Material, volumeComponent, m_Settings.m_Occlusion);
 
-    const glm::dmat4 viewProjection = glm::dmat4(camera.gpuProjectionMatrix) * camera.viewMatrix;
+    const glm::dmat4 viewProjection = camera.reversedViewProjection();
     std::size_t used = 0;
     std::vector<Stroke> strokes;
     for (auto first = m_Objects.begin(); first != m_Objects.end();)

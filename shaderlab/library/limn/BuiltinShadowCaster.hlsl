@@ -6,8 +6,13 @@
 float4 UnityApplyLinearShadowBias(float4 clipPos)
 {
 #if !defined(SHADOWS_CUBE) || defined(SHADOWS_CUBE_IN_DEPTH_TEX)
+#if defined(UNITY_REVERSED_Z)
     clipPos.z += max(-1.0, min(unity_LightShadowBias.x / clipPos.w, 0.0));
     float clamped = min(clipPos.z, clipPos.w * UNITY_NEAR_CLIP_VALUE);
+#else
+    clipPos.z += saturate(unity_LightShadowBias.x / clipPos.w);
+    float clamped = max(clipPos.z, clipPos.w * UNITY_NEAR_CLIP_VALUE);
+#endif
     clipPos.z = lerp(clipPos.z, clamped, unity_LightShadowBias.y);
 #endif
     return clipPos;

@@ -1,11 +1,17 @@
 // Conventions of the device and spellings of HLSL that both shader libraries share.
 #pragma once
 
-// Clip space has y up and z from 1 (near) to 0 (far); row 0 of a texture is the top of the picture.
+// Clip space has y up and z from 1 (near) to 0 (far), or the other way round
+// (ShaderCompilerOptions::usesReversedZBuffer); row 0 of a texture is the top of the picture.
 #define UNITY_UV_STARTS_AT_TOP 1
+#if defined(LIMN_STANDARD_Z)
+#define UNITY_NEAR_CLIP_VALUE (0.0)
+#define UNITY_RAW_FAR_CLIP_VALUE (1.0)
+#else
 #define UNITY_REVERSED_Z 1
 #define UNITY_NEAR_CLIP_VALUE (1.0)
 #define UNITY_RAW_FAR_CLIP_VALUE (0.0)
+#endif
 
 #define CBUFFER_START(name) cbuffer name {
 #define CBUFFER_END };

@@ -2,12 +2,34 @@
 #pragma once
 
 #include "limn/Globals.hlsl"
+#include "limn/Platform.hlsl"
 
 // Texture coordinate of the screen, times w; v runs down from the top, as rows of textures do.
 float4 limn_ScreenPos(float4 positionCS)
 {
     float2 ndc = float2(positionCS.x, -positionCS.y);
     return float4(ndc * 0.5 + positionCS.w * 0.5, positionCS.zw);
+}
+
+// What the depth buffer holds as 1 near ... 0 far, whichever way round it is; leads back as well.
+float limn_Nearness(float depth)
+{
+#if defined(UNITY_REVERSED_Z)
+    return depth;
+#else
+    return 1.0 - depth;
+#endif
+}
+
+// What the rounding of a depth is proportional to: floats are finest around 0, which is far where z
+// is reversed and near where it is not.
+float limn_DepthMagnitude(float nearness)
+{
+#if defined(UNITY_REVERSED_Z)
+    return nearness;
+#else
+    return 1.0;
+#endif
 }
 
 // 0 at the camera, 1 at the far plane; perspective. zBufferParams is _ZBufferParams.
@@ -26,5 +48,9 @@ float limn_LinearEyeDepth(float depth, float4 zBufferParams)
 // is 0.
 float limn_DistanceFromClipZ(float clipZ)
 {
+#if defined(UNITY_REVERSED_Z)
     return max((1.0 - clipZ / _ProjectionParams.y) * _ProjectionParams.z, 0.0);
+#else
+    return max(clipZ, 0.0);
+#endif
 }

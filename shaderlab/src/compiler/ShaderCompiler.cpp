@@ -77,6 +77,29 @@ std::string PlacedKey(const std::string& key, const PassProgram& program)
     return HashName(placed);
 }
 
+/// What the library is to know of the platform, as macros.
+std::vector<std::string> WithPlatform(std::span<const std::string> keywords,
+                                      const ShaderCompilerOptions& options)
+{
+    std::vector<std::string> all(keywords.begin(), keywords.end());
+    if (!options.usesReversedZBuffer)
+    {
+        all.emplace_back("LIMN_STANDARD_Z");
+    }
+    return all;
+}
+
+void ExpectOwnLibrary(const ShaderCompilerOptions& options)
+{
+    const std::string core = "com.unity.render-pipelines.core";
+    if (!options.usesReversedZBuffer && options.packages.contains(core))
+    {
+        throw ContractError("ShaderCompilerOptions: usesReversedZBuffer is false, but the package " +
+                            core + " is read from " + options.packages.at(core).string() +
+                            ", where it is always true on Vulkan; leave one of them out");
+    }
+}
+
 } // namespace
 
 struct ShaderCompiler::State
@@ -84,6 +107,7 @@ struct ShaderCompiler::State
     explicit State(ShaderCompilerOptions value)
         : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
     {
+        ExpectOwnLibrary(options);
         if (options.isIsolated)
         {
             process.emplace(options);
@@ -121,6 +145,11 @@ const std::vector<std::string>& ShaderCompiler::missingFeatures() const
     return m_State->options.missingFeatures;
 }
 
+bool ShaderCompiler::usesReversedZBuffer() const
+{
+    return m_State->options.usesReversedZBuffer;
+}
+
 PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 {
     const bool isComplete = std::none_of(program.pragmas.begin(), program.pragmas.end(),
@@ -137,8 +166,9 @@ PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 }
 
 std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& written,
-                                                             std::span<const std::string> keywords)
+                                                             std::span<const std::string> chosen)
 {
+    const std::vector<std::string> keywords = WithPlatform(chosen, m_State->options);
     const PassProgram program = ReadPragmas(written);
     if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
     {

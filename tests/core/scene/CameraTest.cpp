@@ -60,6 +60,26 @@ TEST(Camera, SpreadsDepthAsTheReversedFormulaSays)
     }
 }
 
+/// Depth 0 near ... 1 far is 1 less the reversed one, perspective or not, and the picture the same.
+TEST(Camera, TurnsDepthForStandardZ)
+{
+    for (const bool isOrthographic : {false, true})
+    {
+        Camera camera = Perspective(60.0f, 0.25f, 64.0f);
+        camera.orthographic = isOrthographic;
+        const glm::mat4 reversed = camera.gpuProjectionMatrix(1.5f);
+        const glm::mat4 standard = camera.gpuProjectionMatrix(1.5f, false);
+        for (const double distance : {0.25, 1.0, 7.0, 64.0})
+        {
+            const glm::dvec4 view(0.3, -0.2, -distance, 1.0);
+            const glm::dvec4 a = glm::dmat4(reversed) * view;
+            const glm::dvec4 b = glm::dmat4(standard) * view;
+            EXPECT_NEAR(b.z / b.w, 1.0 - a.z / a.w, 1e-6);
+            EXPECT_EQ(glm::dvec3(b.x, b.y, b.w), glm::dvec3(a.x, a.y, a.w));
+        }
+    }
+}
+
 TEST(Camera, ShowsTheVerticalFieldOfView)
 {
     for (const float degrees : {1.0f, 60.0f, 90.0f, 179.0f})

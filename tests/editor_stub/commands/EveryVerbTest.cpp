@@ -27,6 +27,7 @@ const Verb k_Verbs[] = {
     {"watch", "watch SCENE -o FILE", "SCENE and -o FILE are missing", {}, {"s", "-o", "o", "x"}},
     {"inspect", "inspect SCENE|PROFILE", "SCENE|PROFILE is missing", {"s.scene.yaml"}, {"s", "x"}},
     {"explain", "explain SCENE", "SCENE is missing", {"s.scene.yaml"}, {"s", "x"}},
+    {"report", "report SCENE|DIR ... -o DIR", "SCENE|DIR and -o DIR are missing", {}, {}},
     {"set",
      "set FILE Component.param=VALUE ...",
      "FILE and Component.param=VALUE are missing",

@@ -99,7 +99,7 @@ TEST(Completion, GivesBashVerbsOptionsAndValues)
                          "); COMP_CWORD=" + std::to_string(word) +
                          "; _limn; echo ${COMPREPLY[@]}' '" + LimnExecutable() + "' 2>&1");
     };
-    EXPECT_EQ("render\n", complete("limn re", 1));
+    EXPECT_EQ("render report\n", complete("limn re", 1));
     EXPECT_EQ("set schema shader\n", complete("limn s", 1));
     EXPECT_EQ("--size --set --select --stats\n", complete("limn render --s", 2));
     EXPECT_EQ("glsl glsles\n", complete("limn shader --emit gl", 3));

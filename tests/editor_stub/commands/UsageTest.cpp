@@ -145,7 +145,7 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
                      "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
     ExpectWrongUsage({"-v", "frobnicate"},
                      "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
-                     "set, schema, shader, doctor, completion, help, version)\n" +
+                     "report, set, schema, shader, doctor, completion, help, version)\n" +
                          k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},
                      "error: unknown verb 'rendr'; did you mean 'render'?\n"

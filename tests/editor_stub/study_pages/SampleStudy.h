@@ -51,4 +51,7 @@ inline void AddPoint(study::Study& sample, const std::string& technique, double 
         .quartiles["gpuAddedMilliseconds"] = {milliseconds * 0.9, milliseconds * 1.2};
 }
 
+/// Every kind of cell, as many as a real study has; "Fails" has NaN, infinite and zero figures.
+study::Study FullSample();
+
 } // namespace limn::test

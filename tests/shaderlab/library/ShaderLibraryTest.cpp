@@ -1,5 +1,6 @@
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
+#include "core/ThrownMessage.h"
 
 #include <gmock/gmock.h>
 
@@ -238,6 +239,43 @@ TEST(ShaderLibrary, GivesWayToThePackagesOfTheUser)
                              "float4 vert(float4 p : POSITION) : SV_Position { return Mine(); }\n"
                              "float4 frag() : SV_Target { return 1; }")));
     ExpectValid(*pass);
+}
+
+TEST(ShaderLibrary, SaysWhichWayRoundDepthIs)
+{
+    for (const bool isReversed : {true, false})
+    {
+        ShaderCompilerOptions options;
+        options.usesReversedZBuffer = isReversed;
+        ShaderCompiler compiler(options);
+        EXPECT_EQ(compiler.usesReversedZBuffer(), isReversed);
+        const std::string other =
+            isReversed ? "!defined(UNITY_REVERSED_Z)" : "defined(UNITY_REVERSED_Z)";
+        const std::string near = isReversed ? "1" : "0";
+        // An array of -1 elements does not compile.
+        EXPECT_NO_THROW(compiler.Compile(
+            test::Program(k_Core + std::string("#if ") + other +
+                          "\n#error the other way round\n#endif\n"
+                          "static const int n[UNITY_NEAR_CLIP_VALUE == " +
+                          near +
+                          " ? 1 : -1] = {0};\n"
+                          "static const int f[UNITY_RAW_FAR_CLIP_VALUE == " +
+                          near +
+                          " ? -1 : 1] = {0};\n"
+                          "float4 vert(float4 p : POSITION) : SV_Position { return n[0] + f[0]; }\n"
+                          "float4 frag() : SV_Target { return 1; }")));
+    }
+}
+
+TEST(ShaderLibrary, RefusesAPackageThatReversesZInAnyCase)
+{
+    ShaderCompilerOptions options;
+    options.usesReversedZBuffer = false;
+    options.packages["com.unity.render-pipelines.core"] = "pkg";
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { ShaderCompiler{options}; }),
+              "ShaderCompilerOptions: usesReversedZBuffer is false, but the package "
+              "com.unity.render-pipelines.core is read from pkg, where it is always true on "
+              "Vulkan; leave one of them out");
 }
 
 TEST(ShaderLibrary, FindsAssetsFromTheProjectRoot)

@@ -6,6 +6,24 @@ namespace limn::test
 
 using namespace limn::vulkan;
 
+TEST(FixedStates, CompareAndMoveDepthTheOtherWayRoundWithoutReversedZ)
+{
+    TargetFormats formats;
+    formats.depth = VK_FORMAT_D32_SFLOAT;
+    PipelineState state;
+    state.zTest = CompareFunction::LessEqual;
+    state.offsetFactor = 1.0f;
+    state.offsetUnits = 2.0f;
+    const FixedState reversed = ToFixedState(state, formats, true);
+    EXPECT_EQ(reversed.depthCompare, VK_COMPARE_OP_GREATER_OR_EQUAL);
+    EXPECT_EQ(reversed.depthBiasSlope, -1.0f);
+    EXPECT_EQ(reversed.depthBiasConstant, -2.0f);
+    const FixedState standard = ToFixedState(state, formats, false);
+    EXPECT_EQ(standard.depthCompare, VK_COMPARE_OP_LESS_OR_EQUAL);
+    EXPECT_EQ(standard.depthBiasSlope, 1.0f);
+    EXPECT_EQ(standard.depthBiasConstant, 2.0f);
+}
+
 TEST(PipelineKeys, TellOnlyWhatIsNotDynamicApart)
 {
     DeviceCapabilities device;

@@ -52,13 +52,14 @@ struct Camera
     /// position give equal bits near the world's origin.
     glm::dvec3 renderOrigin() const;
 
-    /// View to clip space: y up, z from w at the near plane to 0 at the far one. Computed in double
-    /// precision: exact to float rounding for any near and far.
-    /// @param aspect  width / height
+    /// View to clip space: y up, z from w at the near plane to 0 at the far one, or from 0 to w.
+    /// Computed in double precision: exact to float rounding for any near and far.
+    /// @param aspect               width / height
+    /// @param usesReversedZBuffer  z is w at the near plane; see ShaderCompilerOptions
     /// @throws ContractError naming the field, if one is outside its range or not finite, or if
     ///     projectionMatrix is no projection of this camera's kind, singular or beyond a float
-    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix) on a reversed-Z device
-    glm::mat4 gpuProjectionMatrix(float aspect) const;
+    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix)
+    glm::mat4 gpuProjectionMatrix(float aspect, bool usesReversedZBuffer = true) const;
 
     /// projectionMatrix, or what the fields make in its place: what to begin with for a matrix of
     /// one's own. Its z keeps as many digits as 1e16 near / far has.
@@ -74,5 +75,16 @@ struct Camera
     /// Unity: Camera.CalculateObliqueMatrix (2022.3).
     glm::dmat4 CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const;
 };
+
+/// Depth the other way round: of near 1 ... far 0 comes near 0 ... far 1, and back.
+template <typename Matrix>
+Matrix WithTurnedDepth(Matrix projection)
+{
+    for (int column = 0; column < 4; ++column)
+    {
+        projection[column][2] = projection[column][3] - projection[column][2];
+    }
+    return projection;
+}
 
 } // namespace limn

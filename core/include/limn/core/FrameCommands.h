@@ -213,6 +213,7 @@ struct FrameTables
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
     std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
     std::shared_ptr<const ObjectTable> objects; ///< of the scene; null = no draw has any
+    bool usesReversedZBuffer = true; ///< what its shaders count on, see ShaderCompilerOptions
 
     const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }
     /// Null = the draw has none.

@@ -47,6 +47,16 @@ struct CameraData
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
     glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
     glm::mat4 gpuProjectionMatrix{1.0f};
+    /// Depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1 far.
+    /// Unity: SystemInfo.usesReversedZBuffer (2022.3).
+    bool usesReversedZBuffer = true;
+
+    /// World to clip space with z from w near to 0 far, whichever way round the device's depth is.
+    glm::dmat4 reversedViewProjection() const
+    {
+        const glm::dmat4 projection(gpuProjectionMatrix);
+        return (usesReversedZBuffer ? projection : WithTurnedDepth(projection)) * viewMatrix;
+    }
 };
 
 /// What passes and features get to see of the frame; valid during the camera's rendering only.

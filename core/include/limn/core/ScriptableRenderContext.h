@@ -30,7 +30,9 @@ public:
     /// @param report  must outlive the frame
     /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
     /// @param spare   of an earlier frame: the memory of its lists is used again
-    void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {});
+    /// @param usesReversedZBuffer  see ShaderCompilerOptions
+    void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {},
+               bool usesReversedZBuffer = true);
 
     /// Appends the buffer's commands; the buffer may be cleared and used again afterwards.
     /// @throws AssetError if a shader pass does not compile

@@ -73,6 +73,8 @@ public:
 
     /// What compiles the passes; other shaders may be made with it.
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
+    /// What it counts on, see ShaderCompilerOptions.
+    bool usesReversedZBuffer() const { return !m_Compiler || m_Compiler->usesReversedZBuffer(); }
 
     /// The keywords that a new material has on, by the defaults of its properties.
     const std::vector<std::string>& initialKeywords() const { return m_InitialKeywords; }

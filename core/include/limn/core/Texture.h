@@ -18,7 +18,8 @@ struct SamplerState
     TextureWrapMode wrapModeU = TextureWrapMode::Repeat;
     TextureWrapMode wrapModeV = TextureWrapMode::Repeat;
     TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< of 3D textures
-    bool comparison = false; ///< depth comparison GreaterEqual (reversed Z)
+    bool comparison = false; ///< depth comparison: passes what is as near as the texel or nearer
+    bool standardZ = false;  ///< of the comparison: 0 is near
 
     bool operator==(const SamplerState&) const = default;
 };

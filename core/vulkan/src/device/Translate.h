@@ -13,7 +13,7 @@ VkFormat ToVkFormat(GraphicsFormat format);
 /// Disabled becomes Always; whoever calls turns the test off.
 VkCompareOp ToReversedDepthCompare(CompareFunction function);
 
-/// The same comparison, for stencil values.
+/// The same comparison, for stencil values and depth buffers where 0 is near.
 VkCompareOp ToStencilCompare(CompareFunction function);
 
 VkStencilOp ToVkStencilOp(StencilOp op);

@@ -156,7 +156,8 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
     return key;
 }
 
-FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats)
+FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats,
+                        bool usesReversedZBuffer)
 {
     FixedState result;
     result.cullMode = ToVkCullMode(state.cull);
@@ -164,21 +165,23 @@ FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats
     result.depthTest =
         formats.depth != VK_FORMAT_UNDEFINED && state.zTest != CompareFunction::Disabled;
     result.depthWrite = result.depthTest && state.zWrite;
-    result.depthCompare = ToReversedDepthCompare(state.zTest);
+    result.depthCompare =
+        usesReversedZBuffer ? ToReversedDepthCompare(state.zTest) : ToStencilCompare(state.zTest);
     result.depthBias = state.offsetFactor != 0.0f || state.offsetUnits != 0.0f;
-    // Farther is smaller in a reversed buffer, hence the signs.
-    result.depthBiasConstant = -state.offsetUnits;
-    result.depthBiasSlope = -state.offsetFactor;
+    const float farther = usesReversedZBuffer ? -1.0f : 1.0f;
+    result.depthBiasConstant = farther * state.offsetUnits;
+    result.depthBiasSlope = farther * state.offsetFactor;
     result.stencilTest = formats.stencil != VK_FORMAT_UNDEFINED && state.stencilEnabled;
     result.stencilFront = ToStencilFace(state, state.stencilFront);
     result.stencilBack = ToStencilFace(state, state.stencilBack);
     return result;
 }
 
-DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs)
+DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs,
+                            bool usesReversedZBuffer)
 {
     DynamicState result;
-    result.fixed = ToFixedState(state, key.formats);
+    result.fixed = ToFixedState(state, key.formats, usesReversedZBuffer);
     if (key.dynamicBlend)
     {
         result.blend = ToBlendState(state, key.formats.colors.size(), colorOutputs);

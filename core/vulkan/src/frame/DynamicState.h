@@ -27,7 +27,9 @@ struct FixedState
 };
 
 /// Tests are off where the target has nothing to test against.
-FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats);
+/// @param usesReversedZBuffer  see ShaderCompilerOptions
+FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats,
+                        bool usesReversedZBuffer = true);
 
 /// Blending of the colour targets, as Vulkan's commands take it.
 struct BlendState
@@ -48,6 +50,7 @@ struct DynamicState
 
 /// The rest of the state, for pipelines of this key. @param colorOutputs  of the pass, see
 /// PropertyLayout
-DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs);
+DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs,
+                            bool usesReversedZBuffer);
 
 } // namespace limn::vulkan

@@ -70,6 +70,7 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     m_Slot.descriptors().Begin(m_Resources.changeCount());
     m_Prepared.Clear();
     m_Prepared.passes.resize(frame.passes.size());
+    m_Prepared.usesReversedZBuffer = frame.usesReversedZBuffer;
     m_Resources.images.Place(frame.placed, m_Number);
     FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
     DrawPreparer draws{m_Context, m_Resources, descriptors, frame, m_Number, m_Prepared};

@@ -26,7 +26,7 @@ void PassRecorder::Record()
     {
         BeginLabel(m_Pass.name);
     }
-    RecordBeginRendering(m_Commands, m_Pass, m_Images);
+    RecordBeginRendering(m_Commands, m_Pass, m_Images, m_Frame.usesReversedZBuffer);
     Run(SetViewportCommand{{0, 0, m_Pass.width, m_Pass.height}});
     for (const PassCommand& command : m_Pass.commands)
     {
@@ -67,7 +67,8 @@ void PassRecorder::Run(const ClearCommand& clear)
     }
     if (aspects != 0)
     {
-        attachments.push_back({aspects, 0, DepthClearValue(clear.depth, clear.stencil)});
+        attachments.push_back({aspects, 0, DepthClearValue(clear.depth, clear.stencil,
+                                                           m_Frame.usesReversedZBuffer)});
     }
     const bool empty = m_Scissor.extent.width == 0 || m_Scissor.extent.height == 0;
     if (attachments.empty() || empty)

@@ -185,7 +185,7 @@ void MarkSamples(const CompiledRenderPass& pass, ImagePool& images)
 }
 
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          const ImagePool& images)
+                          const ImagePool& images, bool usesReversedZBuffer)
 {
     std::array<VkRenderingAttachmentInfo, 8> colors{};
     std::uint32_t count = 0;
@@ -216,7 +216,8 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
         const DepthAttachment& target = *pass.depth;
         const PooledImage& image = *images.Find(*target.texture);
         const VkImageView view = image.view.get();
-        const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil);
+        const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil,
+                                                   usesReversedZBuffer);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         depth = Attachment(view, layout, target.load, target.store, clear);
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
@@ -281,10 +282,11 @@ VkViewport ToVkViewport(const ViewportRect& rect)
             1.0f};
 }
 
-VkClearValue DepthClearValue(float depth, int stencil)
+VkClearValue DepthClearValue(float depth, int stencil, bool usesReversedZBuffer)
 {
     VkClearValue value{};
-    value.depthStencil = {1.0f - depth, static_cast<std::uint32_t>(stencil) & 0xFFU};
+    value.depthStencil = {usesReversedZBuffer ? 1.0f - depth : depth,
+                          static_cast<std::uint32_t>(stencil) & 0xFFU};
     return value;
 }
 

@@ -16,7 +16,7 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
 void MarkSamples(const CompiledRenderPass& pass, ImagePool& images);
 
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          const ImagePool& images);
+                          const ImagePool& images, bool usesReversedZBuffer);
 
 /// @throws ContractError if the rectangle is empty or more than the device draws into
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
@@ -28,7 +28,7 @@ VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
 /// Clip y = +1 is the rectangle's first row, clip z = depth.
 VkViewport ToVkViewport(const ViewportRect& rect);
 
-/// Unity writes 1 = far; the device's buffer holds 0 there.
-VkClearValue DepthClearValue(float depth, int stencil);
+/// Unity writes 1 = far; a reversed buffer holds 0 there.
+VkClearValue DepthClearValue(float depth, int stencil, bool usesReversedZBuffer);
 
 } // namespace limn::vulkan

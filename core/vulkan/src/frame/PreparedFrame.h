@@ -43,6 +43,7 @@ struct PreparedFrame
     std::vector<PreparedDraw> draws;
     std::vector<PreparedRun> runs;
     std::vector<DynamicState> states; ///< of neighbours no two are equal
+    bool usesReversedZBuffer = true;  ///< see ShaderCompilerOptions
 
     void Clear()
     {

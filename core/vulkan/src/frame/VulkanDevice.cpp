@@ -3,6 +3,7 @@
 
 #include "device/Translate.h"
 #include "frame/FrameRecorder.h"
+#include "memory/CopyBandwidth.h"
 #include "resources/ReadBackCopy.h"
 
 namespace limn
@@ -135,6 +136,11 @@ Image VulkanDevice::ReadBack(const RenderTexture& texture)
     return m_Impl->ReadBack(texture, IsDepthFormat(texture.graphicsFormat())
                                          ? VK_IMAGE_ASPECT_DEPTH_BIT
                                          : VK_IMAGE_ASPECT_COLOR_BIT);
+}
+
+double VulkanDevice::MeasureCopyBandwidth()
+{
+    return vulkan::MeasureCopyBandwidth(m_Impl->context, m_Impl->allocator, m_Impl->queue);
 }
 
 Image VulkanDevice::ReadBackStencil(const RenderTexture& texture)

@@ -12,7 +12,7 @@ int Pack(const SamplerState& state)
 {
     return static_cast<int>(state.filterMode) + 4 * static_cast<int>(state.wrapModeU) +
            16 * static_cast<int>(state.wrapModeV) + 64 * static_cast<int>(state.wrapModeW) +
-           (state.comparison ? 256 : 0);
+           (state.comparison ? 256 : 0) + (state.standardZ ? 512 : 0);
 }
 
 VkSamplerAddressMode ToAddressMode(TextureWrapMode mode, bool mirrorOnce)
@@ -54,7 +54,9 @@ VkSampler SamplerCache::Get(const SamplerState& state)
     info.addressModeV = ToAddressMode(state.wrapModeV, mirrorOnce);
     info.addressModeW = ToAddressMode(state.wrapModeW, mirrorOnce);
     info.compareEnable = state.comparison ? VK_TRUE : VK_FALSE;
-    info.compareOp = state.comparison ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_ALWAYS;
+    info.compareOp = !state.comparison ? VK_COMPARE_OP_ALWAYS
+                     : state.standardZ ? VK_COMPARE_OP_LESS_OR_EQUAL
+                                       : VK_COMPARE_OP_GREATER_OR_EQUAL;
     info.maxLod = VK_LOD_CLAMP_NONE;
     VkSampler handle = VK_NULL_HANDLE;
     Check(vkCreateSampler(m_Context.device(), &info, nullptr, &handle), "vkCreateSampler");

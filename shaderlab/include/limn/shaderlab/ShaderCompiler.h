@@ -40,6 +40,10 @@ struct ShaderCompilerOptions
     bool isIsolated = false;
     /// What an isolated compilation may take.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
+    /// Whether depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and UNITY_NEAR_CLIP_VALUE is
+    /// 1; else the other way round, as on OpenGL, to study precision. The whole pipeline goes by
+    /// what its renderer's compiler has. Unity: SystemInfo.usesReversedZBuffer (2022.3).
+    bool usesReversedZBuffer = true;
 };
 
 /// Turns the HLSL of a pass into SPIR-V and its layout. All members may be called from several
@@ -47,6 +51,8 @@ struct ShaderCompilerOptions
 class ShaderCompiler
 {
 public:
+    /// @throws ContractError  if the depth is not reversed and `packages` holds a shader library:
+    ///                        which way round it is on Vulkan stands in there
     explicit ShaderCompiler(ShaderCompilerOptions options = {});
     ~ShaderCompiler();
     ShaderCompiler(const ShaderCompiler&) = delete;
@@ -69,6 +75,7 @@ public:
 
     /// As in the options.
     const std::vector<std::string>& missingFeatures() const;
+    bool usesReversedZBuffer() const;
 
     struct Statistics
     {

@@ -1,11 +1,13 @@
 // Where the depth or the normals of the picture change around a point of the screen: a share of
 // 0...1 that an object's material or a pass of its own blends an outline colour by. Two ways: with
 // the article's arithmetic and parameters, and hardened, with thresholds in metres and degrees.
+// Depths are 1 near ... 0 far here, whichever way round the device's are.
 #pragma once
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/DeclareDepthTexture.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/DeclareNormalsTexture.hlsl"
 #include "limn/BuiltinEncoding.hlsl"
+#include "limn/Screen.hlsl"
 
 TEXTURE2D_X(_CameraDepthNormalsTexture);
 SAMPLER(sampler_CameraDepthNormalsTexture);
@@ -18,8 +20,11 @@ float3 limn_ViewNormal(float2 uv)
 
 float limn_Depth(float2 uv)
 {
-    return SAMPLE_TEXTURE2D_X_LOD(_CameraDepthTexture, sampler_CameraDepthTexture, uv, 0).r;
+    return limn_Nearness(
+        SAMPLE_TEXTURE2D_X_LOD(_CameraDepthTexture, sampler_CameraDepthTexture, uv, 0).r);
 }
+
+float limn_DepthOf(uint2 pixel) { return limn_Nearness(LoadSceneDepth(pixel)); }
 
 // The article's: 1 where a difference across is above its threshold, else 0. A sensitivity that is
 // not above 0 finds nothing.
@@ -48,7 +53,7 @@ void OutlineObject_float(float2 UV, float OutlineThickness, float DepthSensitivi
 // Distance along the view axis; any projection.
 float limn_EyeDepth(float depth)
 {
-    return unity_OrthoParams.w == 0.0 ? LinearEyeDepth(depth, _ZBufferParams)
+    return unity_OrthoParams.w == 0.0 ? LinearEyeDepth(limn_Nearness(depth), _ZBufferParams)
                                       : lerp(_ProjectionParams.z, _ProjectionParams.y, depth);
 }
 
@@ -58,7 +63,7 @@ float limn_Gap(float depth, float expected, float unknown)
 {
     float difference = max(abs(depth - expected) - unknown, 0.0);
     return unity_OrthoParams.w == 0.0
-               ? difference * _ZBufferParams.z * limn_EyeDepth(depth) * limn_EyeDepth(expected)
+               ? difference * abs(_ZBufferParams.z) * limn_EyeDepth(depth) * limn_EyeDepth(expected)
                : difference * (_ProjectionParams.z - _ProjectionParams.y);
 }
 
@@ -78,8 +83,8 @@ float4 limn_DepthsAround(int2 pixel, int2 taps)
 {
     uint2 low = uint2(pixel - taps);
     uint2 high = uint2(pixel + taps);
-    return float4(LoadSceneDepth(uint2(low.x, pixel.y)), LoadSceneDepth(uint2(high.x, pixel.y)),
-                  LoadSceneDepth(uint2(pixel.x, low.y)), LoadSceneDepth(uint2(pixel.x, high.y)));
+    return float4(limn_DepthOf(uint2(low.x, pixel.y)), limn_DepthOf(uint2(high.x, pixel.y)),
+                  limn_DepthOf(uint2(pixel.x, low.y)), limn_DepthOf(uint2(pixel.x, high.y)));
 }
 
 // The largest step from a pixel of the background, where only samples of it see an object: what is
@@ -109,7 +114,7 @@ float2 limn_StepAndAngle(float2 uv, float reach)
     int2 pixel = clamp(int2(uv * size), int2(0, 0), int2(size) - 1);
     int2 room = min(pixel, int2(size) - 1 - pixel);
     int2 taps = min(int2(reach, reach), room);
-    float center = LoadSceneDepth(uint2(pixel));
+    float center = limn_DepthOf(uint2(pixel));
     if (center == 0.0)
     {
         return float2(limn_StepFromBackground(pixel, min(taps, room / 2)), 0.0);
@@ -122,7 +127,7 @@ float2 limn_StepAndAngle(float2 uv, float reach)
     float2 slope = min(differences.xz, differences.yw);
     float most = max(center, max(max(around.x, around.y), max(around.z, around.w)));
     float corner = most + dot(slope / max(float2(taps), 1.0), size);
-    float unknown = (slope.x + slope.y) / 64.0 + corner * 4.8e-7; // 8 / 2^24
+    float unknown = (slope.x + slope.y) / 64.0 + limn_DepthMagnitude(corner) * 4.8e-7; // 8 / 2^24
     float step = max(limn_Step(around.x, center, around.y, unknown),
                      limn_Step(around.z, center, around.w, unknown));
 

@@ -12,5 +12,7 @@ bool SeenByCamera(float4 position, float4 place)
     // The camera's depth may be that of another place in the pixel: allow for the slope.
     float slope = abs(ddx(position.z)) + abs(ddy(position.z));
     bool isOutside = any(uv < 0.0) || any(uv > 1.0);
-    return isOutside || position.z * (1.0 + 1e-6) + slope >= SampleSceneDepth(saturate(uv));
+    float own = limn_Nearness(position.z);
+    return isOutside || own + limn_DepthMagnitude(own) * 1e-6 + slope >=
+                            limn_Nearness(SampleSceneDepth(saturate(uv)));
 }

@@ -12,7 +12,7 @@ float Linear01Depth(float depth, float4 zBufferParam)
 // 0 at the near plane, 1 at the far plane; perspective.
 float Linear01DepthFromNear(float depth, float4 zBufferParam)
 {
-    return (1.0 - depth) / (zBufferParam.x * depth + zBufferParam.y);
+    return (1.0 - limn_Nearness(depth)) / (zBufferParam.x * depth + zBufferParam.y);
 }
 
 // Distance along the view axis; perspective.

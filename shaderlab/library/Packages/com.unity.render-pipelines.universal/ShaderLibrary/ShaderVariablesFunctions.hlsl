@@ -80,7 +80,8 @@ float3 NormalizeNormalPerPixel(float3 normalWS) { return normalize(normalWS); }
 // Distance along the view axis of an orthographic camera.
 float LinearDepthToEyeDepth(float rawDepth)
 {
-    return _ProjectionParams.z - (_ProjectionParams.z - _ProjectionParams.y) * rawDepth;
+    return _ProjectionParams.z -
+           (_ProjectionParams.z - _ProjectionParams.y) * limn_Nearness(rawDepth);
 }
 
 float AlphaDiscard(float alpha, float cutoff, float offset = 0.0)

@@ -120,7 +120,11 @@ float limn_MainLightLit(float2 uv, float depth)
                            _MainLightShadowmapTexture.Load(int3(high.x, low.y, 0)).r,
                            _MainLightShadowmapTexture.Load(int3(low.x, high.y, 0)).r,
                            _MainLightShadowmapTexture.Load(int3(high, 0)).r);
+#if defined(UNITY_REVERSED_Z)
     float4 lit = step(stored, depth);
+#else
+    float4 lit = step(depth, stored);
+#endif
     float2 part = frac(texel);
     return lerp(lerp(lit.x, lit.y, part.x), lerp(lit.z, lit.w, part.x), part.y);
 }
@@ -244,6 +248,10 @@ float3 ApplyShadowBias(float3 positionWS, float3 normalWS, float3 lightDirection
 // Keeps what lies in front of the near plane on it.
 float4 ApplyShadowClamping(float4 positionCS)
 {
+#if defined(UNITY_REVERSED_Z)
     positionCS.z = min(positionCS.z, positionCS.w * UNITY_NEAR_CLIP_VALUE);
+#else
+    positionCS.z = max(positionCS.z, positionCS.w * UNITY_NEAR_CLIP_VALUE);
+#endif
     return positionCS;
 }

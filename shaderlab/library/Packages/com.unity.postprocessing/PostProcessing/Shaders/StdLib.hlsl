@@ -64,7 +64,8 @@ float SafeHDR(float c) { return min(c, HALF_MAX); }
 // orthographic.
 float Linear01Depth(float z)
 {
-    return unity_OrthoParams.w > 0.0 ? 1.0 - z : limn_Linear01Depth(z, _ZBufferParams);
+    return unity_OrthoParams.w > 0.0 ? 1.0 - limn_Nearness(z)
+                                   : limn_Linear01Depth(z, _ZBufferParams);
 }
 float LinearEyeDepth(float z) { return limn_LinearEyeDepth(z, _ZBufferParams); }
 

@@ -1,0 +1,325 @@
+#include "commands/ReportCommand.h"
+
+#include "assets/FileKind.h"
+#include "study/StudyBench.h"
+#include "study/StudyFiles.h"
+#include "study/StudyPlan.h"
+#include "study/StudyScene.h"
+#include "study_pages/TimeLeft.h"
+#include "study_pages/WriteReport.h"
+#include "view/SceneView.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/HashContent.h>
+#include <limn/shaderlab/ReadFile.h>
+#include <sstream>
+#include <thread>
+
+namespace limn
+{
+
+namespace
+{
+
+using namespace study;
+
+std::string Now()
+{
+    const std::time_t time = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&time, &parts);
+    std::ostringstream text;
+    text << std::put_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
+    return text.str();
+}
+
+/// "Intel(R) Xeon(R) ..., 2 threads".
+std::string MachineName()
+{
+    std::ifstream file("/proc/cpuinfo");
+    std::string name = "unknown processor";
+    for (std::string line; std::getline(file, line);)
+    {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos)
+        {
+            name = line.substr(colon + 2);
+            break;
+        }
+    }
+    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+}
+
+double LoadAverage()
+{
+    double load = 0.0;
+    return getloadavg(&load, 1) == 1 ? load : 0.0;
+}
+
+/// Of all files that the scene was read from.
+std::string HashOf(const AssetContext& assets)
+{
+    std::string contents;
+    for (const std::filesystem::path& file : assets.reachedFiles())
+    {
+        contents += std::to_string(HashContent(TryReadFile(file, k_MaxDataBytes).bytes)) + " ";
+    }
+    std::ostringstream text;
+    text << std::hex << HashContent(contents);
+    return text.str();
+}
+
+std::vector<std::string> TechniqueNames(const std::vector<std::string>& wanted)
+{
+    std::vector<std::string> names;
+    for (const std::string& name : wanted)
+    {
+        const Technique* technique = FindTechnique(name);
+        if (technique == nullptr)
+        {
+            std::vector<std::string_view> known;
+            for (const Technique& one : Techniques())
+            {
+                known.push_back(one.info.name);
+            }
+            throw AssetError("--technique", {}, "unknown technique " + UnknownName(name, known));
+        }
+        names.push_back(technique->info.name);
+    }
+    return names;
+}
+
+/// Everything about the study but its cells.
+Study Describe(const std::string& scene, const StudyOptions& options, const AssetContext& assets,
+               const VulkanDevice& device)
+{
+    Study study;
+    study.scene = scene;
+    study.sceneHash = HashOf(assets);
+    study.device = device.deviceName();
+    study.machine = MachineName();
+    study.limnVersion = LIMN_VERSION;
+    study.options = options.Text();
+    study.started = Now();
+    study.planned = PlanStudy(options);
+    for (const Technique& technique : Techniques())
+    {
+        study.techniques.push_back(technique.info);
+    }
+    return study;
+}
+
+/// Measures what is missing of one shard.
+class StudyRun
+{
+public:
+    StudyRun(StudyFolder& folder, Study& study, StudyBench& bench, const StudyOptions& options)
+        : m_Folder(folder), m_Study(study), m_Bench(bench), m_Options(options)
+    {
+    }
+
+    void Run(int shard, int shards, Console& console)
+    {
+        const std::vector<std::vector<CellId>> units = UnitsOf(m_Study.planned);
+        std::vector<std::vector<CellId>> mine;
+        for (std::size_t i = 0; i < units.size(); ++i)
+        {
+            if (static_cast<int>(i % static_cast<std::size_t>(shards)) + 1 == shard)
+            {
+                mine.push_back(units[i]);
+            }
+        }
+        double work = 0.0;
+        for (const auto& unit : mine)
+        {
+            work += WorkOf(unit);
+        }
+        TimeLeft left(mine.size(), work);
+        for (const auto& unit : mine)
+        {
+            Measure(unit, left, console);
+        }
+        console.Progress("");
+        m_Folder.Update();
+    }
+
+private:
+    /// About how long a unit takes, in pixels drawn.
+    double WorkOf(const std::vector<CellId>& unit) const
+    {
+        const CellId& id = unit.front();
+        const double pixels = static_cast<double>(id.pictureWidth) * id.pictureHeight;
+        const double frames = id.kind == CellKind::Cost       ? m_Options.rounds() + 4.0
+                              : id.kind == CellKind::Temporal ? 40.0
+                                                              : 6.0;
+        return (pixels + 50000.0) * frames * static_cast<double>(unit.size());
+    }
+
+    void Measure(const std::vector<CellId>& unit, TimeLeft& left, Console& console)
+    {
+        std::vector<CellId> missing;
+        for (const CellId& id : unit)
+        {
+            if (!m_Folder.Has(id))
+            {
+                missing.push_back(id);
+            }
+        }
+        if (missing.empty())
+        {
+            left.Skip(WorkOf(unit));
+            return;
+        }
+        console.Progress(left.Line(missing.front().Name()));
+        if (missing.front().kind == CellKind::Cost)
+        {
+            m_Study.copyBandwidth = m_Bench.copyBandwidth();
+            for (CellResult& cell : m_Bench.MeasureCosts(missing, m_Options.rounds()))
+            {
+                m_Folder.Add(std::move(cell));
+            }
+            m_Study.loadAverage = std::max(m_Study.loadAverage, LoadAverage());
+        }
+        else
+        {
+            m_Folder.Add(m_Bench.Measure(missing.front()));
+        }
+        left.Add(WorkOf(unit));
+    }
+
+    StudyFolder& m_Folder;
+    Study& m_Study;
+    StudyBench& m_Bench;
+    const StudyOptions& m_Options;
+};
+
+void PrintReport(const ReportFiles& report, Console& console)
+{
+    if (!report.noPlots.empty())
+    {
+        console.Note("no plots: " + report.noPlots);
+    }
+    for (const std::filesystem::path& file : report.files)
+    {
+        console.Result(file.string());
+    }
+    console.Line(report.recommendation);
+}
+
+ReportOptions PageOptions(const ReportCommandOptions& options)
+{
+    ReportOptions pages;
+    if (options.budget > 0.0)
+    {
+        pages.budgetMilliseconds = options.budget;
+    }
+    return pages;
+}
+
+int Merge(const ReportCommandOptions& options, Console& console)
+{
+    std::vector<Study> parts;
+    for (const std::string& folder : options.paths)
+    {
+        parts.push_back(ReadStudy(folder));
+    }
+    const std::vector<MergedStudy> merged = MergeStudies(parts);
+    bool isWhole = true;
+    for (std::size_t i = 0; i < merged.size(); ++i)
+    {
+        const MergedStudy& part = merged[i];
+        const std::filesystem::path folder =
+            merged.size() == 1 ? std::filesystem::path(options.output)
+                               : std::filesystem::path(options.output) / std::to_string(i + 1);
+        ReportOptions pages = PageOptions(options);
+        for (const std::string& name : part.missing)
+        {
+            pages.remarks.push_back("missing: " + name);
+        }
+        for (const std::string& name : part.doubled)
+        {
+            pages.remarks.push_back("there twice, the first stands: " + name);
+        }
+        for (const std::string& remark : pages.remarks)
+        {
+            console.Warning(folder.string() + ": " + remark);
+        }
+        isWhole = isWhole && part.missing.empty();
+        Study study = part.study;
+        WriteMerged(folder, study, options.paths);
+        console.Note(folder.string() + ": " + study.scene + " on " + study.device + ", " +
+                     std::to_string(study.cells.size()) + " of " +
+                     std::to_string(study.planned.size()) + " cells");
+        PrintReport(WriteReport(study, folder, pages), console);
+    }
+    return static_cast<int>(isWhole ? ExitCode::Done : ExitCode::BadInput);
+}
+
+int Compare(const ReportCommandOptions& options, Console& console)
+{
+    const Study first = ReadStudy(options.paths[0]);
+    const Study second = ReadStudy(options.paths[1]);
+    const std::vector<std::string> differences = CompareStudies(first, second);
+    for (const std::string& difference : differences)
+    {
+        console.Result(difference);
+    }
+    console.Note(std::to_string(first.cells.size()) + " and " +
+                 std::to_string(second.cells.size()) + " cells, " +
+                 std::to_string(differences.size()) + " differ, times apart");
+    return static_cast<int>(differences.empty() ? ExitCode::Done : ExitCode::BadInput);
+}
+
+} // namespace
+
+int RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console)
+{
+    if (options.isMerge)
+    {
+        return Merge(options, console);
+    }
+    const std::size_t expected = options.isCompare ? 2 : 1;
+    if (options.paths.size() != expected)
+    {
+        console.Error(options.isCompare ? "report --compare: two folders of reports are expected"
+                                        : "report: one scene is expected");
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    if (options.isCompare)
+    {
+        return Compare(options, console);
+    }
+    render.scene = options.paths.front();
+    RequireKind(render.scene, {FileKind::Scene}, "report");
+    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(render, console);
+    VulkanDevice device({render.device, false, compilerOptions.cacheFolder});
+    compilerOptions.missingFeatures = device.missingShaderFeatures();
+    AssetContext assets(compilerOptions);
+    SceneAsset scene = LoadForRendering(render, assets);
+    console.Print(scene.notes);
+    MarkOutlined(scene); // so that a scene without an outline is refused at once
+    console.Verbose(device.ChoiceSentence());
+
+    StudyOptions studyOptions;
+    studyOptions.isQuick = options.isQuick;
+    studyOptions.hasStability = options.hasStability;
+    studyOptions.techniques = TechniqueNames(options.techniques);
+    studyOptions.sceneSize = {scene.width, scene.height};
+    Study study = Describe(render.scene, studyOptions, assets, device);
+    StudyFolder folder(options.output, study);
+    StudyBench bench(render.scene, options.output, assets, device);
+    StudyRun(folder, study, bench, studyOptions).Run(options.shard, options.shards, console);
+    if (options.shards > 1)
+    {
+        console.Result(options.output);
+        return static_cast<int>(ExitCode::Done);
+    }
+    PrintReport(WriteReport(study, options.output, PageOptions(options)), console);
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

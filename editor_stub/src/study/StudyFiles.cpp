@@ -1,0 +1,339 @@
+#include "study/StudyFiles.h"
+
+#include "study/StudyJson.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fcntl.h>
+#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/ReadFile.h>
+#include <limn/shaderlab/WriteFile.h>
+#include <unistd.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+std::filesystem::path HeaderFile(const std::filesystem::path& folder)
+{
+    return folder / "study.json";
+}
+
+std::filesystem::path CellsFile(const std::filesystem::path& folder)
+{
+    return folder / "cells.jsonl";
+}
+
+/// What all parts of one study agree in.
+std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
+{
+    return {{"scene", study.sceneHash},
+            {"device", study.device},
+            {"options", study.options},
+            {"limn", study.limnVersion}};
+}
+
+Study ReadHeader(const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = HeaderFile(folder);
+    const std::string text = ReadFile(file);
+    try
+    {
+        return StudyFromJson(Json::parse(text));
+    }
+    catch (const std::exception& error)
+    {
+        throw AssetError(file.string(), {}, std::string("no study: ") + error.what());
+    }
+}
+
+/// The cells whose lines are whole; `length` becomes that of these lines.
+std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size_t& length)
+{
+    length = 0;
+    std::vector<CellResult> cells;
+    const std::filesystem::path file = CellsFile(folder);
+    if (!std::filesystem::exists(file))
+    {
+        return cells;
+    }
+    const std::string text = ReadFile(file, k_MaxDataBytes);
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', length))
+    {
+        try
+        {
+            cells.push_back(CellFromJson(Json::parse(text.substr(length, end - length))));
+        }
+        catch (const std::exception& error)
+        {
+            throw AssetError(file.string(), {static_cast<int>(cells.size()) + 1, 1},
+                             std::string("no cell: ") + error.what());
+        }
+        length = end + 1;
+    }
+    return cells;
+}
+
+[[noreturn]] void ThrowErrno(const std::filesystem::path& file)
+{
+    throw AssetError(file.string(), {}, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+/// A descriptor that is closed.
+class AppendedFile
+{
+public:
+    explicit AppendedFile(std::filesystem::path path)
+        : m_Path(std::move(path)),
+          m_Descriptor(open(m_Path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666))
+    {
+        if (m_Descriptor < 0)
+        {
+            ThrowErrno(m_Path);
+        }
+    }
+    ~AppendedFile() { close(m_Descriptor); }
+    AppendedFile(const AppendedFile&) = delete;
+    AppendedFile& operator=(const AppendedFile&) = delete;
+
+    void Append(const std::string& bytes)
+    {
+        if (const std::error_code error = WriteToDescriptor(m_Descriptor, bytes))
+        {
+            throw AssetError(m_Path.string(), {}, "cannot be written: " + error.message());
+        }
+        fdatasync(m_Descriptor); // where there is no disk behind it, nothing is lost either
+    }
+
+private:
+    std::filesystem::path m_Path;
+    int m_Descriptor;
+};
+
+std::string LineOf(const CellResult& cell)
+{
+    return ToJson(cell).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// From the first part that has it.
+void CopyPicture(std::span<const std::string> parts, const std::string& name,
+                 const std::filesystem::path& folder)
+{
+    for (const std::filesystem::path part : parts)
+    {
+        std::error_code error;
+        if (std::filesystem::exists(part / name, error))
+        {
+            std::filesystem::create_directories((folder / name).parent_path(), error);
+            std::filesystem::copy_file(part / name, folder / name,
+                                       std::filesystem::copy_options::overwrite_existing, error);
+            if (error)
+            {
+                throw AssetError((folder / name).string(), {},
+                                 "cannot be written: " + error.message());
+            }
+            return;
+        }
+    }
+}
+
+/// Puts the cells in the order they were planned; unplanned ones last.
+void Sort(Study& study)
+{
+    std::map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < study.planned.size(); ++i)
+    {
+        places.emplace(study.planned[i].Name(), i);
+    }
+    const auto place = [&places](const CellResult& cell)
+    {
+        const auto found = places.find(cell.id.Name());
+        return found == places.end() ? places.size() : found->second;
+    };
+    std::ranges::stable_sort(study.cells, {}, place);
+}
+
+/// By name, since a width may be NaN.
+bool HasCell(const Study& study, const std::string& name)
+{
+    return std::ranges::any_of(study.cells,
+                               [&name](const CellResult& cell) { return cell.id.Name() == name; });
+}
+
+void RequireSameStudy(const std::filesystem::path& folder, const Study& there, const Study& wanted)
+{
+    const auto found = IdentityOf(there);
+    const auto asked = IdentityOf(wanted);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+    {
+        if (found[i].second != asked[i].second)
+        {
+            throw AssetError(HeaderFile(folder).string(), {},
+                             std::string("holds a study with another ") + asked[i].first + " ('" +
+                                 found[i].second + "', not '" + asked[i].second +
+                                 "'); name another folder, or remove this one");
+        }
+    }
+}
+
+} // namespace
+
+Study ReadStudy(const std::filesystem::path& folder)
+{
+    Study study = ReadHeader(folder);
+    std::size_t length = 0;
+    study.cells = ReadCells(folder, length);
+    Sort(study);
+    return study;
+}
+
+StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
+    : m_Path(std::move(folder)), m_Study(study)
+{
+    std::error_code error;
+    std::filesystem::create_directories(m_Path, error);
+    if (error)
+    {
+        throw AssetError(m_Path.string(), {}, "cannot be made: " + error.message());
+    }
+    if (std::filesystem::exists(HeaderFile(m_Path)))
+    {
+        const Study there = ReadHeader(m_Path);
+        RequireSameStudy(m_Path, there, study);
+        study.started = there.started;
+        study.loadAverage = there.loadAverage;
+        study.copyBandwidth = there.copyBandwidth;
+    }
+    std::size_t length = 0;
+    study.cells = ReadCells(m_Path, length);
+    for (const CellResult& cell : study.cells)
+    {
+        m_Names.insert(cell.id.Name());
+    }
+    if (std::filesystem::exists(CellsFile(m_Path)))
+    {
+        std::filesystem::resize_file(CellsFile(m_Path), length); // half a line of a killed run
+    }
+    Update();
+}
+
+void StudyFolder::Add(CellResult cell)
+{
+    AppendedFile(CellsFile(m_Path)).Append(LineOf(cell));
+    m_Names.insert(cell.id.Name());
+    m_Study.cells.push_back(std::move(cell));
+}
+
+void StudyFolder::Update()
+{
+    WriteFile(HeaderFile(m_Path), JsonText(ToJson(m_Study)));
+    Sort(m_Study);
+}
+
+std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
+{
+    std::vector<MergedStudy> merged;
+    for (const Study& part : parts)
+    {
+        auto found = std::ranges::find_if(merged, [&part](const MergedStudy& other)
+                                          { return IdentityOf(other.study) == IdentityOf(part); });
+        if (found == merged.end())
+        {
+            found = merged.insert(merged.end(), {part, {}, {}});
+            found->study.cells.clear();
+        }
+        Study& whole = found->study;
+        whole.started = std::min(whole.started, part.started);
+        whole.loadAverage = std::max(whole.loadAverage, part.loadAverage);
+        whole.copyBandwidth = std::max(whole.copyBandwidth, part.copyBandwidth);
+        for (const CellResult& cell : part.cells)
+        {
+            const std::string name = cell.id.Name();
+            if (HasCell(whole, name))
+            {
+                found->doubled.push_back(name);
+            }
+            else
+            {
+                whole.cells.push_back(cell);
+            }
+        }
+    }
+    for (MergedStudy& whole : merged)
+    {
+        Sort(whole.study);
+        for (const CellId& id : whole.study.planned)
+        {
+            if (const std::string name = id.Name(); !HasCell(whole.study, name))
+            {
+                whole.missing.push_back(name);
+            }
+        }
+    }
+    return merged;
+}
+
+void WriteMerged(const std::filesystem::path& folder, const Study& study,
+                 std::span<const std::string> parts)
+{
+    Study header = study;
+    header.cells.clear();
+    StudyFolder target(folder, header);
+    std::string lines;
+    for (const CellResult& cell : study.cells)
+    {
+        lines += LineOf(cell);
+        for (const auto& [what, name] : cell.pictures)
+        {
+            CopyPicture(parts, name, folder);
+        }
+    }
+    WriteFile(CellsFile(folder), lines);
+}
+
+std::vector<std::string> CompareStudies(const Study& first, const Study& second)
+{
+    const auto comparable = [](const Study& study)
+    {
+        std::map<std::string, Json> cells;
+        for (CellResult cell : study.cells)
+        {
+            const auto isMeasured = [](const auto& entry)
+            {
+                const Metric* metric = FindMetric(entry.first);
+                return metric != nullptr && metric->isMeasured;
+            };
+            std::erase_if(cell.values, isMeasured);
+            std::erase_if(cell.quartiles, isMeasured);
+            cells[cell.id.Name()] = ToJson(cell);
+        }
+        return cells;
+    };
+    const auto a = comparable(first);
+    const auto b = comparable(second);
+    std::vector<std::string> differences;
+    for (const auto& [name, cell] : a)
+    {
+        const auto other = b.find(name);
+        if (other == b.end())
+        {
+            differences.push_back(name + ": only in the first");
+        }
+        else if (other->second != cell)
+        {
+            differences.push_back(name + ": " + cell.dump() + " against " + other->second.dump());
+        }
+    }
+    for (const auto& [name, cell] : b)
+    {
+        if (!a.contains(name))
+        {
+            differences.push_back(name + ": only in the second");
+        }
+    }
+    return differences;
+}
+
+} // namespace limn::study

@@ -1,0 +1,249 @@
+#include "study_pages/ReportText.h"
+
+#include "study_pages/Numbers.h"
+#include "study_pages/ReportTables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace limn::study
+{
+
+namespace
+{
+
+void AddTable(Section& section, Table table)
+{
+    if (!table.rows.empty())
+    {
+        section.tables.push_back(std::move(table));
+    }
+}
+
+bool IsEmpty(const Section& section)
+{
+    return section.plots.empty() && section.tables.empty() && section.strips.empty();
+}
+
+Section Choice(const Comparison& comparison)
+{
+    Section section{"choice", "Error against time", {}, {"error_time"}, {}, {}};
+    AddTable(section, BudgetsTable(comparison));
+    AddTable(section, TechniquesTable(comparison));
+    section.paragraphs.push_back(
+        "The mean error is over all pixels that the drawn or the exact outline covers, of the "
+        "coverage, 0 to 1. Rows that stand out are on the front: nothing is both quicker and "
+        "nearer "
+        "to the exact outline.");
+    return section;
+}
+
+Section Error(const Study& study, const Comparison& comparison)
+{
+    Section section{"error", "Error against the exact outline", {}, {"error_width"}, {}, {}};
+    std::set<std::string> subjects;
+    for (const CellResult& cell : study.cells)
+    {
+        if (cell.id.kind == CellKind::Geometry && cell.Has("meanAbsoluteError"))
+        {
+            subjects.insert(cell.id.subject);
+        }
+    }
+    if (!comparison.subject.empty())
+    {
+        AddTable(section, WidthsTable(study, comparison.subject));
+        subjects.erase(comparison.subject);
+    }
+    for (const std::string& subject : subjects)
+    {
+        AddTable(section, WidthsTable(study, subject));
+        section.tables.back().id += "-" + std::to_string(section.tables.size());
+    }
+    const auto isCompared = [&comparison](const CellResult& cell)
+    {
+        return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() &&
+               cell.id.width == comparison.width;
+    };
+    AddTable(section,
+             CellsTable(study, "geometry", "All measures at " + Readable(comparison.width) + " px",
+                        isCompared));
+    return section;
+}
+
+Section Numerical(const Study& study)
+{
+    Section section{"numerical-error", "Numerical error", {}, {}, {}, {}};
+    section.paragraphs.push_back("What the device drew against the same algorithm in double "
+                                 "precision; and against the exact "
+                                 "outline with fewer bits, coarser targets or another depth.");
+    AddTable(section, CellsTable(study, "numerical", "Against the same algorithm in double",
+                                 [](const CellResult& cell)
+                                 { return cell.id.kind == CellKind::Numerical; }));
+    AddTable(section, CellsTable(study, "variants", "Against the exact outline",
+                                 [](const CellResult& cell) {
+                                     return cell.id.kind == CellKind::Geometry &&
+                                            !cell.id.variant.empty();
+                                 }));
+    return section;
+}
+
+Section Temporal(const Study& study)
+{
+    Section section{"motion", "In motion", {}, {"flicker_time"}, {}, {}};
+    AddTable(section,
+             CellsTable(study, "temporal", "Over steps of a sixteenth of a pixel",
+                        [](const CellResult& cell) { return cell.id.kind == CellKind::Temporal; }));
+    return section;
+}
+
+Section Cost(const Study& study, const Comparison& comparison)
+{
+    Section section{"cost", "Cost", {}, {"time_resolution", "time_objects"}, {}, {}};
+    const auto isCompared = [&comparison](const CellResult& cell)
+    {
+        return cell.id.variant.empty() && cell.id.width == comparison.width &&
+               cell.id.pictureWidth == comparison.pictureWidth &&
+               cell.id.pictureHeight == comparison.pictureHeight;
+    };
+    section.paragraphs.push_back("Times are medians of frames drawn in turn, warm.");
+    AddTable(section, CellsTable(study, "costs", "Where techniques are compared",
+                                 [&](const CellResult& cell)
+                                 { return cell.id.kind == CellKind::Cost && isCompared(cell); }));
+    AddTable(section, CellsTable(study, "other-costs", "Other widths, sizes and scenes",
+                                 [&](const CellResult& cell)
+                                 { return cell.id.kind == CellKind::Cost && !isCompared(cell); }));
+    return section;
+}
+
+/// The width of a subject's pictures that is nearest to the wanted one.
+double PicturedWidth(const Study& study, const std::string& subject, double wanted)
+{
+    double best = std::numeric_limits<double>::quiet_NaN();
+    for (const CellResult& cell : study.cells)
+    {
+        if (!cell.pictures.empty() && cell.id.subject == subject &&
+            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
+        {
+            best = cell.id.width;
+        }
+    }
+    return best;
+}
+
+Section Pictures(const Study& study, const Comparison& comparison)
+{
+    Section section{"pictures", "Pictures", {}, {}, {}, {}};
+    section.paragraphs.push_back(
+        "Enlarged: what was drawn, the exact outline, and the difference.");
+    std::vector<std::string> subjects;
+    for (const CellResult& cell : study.cells)
+    {
+        if (!cell.pictures.empty() &&
+            std::ranges::find(subjects, cell.id.subject) == subjects.end())
+        {
+            subjects.push_back(cell.id.subject);
+        }
+    }
+    for (const std::string& subject : subjects)
+    {
+        const double width = PicturedWidth(study, subject, comparison.width);
+        for (const CellResult& cell : study.cells)
+        {
+            if (cell.pictures.empty() || cell.id.subject != subject || cell.id.width != width ||
+                cell.id.kind != CellKind::Geometry || !cell.id.variant.empty())
+            {
+                continue;
+            }
+            Strip strip{cell.id.technique + ", " + subject + ", " + Readable(width) + " px", {}};
+            for (const char* kind : {"scene", "picture", "reference", "difference"})
+            {
+                if (const auto found = cell.pictures.find(kind); found != cell.pictures.end())
+                {
+                    strip.pictures.emplace_back(kind, found->second);
+                }
+            }
+            section.strips.push_back(std::move(strip));
+        }
+    }
+    return section;
+}
+
+Section Stability(const Study& study, const Comparison& comparison)
+{
+    Section section{"extremes", "Stability", {}, {}, {}, {}};
+    section.paragraphs.push_back("Extreme inputs, and what came out.");
+    AddTable(section, StabilityTable(study, comparison));
+    AddTable(section, CellsTable(study, "failures", "Checks that failed",
+                                 [](const CellResult& cell) {
+                                     return cell.id.kind == CellKind::Stability &&
+                                            cell.Value("failures") > 0.0;
+                                 }));
+    return section;
+}
+
+/// Planned cells that are not there, the first few by name.
+std::string Missing(const Study& study)
+{
+    constexpr std::size_t k_Named = 10;
+    std::set<std::string> there;
+    for (const CellResult& cell : study.cells)
+    {
+        there.insert(cell.id.Name());
+    }
+    std::size_t count = 0;
+    std::string names;
+    for (const CellId& id : study.planned)
+    {
+        if (!there.contains(id.Name()) && ++count <= k_Named)
+        {
+            names += (names.empty() ? "" : ", ") + id.Name();
+        }
+    }
+    return count == 0 ? ""
+                      : Count(count, "planned cell") + " not measured: " + names +
+                            (count > k_Named ? ", ..." : "") + ".";
+}
+
+} // namespace
+
+ReportText ReportOf(const Study& study, const Comparison& comparison, const ReportOptions& options)
+{
+    ReportText report;
+    report.title = "Outlines of " + study.scene;
+    report.subtitle = study.device + ", " + study.started;
+    report.recommendation =
+        Recommend(comparison,
+                  options.budgetMilliseconds.value_or(std::numeric_limits<double>::infinity()))
+            .sentence;
+    report.remarks = options.remarks;
+    if (std::string missing = Missing(study); !missing.empty())
+    {
+        report.remarks.push_back(std::move(missing));
+    }
+    report.plots = PlotsOf(study, comparison, options.budgetMilliseconds);
+    std::erase_if(report.plots, [](const Plot& plot) { return plot.isEmpty(); });
+
+    Section without{"without-width", "Without a width", {}, {}, {}, {}};
+    AddTable(without, NoWidthTable(study));
+    Section provenance{"measured", "How this was measured", {}, {}, {ProvenanceTable(study)}, {}};
+    for (Section section : {Choice(comparison), Error(study, comparison), Numerical(study),
+                            Temporal(study), Cost(study, comparison), Pictures(study, comparison),
+                            Stability(study, comparison), without, provenance})
+    {
+        std::erase_if(section.plots,
+                      [&report](const std::string& file)
+                      {
+                          return std::ranges::none_of(report.plots, [&file](const Plot& plot)
+                                                      { return plot.file == file; });
+                      });
+        if (!IsEmpty(section))
+        {
+            report.sections.push_back(std::move(section));
+        }
+    }
+    return report;
+}
+
+} // namespace limn::study

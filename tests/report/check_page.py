@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Opens a report in a real browser, as wide as a phone and as a desk's screen, and looks at it: no
+image is broken, nothing is wider than the page, and every figure is the one in results.json.
+
+Usage: check_page.py SAMPLE_REPORT      the program that writes a report of made-up figures
+       check_page.py --folder FOLDER    a report that is there
+"""
+import base64
+import html
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+
+# Runs in the page: what it is like goes into an element that is read back out of the DOM.
+PROBE = """
+<script>
+addEventListener('load', () => {
+  const rows = part => [...part.rows].map(row => [...row.cells].map(cell => cell.textContent));
+  const probe = {
+    width: innerWidth,
+    pageWidth: document.documentElement.scrollWidth,
+    images: [...document.images].map(image => [image.alt, image.naturalWidth]),
+    plots: [...document.querySelectorAll('.plot svg')].filter(svg => svg.clientWidth > 0)
+        .map(svg => [svg.getAttribute('aria-label'), svg.getBoundingClientRect().width,
+                     svg.querySelectorAll('text').length]),
+    tables: [...document.querySelectorAll('table')].map(table => ({
+      id: table.id, head: rows(table.tHead)[0], rows: rows(table.tBodies[0]),
+      marked: [...table.tBodies[0].rows].map(row => row.className === 'marked')})),
+  };
+  const element = document.createElement('pre');
+  element.id = 'limn-probe';
+  element.textContent = JSON.stringify(probe);
+  document.body.append(element);
+});
+</script>
+"""
+
+
+def look(browser, page, width, folder):
+    """What the page is like in a window of that width."""
+    copy = pathlib.Path(folder) / "page.html"
+    copy.write_text(page.replace("</body>", PROBE + "</body>"), encoding="utf-8")
+    environment = {k: v for k, v in os.environ.items() if k != "LD_PRELOAD"}
+    run = subprocess.run(
+        [browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+         "--no-first-run", "--user-data-dir=" + os.path.join(folder, "profile"),
+         f"--window-size={width},900", "--virtual-time-budget=2000", "--dump-dom", copy.as_uri()],
+        capture_output=True, text=True, timeout=240, env=environment)
+    found = re.search(r'<pre id="limn-probe">(.*?)</pre>', run.stdout, re.S)
+    if not found:
+        sys.exit(f"{browser} shows no page:\n{run.stderr[-2000:]}")
+    return json.loads(html.unescape(found.group(1)))
+
+
+def figure(text):
+    """A figure as a table has it; None where there is none."""
+    special = {"–": None, "NaN": math.nan, "infinite": math.inf, "-infinite": -math.inf}
+    return special[text] if text in special else float(text)
+
+
+def exact(value):
+    return float(value) if isinstance(value, str) else value  # "nan", "inf"
+
+
+def is_same(shown, wanted):
+    """Whether that is the figure, rounded to what a reader is shown."""
+    if shown is None or wanted is None:
+        return shown is None and wanted is None
+    if math.isnan(shown) or math.isnan(wanted):
+        return math.isnan(shown) and math.isnan(wanted)
+    if math.isinf(shown) or math.isinf(wanted) or wanted == 0:
+        return shown == wanted
+    return abs(shown - wanted) <= abs(wanted) * (0.051 if abs(wanted) < 1e-4 else 0.0051)
+
+
+def check_cells(table, results, problems):
+    """A table whose rows are cells. Returns how many figures it has."""
+    metrics = {metric["title"] + (" " + unit if unit else ""): (metric["key"], factor)
+               for metric in results["metrics"]
+               for unit, factor in [("MiB", 2.0 ** -20) if metric["unit"] == "bytes"
+                                    else (metric["unit"], 1.0)]}
+    unused = list(results["cells"])
+    count = 0
+    for row in table["rows"]:
+        shown = dict(zip(table["head"], row))
+
+        def is_row(cell):
+            return (cell["technique"] == shown["technique"] and cell["subject"] == shown["of"]
+                    and is_same(figure(shown["width px"]), exact(cell["width"]))
+                    and f"{cell['pictureWidth']}x{cell['pictureHeight']}" == shown["picture"]
+                    and cell["variant"] == shown.get("with", cell["variant"])
+                    and {metrics[title][0] for title in shown
+                         if title in metrics and shown[title] != "–"} == set(cell["values"]))
+        cells = [cell for cell in unused if is_row(cell)]
+        if not cells:
+            problems.append(f"{table['id']}: no cell is like {row}")
+            continue
+        unused.remove(cells[0])
+        for title, text in shown.items():
+            if title in metrics:
+                key, factor = metrics[title]
+                value = cells[0]["values"].get(key)
+                wanted = None if value is None else exact(value) * factor
+                count += 1
+                if not is_same(figure(text), wanted):
+                    problems.append(f"{table['id']}: {title} of {row[0]} is {text}, "
+                                    f"measured was {wanted}")
+    return count
+
+
+def measured(results, technique):
+    """Its time and its error where techniques are compared."""
+    at = results["comparison"]
+    def values(kind, key, size):
+        return [exact(cell["values"][key]) for cell in results["cells"]
+                if cell["name"].startswith(kind + "/") and cell["technique"] == technique
+                and cell["variant"] == "" and cell["width"] == at["width"]
+                and key in cell["values"]
+                and (not size or [cell["pictureWidth"], cell["pictureHeight"]] == size)
+                and (size or at["errorOf"] not in ("scene",) or cell["subject"] == "scene")]
+    def median(numbers):
+        numbers = sorted(numbers)
+        if not numbers:
+            return None
+        half = len(numbers) // 2
+        return numbers[half] if len(numbers) % 2 else (numbers[half - 1] + numbers[half]) / 2
+    return (median(values("cost", "gpuAddedMilliseconds",
+                          [at["pictureWidth"], at["pictureHeight"]])),
+            median(values("geometry", "meanAbsoluteError", [])))
+
+
+def check_front(table, results, problems):
+    """All techniques, and which of them are marked."""
+    points = {row[0]: measured(results, row[0]) for row in table["rows"]}
+    def is_beaten(name):
+        if any(value is None or not math.isfinite(value) for value in points[name]):
+            return True
+        time, error = points[name]
+        return any(None not in point and math.isfinite(point[1]) and point[0] <= time
+                   and point[1] <= error and point != (time, error) for point in points.values())
+    for row, marked in zip(table["rows"], table["marked"]):
+        time, error = points[row[0]]
+        shown = dict(zip(table["head"], row))
+        if not is_same(figure(shown["GPU time added ms"]), time):
+            problems.append(f"techniques: the time of {row[0]} is not {time}")
+        if not is_same(figure(shown["mean error"]), error):
+            problems.append(f"techniques: the error of {row[0]} is not {error}")
+        if marked == is_beaten(row[0]):
+            problems.append(f"techniques: {row[0]} is {'' if marked else 'not '}on the front")
+    return 2 * len(points)
+
+
+def check(probe, width, results):
+    """What is wrong with a page, and how many figures were compared."""
+    problems = []
+    if probe["width"] != width:
+        problems.append(f"the window is {probe['width']} px wide, not {width}")
+    if probe["pageWidth"] > width:
+        problems.append(f"the page is {probe['pageWidth']} px wide in a window of {width}")
+    problems += [f"the image '{alt}' is broken" for alt, size in probe["images"] if size == 0]
+    for title, size, texts in probe["plots"]:
+        if size > width or texts < 5:
+            problems.append(f"the plot '{title}' is {size} px wide and has {texts} texts")
+    figures = 0
+    for table in probe["tables"]:
+        if table["head"][:2] == ["technique", "of"]:
+            figures += check_cells(table, results, problems)
+        elif table["id"] == "techniques":
+            figures += check_front(table, results, problems)
+    if figures == 0:
+        problems.append("no figure was found")
+    return problems, figures
+
+
+def sabotaged(page):
+    """The page with all the faults that are looked for."""
+    image = re.search(r'src="data:image/png;base64,([^"]+)"', page).group(1)
+    broken = base64.b64encode(base64.b64decode(image)[:20] + b"no picture").decode()
+    page = page.replace(image, broken, 1)
+    page = page.replace("<main>", '<main><div style="width: 500px">wide</div>', 1)
+    table = page.index('<table id="costs">')
+    cell = re.compile(r'<td class="number">(\d+\.\d+)</td>').search(page, table)
+    return page[:cell.start(1)] + "1234" + page[cell.end(1):]
+
+
+def main():
+    browser = next((found for found in map(shutil.which, BROWSERS) if found), None)
+    if browser is None:
+        print("there is no Chromium: apt install chromium-headless-shell")
+        return 1 if os.environ.get("LIMN_REQUIRE_DEVICE") else SKIPPED
+    with tempfile.TemporaryDirectory(prefix="limn-page-") as temporary:
+        if sys.argv[1] == "--folder":
+            folder = pathlib.Path(sys.argv[2])
+        else:
+            folder = pathlib.Path(temporary) / "report"
+            subprocess.run([sys.argv[1], folder], check=True, stdout=subprocess.DEVNULL)
+        page = (folder / "report.html").read_text(encoding="utf-8")
+        results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+        failed = False
+        for width in (360, 1280):
+            probe = look(browser, page, width, temporary)
+            problems, figures = check(probe, width, results)
+            print(f"{width} px: {figures} figures, {len(probe['images'])} images, "
+                  f"{len(probe['plots'])} plots, {len(problems)} problems")
+            for problem in problems:
+                print("  " + problem)
+            failed |= bool(problems)
+        if sys.argv[1] != "--folder":  # what is looked for is found where it is
+            problems, _ = check(look(browser, sabotaged(page), 360, temporary), 360, results)
+            for wanted in ("is broken", "px wide in a window of 360", "is 1234, measured was"):
+                if not any(wanted in problem for problem in problems):
+                    print(f"a page with faults passes: nothing '{wanted}' in {problems}")
+                    failed = True
+        return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
