@@ -31,6 +31,12 @@ end() {
 }
 
 stop() {
+    export SLURM_CONF=$dir/slurm.conf
+    scancel --quiet --user="$(id -un)" || true # where slurmctld is gone there is nobody to ask
+    for _ in {1..50}; do
+        [[ -n $(squeue --noheader 2>/dev/null) ]] || break
+        sleep 0.2
+    done
     end "$dir/slurmd.trial1.pid" slurmd
     end "$dir/slurmd.trial2.pid" slurmd
     end "$dir/slurmctld.pid" slurmctld
