@@ -94,10 +94,11 @@ def check_cells(table, results, problems):
         shown = dict(zip(table["head"], row))
 
         def is_row(cell):
-            return (cell["technique"] == shown["technique"] and cell["subject"] == shown["of"]
-                    and is_same(figure(shown["width px"]), exact(cell["width"]))
-                    and f"{cell['pictureWidth']}x{cell['pictureHeight']}" == shown["picture"]
-                    and cell["variant"] == shown.get("with", cell["variant"])
+            what = cell["id"]
+            return (what["technique"] == shown["technique"] and what["subject"] == shown["of"]
+                    and is_same(figure(shown["width px"]), exact(what["width"]))
+                    and f"{what['size'][0]}x{what['size'][1]}" == shown["picture"]
+                    and what["variant"] == shown.get("with", what["variant"])
                     and {metrics[title][0] for title in shown
                          if title in metrics and shown[title] != "–"} == set(cell["values"]))
         cells = [cell for cell in unused if is_row(cell)]
@@ -120,22 +121,22 @@ def check_cells(table, results, problems):
 def measured(results, technique):
     """Its time and its error where techniques are compared."""
     at = results["comparison"]
-    def values(kind, key, size):
+    def values(kind, key, size, subject):
         return [exact(cell["values"][key]) for cell in results["cells"]
-                if cell["name"].startswith(kind + "/") and cell["technique"] == technique
-                and cell["variant"] == "" and cell["width"] == at["width"]
-                and key in cell["values"]
-                and (not size or [cell["pictureWidth"], cell["pictureHeight"]] == size)
-                and (size or at["errorOf"] not in ("scene",) or cell["subject"] == "scene")]
+                for what in [cell["id"]]
+                if what["kind"] == kind and what["technique"] == technique
+                and what["variant"] == "" and what["width"] == at["width"]
+                and key in cell["values"] and size in (None, what["size"])
+                and subject in (None, what["subject"])]
     def median(numbers):
         numbers = sorted(numbers)
         if not numbers:
             return None
         half = len(numbers) // 2
         return numbers[half] if len(numbers) % 2 else (numbers[half - 1] + numbers[half]) / 2
-    return (median(values("cost", "gpuAddedMilliseconds",
-                          [at["pictureWidth"], at["pictureHeight"]])),
-            median(values("geometry", "meanAbsoluteError", [])))
+    return (median(values("cost", "gpuAddedMilliseconds", at["size"], None)),
+            median(values("geometry", "meanAbsoluteError", None,
+                          "scene" if at["errorOf"] == "scene" else None)))
 
 
 def check_front(table, results, problems):

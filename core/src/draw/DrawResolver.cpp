@@ -361,10 +361,7 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
                                     sources.material->name() + "' nor anything global sets it"));
     }
     const bool isFarWhite = isMade && made->isDepth && !shader.usesReversedZBuffer();
-    return DefaultTexture(isFarWhite ? "white"
-                          : isMade   ? made->color
-                                     : "gray",
-                          dimension);
+    return DefaultTexture(isFarWhite ? "white" : isMade ? made->color : "gray", dimension);
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <limn/shaderlab/TerminalText.h>
 #include <memory>
 #include <spawn.h>
 #include <stdexcept>
@@ -54,10 +55,12 @@ std::string RunProgram(std::vector<std::string> words, const std::string& input,
 {
     const TemporaryFile in = OpenTemporary(input);
     const TemporaryFile out = OpenTemporary();
+    const TemporaryFile complaints = OpenTemporary();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, fileno(in.get()), 0);
     posix_spawn_file_actions_adddup2(&actions, fileno(out.get()), 1);
+    posix_spawn_file_actions_adddup2(&actions, fileno(complaints.get()), 2);
     std::vector<char*> args;
     for (std::string& word : words)
     {
@@ -77,7 +80,8 @@ std::string RunProgram(std::vector<std::string> words, const std::string& input,
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     {
-        throw std::runtime_error("the program '" + words[0] + "' failed");
+        throw std::runtime_error("the program '" + words[0] +
+                                 "' failed: " + Sentence(ReadAll(complaints.get())));
     }
     return ReadAll(out.get());
 }

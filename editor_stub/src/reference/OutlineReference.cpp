@@ -131,6 +131,8 @@ private:
     Coverage m_Result;
 };
 
+constexpr double k_Nothing = 0.5 / 255.0; ///< what 8 bits round to 0
+
 void RequireSameSize(const Coverage& a, const Coverage& b)
 {
     if (a.width != b.width || a.height != b.height)
@@ -272,7 +274,6 @@ Coverage ExactFillCoverage(const Silhouette& silhouette, int width, int height, 
 OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, double perimeter)
 {
     RequireSameSize(measured, exact);
-    constexpr double k_Nothing = 0.5 / 255.0;
     OutlineScore score;
     std::vector<double> errors;
     std::size_t both = 0;
@@ -340,6 +341,27 @@ double HausdorffDistance(const Coverage& a, const Coverage& b)
     const std::vector<glm::dvec2> ofA = Crossings(a);
     const std::vector<glm::dvec2> ofB = Crossings(b);
     return std::max(Farthest(ofA, ofB), Farthest(ofB, ofA));
+}
+
+double MeanErrorChange(const Coverage& measuredBefore, const Coverage& exactBefore,
+                       const Coverage& measured, const Coverage& exact)
+{
+    RequireSameSize(measured, exact);
+    RequireSameSize(measuredBefore, exact);
+    RequireSameSize(exactBefore, exact);
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < exact.values.size(); ++i)
+    {
+        const double before = measuredBefore.values[i] - exactBefore.values[i];
+        const double now = measured.values[i] - exact.values[i];
+        const bool isOutline =
+            std::max({measured.values[i], exact.values[i], measuredBefore.values[i],
+                      exactBefore.values[i]}) > k_Nothing;
+        sum += isOutline ? std::abs(now - before) : 0.0;
+        count += isOutline ? 1 : 0;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 } // namespace limn::study

@@ -109,4 +109,11 @@ ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouet
 /// @throws std::invalid_argument if sizes differ
 double HausdorffDistance(const Coverage& a, const Coverage& b);
 
+/// How much the error of an outline's alpha changes from one frame to the next, on average over the
+/// pixels that are in an outline of either: what flickers. Motion alone, followed by the drawn
+/// outline as by the exact one, counts for nothing.
+/// @throws std::invalid_argument if sizes differ
+double MeanErrorChange(const Coverage& measuredBefore, const Coverage& exactBefore,
+                       const Coverage& measured, const Coverage& exact);
+
 } // namespace limn::study

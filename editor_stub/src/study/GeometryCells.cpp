@@ -81,24 +81,6 @@ void AddScores(const Coverage& alpha, const Coverage& exact, const Silhouette& s
     }
 }
 
-/// The mean change of the errors of two frames, over what is outline in one of them.
-double ChangeOfErrors(const Coverage& alpha, const Coverage& exact, const Coverage& alphaBefore,
-                      const Coverage& exactBefore)
-{
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < alpha.values.size(); ++i)
-    {
-        const double now = alpha.values[i] - exact.values[i];
-        const double before = alphaBefore.values[i] - exactBefore.values[i];
-        const bool isOutline = std::max({alpha.values[i], exact.values[i], alphaBefore.values[i],
-                                         exactBefore.values[i]}) > 0.5 / 255.0;
-        sum += isOutline ? std::abs(now - before) : 0.0;
-        count += isOutline ? 1 : 0;
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 double MeanOf(const std::vector<double>& values)
 {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -258,7 +240,7 @@ CellResult StudyBench::MeasureTemporal(const CellId& id)
             ExactOutlineCoverage(silhouette, {id.width}, id.pictureWidth, id.pictureHeight);
         if (step > 0)
         {
-            changes.push_back(ChangeOfErrors(alpha, exact, alphaBefore, exactBefore));
+            changes.push_back(MeanErrorChange(alphaBefore, exactBefore, alpha, exact));
         }
         areas.push_back(alpha.Sum() / exact.Sum());
         contours.push_back(ScoreContours(alpha, silhouette, {id.width}).high.mean);

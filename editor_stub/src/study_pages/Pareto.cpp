@@ -204,6 +204,24 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing* chosen)
     return "";
 }
 
+/// Those whose error is the chosen one's to a hundredth and whose time is apart from it by less
+/// than both spread.
+std::string AsGood(const Comparison& comparison, const Standing& chosen, double budget)
+{
+    std::string names;
+    for (const Standing& other : comparison.standings)
+    {
+        const bool isNear = other.at.error <= chosen.at.error * 1.01 &&
+                            other.at.milliseconds <= budget &&
+                            other.timeQuartiles.first <= chosen.timeQuartiles.second;
+        if (isNear && &other != &chosen)
+        {
+            names += (names.empty() ? "" : ", ") + other.technique->name;
+        }
+    }
+    return names.empty() ? "" : " As good, within what its times spread: " + names + ".";
+}
+
 } // namespace
 
 std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points)
@@ -287,6 +305,7 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
             result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
                                Count(chosen.stabilityCells, "stability check") + ".";
         }
+        result.sentence += AsGood(comparison, chosen, budgetMilliseconds);
         result.sentence += MoreTimeBuys(comparison, result.standing);
     }
     else if (comparison.front.empty())

@@ -61,7 +61,8 @@ struct Recommendation
     std::string sentence;               ///< for people, with the figures
 };
 
-/// The least error whose time is within the budget; of equal errors the quickest.
+/// The least error whose time is within the budget; of equal errors the quickest, and what is as
+/// good within what its times spread is named.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

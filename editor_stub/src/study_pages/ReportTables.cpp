@@ -3,8 +3,12 @@
 #include "study_pages/Numbers.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <sstream>
+#include <tuple>
 
 namespace limn::study
 {
@@ -56,41 +60,56 @@ std::string FigureOf(const CellResult& cell, const Metric& metric)
                : k_Nothing;
 }
 
-/// "widths 1, 8 px; sizes 3x7; near/far 1e9, FOV 170".
+/// Texts in the order of the numbers they are, the same one once; what is no number comes last.
+class Levels
+{
+public:
+    void Add(const std::string& text)
+    {
+        double number = std::numeric_limits<double>::infinity();
+        const char* const end = text.data() + text.size();
+        const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
+        m_Texts.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
+    }
+    std::string Text() const
+    {
+        std::vector<std::string> texts;
+        for (const auto& [isLast, number, text] : m_Texts)
+        {
+            texts.push_back(text);
+        }
+        return Joined(texts, ", ");
+    }
+
+private:
+    std::set<std::tuple<bool, double, std::string>> m_Texts;
+};
+
+/// "width 1, 8 px; picture 3x7; fov 60, 170; ratio 1e+02": variants are words "fov=60"; others
+/// stand as they are.
 std::string PutThrough(const std::vector<const CellResult*>& cells)
 {
-    std::set<double> widths;
-    std::set<std::pair<int, int>> sizes;
-    std::vector<std::string> inputs;
+    Levels widths;
+    Levels sizes;
+    std::map<std::string, Levels> inputs; // by what they are of
     for (const CellResult* cell : cells)
     {
-        if (std::isfinite(cell->id.width))
+        widths.Add(Exact(cell->id.width));
+        sizes.Add(SizeOf(cell->id));
+        std::istringstream words(cell->id.variant);
+        for (std::string word; words >> word;)
         {
-            widths.insert(cell->id.width);
-        }
-        sizes.insert({cell->id.pictureWidth, cell->id.pictureHeight});
-        for (std::size_t begin = 0; begin < cell->id.variant.size();)
-        {
-            const std::size_t end =
-                std::min(cell->id.variant.find(", ", begin), cell->id.variant.size());
-            const std::string input = cell->id.variant.substr(begin, end - begin);
-            if (std::ranges::find(inputs, input) == inputs.end())
-            {
-                inputs.push_back(input);
-            }
-            begin = end + 2;
+            const std::size_t equals = std::min(word.find('='), word.size());
+            inputs[word.substr(0, equals)].Add(word.substr(std::min(equals + 1, word.size())));
         }
     }
-    std::vector<std::string> widthTexts;
-    std::ranges::transform(widths, std::back_inserter(widthTexts), Readable);
-    std::vector<std::string> sizeTexts;
-    for (const auto& [width, height] : sizes)
+    std::string text = "width " + widths.Text() + " px; picture " + sizes.Text();
+    for (const auto& [what, levels] : inputs)
     {
-        sizeTexts.push_back(std::to_string(width) + "x" + std::to_string(height));
+        const std::string those = levels.Text();
+        text += "; " + what + (those.empty() ? "" : " " + those);
     }
-    std::ranges::sort(inputs);
-    return "widths " + Joined(widthTexts, ", ") + " px; sizes " + Joined(sizeTexts, ", ") +
-           (inputs.empty() ? "" : "; " + Joined(inputs, ", "));
+    return text;
 }
 
 double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
@@ -103,6 +122,23 @@ double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
     return sum;
 }
 
+void DropColumnsOfNothing(Table& table)
+{
+    for (std::size_t column = table.columns.size(); column-- > 0;)
+    {
+        if (std::ranges::all_of(table.rows,
+                                [column](const auto& row) { return row[column] == k_Nothing; }))
+        {
+            const auto offset = static_cast<std::ptrdiff_t>(column);
+            table.columns.erase(table.columns.begin() + offset);
+            for (auto& row : table.rows)
+            {
+                row.erase(row.begin() + offset);
+            }
+        }
+    }
+}
+
 } // namespace
 
 Table TechniquesTable(const Comparison& comparison)
@@ -111,40 +147,30 @@ Table TechniquesTable(const Comparison& comparison)
                 "All techniques at " + Readable(comparison.width) + " px",
                 {{"technique", "", false},
                  {"mean error", "", true},
+                 {"error quartiles", "", true},
                  {"GPU time added", "ms", true},
                  {"its quartiles", "ms", true},
-                 {"error quartiles", "", true},
                  {"stability checks failed", "", true},
                  {"what it is", "", false}},
                 {},
                 {}};
-    const bool hasErrors =
-        std::ranges::any_of(comparison.standings, [](const Standing& standing)
-                            { return !std::isnan(standing.errorQuartiles.first); });
     for (std::size_t i = 0; i < comparison.standings.size(); ++i)
     {
         const Standing& standing = comparison.standings[i];
         const TechniqueInfo& technique = *standing.technique;
         table.rows.push_back(
-            {technique.name, Figure(standing.at.error), Figure(standing.at.milliseconds),
-             FromTo(standing.timeQuartiles), FromTo(standing.errorQuartiles),
+            {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
+             Figure(standing.at.milliseconds), FromTo(standing.timeQuartiles),
              standing.stabilityCells == 0 ? k_Nothing
                                           : std::to_string(standing.failures) + " of " +
                                                 std::to_string(standing.stabilityCells),
              technique.summary + (technique.isArticle ? " (an article's own formula)" : "")});
-        if (!hasErrors)
-        {
-            table.rows.back().erase(table.rows.back().begin() + 4);
-        }
         if (std::ranges::find(comparison.front, i) != comparison.front.end())
         {
             table.marked.push_back(i);
         }
     }
-    if (!hasErrors)
-    {
-        table.columns.erase(table.columns.begin() + 4);
-    }
+    DropColumnsOfNothing(table);
     return table;
 }
 

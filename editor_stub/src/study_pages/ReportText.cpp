@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -22,6 +23,43 @@ void AddTable(Section& section, Table table)
     }
 }
 
+/// The cells that have figures as a table, the others in a sentence for each reason.
+void AddCells(Section& section, const Study& study, const std::string& id, const std::string& title,
+              const std::function<bool(const CellResult&)>& isWanted)
+{
+    AddTable(section, CellsTable(study, id, title,
+                                 [&isWanted](const CellResult& cell)
+                                 { return isWanted(cell) && !cell.values.empty(); }));
+    std::map<std::string, std::vector<std::string>> names; // by the reason
+    for (const CellResult& cell : study.cells)
+    {
+        if (isWanted(cell) && cell.values.empty())
+        {
+            for (const std::string& note : cell.notes)
+            {
+                std::vector<std::string>& those = names[note];
+                if (std::ranges::find(those, cell.id.technique) == those.end())
+                {
+                    those.push_back(cell.id.technique);
+                }
+            }
+        }
+    }
+    for (const auto& [reason, those] : names)
+    {
+        std::string sentence;
+        for (const std::string& name : those)
+        {
+            sentence += (sentence.empty() ? "" : ", ") + name;
+        }
+        sentence += ": " + reason + ".";
+        if (std::ranges::find(section.paragraphs, sentence) == section.paragraphs.end())
+        {
+            section.paragraphs.push_back(std::move(sentence));
+        }
+    }
+}
+
 bool IsEmpty(const Section& section)
 {
     return section.plots.empty() && section.tables.empty() && section.strips.empty();
@@ -30,6 +68,12 @@ bool IsEmpty(const Section& section)
 Section Choice(const Comparison& comparison)
 {
     Section section{"choice", "Error against time", {}, {"error_time"}, {}, {}};
+    if (std::ranges::all_of(
+            comparison.standings, [](const Standing& standing)
+            { return std::isnan(standing.at.error) && std::isnan(standing.at.milliseconds); }))
+    {
+        return section; // of stability only
+    }
     AddTable(section, BudgetsTable(comparison));
     AddTable(section, TechniquesTable(comparison));
     section.paragraphs.push_back(
@@ -51,24 +95,22 @@ Section Error(const Study& study, const Comparison& comparison)
             subjects.insert(cell.id.subject);
         }
     }
-    if (!comparison.subject.empty())
-    {
-        AddTable(section, WidthsTable(study, comparison.subject));
-        subjects.erase(comparison.subject);
-    }
     for (const std::string& subject : subjects)
     {
-        AddTable(section, WidthsTable(study, subject));
-        section.tables.back().id += "-" + std::to_string(section.tables.size());
+        Table table = WidthsTable(study, subject);
+        table.id += "-" + std::to_string(section.tables.size() + 1);
+        if (table.columns.size() > 2) // several widths
+        {
+            section.tables.push_back(std::move(table));
+        }
     }
     const auto isCompared = [&comparison](const CellResult& cell)
     {
         return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() &&
                cell.id.width == comparison.width;
     };
-    AddTable(section,
-             CellsTable(study, "geometry", "All measures at " + Readable(comparison.width) + " px",
-                        isCompared));
+    AddCells(section, study, "geometry", "All measures at " + Readable(comparison.width) + " px",
+             isCompared);
     return section;
 }
 
@@ -78,23 +120,19 @@ Section Numerical(const Study& study)
     section.paragraphs.push_back("What the device drew against the same algorithm in double "
                                  "precision; and against the exact "
                                  "outline with fewer bits, coarser targets or another depth.");
-    AddTable(section, CellsTable(study, "numerical", "Against the same algorithm in double",
-                                 [](const CellResult& cell)
-                                 { return cell.id.kind == CellKind::Numerical; }));
-    AddTable(section, CellsTable(study, "variants", "Against the exact outline",
-                                 [](const CellResult& cell) {
-                                     return cell.id.kind == CellKind::Geometry &&
-                                            !cell.id.variant.empty();
-                                 }));
+    AddCells(section, study, "numerical", "Against the same algorithm in double",
+             [](const CellResult& cell) { return cell.id.kind == CellKind::Numerical; });
+    AddCells(section, study, "variants", "Against the exact outline",
+             [](const CellResult& cell)
+             { return cell.id.kind == CellKind::Geometry && !cell.id.variant.empty(); });
     return section;
 }
 
 Section Temporal(const Study& study)
 {
     Section section{"motion", "In motion", {}, {"flicker_time"}, {}, {}};
-    AddTable(section,
-             CellsTable(study, "temporal", "Over steps of a sixteenth of a pixel",
-                        [](const CellResult& cell) { return cell.id.kind == CellKind::Temporal; }));
+    AddCells(section, study, "temporal", "Over steps of a sixteenth of a pixel",
+             [](const CellResult& cell) { return cell.id.kind == CellKind::Temporal; });
     return section;
 }
 
@@ -108,12 +146,12 @@ Section Cost(const Study& study, const Comparison& comparison)
                cell.id.pictureHeight == comparison.pictureHeight;
     };
     section.paragraphs.push_back("Times are medians of frames drawn in turn, warm.");
-    AddTable(section, CellsTable(study, "costs", "Where techniques are compared",
-                                 [&](const CellResult& cell)
-                                 { return cell.id.kind == CellKind::Cost && isCompared(cell); }));
-    AddTable(section, CellsTable(study, "other-costs", "Other widths, sizes and scenes",
-                                 [&](const CellResult& cell)
-                                 { return cell.id.kind == CellKind::Cost && !isCompared(cell); }));
+    AddCells(section, study, "costs", "Where techniques are compared",
+             [&](const CellResult& cell)
+             { return cell.id.kind == CellKind::Cost && isCompared(cell); });
+    AddCells(section, study, "other-costs", "Other widths, sizes and scenes",
+             [&](const CellResult& cell)
+             { return cell.id.kind == CellKind::Cost && !isCompared(cell); });
     return section;
 }
 
@@ -136,7 +174,7 @@ Section Pictures(const Study& study, const Comparison& comparison)
 {
     Section section{"pictures", "Pictures", {}, {}, {}, {}};
     section.paragraphs.push_back(
-        "Enlarged: what was drawn, the exact outline, and the difference.");
+        "Four times as large: what was drawn, the exact outline, and the difference.");
     std::vector<std::string> subjects;
     for (const CellResult& cell : study.cells)
     {
@@ -157,11 +195,14 @@ Section Pictures(const Study& study, const Comparison& comparison)
                 continue;
             }
             Strip strip{cell.id.technique + ", " + subject + ", " + Readable(width) + " px", {}};
-            for (const char* kind : {"scene", "picture", "reference", "difference"})
+            for (const auto& [kind, what] :
+                 {std::pair("scene", "in the scene"), std::pair("picture", "drawn"),
+                  std::pair("reference", "exact"),
+                  std::pair("difference", "red: too much, blue: too little")})
             {
                 if (const auto found = cell.pictures.find(kind); found != cell.pictures.end())
                 {
-                    strip.pictures.emplace_back(kind, found->second);
+                    strip.pictures.emplace_back(what, found->second);
                 }
             }
             section.strips.push_back(std::move(strip));
@@ -206,17 +247,47 @@ std::string Missing(const Study& study)
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
+/// For a study of stability only: who passed, and who failed how often.
+std::string Verdict(const Comparison& comparison)
+{
+    std::string passed;
+    std::string failed;
+    for (const Standing& standing : comparison.standings)
+    {
+        const std::string& name = standing.technique->name;
+        if (standing.failures > 0)
+        {
+            failed += (failed.empty() ? "" : ", ") + name + " " +
+                      std::to_string(standing.failures) + " of " +
+                      std::to_string(standing.stabilityCells);
+        }
+        else if (standing.stabilityCells > 0)
+        {
+            passed += (passed.empty() ? "" : ", ") + name;
+        }
+    }
+    return (passed.empty() ? "No technique passes all checks." : passed + " passed all checks.") +
+           (failed.empty() ? "" : " Checks failed: " + failed + ".");
+}
+
 } // namespace
 
 ReportText ReportOf(const Study& study, const Comparison& comparison, const ReportOptions& options)
 {
     ReportText report;
-    report.title = "Outlines of " + study.scene;
+    const std::string name = std::filesystem::path(study.scene).filename().string();
+    report.title = "Outlines of " + (name.empty() ? study.scene : name);
     report.subtitle = study.device + ", " + study.started;
     report.recommendation =
         Recommend(comparison,
                   options.budgetMilliseconds.value_or(std::numeric_limits<double>::infinity()))
             .sentence;
+    const bool hasStability = std::ranges::any_of(comparison.standings, [](const Standing& standing)
+                                                  { return standing.stabilityCells > 0; });
+    if (comparison.front.empty() && hasStability)
+    {
+        report.recommendation = Verdict(comparison);
+    }
     report.remarks = options.remarks;
     if (std::string missing = Missing(study); !missing.empty())
     {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "study_pages/Plots.h"
 #include "study_pages/WriteReport.h"
+#include "study_pages/plots/Plots.h"
 
 namespace limn::study
 {

@@ -62,8 +62,8 @@ std::string Header(const Keys& withQuartiles)
 std::string Row(const CellResult& cell, const Keys& withQuartiles)
 {
     const CellId& id = cell.id;
-    std::string line = id.Name().substr(0, id.Name().find('/')) + "," + CsvField(id.technique) +
-                       "," + CsvField(id.subject) + "," + Exact(id.width) + "," +
+    std::string line = std::string(ToString(id.kind)) + "," + CsvField(id.technique) + "," +
+                       CsvField(id.subject) + "," + Exact(id.width) + "," +
                        std::to_string(id.pictureWidth) + "," + std::to_string(id.pictureHeight) +
                        "," + CsvField(id.variant);
     for (const Metric& metric : Metrics())

@@ -66,7 +66,9 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
     const CameraData& camera = renderingData.cameraData;
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
-    const glm::vec4 taps = ColorEdgesTaps(component.WidthWithin(picture));
+    // Taps farther apart than the picture's sides are all at its border.
+    const auto farthest = static_cast<float>(std::min(picture.x, picture.y));
+    const glm::vec4 taps = ColorEdgesTaps(std::min(component.m_OutlineWidth.value(), farthest));
     m_Part = {0, 0, picture.x, picture.y};
     if (m_Settings.m_OnlyFilteredObjects)
     {

@@ -94,9 +94,10 @@ void ExpectOwnLibrary(const ShaderCompilerOptions& options)
     const std::string core = "com.unity.render-pipelines.core";
     if (!options.usesReversedZBuffer && options.packages.contains(core))
     {
-        throw ContractError("ShaderCompilerOptions: usesReversedZBuffer is false, but the package " +
-                            core + " is read from " + options.packages.at(core).string() +
-                            ", where it is always true on Vulkan; leave one of them out");
+        throw ContractError(
+            "ShaderCompilerOptions: usesReversedZBuffer is false, but the package " + core +
+            " is read from " + options.packages.at(core).string() +
+            ", where it is always true on Vulkan; leave one of them out");
     }
 }
 

@@ -392,5 +392,69 @@ TEST(OutlineReference, ReadsChannelsOfImages)
     EXPECT_THROW(ChannelOf(image, 0), std::invalid_argument);
 }
 
+/// One row of pixels.
+Coverage Row(std::vector<double> values)
+{
+    Coverage row(static_cast<int>(values.size()), 1);
+    row.values = std::move(values);
+    return row;
+}
+
+TEST(HausdorffDistance, IsThatOfThePlacesWhereAlphaIsOneHalf)
+{
+    // Pixel centres are at 0.5, 1.5, ...: it rises through one half at 1.0 here, at 2.25 there, and
+    // falls at 4.0 in both.
+    const Coverage a = Row({0.0, 1.0, 1.0, 1.0, 0.0, 0.0});
+    const Coverage b = Row({0.0, 0.2, 0.6, 1.0, 0.0, 0.0});
+    EXPECT_DOUBLE_EQ(HausdorffDistance(a, b), 1.25);
+    EXPECT_DOUBLE_EQ(HausdorffDistance(b, a), 1.25);
+    EXPECT_EQ(HausdorffDistance(a, a), 0.0);
+}
+
+TEST(HausdorffDistance, SeesWhatOnlyOneOfThemHas)
+{
+    // A second line, four pixels beyond the nearest end of the first.
+    const Coverage one = Row({0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    const Coverage two = Row({0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0});
+    EXPECT_DOUBLE_EQ(HausdorffDistance(one, two), 5.0);
+    EXPECT_EQ(HausdorffDistance(one, Row(std::vector<double>(9, 0.0))),
+              std::numeric_limits<double>::infinity());
+    EXPECT_EQ(HausdorffDistance(Row({0.0, 0.4}), Row({0.0, 0.0})), 0.0);
+}
+
+TEST(MeanErrorChange, CountsWhatTheErrorsChangeByInTheOutlinesOfEitherFrame)
+{
+    // Errors before: 0, -0.5, 0.25, 0; now: 0, 0.5, 0.25, 0. The last pixel is no outline at all.
+    EXPECT_DOUBLE_EQ(MeanErrorChange(Row({1.0, 0.5, 0.25, 0.0}), Row({1.0, 1.0, 0.0, 0.0}),
+                                     Row({1.0, 1.0, 0.5, 0.0}), Row({1.0, 0.5, 0.25, 0.0})),
+                     1.0 / 3.0);
+}
+
+TEST(MeanErrorChange, TakesNoOffenceAtMotion)
+{
+    EXPECT_EQ(MeanErrorChange(Row({1.0, 0.0, 0.0}), Row({1.0, 0.0, 0.0}), Row({0.0, 0.5, 0.5}),
+                              Row({0.0, 0.5, 0.5})),
+              0.0);
+}
+
+TEST(ScoreContours, TellsHowUnevenALinesEndIs)
+{
+    // A straight border, and a line whose upper half ends a pixel farther out than its lower half.
+    const Silhouette left(NeedleTriangles({-20.0, 8.0}, {6.0, 8.0}, 60.0));
+    Coverage line(16, 16);
+    for (int y = 0; y < 16; ++y)
+    {
+        for (int x = 6; x < (y < 8 ? 11 : 10); ++x)
+        {
+            line.At(x, y) = 1.0;
+        }
+    }
+    // One crossing leads from one half to the other; it is 4.5 out, where 4 is asked.
+    const ContourScore end = ScoreContours(line, left, {4.0}).high;
+    EXPECT_EQ(end.crossings, 17u);
+    EXPECT_DOUBLE_EQ(end.mean, 8.5 / 17.0);
+    EXPECT_NEAR(end.spread, std::sqrt(8.25 / 17.0 - 0.25), 1e-12);
+}
+
 } // namespace
 } // namespace limn::study

@@ -1,9 +1,9 @@
 #include "SampleStudy.h"
 #include "TemporaryFolder.h"
 #include "console/RunProgram.h"
-#include "study_pages/LabelPlacement.h"
-#include "study_pages/PlotAxis.h"
-#include "study_pages/Plots.h"
+#include "study_pages/plots/LabelPlacement.h"
+#include "study_pages/plots/PlotAxis.h"
+#include "study_pages/plots/Plots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -93,8 +93,8 @@ void AddStability(Study& sample, const MadeUp& technique)
         const bool fails = technique.isArticle && i % 7 == 0;
         study::CellResult& cell =
             AddCell(sample,
-                    {CellKind::Stability, technique.name, "scene", i % 2 == 0 ? 8.0 : 1e4, 3, 7,
-                     "near/far 1e" + std::to_string(i) + ", FOV 170"},
+                    {CellKind::Stability, technique.name, "scene", i % 2 == 0 ? 8.0 : k_Infinite, 3,
+                     7, "ratio=1e+" + std::to_string(i) + " fov=170 view=oblique"},
                     {{"badTexels", fails ? 21.0 : 0.0}, {"failures", fails ? 1.0 : 0.0}});
         if (fails)
         {

@@ -248,12 +248,13 @@ TEST(ReportTables, HaveTheStudysFigures)
     EXPECT_EQ("infinite", At(techniques, "Fails", "mean error"));
     EXPECT_EQ("–", At(techniques, "Rim", "mean error"));
     EXPECT_EQ("3 of 20", At(techniques, "Screen space", "stability checks failed"));
+    EXPECT_EQ("nowhere", At(techniques, "Separable", "error quartiles")) << "it is of one outline";
     const Table widths = WidthsTable(sample, "scene");
     EXPECT_EQ("0.006", At(widths, "Separable", "32"));
     const Table stability = StabilityTable(sample, comparison);
     EXPECT_EQ("63", At(stability, "Selection", "NaN or infinite texels"));
     EXPECT_THAT(At(stability, "Selection", "what it was put through"),
-                HasSubstr("widths 8, 10000 px; sizes 3x7; FOV 170, near/far 1e0"));
+                HasSubstr("width 8, inf px; picture 3x7; fov 170; ratio 1e+0, 1e+1, 1e+2,"));
     EXPECT_EQ("it is as wide as the object is curved", At(NoWidthTable(sample), "Rim", "why"));
     const Table costs = CellsTable(sample, "costs", "",
                                    [](const study::CellResult& cell)
@@ -267,6 +268,35 @@ TEST(ReportTables, HaveTheStudysFigures)
             EXPECT_EQ(table.columns.size(), row.size()) << table.id;
         }
     }
+}
+
+TEST(ReportSections, SayWhyCellsHaveNoFigures)
+{
+    const study::Study sample = FullSample();
+    const study::ReportText report = ReportOf(sample, Compare(sample), {});
+    const auto error = std::ranges::find(report.sections, "error", &study::Section::id);
+    ASSERT_NE(report.sections.end(), error);
+    EXPECT_THAT(error->paragraphs,
+                testing::Contains("Rim: not compared: it is as wide as the object is curved."));
+    for (const Table& table : error->tables)
+    {
+        EXPECT_EQ("nowhere", At(table, "Rim", "technique")) << table.id;
+    }
+}
+
+TEST(ReportOfStability, BeginsWithWhoPassed)
+{
+    study::Study sample = FullSample();
+    std::erase_if(sample.cells, [](const study::CellResult& cell)
+                  { return cell.id.kind != study::CellKind::Stability; });
+    const study::ReportText report = ReportOf(sample, Compare(sample), {});
+    EXPECT_THAT(report.recommendation,
+                testing::StartsWith("Strokes, Separable, Jump flood, Auto, Inflated, Rim, "));
+    EXPECT_THAT(
+        report.recommendation,
+        HasSubstr("passed all checks. Checks failed: Screen space 3 of 20, Selection 3 of"));
+    EXPECT_EQ("extremes", report.sections.front().id);
+    EXPECT_THAT(report.plots, testing::IsEmpty());
 }
 
 TEST(ReportRemarks, NamePlannedCellsThatAreMissing)

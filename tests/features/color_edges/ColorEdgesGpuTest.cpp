@@ -223,7 +223,7 @@ TEST_F(ColorEdgesGpu, DrawsNoLineAlongTheBorderOfThePicture)
     }
 }
 
-TEST_F(ColorEdgesGpu, TakesAWidthOfManyPicturesForItsDiagonal)
+TEST_F(ColorEdgesGpu, TakesAWidthBeyondThePictureForItsSmallerSide)
 {
     FlatScene flat(16, 12);
     flat.Add({8, 0}, {16, 12}, 5, Plain({0.5f, 0.5f, 0.5f}));

@@ -356,6 +356,39 @@ TEST_F(HardenedOutlineGpu, HasLinesAtTheSamplesOfAnObjectOnlyForACameraOfFourSam
     EXPECT_GT(partly, 30);
 }
 
+// Taps as far away as a wide line reaches would jump over the tube.
+TEST_F(HardenedOutlineGpu, LosesNoLineOfAThinPartWhereTheLineIsWider)
+{
+    Scene scene;
+    GameObject& torus = scene.Add("torus");
+    torus.renderer = MeshRenderer{CreatePrimitive(PrimitiveType::Torus), {Plain(glm::vec3(0.0f))}};
+    torus.transform.localRotation = EulerToRotation({-63.0f, 21.0f, 8.0f});
+    Camera camera;
+    camera.transform.localPosition = {0, 0, -3};
+    camera.backgroundColor = Color::black;
+    camera.fieldOfView = 30.0f;
+    for (const bool isOrthographic : {false, true})
+    {
+        camera.orthographic = isOrthographic;
+        camera.orthographicSize = 0.9f;
+        LinedRun run(scene, camera, 61, 47);
+        const double byAngle = 1000.0; // metres
+        Field before = run.Lines(As({1.0, byAngle}));
+        for (const double width : {2.0, 4.0, 8.0, 16.0, 32.0, 64.0})
+        {
+            const Field lines = run.Lines(As({width, byAngle}));
+            int lost = 0;
+            for (std::size_t i = 0; i < lines.values.size(); ++i)
+            {
+                lost += lines.values[i] < before.values[i] ? 1 : 0;
+            }
+            EXPECT_EQ(lost, 0) << "width " << width << ", orthographic " << isOrthographic;
+            before = lines;
+        }
+        EXPECT_GT(SumOf(before), 200.0);
+    }
+}
+
 // What a shader graph may be given.
 TEST_F(HardenedOutlineGpu, FindsNothingByThresholdsThatAreNone)
 {

@@ -67,8 +67,8 @@ void PassRecorder::Run(const ClearCommand& clear)
     }
     if (aspects != 0)
     {
-        attachments.push_back({aspects, 0, DepthClearValue(clear.depth, clear.stencil,
-                                                           m_Frame.usesReversedZBuffer)});
+        attachments.push_back(
+            {aspects, 0, DepthClearValue(clear.depth, clear.stencil, m_Frame.usesReversedZBuffer)});
     }
     const bool empty = m_Scissor.extent.width == 0 || m_Scissor.extent.height == 0;
     if (attachments.empty() || empty)

@@ -216,8 +216,8 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
         const DepthAttachment& target = *pass.depth;
         const PooledImage& image = *images.Find(*target.texture);
         const VkImageView view = image.view.get();
-        const VkClearValue clear = DepthClearValue(target.clearDepth, target.clearStencil,
-                                                   usesReversedZBuffer);
+        const VkClearValue clear =
+            DepthClearValue(target.clearDepth, target.clearStencil, usesReversedZBuffer);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
         depth = Attachment(view, layout, target.load, target.store, clear);
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);

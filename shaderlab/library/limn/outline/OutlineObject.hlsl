@@ -173,5 +173,10 @@ void OutlineObjectHardened_float(float2 UV, float OutlineWidth, float DepthThres
         edge = lerp(edge, limn_EdgeAt(UV, reach + 1.0, DepthThreshold, AngleThreshold, Softness),
                     part);
     }
+    // Nearer as well: taps may lie behind what ends in between.
+    [loop] for (reach = floor(reach * 0.5); reach >= 1.0 && edge < 1.0; reach = floor(reach * 0.5))
+    {
+        edge = max(edge, limn_EdgeAt(UV, reach, DepthThreshold, AngleThreshold, Softness));
+    }
     Out = edge * min(halfWidth, 1.0);
 }

@@ -1,14 +1,14 @@
-#include "study_pages/LabelPlacement.h"
 #include "study_pages/Numbers.h"
-#include "study_pages/PlotAxis.h"
-#include "study_pages/Plots.h"
+#include "study_pages/plots/LabelPlacement.h"
+#include "study_pages/plots/PlotAxis.h"
+#include "study_pages/plots/Plots.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <limn/shaderlab/TerminalText.h>
-#include <numeric>
 
 namespace limn::study
 {
@@ -115,10 +115,7 @@ public:
                 }
             }
         }
-        for (const auto& [x, name] : plot.verticals)
-        {
-            xs.push_back(x);
-        }
+        AddNearVerticals(xs);
         m_X = plot.ticksX.empty() ? MakeLogAxis(xs) : MakeLogAxis(plot.ticksX);
         m_Y = MakeLogAxis(ys);
         ReserveKey();
@@ -142,6 +139,26 @@ public:
 private:
     /// A quartile at or below zero does not make the axis longer.
     static double Positive(double bar) { return bar > 0.0 ? bar : std::nan(""); }
+
+    /// What is farther than ten times from all points is drawn at the axis's end: it would take
+    /// their room.
+    void AddNearVerticals(std::vector<double>& xs) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        double most = 0.0;
+        for (const double x : xs)
+        {
+            least = x > 0.0 ? std::min(least, x) : least;
+            most = x > most ? x : most;
+        }
+        for (const auto& [x, name] : m_Plot.verticals)
+        {
+            if (x >= least / 10.0 && x <= most * 10.0)
+            {
+                xs.push_back(x);
+            }
+        }
+    }
 
     double plotWidth() const { return m_Layout.width - m_Layout.left - m_Layout.right; }
     double plotHeight() const { return m_Layout.height - m_Layout.top - m_Layout.bottom; }
@@ -235,8 +252,11 @@ private:
 
     void AddVerticals()
     {
-        for (const auto& [x, name] : m_Plot.verticals)
+        for (const auto& [x, what] : m_Plot.verticals)
         {
+            const bool isOutside = m_X.Clamped(x) != x;
+            const std::string name =
+                what + " " + Readable(x) + " ms" + (isOutside ? ", farther out" : "");
             const double width = TextWidth(name, m_Layout.font);
             const double place = PixelX(x);
             m_Text += "set arrow from " + AtPixel(place, m_Layout.top) + " to " +
@@ -258,8 +278,9 @@ private:
     {
         const auto add = [this](double x0, double y0, double x1, double y1, double half)
         {
-            const auto [left, right] = std::minmax(PixelX(x0), PixelX(x1));
-            const auto [top, bottom] = std::minmax(PixelY(y0), PixelY(y1));
+            const auto [left, right] =
+                std::minmax({PixelX(x0), PixelX(x1)}); // a pair of values, not of references
+            const auto [top, bottom] = std::minmax({PixelY(y0), PixelY(y1)});
             m_Obstacles.push_back({left - half, top - half, right + half, bottom + half});
         };
         for (const PlotSeries& series : m_Plot.series)
@@ -280,6 +301,11 @@ private:
                     }
                 }
             }
+        }
+        if (!m_Plot.front.empty())
+        {
+            const auto [x, y] = m_Plot.front.front();
+            add(x, y, x, m_Y.high, 2.0);
         }
         for (std::size_t i = 0; i < m_Plot.front.size(); ++i)
         {

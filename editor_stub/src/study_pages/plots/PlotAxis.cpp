@@ -1,4 +1,4 @@
-#include "study_pages/PlotAxis.h"
+#include "study_pages/plots/PlotAxis.h"
 
 #include "study_pages/Numbers.h"
 

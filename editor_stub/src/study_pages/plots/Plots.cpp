@@ -1,4 +1,4 @@
-#include "study_pages/Plots.h"
+#include "study_pages/plots/Plots.h"
 
 #include "study_pages/Numbers.h"
 

@@ -1,4 +1,4 @@
-#include "study_pages/LabelPlacement.h"
+#include "study_pages/plots/LabelPlacement.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,87 @@
+#include "command_line/Checks.h"
+
+#include "reports/FrameGraph.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limn/shaderlab/Case.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Shaders get up to three times the time as a float.
+constexpr double k_MaxTime = 1e38;
+
+} // namespace
+
+std::string CheckPackage(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    const bool isGood = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+    return isGood ? std::string()
+                  : "'" + text +
+                        "' is no package; NAME=DIR is expected: "
+                        "com.unity.render-pipelines.core=DIR";
+}
+
+std::string CheckTime(const std::string& text)
+{
+    double seconds = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seconds);
+    const bool isNumber = error == std::errc{} && rest == end && !std::isnan(seconds);
+    if (isNumber && std::abs(seconds) > k_MaxTime)
+    {
+        return "'" + text + "' is too large for a shader's float; at most 1e38 s are expected";
+    }
+    return isNumber ? std::string() : "'" + text + "' is no time; seconds are expected: 1.5";
+}
+
+std::function<std::string(const std::string&)> CheckCount(int most)
+{
+    return [most](const std::string& text)
+    {
+        int number = 0;
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, number);
+        const bool isGood = error == std::errc{} && rest == end && number >= 1 && number <= most;
+        return isGood ? std::string()
+                      : "'" + text + "' is no number from 1 to " + std::to_string(most);
+    };
+}
+
+std::function<std::string(const std::string&)> CheckChoice(const std::string& words)
+{
+    return [words](const std::string& text)
+    {
+        const std::vector<std::string> known = CLI::detail::split(words, '|');
+        const bool isGood = std::find(known.begin(), known.end(), text) != known.end();
+        return isGood ? std::string()
+                      : "unknown word " + UnknownName(text, {known.begin(), known.end()});
+    };
+}
+
+/// Devices and pipes have no ending, which is why a name without one will do.
+std::string CheckPicture(const std::string& text)
+{
+    const std::string ending = ToLower(std::filesystem::path(text).extension().string());
+    return ending.empty() || ending == ".png"
+               ? std::string()
+               : "'" + text +
+                     "' would not be a PNG by its name; PNG is what limn writes: a.png, "
+                     "or - for stdout";
+}
+
+std::string CheckGraph(const std::string& text)
+{
+    return IsGraphFile(text) ? std::string()
+                             : "'" + text + "' is no graph by its name: .svg, .png, .pdf or .dot";
+}
+
+} // namespace limn
