@@ -2,8 +2,9 @@
 """Opens a report in a real browser, as wide as a phone and as a desk's screen, and looks at it: no
 image is broken, nothing is wider than the page, and every figure is the one in results.json.
 
-Usage: check_page.py SAMPLE_REPORT      the program that writes a report of made-up figures
-       check_page.py --folder FOLDER    a report that is there
+Usage: check_page.py SAMPLE_REPORT         the program that writes a report of made-up figures
+       check_page.py --measure LIMN SCENE  a small report of a scene, with a cache of its own
+       check_page.py --folder FOLDER       a report that is there
 """
 import base64
 import html
@@ -193,16 +194,30 @@ def sabotaged(page):
     return page[:cell.start(1)] + "1234" + page[cell.end(1):]
 
 
+def measure(limn, scene, folder):
+    """A report that is real and small. False if the machine has no device."""
+    environment = dict(os.environ, XDG_CACHE_HOME=str(folder.parent / "cache"))
+    run = subprocess.run([limn, "report", scene, "-o", folder, "--quick", "--size", "96x54",
+                          "--technique", "Strokes", "--technique", "Screen space"],
+                         stdout=subprocess.DEVNULL, env=environment)
+    if run.returncode not in (0, 3):
+        sys.exit(f"limn report ends with {run.returncode}")
+    return run.returncode == 0
+
+
 def main():
     browser = next((found for found in map(shutil.which, BROWSERS) if found), None)
     if browser is None:
         print("there is no Chromium: apt install chromium-headless-shell")
         return 1 if os.environ.get("LIMN_REQUIRE_DEVICE") else SKIPPED
     with tempfile.TemporaryDirectory(prefix="limn-page-") as temporary:
+        folder = pathlib.Path(temporary) / "report"
         if sys.argv[1] == "--folder":
             folder = pathlib.Path(sys.argv[2])
+        elif sys.argv[1] == "--measure":
+            if not measure(sys.argv[2], sys.argv[3], folder):
+                return 1 if os.environ.get("LIMN_REQUIRE_DEVICE") else SKIPPED
         else:
-            folder = pathlib.Path(temporary) / "report"
             subprocess.run([sys.argv[1], folder], check=True, stdout=subprocess.DEVNULL)
         page = (folder / "report.html").read_text(encoding="utf-8")
         results = json.loads((folder / "results.json").read_text(encoding="utf-8"))
@@ -215,7 +230,7 @@ def main():
             for problem in problems:
                 print("  " + problem)
             failed |= bool(problems)
-        if sys.argv[1] != "--folder":  # what is looked for is found where it is
+        if len(sys.argv) == 2:  # what is looked for is found where it is
             problems, _ = check(look(browser, sabotaged(page), 360, temporary), 360, results)
             for wanted in ("is broken", "px wide in a window of 360", "is 1234, measured was"):
                 if not any(wanted in problem for problem in problems):

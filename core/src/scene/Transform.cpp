@@ -101,19 +101,21 @@ glm::quat EulerToRotation(const glm::vec3& degrees)
 
 glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up)
 {
-    const float length = glm::length(forward);
-    if (!(length > 0.0f))
+    const glm::dvec3 ahead(forward); // in double: no float's square is 0 or infinite
+    const glm::dvec3 above(up);
+    const double length = glm::length(ahead);
+    if (!(length > 0.0))
     {
         throw ContractError("LookRotation: the forward direction is zero");
     }
-    const glm::vec3 z = forward / length;
-    glm::vec3 x = glm::cross(up, z);
-    if (!(glm::length(x) > 1e-6f * glm::length(up)))
+    const glm::dvec3 z = ahead / length;
+    glm::dvec3 x = glm::cross(above, z);
+    if (!(glm::length(x) > 1e-6 * glm::length(above)))
     {
-        x = glm::cross(std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -z.y), z);
+        x = glm::cross(std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -z.y), z);
     }
     x = glm::normalize(x);
-    return glm::quat_cast(glm::mat3(x, glm::cross(z, x), z));
+    return glm::quat(glm::quat_cast(glm::dmat3(x, glm::cross(z, x), z)));
 }
 
 glm::mat4 Transform::localToParentMatrix() const

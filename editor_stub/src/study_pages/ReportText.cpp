@@ -247,6 +247,24 @@ std::string Missing(const Study& study)
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
+/// Where times are too uncertain to choose by; "" where they are not.
+std::string Uncertainty(const Study& study, const Comparison& comparison)
+{
+    std::size_t timed = 0;
+    std::size_t wide = 0;
+    for (const Standing& standing : comparison.standings)
+    {
+        const auto [lower, upper] = standing.timeQuartiles;
+        timed += std::isnan(lower) ? 0 : 1;
+        wide += upper - lower > standing.at.milliseconds ? 1 : 0;
+    }
+    return wide == 0 ? ""
+                     : "The times of " + std::to_string(wide) + " of " + Count(timed, "technique") +
+                           " spread by more than themselves (load average " +
+                           Readable(study.loadAverage) +
+                           "): measure again on a quieter machine before choosing by them.";
+}
+
 /// For a study of stability only: who passed, and who failed how often.
 std::string Verdict(const Comparison& comparison)
 {
@@ -289,9 +307,12 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
         report.recommendation = Verdict(comparison);
     }
     report.remarks = options.remarks;
-    if (std::string missing = Missing(study); !missing.empty())
+    for (const std::string& remark : {Uncertainty(study, comparison), Missing(study)})
     {
-        report.remarks.push_back(std::move(missing));
+        if (!remark.empty())
+        {
+            report.remarks.push_back(remark);
+        }
     }
     report.plots = PlotsOf(study, comparison, options.budgetMilliseconds);
     std::erase_if(report.plots, [](const Plot& plot) { return plot.isEmpty(); });

@@ -4,6 +4,7 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "compiler/PlatformMacros.h"
 #include "hlsl/Checks.h"
 #include "hlsl/Preprocessor.h"
 #include "hlsl/Rewriter.h"
@@ -226,7 +227,7 @@ std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
 
 /// SPIR-V of all stages; their mistakes are reported together, each once.
 void BuildStages(ShaderProgram& pass, const PassProgram& program, const Stages& stages,
-                 const StageLinkage& linkage)
+                 const StageLinkage& linkage, bool halfIs16Bit)
 {
     std::vector<Diagnostic> diagnostics;
     for (const Stage& stage : stages)
@@ -241,7 +242,7 @@ void BuildStages(ShaderProgram& pass, const PassProgram& program, const Stages& 
         try
         {
             SpirvOf(pass, stage.stage) =
-                BuildSpirv(hlsl, stage.stage, program.file, pass.diagnostics);
+                BuildSpirv(hlsl, stage.stage, program.file, halfIs16Bit, pass.diagnostics);
         }
         catch (const AssetError& error)
         {
@@ -294,7 +295,7 @@ ShaderProgram Build(const PassProgram& program, std::span<const std::string> key
     }
     const StageLinkage linkage = Link(program, stages);
     WarnOfUnwritten(program, stages, linkage, pass.diagnostics);
-    BuildStages(pass, program, stages, linkage);
+    BuildStages(pass, program, stages, linkage, std::ranges::count(keywords, k_RealHalfMacro) > 0);
     std::vector<std::string> messages;
     ReflectLayout(pass, linkage, objects, messages);
     if (stages.size() > 2)

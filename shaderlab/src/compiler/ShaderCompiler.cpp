@@ -4,6 +4,7 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerProcess.h"
+#include "compiler/PlatformMacros.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
 #include "program/PragmaScanner.h"
@@ -84,7 +85,11 @@ std::vector<std::string> WithPlatform(std::span<const std::string> keywords,
     std::vector<std::string> all(keywords.begin(), keywords.end());
     if (!options.usesReversedZBuffer)
     {
-        all.emplace_back("LIMN_STANDARD_Z");
+        all.emplace_back(k_StandardZMacro);
+    }
+    if (options.halfIs16Bit)
+    {
+        all.emplace_back(k_RealHalfMacro);
     }
     return all;
 }
@@ -101,6 +106,16 @@ void ExpectOwnLibrary(const ShaderCompilerOptions& options)
     }
 }
 
+void ExpectSmallFloats(const ShaderCompilerOptions& options)
+{
+    if (options.halfIs16Bit && std::ranges::count(options.missingFeatures, "native16bit") > 0)
+    {
+        throw ContractError("ShaderCompilerOptions: halfIs16Bit is true, but the device lacks "
+                            "native16bit, shaderFloat16 and shaderInt16 in Vulkan; without them "
+                            "half is float");
+    }
+}
+
 } // namespace
 
 struct ShaderCompiler::State
@@ -109,6 +124,7 @@ struct ShaderCompiler::State
         : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
     {
         ExpectOwnLibrary(options);
+        ExpectSmallFloats(options);
         if (options.isIsolated)
         {
             process.emplace(options);

@@ -5,6 +5,7 @@
 #include "hlsl/rewrites/Rewrites.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
+#include "spirv/HalfPrecision.h"
 #include "stages/EntryPointWriter.h"
 
 #include <glslang/Public/ResourceLimits.h>
@@ -237,7 +238,8 @@ std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
 }
 
 std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
-                                 const std::string& file, std::vector<Diagnostic>& warnings)
+                                 const std::string& file, bool halfIs16Bit,
+                                 std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const char* const text = hlsl.c_str();
@@ -264,6 +266,10 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
         ThrowUnlinked(program.getInfoLog(), file, hlsl);
     }
     std::vector<std::uint32_t> spirv = Generate(program, stage, false);
+    if (halfIs16Bit)
+    {
+        spirv = UseHalfPrecision(spirv);
+    }
     if (const auto problem = OptimizeChecked(spirv, file))
     {
         ThrowInvalid(program, stage, file, *problem);
@@ -274,7 +280,8 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
 } // namespace
 
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file, std::vector<Diagnostic>& warnings)
+                                      const std::string& file, bool halfIs16Bit,
+                                      std::vector<Diagnostic>& warnings)
 {
     // glslang stops at the first call that it cannot make.
     std::set<std::string> unmatched;
@@ -282,7 +289,7 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     {
         try
         {
-            return Build(text, stage, file, warnings);
+            return Build(text, stage, file, halfIs16Bit, warnings);
         }
         catch (const AssetError& error)
         {

@@ -12,9 +12,11 @@ namespace limn
 /// not need is gone: unused inputs, buffers and textures are not declared.
 ///
 /// @param file      named by messages that have no place of their own
+/// @param halfIs16Bit  see ShaderCompilerOptions
 /// @param warnings  gets those of the compiler
 /// @throws AssetError, also where the result is not valid
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file, std::vector<Diagnostic>& warnings);
+                                      const std::string& file, bool halfIs16Bit,
+                                      std::vector<Diagnostic>& warnings);
 
 } // namespace limn

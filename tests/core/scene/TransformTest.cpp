@@ -102,9 +102,17 @@ TEST(LookRotation, FindsARotationWithoutAUsableUp)
 
 TEST(LookRotation, DoesNotCareHowLongUpIs)
 {
-    for (const float length : {1e-7f, 1.0f, 1e7f})
+    for (const float length : {1e-44f, 1e-30f, 1e-7f, 1.0f, 1e7f, 1e30f})
     {
         ExpectNear(LookRotation(k_Z, k_X * length) * k_Y, k_X);
+    }
+}
+
+TEST(LookRotation, DoesNotCareHowLongForwardIs)
+{
+    for (const float length : {1e-44f, 1e-30f, 1e-7f, 1.0f, 1e7f, 1e30f, 3e38f})
+    {
+        ExpectNear(LookRotation((k_X + k_Z) * length * 0.5f) * k_X, (k_X - k_Z) * std::sqrt(0.5f));
     }
 }
 

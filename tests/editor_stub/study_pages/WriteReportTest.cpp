@@ -299,9 +299,32 @@ TEST(ReportOfStability, BeginsWithWhoPassed)
     EXPECT_THAT(report.plots, testing::IsEmpty());
 }
 
+/// 2 ms (1.8 to 2.4) and 4 ms (3.6 to 4.8).
+study::Study TwoTechniques()
+{
+    study::Study sample = EmptySample();
+    AddTechnique(sample, "A");
+    AddTechnique(sample, "B");
+    AddPoint(sample, "A", 8.0, 2.0, 0.1);
+    AddPoint(sample, "B", 8.0, 4.0, 0.01);
+    return sample;
+}
+
+TEST(ReportRemarks, WarnOfTimesThatSpreadByMoreThanThemselves)
+{
+    study::Study sample = TwoTechniques();
+    EXPECT_THAT(ReportOf(sample, Compare(sample), {}).remarks, testing::IsEmpty());
+    sample.cells[1].quartiles["gpuAddedMilliseconds"] = {0.5, 2.6};
+    EXPECT_THAT(
+        ReportOf(sample, Compare(sample), {}).remarks,
+        testing::ElementsAre("The times of 1 of 2 techniques spread by more than themselves "
+                             "(load average 0.5): measure again on a quieter machine before "
+                             "choosing by them."));
+}
+
 TEST(ReportRemarks, NamePlannedCellsThatAreMissing)
 {
-    study::Study sample = FullSample();
+    study::Study sample = TwoTechniques();
     const std::string name = sample.cells.back().id.Name();
     sample.cells.pop_back();
     const study::ReportText report = ReportOf(sample, Compare(sample), {});

@@ -1,5 +1,6 @@
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
+#include "core/ThrownMessage.h"
 
 #include <gmock/gmock.h>
 
@@ -220,6 +221,26 @@ TEST(ShaderCompiler, ComputesWithFullPrecisionInHalf)
         half4 frag() : SV_Target { return _A; })");
     ExpectValid(*pass);
     EXPECT_THAT(test::Disassemble(pass->fragmentSpirv), Not(HasSubstr("RelaxedPrecision")));
+}
+
+TEST(ShaderCompiler, MakesRealHalvesWhereTheDeviceHasThem)
+{
+    ShaderCompilerOptions options;
+    options.halfIs16Bit = true;
+    const auto pass = ShaderCompiler(options).Compile(test::Program(R"(
+        half4 _A;
+        struct V { float4 p : SV_Position; half2 uv : TEXCOORD0; };
+        V vert(half4 p : POSITION) { V v; v.p = p * _A; v.uv = p.xy * _A.y; return v; }
+        half4 frag(V v) : SV_Target { return _A * _A + v.uv.x; })"));
+    ExpectValid(*pass);
+    const std::string text = test::Disassemble(pass->fragmentSpirv);
+    EXPECT_THAT(text, HasSubstr("OpCapability Float16"));
+    EXPECT_THAT(text, Not(HasSubstr("StorageInputOutput16")));
+    EXPECT_EQ(pass->layout.buffers.at(0).members.at(0).size, 16u) << "a float4 as ever";
+    options.missingFeatures = {"native16bit"};
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { ShaderCompiler{options}; }),
+              "ShaderCompilerOptions: halfIs16Bit is true, but the device lacks native16bit, "
+              "shaderFloat16 and shaderInt16 in Vulkan; without them half is float");
 }
 
 TEST(ShaderCompiler, CompilesForSeveralThreadsAtOnce)

@@ -7,8 +7,7 @@
 #include <glm/vec4.hpp>
 #include <limn/core/Image.h>
 #include <limn/core/Texture.h>
-#include <limn/shaderlab/PassProgram.h>
-#include <limn/shaderlab/ShaderProgram.h>
+#include <limn/shaderlab/ShaderCompiler.h>
 #include <map>
 #include <memory>
 #include <string>
@@ -77,7 +76,8 @@ public:
     /// What the program finds in a texture; sampled bilinearly, repeated.
     void SetTexture(const std::string& name, std::shared_ptr<const Texture2D> texture);
 
-    PerDrawData perDraw{}; ///< of the object that is drawn
+    PerDrawData perDraw{};         ///< of the object that is drawn
+    ShaderCompilerOptions options; ///< what the program is compiled with
 
     /// Draws on SharedDevice() and adds a failure to the current test for each function that is
     /// off, with its worst input.

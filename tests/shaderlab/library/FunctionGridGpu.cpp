@@ -253,7 +253,7 @@ float4 frag(float4 limn_Position : SV_POSITION) : SV_Target
 Image FunctionGrid::Draw() const
 {
     const auto width = static_cast<int>(Width());
-    const PassPtr pass = CompileHlsl(Program(), m_Language);
+    const PassPtr pass = ShaderCompiler(options).Compile(test::Program(Program(), m_Language));
     const TargetPtr target = MakeTarget(width, static_cast<int>(m_Functions.size()),
                                         GraphicsFormat::R32G32B32A32_SFloat);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);

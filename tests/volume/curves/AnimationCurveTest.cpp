@@ -393,6 +393,17 @@ TEST(AnimationCurve, SmoothsTheTangentsOfAKeyThatIsAddedByTimeAndValue)
               test::ThrownMessage<ContractError>([&] { curve.SmoothTangents(3, 0.0f); }));
 }
 
+TEST(AnimationCurve, SmoothsTangentsBetweenValuesWhoseDifferenceIsNoFloat)
+{
+    AnimationCurve curve({{0, -3e38f}, {1e5f, 3e38f}, {2e5f, -3e38f}});
+    curve.SmoothTangents(0, 0.0f);
+    EXPECT_FLOAT_EQ(6e33f, curve.keys()[0].outTangent);
+    curve.SmoothTangents(1, 0.0f); // as steep on both sides
+    EXPECT_EQ(0.0f, curve.keys()[1].inTangent);
+    curve.SmoothTangents(1, 1.0f);
+    EXPECT_FLOAT_EQ(6e33f, curve.keys()[1].inTangent);
+}
+
 } // namespace
 
 } // namespace limn

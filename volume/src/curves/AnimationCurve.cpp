@@ -16,11 +16,12 @@ bool IsEarlier(const Keyframe& a, const Keyframe& b)
     return a.time < b.time;
 }
 
-/// 0 between keys of one time.
-float SlopeBetween(const Keyframe& left, const Keyframe& right)
+/// 0 between keys of one time. In double: the difference of two floats need not be one.
+double SlopeBetween(const Keyframe& left, const Keyframe& right)
 {
-    const float distance = right.time - left.time;
-    return distance > 0.0f ? (right.value - left.value) / distance : 0.0f;
+    const double distance = static_cast<double>(right.time) - static_cast<double>(left.time);
+    const double rise = static_cast<double>(right.value) - static_cast<double>(left.value);
+    return distance > 0.0 ? rise / distance : 0.0;
 }
 
 /// The time within [first, last] that counts for one outside.
@@ -121,10 +122,11 @@ void AnimationCurve::SmoothTangents(int index, float weight)
     const auto at = static_cast<std::size_t>(index);
     const bool isFirst = at == 0;
     const bool isLast = at + 1 == m_Keys.size();
-    const float before = isFirst ? 0.0f : SlopeBetween(m_Keys[at - 1], m_Keys[at]);
-    const float behind = isLast ? 0.0f : SlopeBetween(m_Keys[at], m_Keys[at + 1]);
-    const float share = isFirst ? 0.0f : isLast ? 1.0f : (1.0f + weight) * 0.5f;
-    m_Keys[at].inTangent = m_Keys[at].outTangent = share * before + (1.0f - share) * behind;
+    const double before = isFirst ? 0.0 : SlopeBetween(m_Keys[at - 1], m_Keys[at]);
+    const double behind = isLast ? 0.0 : SlopeBetween(m_Keys[at], m_Keys[at + 1]);
+    const double share = isFirst ? 0.0 : isLast ? 1.0 : (1.0 + static_cast<double>(weight)) * 0.5;
+    const auto slope = static_cast<float>(share * before + (1.0 - share) * behind);
+    m_Keys[at].inTangent = m_Keys[at].outTangent = slope;
 }
 
 void AnimationCurve::RemoveKey(int index)

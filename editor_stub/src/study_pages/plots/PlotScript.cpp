@@ -79,6 +79,13 @@ double TextWidth(const std::string& text, double font)
     return static_cast<double>(letters) * font * k_LetterWidth;
 }
 
+/// Articles' lines are broken, and so are those whose colour another line has already.
+std::string Dashes(const PlotSeries& series)
+{
+    const bool isAgain = series.style >= k_Colors.size();
+    return series.isArticle ? (isAgain ? " dt '.'" : " dt '-'") : (isAgain ? " dt '_.'" : "");
+}
+
 bool IsDrawn(const PlotPoint& point)
 {
     return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error);
@@ -184,7 +191,8 @@ private:
         const auto most = static_cast<std::size_t>(std::max(1.0, (m_Layout.width - 20.0) / column));
         m_KeyColumns = std::min(most, std::max<std::size_t>(count, 1));
         const std::size_t rows = (count + m_KeyColumns - 1) / m_KeyColumns;
-        const double height = (static_cast<double>(rows) + 1.0) * m_Layout.font * 1.62;
+        const double height = (static_cast<double>(rows) + 1.0) * m_Layout.font *
+                              (m_Format == PlotFormat::Png ? 1.2 : 1.62);
         m_Layout.bottom += height;
         m_Layout.height += static_cast<int>(height);
     }
@@ -264,12 +272,14 @@ private:
                       k_Muted + "'\n";
             const double side = place - m_Layout.left > 2.0 * m_Layout.font ? -1.0 : 1.0;
             const double center = place + side * 0.7 * m_Layout.font;
-            m_Text += "set label " + Quoted(name) + " at " + AtPixel(center, m_Layout.top + 4.0) +
+            // In the middle at an end, where points may be drawn that belong farther out, too.
+            const double top = m_Layout.top + (isOutside ? 0.5 * (plotHeight() - width) : 4.0);
+            m_Text += "set label " + Quoted(name) + " at " + AtPixel(center, top) +
                       " right rotate by 90 textcolor rgb '" + k_Muted + "'\n";
             m_Obstacles.push_back(
                 {place - 2.0, m_Layout.top, place + 2.0, m_Layout.top + plotHeight()});
-            m_Obstacles.push_back({center - 0.6 * m_Layout.font, m_Layout.top,
-                                   center + 0.6 * m_Layout.font, m_Layout.top + width + 8.0});
+            m_Obstacles.push_back({center - 0.6 * m_Layout.font, top - 4.0,
+                                   center + 0.6 * m_Layout.font, top + width + 4.0});
         }
     }
 
@@ -449,7 +459,7 @@ private:
         m_Drawn.push_back(
             AddBlock(points) + " using 1:2 with " + (series.hasLine ? "linespoints" : "points") +
             " pt " + std::to_string(type) + (series.hasLine ? " ps 0.8 lw 1.6" : " ps 1 lw 2") +
-            (series.isArticle && series.hasLine ? " dt '-'" : "") + color + " title " +
+            (series.hasLine ? Dashes(series) : "") + color + " title " +
             Quoted(ShortName(series.name)));
     }
 

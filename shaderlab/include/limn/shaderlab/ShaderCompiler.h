@@ -44,6 +44,11 @@ struct ShaderCompilerOptions
     /// 1; else the other way round, as on OpenGL, to study precision. The whole pipeline goes by
     /// what its renderer's compiler has. Unity: SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;
+    /// Whether half and min16float have 16 bits where values are assigned, passed, returned and
+    /// computed from nothing but halves and constants, as on phones, to study precision; else they
+    /// are floats, as on Unity's desktop targets. Buffers, textures, what functions of a program
+    /// hand to each other, and matrices have 32 bits in any case.
+    bool halfIs16Bit = false;
 };
 
 /// Turns the HLSL of a pass into SPIR-V and its layout. All members may be called from several
@@ -52,7 +57,8 @@ class ShaderCompiler
 {
 public:
     /// @throws ContractError  if the depth is not reversed and `packages` holds a shader library:
-    ///                        which way round it is on Vulkan stands in there
+    ///                        which way round it is on Vulkan stands in there; or if halfIs16Bit
+    ///                        and `missingFeatures` has native16bit
     explicit ShaderCompiler(ShaderCompilerOptions options = {});
     ~ShaderCompiler();
     ShaderCompiler(const ShaderCompiler&) = delete;
