@@ -237,8 +237,8 @@ std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSi
     std::vector<CellId> cells = PlanSweep(techniques, size, levels);
     for (const FormulaCell& formula : Formulas())
     {
-        cells.push_back({CellKind::Stability, k_FormulasName, formula.formula, 0.0, 1, 1,
-                         formula.input});
+        cells.push_back(
+            {CellKind::Stability, k_FormulasName, formula.formula, 0.0, 1, 1, formula.input});
     }
     return cells;
 }
@@ -316,8 +316,8 @@ CellResult StabilityStudy::MeasureFormula(const CellId& cell)
                      {"formulaArticle", found->article},
                      {"formulaOurs", found->ours}};
     CellChecks checks(result);
-    checks.Expect(found->IsGood(found->ours), "ours is off by more than " +
-                                                  ShortNumber(found->tolerance));
+    checks.Expect(found->IsGood(found->ours),
+                  "ours is off by more than " + ShortNumber(found->tolerance));
     checks.Note(found->where + ": " + found->reason);
     return result;
 }

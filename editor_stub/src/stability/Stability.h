@@ -20,8 +20,8 @@ enum class SweepSize
               ///< at most; a width that is no finite number is tried once
 };
 
-/// The technique of cells that are formulas, see FormulaCell: the subject is the formula, the variant
-/// its input.
+/// The technique of cells that are formulas, see FormulaCell: the subject is the formula, the
+/// variant its input.
 inline constexpr const char* k_FormulasName = "Formulas";
 
 /// A cell for each technique and case. Cells know nothing of each other: any of them may be
@@ -75,8 +75,9 @@ public:
     ///
     /// Of formulas: that ours is as near to what is meant as it should be.
     ///
-    /// values: formulaMeant, formulaArticle, formulaOurs; badTexels, outOfRange, validationMessages, meanAbsoluteError, bandPixels,
-    /// errorBound, areaGrowth, failures; those that there are.
+    /// values: formulaMeant, formulaArticle, formulaOurs; badTexels, outOfRange,
+    /// validationMessages, meanAbsoluteError, bandPixels, errorBound, areaGrowth, failures; those
+    /// that there are.
     /// @throws ContractError for a cell that is not of PlanStability
     CellResult Measure(const CellId& cell);
 
