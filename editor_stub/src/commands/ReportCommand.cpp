@@ -247,15 +247,12 @@ int Merge(const ReportCommandOptions& options, Console& console)
         ReportOptions pages = PageOptions(options);
         for (const std::string& name : part.missing)
         {
-            pages.remarks.push_back("missing: " + name);
+            console.Warning(folder.string() + ": missing: " + name); // pages say it by themselves
         }
         for (const std::string& name : part.doubled)
         {
             pages.remarks.push_back("there twice, the first stands: " + name);
-        }
-        for (const std::string& remark : pages.remarks)
-        {
-            console.Warning(folder.string() + ": " + remark);
+            console.Warning(folder.string() + ": " + pages.remarks.back());
         }
         isWhole = isWhole && part.missing.empty();
         Study study = part.study;
