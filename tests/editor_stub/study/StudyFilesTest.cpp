@@ -153,9 +153,10 @@ TEST(MergeStudies, KeepsDevicesApart)
 {
     Study parts[] = {Planned(), Planned(), Planned()};
     parts[1].device = "another";
+    std::size_t next = 0;
     for (Study& part : parts)
     {
-        part.cells = {Result(part.planned[&part - parts], 0.1)};
+        part.cells = {Result(part.planned[next++], 0.1)};
     }
     const std::vector<MergedStudy> merged = MergeStudies(parts);
     ASSERT_EQ(merged.size(), 2u);
