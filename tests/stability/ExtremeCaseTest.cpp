@@ -14,7 +14,7 @@ namespace
 
 TEST(ExtremeCase, IsReadBackFromTheCellThatItIs)
 {
-    for (const CellId& cell : PlanStability(Techniques(), SweepSize::Pairwise))
+    for (const CellId& cell : PlanSweep(Techniques(), SweepSize::Pairwise))
     {
         const ExtremeCase extreme = ExtremeCase::OfCell(cell);
         EXPECT_EQ(extreme.Variant(), cell.variant);
@@ -22,12 +22,12 @@ TEST(ExtremeCase, IsReadBackFromTheCellThatItIs)
     }
 }
 
-TEST(PlanStability, NamesEachCellOnce)
+TEST(PlanSweep, NamesEachCellOnce)
 {
     const auto namesOf = [](SweepSize size)
     {
         std::set<std::string> names;
-        for (const CellId& cell : PlanStability(Techniques(), size))
+        for (const CellId& cell : PlanSweep(Techniques(), size))
         {
             EXPECT_TRUE(names.insert(cell.Name()).second) << cell.Name();
         }
@@ -40,9 +40,9 @@ TEST(PlanStability, NamesEachCellOnce)
     EXPECT_LE(namesOf(SweepSize::Pairwise), 80 * techniques);
 }
 
-TEST(PlanStability, HasEveryLevelForEveryTechniqueHoweverFewCells)
+TEST(PlanSweep, HasEveryLevelForEveryTechniqueHoweverFewCells)
 {
-    const std::vector<CellId> cells = PlanStability(Techniques(), SweepSize::Sampled);
+    const std::vector<CellId> cells = PlanSweep(Techniques(), SweepSize::Sampled);
     for (const Technique& technique : Techniques())
     {
         std::set<std::string> levels;
@@ -61,12 +61,12 @@ TEST(PlanStability, HasEveryLevelForEveryTechniqueHoweverFewCells)
     }
 }
 
-TEST(PlanStability, OfAllCombinationsKeepsFullScreensFew)
+TEST(PlanSweep, OfAllCombinationsKeepsFullScreensFew)
 {
     ExtremeLevels levels;
     levels.depthRatios = {1e2, 1e9};
     levels.widths = {8.0, 64.0};
-    const auto cells = PlanStability(std::span(Techniques()).first(1), SweepSize::Full, levels);
+    const auto cells = PlanSweep(std::span(Techniques()).first(1), SweepSize::Full, levels);
     EXPECT_EQ(
         std::ranges::count_if(cells, [](const CellId& cell) { return cell.pictureWidth <= 256; }),
         2 * 2 * 3 * 3 * 7 * 2 * 3 * 2);

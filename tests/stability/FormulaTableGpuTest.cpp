@@ -1,4 +1,4 @@
-#include "stability/FormulaTable.h"
+#include "stability/Stability.h"
 
 #include "../vulkan/GpuTestDevice.h"
 
@@ -36,6 +36,21 @@ TEST_F(FormulaTable, HasOursRightInEveryCellAndTheArticlesInThoseThatItIsKnownFo
         }
     }
     EXPECT_EQ(failing.size(), 11u) << "every row has an input that the article's fails for";
+}
+
+TEST_F(FormulaTable, IsAPartOfTheStabilityCells)
+{
+    const std::vector<CellId> cells = PlanStability({}, SweepSize::Pairwise);
+    ASSERT_EQ(cells.size(), Formulas().size());
+    StabilityStudy study({}, test::SharedDevice());
+    const CellResult negative = study.Measure(cells[1]);
+    EXPECT_EQ(negative.id.Name(), "stability/Formulas/pow(x, y), y = 2/0/1x1/x = -0.5");
+    EXPECT_EQ(negative.Value("formulaMeant"), 0.25);
+    EXPECT_EQ(negative.Value("formulaOurs"), 0.25);
+    EXPECT_EQ(negative.Value("failures"), 0.0);
+    CellId unknown = cells[1];
+    unknown.variant = "x = 7";
+    EXPECT_THROW(study.Measure(unknown), ContractError);
 }
 
 } // namespace

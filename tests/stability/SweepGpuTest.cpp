@@ -60,7 +60,7 @@ std::vector<CellId> Plan()
 {
     ExtremeLevels levels;
     levels.sizes = {{96, 64}, {1, 1}, {3, 7}};
-    return PlanStability(Techniques(), SweepSize::Sampled, levels);
+    return PlanSweep(Techniques(), SweepSize::Sampled, levels);
 }
 
 class Sweep : public test::GpuTest

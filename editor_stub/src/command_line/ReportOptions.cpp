@@ -63,9 +63,15 @@ void AddReportOptions(CLI::App& verb, ReportCommandOptions& options)
                                    "is taken over")
                        ->type_name("DIR")
                        ->required();
-    verb.add_flag("--quick", options.isQuick, "Fewer widths, shapes and sizes: within a minute");
-    verb.add_flag("--stability", options.hasStability,
-                  "Put the techniques through extreme inputs, in place of all else");
+    auto* quick = verb.add_flag("--quick", options.isQuick,
+                                "Fewer widths, shapes and sizes: within a minute");
+    auto* stability =
+        verb.add_flag("--stability", options.hasStability,
+                      "Put the techniques through extreme inputs, every two together, under the "
+                      "Vulkan validation layer, in place of all else");
+    verb.add_flag("--all-combinations", options.isFull, "Of extreme inputs; takes days")
+        ->needs(stability)
+        ->excludes(quick);
     verb.add_option("--technique", options.techniques, "Only this one")
         ->type_name("NAME")
         ->allow_extra_args(false);

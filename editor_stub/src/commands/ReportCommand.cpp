@@ -1,6 +1,7 @@
 #include "commands/ReportCommand.h"
 
 #include "assets/FileKind.h"
+#include "stability/Stability.h"
 #include "study/StudyBench.h"
 #include "study/StudyFiles.h"
 #include "study/StudyPlan.h"
@@ -117,8 +118,13 @@ Study Describe(const std::string& scene, const StudyOptions& options, const Asse
 class StudyRun
 {
 public:
-    StudyRun(StudyFolder& folder, Study& study, StudyBench& bench, const StudyOptions& options)
-        : m_Folder(folder), m_Study(study), m_Bench(bench), m_Options(options)
+    StudyRun(StudyFolder& folder, Study& study, StudyBench& bench, StabilityStudy& stability,
+             const StudyOptions& options)
+        : m_Folder(folder),
+          m_Study(study),
+          m_Bench(bench),
+          m_Stability(stability),
+          m_Options(options)
     {
     }
 
@@ -186,7 +192,9 @@ private:
         }
         else
         {
-            m_Folder.Add(m_Bench.Measure(missing.front()));
+            const CellId& id = missing.front();
+            m_Folder.Add(id.kind == CellKind::Stability ? m_Stability.Measure(id)
+                                                        : m_Bench.Measure(id));
         }
         left.Add(WorkOf(unit));
     }
@@ -194,6 +202,7 @@ private:
     StudyFolder& m_Folder;
     Study& m_Study;
     StudyBench& m_Bench;
+    StabilityStudy& m_Stability;
     const StudyOptions& m_Options;
 };
 
@@ -296,7 +305,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     render.scene = options.paths.front();
     RequireKind(render.scene, {FileKind::Scene}, "report");
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(render, console);
-    VulkanDevice device({render.device, false, compilerOptions.cacheFolder});
+    VulkanDevice device({render.device, options.hasStability, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();
     AssetContext assets(compilerOptions);
     SceneAsset scene = LoadForRendering(render, assets);
@@ -306,13 +315,16 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
 
     StudyOptions studyOptions;
     studyOptions.isQuick = options.isQuick;
+    studyOptions.isFull = options.isFull;
     studyOptions.hasStability = options.hasStability;
     studyOptions.techniques = TechniqueNames(options.techniques);
     studyOptions.sceneSize = {scene.width, scene.height};
     Study study = Describe(render.scene, studyOptions, assets, device);
     StudyFolder folder(options.output, study);
     StudyBench bench(render.scene, options.output, assets, device);
-    StudyRun(folder, study, bench, studyOptions).Run(options.shard, options.shards, console);
+    StabilityStudy stability(compilerOptions, device);
+    StudyRun(folder, study, bench, stability, studyOptions)
+        .Run(options.shard, options.shards, console);
     if (options.shards > 1)
     {
         console.Result(options.output);

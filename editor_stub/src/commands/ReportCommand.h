@@ -11,6 +11,7 @@ struct ReportCommandOptions
     std::vector<std::string> paths; ///< the scene, or folders of studies
     std::string output;             ///< the study's folder
     bool isQuick = false;
+    bool isFull = false; ///< every combination of extreme inputs
     bool hasStability = false;
     std::vector<std::string> techniques;
     double budget = 0.0; ///< milliseconds; 0 = none

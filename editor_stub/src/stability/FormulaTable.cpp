@@ -145,12 +145,9 @@ std::vector<ShaderFormula> ShaderFormulas()
     };
 }
 
-void AddShaderFormulas(std::vector<FormulaCell>& cells, AssetContext& assets,
-                       GraphicsDevice& device)
+void AddShaderFormulas(std::vector<FormulaCell>& cells, std::vector<ShaderExpression>& expressions)
 {
-    std::vector<ShaderExpression> expressions;
-    const std::vector<ShaderFormula> formulas = ShaderFormulas();
-    for (const ShaderFormula& formula : formulas)
+    for (const ShaderFormula& formula : ShaderFormulas())
     {
         for (const FormulaInput& input : formula.inputs)
         {
@@ -158,12 +155,6 @@ void AddShaderFormulas(std::vector<FormulaCell>& cells, AssetContext& assets,
             cells.push_back({formula.formula, formula.where, input.text, input.meant,
                              formula.tolerance, 0.0, 0.0, input.articleHolds, formula.reason});
         }
-    }
-    const std::vector<std::array<double, 2>> values = Evaluate(expressions, assets, device);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-        cells[i].article = values[i][0];
-        cells[i].ours = values[i][1];
     }
 }
 
@@ -203,7 +194,7 @@ std::shared_ptr<const Mesh> Bar()
     return std::make_shared<const Mesh>("bar", std::move(data));
 }
 
-void AddCorners(std::vector<FormulaCell>& cells, AssetContext& assets)
+void AddCorners(std::vector<FormulaCell>& cells)
 {
     const auto add = [&](const char* input, const std::shared_ptr<const Mesh>& mesh)
     {
@@ -217,7 +208,16 @@ void AddCorners(std::vector<FormulaCell>& cells, AssetContext& assets)
                          "the corner needs"});
     };
     add("a corner of two faces at 90 degrees", Bar());
-    add("a cube's corner", assets.Primitive(PrimitiveType::Cube));
+    add("a cube's corner", CreatePrimitive(PrimitiveType::Cube));
+}
+
+std::vector<FormulaCell> AllFormulas(std::vector<ShaderExpression>& expressions)
+{
+    std::vector<FormulaCell> cells;
+    AddShaderFormulas(cells, expressions);
+    AddHalfSizes(cells);
+    AddCorners(cells);
+    return cells;
 }
 
 } // namespace
@@ -227,12 +227,22 @@ bool FormulaCell::IsGood(double value) const
     return std::isfinite(value) && std::abs(value - meant) <= tolerance;
 }
 
+std::vector<FormulaCell> Formulas()
+{
+    std::vector<ShaderExpression> expressions;
+    return AllFormulas(expressions);
+}
+
 std::vector<FormulaCell> EvaluateFormulas(AssetContext& assets, GraphicsDevice& device)
 {
-    std::vector<FormulaCell> cells;
-    AddShaderFormulas(cells, assets, device);
-    AddHalfSizes(cells);
-    AddCorners(cells, assets);
+    std::vector<ShaderExpression> expressions;
+    std::vector<FormulaCell> cells = AllFormulas(expressions);
+    const std::vector<std::array<double, 2>> values = Evaluate(expressions, assets, device);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        cells[i].article = values[i][0];
+        cells[i].ours = values[i][1];
+    }
     return cells;
 }
 

@@ -30,6 +30,9 @@ struct FormulaCell
     bool IsGood(double value) const; ///< finite, and no farther off than the tolerance
 };
 
+/// The table without what came out.
+std::vector<FormulaCell> Formulas();
+
 /// Everything that is known to fail in a formula of the articles: a few inputs each, those for
 /// which the article's is as good as ours among them. What a shader does is evaluated on the
 /// device, in floats; the rest as the library does it.

@@ -234,6 +234,18 @@ BadValues CountBadValues(const Image& colors)
 std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
                                   const ExtremeLevels& levels)
 {
+    std::vector<CellId> cells = PlanSweep(techniques, size, levels);
+    for (const FormulaCell& formula : Formulas())
+    {
+        cells.push_back(
+            {CellKind::Stability, k_FormulasName, formula.formula, 0.0, 1, 1, formula.input});
+    }
+    return cells;
+}
+
+std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
+                              const ExtremeLevels& levels)
+{
     std::vector<CellId> cells;
     const auto add = [&](const Technique& technique, const ExtremeCase& extreme)
     {
@@ -272,20 +284,50 @@ StabilityStudy::StabilityStudy(ShaderCompilerOptions options, VulkanDevice& devi
 {
 }
 
-AssetContext& StabilityStudy::AssetsFor(const ExtremeCase& extreme)
+AssetContext& StabilityStudy::AssetsFor(bool isStandardZ)
 {
-    std::unique_ptr<AssetContext>& assets = extreme.isStandardZ ? m_Standard : m_Reversed;
+    std::unique_ptr<AssetContext>& assets = isStandardZ ? m_Standard : m_Reversed;
     if (!assets)
     {
         ShaderCompilerOptions options = m_Options;
-        options.usesReversedZBuffer = !extreme.isStandardZ;
+        options.usesReversedZBuffer = !isStandardZ;
         assets = std::make_unique<AssetContext>(std::move(options));
     }
     return *assets;
 }
 
+CellResult StabilityStudy::MeasureFormula(const CellId& cell)
+{
+    if (m_Formulas.empty())
+    {
+        m_Formulas = EvaluateFormulas(AssetsFor(false), m_Device);
+    }
+    const auto found = std::ranges::find_if(
+        m_Formulas, [&](const FormulaCell& formula)
+        { return formula.formula == cell.subject && formula.input == cell.variant; });
+    if (found == m_Formulas.end())
+    {
+        throw ContractError("'" + cell.Name() + "' is no formula of the stability table");
+    }
+    CellResult result;
+    result.id = cell;
+    result.values = {{"failures", 0.0},
+                     {"formulaMeant", found->meant},
+                     {"formulaArticle", found->article},
+                     {"formulaOurs", found->ours}};
+    CellChecks checks(result);
+    checks.Expect(found->IsGood(found->ours),
+                  "ours is off by more than " + ShortNumber(found->tolerance));
+    checks.Note(found->where + ": " + found->reason);
+    return result;
+}
+
 CellResult StabilityStudy::Measure(const CellId& cell)
 {
+    if (cell.kind == CellKind::Stability && cell.technique == k_FormulasName)
+    {
+        return MeasureFormula(cell);
+    }
     const Technique* technique = FindTechnique(cell.technique);
     if (cell.kind != CellKind::Stability || technique == nullptr || cell.pictureWidth < 1 ||
         cell.pictureHeight < 1)
@@ -293,7 +335,7 @@ CellResult StabilityStudy::Measure(const CellId& cell)
         throw ContractError("'" + cell.Name() + "' is no cell of the stability sweep");
     }
     const ExtremeCase extreme = ExtremeCase::OfCell(cell);
-    AssetContext& assets = AssetsFor(extreme);
+    AssetContext& assets = AssetsFor(extreme.isStandardZ);
     CellResult result;
     result.id = cell;
     result.values["failures"] = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stability/ExtremeCase.h"
+#include "stability/FormulaTable.h"
 
 namespace limn
 {
@@ -19,8 +20,15 @@ enum class SweepSize
               ///< at most; a width that is no finite number is tried once
 };
 
+/// The technique of cells that are formulas, see FormulaCell: the subject is the formula, the
+/// variant its input.
+inline constexpr const char* k_FormulasName = "Formulas";
+
 /// A cell for each technique and case. Cells know nothing of each other: any of them may be
 /// measured alone, in any process.
+std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
+                              const ExtremeLevels& levels = {});
+/// Those and one for each cell of the table of formulas.
 std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
                                   const ExtremeLevels& levels = {});
 
@@ -65,18 +73,23 @@ public:
     /// within ErrorBound; nothing drawn for the width 0, something for a pixel and more. A width
     /// that is no finite number has to be refused with a sentence.
     ///
-    /// values: badTexels, outOfRange, validationMessages, meanAbsoluteError, bandPixels,
-    /// errorBound, areaGrowth, failures; those that there are.
+    /// Of formulas: that ours is as near to what is meant as it should be.
+    ///
+    /// values: formulaMeant, formulaArticle, formulaOurs; badTexels, outOfRange,
+    /// validationMessages, meanAbsoluteError, bandPixels, errorBound, areaGrowth, failures; those
+    /// that there are.
     /// @throws ContractError for a cell that is not of PlanStability
     CellResult Measure(const CellId& cell);
 
 private:
-    AssetContext& AssetsFor(const ExtremeCase& extreme);
+    AssetContext& AssetsFor(bool isStandardZ);
+    CellResult MeasureFormula(const CellId& cell);
 
     ShaderCompilerOptions m_Options;
     VulkanDevice& m_Device;
     std::unique_ptr<AssetContext> m_Reversed;
     std::unique_ptr<AssetContext> m_Standard;
+    std::vector<FormulaCell> m_Formulas; ///< empty until one of them is asked for
 };
 
 } // namespace limn::study

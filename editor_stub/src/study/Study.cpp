@@ -86,6 +86,9 @@ const std::vector<Metric>& Metrics()
         {"errorBound", "error bound", ""},
         {"areaGrowth", "area for twice the width / area", ""},
         {"failures", "failed checks", ""},
+        {"formulaMeant", "meant", ""},
+        {"formulaArticle", "the article's", ""},
+        {"formulaOurs", "ours", ""},
     };
     return metrics;
 }

@@ -30,8 +30,8 @@ public:
     /// pixel, seventeen frames long. The errors of neighbour frames are subtracted, so that the
     /// motion itself counts for nothing.
     CellResult MeasureTemporal(const CellId& id);
-    /// Cells of cost that differ in their techniques only. Frames of all of them, and of one
-    /// without an outline, take turns.
+    /// Cells of cost that differ in their techniques only. Frames of all of them take turns,
+    /// each behind one without an outline.
     /// @param rounds  how many frames of each are measured
     std::vector<CellResult> MeasureCosts(std::span<const CellId> ids, int rounds);
     /// Bytes a second that the device copies: measured once, before the first cell of cost.

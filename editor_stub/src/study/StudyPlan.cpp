@@ -1,5 +1,6 @@
 #include "study/StudyPlan.h"
 
+#include "stability/Stability.h"
 #include "study/Subjects.h"
 #include "study/Techniques.h"
 
@@ -16,6 +17,15 @@ constexpr glm::ivec2 k_ShapeSize{480, 270};
 constexpr glm::ivec2 k_QuickShapeSize{240, 135};
 constexpr glm::ivec2 k_MotionSize{160, 90};
 constexpr double k_UsualWidth = 4.0; ///< pixels
+
+std::vector<Technique> WantedTechniques(const StudyOptions& options)
+{
+    std::vector<Technique> techniques = Techniques();
+    std::erase_if(
+        techniques, [&wanted = options.techniques](const Technique& technique)
+        { return !wanted.empty() && std::ranges::count(wanted, technique.info.name) == 0; });
+    return techniques;
+}
 
 class Planner
 {
@@ -81,18 +91,14 @@ private:
     void Add(CellKind kind, const std::string& subject, double width, const glm::ivec2& size,
              const std::string& variant = "")
     {
-        for (const Technique& technique : Techniques())
+        for (const Technique& technique : m_Techniques)
         {
-            const auto& wanted = m_Options.techniques;
-            if (wanted.empty() || std::ranges::count(wanted, technique.info.name) > 0)
-            {
-                m_Cells.push_back(
-                    {kind, technique.info.name, subject, width, size.x, size.y, variant});
-            }
+            m_Cells.push_back({kind, technique.info.name, subject, width, size.x, size.y, variant});
         }
     }
 
     const StudyOptions& m_Options;
+    std::vector<Technique> m_Techniques = WantedTechniques(m_Options);
     std::vector<CellId> m_Cells;
 };
 
@@ -101,7 +107,10 @@ private:
 std::string StudyOptions::Text() const
 {
     std::ostringstream text;
-    text << (hasStability ? "stability" : "error and cost") << (isQuick ? ", quick" : ", full")
+    text << (hasStability ? "stability" : "error and cost")
+         << (isQuick  ? ", quick"
+             : isFull ? ", all combinations"
+                      : "")
          << ", " << sceneSize.x << 'x' << sceneSize.y;
     for (const std::string& technique : techniques)
     {
@@ -112,6 +121,12 @@ std::string StudyOptions::Text() const
 
 std::vector<CellId> PlanStudy(const StudyOptions& options)
 {
+    if (options.hasStability)
+    {
+        return PlanStability(WantedTechniques(options), options.isQuick  ? SweepSize::Sampled
+                                                        : options.isFull ? SweepSize::Full
+                                                                         : SweepSize::Pairwise);
+    }
     return Planner(options).Plan();
 }
 

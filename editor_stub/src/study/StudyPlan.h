@@ -11,6 +11,7 @@ namespace limn::study
 struct StudyOptions
 {
     bool isQuick = false;                ///< under a minute on a software rasteriser
+    bool isFull = false;                 ///< all combinations of extreme inputs, not all pairs
     bool hasStability = false;           ///< the stability cells, and no others
     std::vector<std::string> techniques; ///< names; empty = all
     glm::ivec2 sceneSize{0};             ///< of the scene's picture, pixels

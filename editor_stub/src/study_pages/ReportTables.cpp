@@ -342,6 +342,35 @@ Table StabilityTable(const Study& study, const Comparison& comparison)
     return table;
 }
 
+Table FormulasTable(const Study& study)
+{
+    Table table{"formulas",
+                "Formulas of the articles, and ours",
+                {{"formula", "", false},
+                 {"input", "", false},
+                 {"meant", "", true},
+                 {"the article's", "", true},
+                 {"ours", "", true},
+                 {"why", "", false}},
+                {},
+                {}};
+    const auto text = [](double value)
+    {
+        return std::isfinite(value) ? Readable(value) : Exact(value);
+    };
+    for (const CellResult& cell : study.cells)
+    {
+        if (cell.Has("formulaMeant"))
+        {
+            table.rows.push_back({cell.id.subject, cell.id.variant,
+                                  text(cell.Value("formulaMeant")),
+                                  text(cell.Value("formulaArticle")),
+                                  text(cell.Value("formulaOurs")), Joined(cell.notes, " ")});
+        }
+    }
+    return table;
+}
+
 Table NoWidthTable(const Study& study)
 {
     Table table{"no-width",

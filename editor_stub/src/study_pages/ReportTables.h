@@ -20,6 +20,8 @@ Table CellsTable(const Study& study, const std::string& id, const std::string& t
 Table WidthsTable(const Study& study, const std::string& subject);
 /// What each technique was put through, and what came out.
 Table StabilityTable(const Study& study, const Comparison& comparison);
+/// Inputs for which a formula of an article fails, what comes out of it and of ours, and why.
+Table FormulasTable(const Study& study);
 /// Techniques that no width can be asked of.
 Table NoWidthTable(const Study& study);
 /// Where, when and by what it was measured.

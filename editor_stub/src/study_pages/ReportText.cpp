@@ -221,6 +221,7 @@ Section Stability(const Study& study, const Comparison& comparison)
                                      return cell.id.kind == CellKind::Stability &&
                                             cell.Value("failures") > 0.0;
                                  }));
+    AddTable(section, FormulasTable(study));
     return section;
 }
 
