@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/OutlineReference.h"
 #include "study/Study.h"
 
 #include <limn/editor_stub/AssetContext.h>
