@@ -185,7 +185,7 @@ private:
 
 TEST(BlendPrecision, ChainsOfVolumesAreTheExactChainButForARoundingAStep)
 {
-    constexpr int k_Chains = 20'000;
+    constexpr int k_Chains = 12'000;
     RandomChains chains;
     long double largest = 0;
     for (int i = 0; i < k_Chains; ++i)

@@ -193,7 +193,7 @@ TEST(ColliderPrecision, DistancesAreThoseOfTheExactShapes)
     LargestError capsule;
     LargestError mesh;
     const Collider cube = MeshCollider(CreatePrimitive(PrimitiveType::Cube));
-    for (int i = 0; i < 50'000; ++i)
+    for (int i = 0; i < 25'000; ++i)
     {
         const Place place = places.Next();
         const glm::vec3 point = places.PointAt(place);
