@@ -113,7 +113,11 @@ ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& offset)
 
 StudyBench::StudyBench(std::filesystem::path scene, std::filesystem::path folder,
                        AssetContext& assets, VulkanDevice& device)
-    : m_Scene(std::move(scene)), m_Folder(std::move(folder)), m_Assets(assets), m_Device(device)
+    : m_Scene(std::move(scene)),
+      m_Folder(std::move(folder)),
+      m_Assets(assets),
+      m_Device(device),
+      m_Numerical(assets, device)
 {
 }
 
@@ -157,6 +161,8 @@ CellResult StudyBench::Measure(const CellId& id)
         return MeasureGeometry(id);
     case CellKind::Temporal:
         return MeasureTemporal(id);
+    case CellKind::Numerical:
+        return m_Numerical.Measure(id);
     default:
         throw ContractError(id.Name() + ": cells of this kind are not measured one by one");
     }

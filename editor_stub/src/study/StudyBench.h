@@ -1,5 +1,6 @@
 #pragma once
 
+#include "study/NumericalCells.h"
 #include "study/StudyPicture.h"
 #include "study/Subjects.h"
 #include "study/Techniques.h"
@@ -49,6 +50,7 @@ private:
     std::filesystem::path m_Folder;
     AssetContext& m_Assets;
     VulkanDevice& m_Device;
+    NumericalBench m_Numerical;
     double m_CopyBandwidth = 0.0;           ///< 0 = not measured yet
     std::unique_ptr<Reference> m_Reference; ///< of the last cell: neighbours share it
 };

@@ -1,6 +1,7 @@
 #include "study/StudyPlan.h"
 
 #include "stability/Stability.h"
+#include "study/NumericalCells.h"
 #include "study/Subjects.h"
 #include "study/Techniques.h"
 
@@ -56,6 +57,11 @@ public:
             {
                 Add(CellKind::Temporal, shape, width, k_MotionSize);
             }
+        }
+        for (const std::string& variant :
+             isQuick ? std::vector<std::string>{""} : NumericalVariants())
+        {
+            Add(CellKind::Numerical, "star", k_UsualWidth, k_MotionSize, variant);
         }
         AddCosts();
         return std::move(m_Cells);

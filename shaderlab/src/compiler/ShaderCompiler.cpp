@@ -162,6 +162,11 @@ const std::vector<std::string>& ShaderCompiler::missingFeatures() const
     return m_State->options.missingFeatures;
 }
 
+const ShaderCompilerOptions& ShaderCompiler::options() const
+{
+    return m_State->options;
+}
+
 bool ShaderCompiler::usesReversedZBuffer() const
 {
     return m_State->options.usesReversedZBuffer;

@@ -82,6 +82,8 @@ public:
     /// As in the options.
     const std::vector<std::string>& missingFeatures() const;
     bool usesReversedZBuffer() const;
+    /// As it was made with.
+    const ShaderCompilerOptions& options() const;
 
     struct Statistics
     {

@@ -1,9 +1,9 @@
-#include "features/selection_outline/SelectionReference.h"
+#include "reference/twins/SelectionTwin.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace limn::test
+namespace limn::study
 {
 
 std::array<double, 4> StencilColorReference(double time, double start)
@@ -96,4 +96,4 @@ Outside CompareBetween(const Field& drawn, const Field& a, const Field& b)
     return result;
 }
 
-} // namespace limn::test
+} // namespace limn::study

@@ -1,4 +1,4 @@
-#include "features/OutlineGpuReference.h"
+#include "reference/twins/Field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <stdexcept>
 
-namespace limn::test
+namespace limn::study
 {
 
 double& Field::At(int x, int y, int channel)
@@ -132,4 +132,4 @@ Difference Compare(const Field& a, const Field& b)
     return difference;
 }
 
-} // namespace limn::test
+} // namespace limn::study

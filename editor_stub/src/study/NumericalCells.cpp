@@ -1,0 +1,126 @@
+#include "study/NumericalCells.h"
+
+#include "reference/twins/Twins.h"
+#include "study/StudyBench.h"
+#include "study/StudyScene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr const char* k_Half = "half";
+constexpr const char* k_StandardZ = "standard Z";
+constexpr const char* k_SmallTarget = "R8 targets";
+
+/// Of an 8-bit camera's texel: ChannelOf leaves it as it is stored.
+double FromSrgb(double value)
+{
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& result)
+{
+    const OutlineScore score = ScoreOutline(drawn, other);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < drawn.values.size(); ++i)
+    {
+        differing += std::abs(drawn.values[i] - other.values[i]) > 1.0 / 255.0 ? 1u : 0u;
+    }
+    const double pixels = std::max(static_cast<double>(score.bandPixels), 1.0);
+    result.values = {{"numericalMean", score.meanAbsoluteError},
+                     {"numericalPercentile99", score.percentile99},
+                     {"numericalLargest", score.largest},
+                     {"numericalDiffering", static_cast<double>(differing) / pixels}};
+}
+
+} // namespace
+
+const std::vector<std::string>& NumericalVariants()
+{
+    static const std::vector<std::string> variants = {"", k_Half, k_StandardZ, k_SmallTarget};
+    return variants;
+}
+
+AssetContext& NumericalBench::AssetsFor(const std::string& variant)
+{
+    if (variant != k_Half && variant != k_StandardZ)
+    {
+        return m_Assets;
+    }
+    std::unique_ptr<AssetContext>& assets = m_Others[variant];
+    if (!assets)
+    {
+        ShaderCompilerOptions options = m_Assets.compiler()->options();
+        options.halfIs16Bit = variant == k_Half;
+        options.usesReversedZBuffer = variant != k_StandardZ;
+        options.missingFeatures = m_Device.missingShaderFeatures();
+        assets = std::make_unique<AssetContext>(std::move(options));
+    }
+    return *assets;
+}
+
+Coverage NumericalBench::Draw(const CellId& id, AssetContext& assets, bool allowHDR)
+{
+    SceneAsset asset = MakeSubject(id, true, {}, assets);
+    UseTechnique(asset, *FindTechnique(id.technique), id.width, assets);
+    asset.camera.allowHDR = allowHDR;
+    Coverage alpha = StudyPicture(std::move(asset), assets, m_Device).Alpha();
+    if (!allowHDR)
+    {
+        std::ranges::transform(alpha.values, alpha.values.begin(), FromSrgb);
+    }
+    return alpha;
+}
+
+CellResult NumericalBench::Measure(const CellId& id)
+{
+    if (!IsShape(id.subject) || std::ranges::count(NumericalVariants(), id.variant) == 0)
+    {
+        throw ContractError(id.Name() + ": its subject or its variant is not known");
+    }
+    CellResult result{id, {}, {}, {}, {}};
+    if (const std::string why = WhyNotDrawn(id); !why.empty())
+    {
+        result.notes.push_back(why);
+        return result;
+    }
+    const Twin twin = FindTwin(id.technique);
+    if (id.variant.empty() && !twin)
+    {
+        result.notes.push_back("no twin: nothing repeats its arithmetic in double precision");
+        return result;
+    }
+    try
+    {
+        AssetsFor(id.variant);
+    }
+    catch (const ContractError& error) // the device lacks something
+    {
+        result.notes.push_back(std::string("not drawn: ") + error.what());
+        return result;
+    }
+    const bool isSmall = id.variant == k_SmallTarget;
+    const Coverage drawn = Draw(id, AssetsFor(id.variant), !isSmall);
+    if (id.variant.empty())
+    {
+        const Silhouette silhouette(ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight));
+        AddDifference(drawn, twin(silhouette, id.width, id.pictureWidth, id.pictureHeight), result);
+        return result;
+    }
+    Coverage usual = Draw(id, m_Assets, true);
+    if (isSmall)
+    {
+        std::ranges::transform(usual.values, usual.values.begin(),
+                               [](double value) { return std::min(value, 1.0); });
+    }
+    AddDifference(drawn, usual, result);
+    result.notes.push_back("the difference between two pictures of the device");
+    return result;
+}
+
+} // namespace limn::study

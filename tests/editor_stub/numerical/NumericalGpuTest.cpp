@@ -1,0 +1,88 @@
+#include "NumericalRun.h"
+
+#include "study/NumericalCells.h"
+
+#include <gmock/gmock.h>
+
+namespace limn::study
+{
+namespace
+{
+
+CellId NumericalCell(const std::string& technique, const std::string& shape,
+                     const std::string& variant, double width = 4.0)
+{
+    return {CellKind::Numerical, technique, shape, width, 96, 64, variant};
+}
+
+/// How far a technique may be off its twin.
+struct Rounding
+{
+    const char* technique;
+    double mean;
+    double differing; ///< part of the pixels
+};
+// Strokes and distances: half floats. Screen space: half a step of 8 bits. Selection: that seven
+// times over, and three times as bright. Mask difference: where a pixel's centre lies on an edge,
+// five pixels go by it.
+constexpr Rounding k_Roundings[] = {{"Strokes", 1e-3, 0.005},  {"Separable", 1e-3, 0.0},
+                                    {"Jump flood", 1e-3, 0.0}, {"Screen space", 2e-3, 0.06},
+                                    {"Selection", 0.01, 0.6},  {"Mask difference", 0.01, 0.01}};
+
+TEST(NumericalGpu, DrawsWhatTheTwinInDoubleDraws)
+{
+    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    for (const Rounding& rounding : k_Roundings)
+    {
+        for (const double width : {2.0, 5.0})
+        {
+            SCOPED_TRACE(rounding.technique + std::string(", ") + std::to_string(width));
+            const CellResult result =
+                bench.Measure(NumericalCell(rounding.technique, "star", "", width));
+            EXPECT_LE(result.Value("numericalMean"), rounding.mean);
+            EXPECT_LE(result.Value("numericalDiffering"), rounding.differing);
+        }
+    }
+}
+
+TEST(NumericalGpu, SaysWhichTechniquesHaveNoTwin)
+{
+    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    const CellResult result = bench.Measure(NumericalCell("Rim", "disc", ""));
+    EXPECT_TRUE(result.values.empty());
+    EXPECT_THAT(result.notes, testing::ElementsAre("no twin: nothing repeats its arithmetic in "
+                                                   "double precision"));
+    EXPECT_THROW(bench.Measure(NumericalCell("Rim", "disc", "thirds")), ContractError);
+}
+
+TEST(NumericalGpu, ComparesPicturesOfOtherPrecision)
+{
+    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    for (const char* technique : {"Strokes", "Screen space", "Selection"})
+    {
+        SCOPED_TRACE(technique);
+        // All of them end in textures of 8 or 16 bits, which take a half as it is.
+        EXPECT_LE(bench.Measure(NumericalCell(technique, "disc", "half")).Value("numericalLargest"),
+                  0x1p-10);
+        // A flat shape has one depth.
+        EXPECT_EQ(
+            bench.Measure(NumericalCell(technique, "disc", "standard Z")).Value("numericalLargest"),
+            0.0);
+        // Half a step of sRGB is largest at white.
+        const double eight =
+            bench.Measure(NumericalCell(technique, "disc", "R8 targets")).Value("numericalLargest");
+        EXPECT_GT(eight, 0.5 / 255.0);
+        if (technique == std::string("Selection"))
+        {
+            // Its colour of 3 becomes 1 before it is blended.
+            EXPECT_GT(eight, 0.5);
+        }
+        else
+        {
+            EXPECT_LE(eight, 0.5 * 2.4 / 1.055 / 255.0 + 0x1p-11);
+        }
+    }
+}
+
+} // namespace
+} // namespace limn::study
