@@ -1,6 +1,7 @@
 #include "stability/Stability.h"
 
 #include "../vulkan/GpuTestDevice.h"
+#include "CachedCompiler.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -16,7 +17,7 @@ class FormulaTable : public test::GpuTest
 
 TEST_F(FormulaTable, HasOursRightInEveryCellAndTheArticlesInThoseThatItIsKnownFor)
 {
-    AssetContext assets;
+    AssetContext assets(test::CachedCompiler());
     const std::vector<FormulaCell> cells = EvaluateFormulas(assets, test::SharedDevice());
     const bool isLavapipe = test::SharedDevice().deviceName().find("llvmpipe") != std::string::npos;
     std::set<std::string> failing;
@@ -42,7 +43,7 @@ TEST_F(FormulaTable, IsAPartOfTheStabilityCells)
 {
     const std::vector<CellId> cells = PlanStability({}, SweepSize::Pairwise);
     ASSERT_EQ(cells.size(), Formulas().size());
-    StabilityStudy study({}, test::SharedDevice());
+    StabilityStudy study(test::CachedCompiler(), test::SharedDevice());
     const CellResult negative = study.Measure(cells[1]);
     EXPECT_EQ(negative.id.Name(), "stability/Formulas/pow(x, y), y = 2/0/1x1/x = -0.5");
     EXPECT_EQ(negative.Value("formulaMeant"), 0.25);

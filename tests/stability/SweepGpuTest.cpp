@@ -1,7 +1,7 @@
 #include "stability/Stability.h"
 
 #include "../vulkan/GpuTestDevice.h"
-#include "TemporaryFolder.h"
+#include "CachedCompiler.h"
 
 #include <gtest/gtest.h>
 
@@ -66,16 +66,9 @@ std::vector<CellId> Plan()
 class Sweep : public test::GpuTest
 {
 protected:
-    static ShaderCompilerOptions Options()
-    {
-        static const test::TemporaryFolder cache;
-        ShaderCompilerOptions options;
-        options.cacheFolder = cache.path();
-        return options;
-    }
     static StabilityStudy& Study()
     {
-        static StabilityStudy study(Options(), test::SharedDevice());
+        static StabilityStudy study(test::CachedCompiler(), test::SharedDevice());
         return study;
     }
 };
@@ -137,7 +130,8 @@ TEST_F(Sweep, MeasuresACellFromItsNameAlone)
                       64,
                       "ratio=1e+05 fov=60 scale=mirrored samples=4 view=oblique z=standard"};
     const CellResult here = Study().Measure(cell);
-    const CellResult there = StabilityStudy(Options(), test::SharedDevice()).Measure(cell);
+    const CellResult there =
+        StabilityStudy(test::CachedCompiler(), test::SharedDevice()).Measure(cell);
     EXPECT_EQ(here.values, there.values);
     EXPECT_EQ(here.notes, there.notes);
     EXPECT_GT(here.Value("meanAbsoluteError"), 0.0);
