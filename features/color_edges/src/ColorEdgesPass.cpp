@@ -67,7 +67,7 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
     // Taps farther apart than the picture's sides are all at its border.
-    const auto farthest = static_cast<float>(std::min(picture.x, picture.y));
+    const auto farthest = static_cast<float>(std::max(picture.x, picture.y));
     const glm::vec4 taps = ColorEdgesTaps(std::min(component.m_OutlineWidth.value(), farthest));
     m_Part = {0, 0, picture.x, picture.y};
     if (m_Settings.m_OnlyFilteredObjects)
