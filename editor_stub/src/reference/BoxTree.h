@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <numeric>
@@ -31,7 +31,9 @@ struct Box
     /// 0 inside.
     double DistanceTo(const glm::dvec2& point) const
     {
-        return glm::length(glm::max(glm::max(low - point, point - high), glm::dvec2(0.0)));
+        const double x = point.x < low.x ? low.x - point.x : std::max(0.0, point.x - high.x);
+        const double y = point.y < low.y ? low.y - point.y : std::max(0.0, point.y - high.y);
+        return std::sqrt(x * x + y * y);
     }
     bool Overlaps(const Box& other, double margin) const
     {
@@ -67,7 +69,7 @@ public:
     {
         if (!m_Nodes.empty())
         {
-            NearestBelow(0, point, limit, distance);
+            NearestBelow(0, m_Nodes[0].box.DistanceTo(point), point, limit, distance);
         }
     }
 
@@ -141,24 +143,23 @@ private:
     }
 
     template <typename Distance>
-    void NearestBelow(std::size_t index, const glm::dvec2& point, double& limit,
+    void NearestBelow(std::size_t index, double boxDistance, const glm::dvec2& point, double& limit,
                       Distance& distance) const
     {
-        const Node& node = m_Nodes[index];
-        if (node.box.DistanceTo(point) >= limit)
+        if (boxDistance >= limit)
         {
             return;
         }
+        const Node& node = m_Nodes[index];
         if (node.second != 0)
         {
-            std::size_t near = index + 1;
-            std::size_t far = node.second;
-            if (m_Nodes[far].box.DistanceTo(point) < m_Nodes[near].box.DistanceTo(point))
-            {
-                std::swap(near, far);
-            }
-            NearestBelow(near, point, limit, distance);
-            NearestBelow(far, point, limit, distance);
+            const double first = m_Nodes[index + 1].box.DistanceTo(point);
+            const double second = m_Nodes[node.second].box.DistanceTo(point);
+            const bool swapped = second < first;
+            NearestBelow(swapped ? node.second : index + 1, std::min(first, second), point, limit,
+                         distance);
+            NearestBelow(swapped ? index + 1 : node.second, std::max(first, second), point, limit,
+                         distance);
             return;
         }
         for (std::size_t i = node.first; i < node.end; ++i)

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 #include <limits>
 #include <limn/core/Image.h>

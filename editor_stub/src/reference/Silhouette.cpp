@@ -1,6 +1,7 @@
 #include "reference/Silhouette.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 namespace limn::study

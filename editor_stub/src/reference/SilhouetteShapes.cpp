@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <limn/core/Camera.h>
 #include <limn/core/Mesh.h>

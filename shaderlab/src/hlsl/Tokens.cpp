@@ -40,6 +40,12 @@ std::size_t TokenLength(std::string_view text)
     {
         return std::min(text.find('"', 1), text.size() - 1) + 1;
     }
+    // Most other characters stand for themselves, and nearly all of a shader passes here.
+    if (text.size() < 2 || std::string_view("<>=!+-*/%&|^:").find(text[0]) == text.npos ||
+        std::string_view("<>=+-&|:").find(text[1]) == text.npos)
+    {
+        return size;
+    }
     for (const std::string_view candidate : k_Operators)
     {
         if (text.substr(0, candidate.size()) == candidate)

@@ -4,7 +4,7 @@
 #include "study/StudyScene.h"
 #include "study/Techniques.h"
 
-#include "TemporaryFolder.h"
+#include "CachedCompiler.h"
 
 #include <gtest/gtest.h>
 #include <limn/vulkan/VulkanDevice.h>
@@ -25,9 +25,7 @@ inline AssetContext& AssetsWithDepth(bool usesReversedZBuffer)
 {
     const auto options = [](bool isReversed)
     {
-        static const test::TemporaryFolder cache;
-        ShaderCompilerOptions result;
-        result.cacheFolder = cache.path();
+        ShaderCompilerOptions result = test::CachedCompiler();
         result.usesReversedZBuffer = isReversed;
         return result;
     };

@@ -1,5 +1,6 @@
 #include "vulkan/GpuTestDevice.h"
 
+#include "CachedCompiler.h"
 #include "commands/CommandRun.h"
 #include "commands/WorkingFolder.h"
 #include "study/StudyBench.h"
@@ -120,7 +121,7 @@ protected:
     }
 
     VulkanDevice m_Device;
-    AssetContext m_Assets;
+    AssetContext m_Assets{test::CachedCompiler()};
     StudyBench m_Bench{"", "", m_Assets, m_Device};
 };
 
