@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CachedCompiler.h"
 #include "features/OutlineGpuReference.h"
 #include "vulkan/GpuTestDevice.h"
 
@@ -19,7 +20,7 @@ inline constexpr int k_BodyLayer = 6;
 
 inline std::shared_ptr<ShaderCompiler> EffectCompiler()
 {
-    static const auto compiler = std::make_shared<ShaderCompiler>();
+    static const auto compiler = std::make_shared<ShaderCompiler>(CachedCompiler());
     return compiler;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CachedCompiler.h"
+
 #include <limn/core/Camera.h>
 #include <limn/core/Culling.h>
 #include <limn/core/PrimitiveMesh.h>
@@ -13,10 +15,10 @@
 namespace limn::test
 {
 
-/// One compiler for all tests of the program; it caches nothing on disk.
+/// One compiler for all tests of the program; it keeps what it compiles as long as they run.
 inline std::shared_ptr<ShaderCompiler> Compiler()
 {
-    static const auto compiler = std::make_shared<ShaderCompiler>();
+    static const auto compiler = std::make_shared<ShaderCompiler>(CachedCompiler());
     return compiler;
 }
 

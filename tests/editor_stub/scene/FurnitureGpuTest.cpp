@@ -1,3 +1,4 @@
+#include "CachedCompiler.h"
 #include "Paths.h"
 #include "golden/GoldenImage.h"
 #include "vulkan/GpuTestDevice.h"
@@ -19,7 +20,7 @@ constexpr int k_Height = 270;
 
 AssetContext& Assets()
 {
-    static AssetContext assets;
+    static AssetContext assets(test::CachedCompiler());
     return assets;
 }
 

@@ -1,3 +1,4 @@
+#include "CachedCompiler.h"
 #include "study/StudyPicture.h"
 #include "study/StudyScene.h"
 #include "study/Techniques.h"
@@ -21,7 +22,7 @@ VulkanDevice& Device()
 
 AssetContext& Assets()
 {
-    static AssetContext assets;
+    static AssetContext assets(test::CachedCompiler());
     return assets;
 }
 
