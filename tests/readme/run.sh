@@ -25,11 +25,14 @@ export XDG_CACHE_HOME=$folder/cache
 [ "$(block sh 1 | awk 'NF { print $1 }' | tr '\n' ' ')" = "samples/run.sh tests/run.sh " ] ||
     fail "the first two commands are not samples/run.sh and tests/run.sh"
 
-block sh 2 >commands.sh
-[ -s commands.sh ] || fail "there is no second shell block"
-bash -euO expand_aliases commands.sh || fail "a command of the second shell block fails"
-for picture in out/a.png out/b.png out/c.png out/d.png out/e.png out/f.png out/g.png out/techniques.png; do
-    [ -s "$picture" ] || fail "$picture was not drawn"
+for number in 2 3; do
+    block sh $number >block.sh
+    [ -s block.sh ] || fail "there is no shell block $number"
+    cat block.sh >>commands.sh
+done
+bash -euO expand_aliases commands.sh || fail "a command of the shell blocks fails"
+for file in out/a.png out/b.png out/c.png out/d.png out/e.png out/f.png out/g.png out/techniques.png out/report/report.html; do
+    [ -s "$file" ] || fail "$file was not made"
 done
 
 while read -r line; do

@@ -159,7 +159,7 @@ private:
     {
         const CellId& id = unit.front();
         const double pixels = static_cast<double>(id.pictureWidth) * id.pictureHeight;
-        const double frames = id.kind == CellKind::Cost       ? m_Options.rounds() + 4.0
+        const double frames = id.kind == CellKind::Cost       ? m_Options.RoundsOf(id) + 4.0
                               : id.kind == CellKind::Temporal ? 40.0
                                                               : 6.0;
         return (pixels + 50000.0) * frames * static_cast<double>(unit.size());
@@ -184,7 +184,8 @@ private:
         if (missing.front().kind == CellKind::Cost)
         {
             m_Study.copyBandwidth = m_Bench.copyBandwidth();
-            for (CellResult& cell : m_Bench.MeasureCosts(missing, m_Options.rounds()))
+            for (CellResult& cell :
+                 m_Bench.MeasureCosts(missing, m_Options.RoundsOf(missing.front())))
             {
                 m_Folder.Add(std::move(cell));
             }

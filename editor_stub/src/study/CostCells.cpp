@@ -5,6 +5,7 @@
 #include "study_pages/Numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limn/core/Timeline.h>
 
 namespace limn::study
@@ -54,6 +55,14 @@ void AddMedian(CellResult& result, const std::string& key, const std::vector<dou
     result.quartiles[key] = {spread.lower, spread.upper};
 }
 
+/// Half the interval that holds the median of all frames with about 95 %: the notch of a box plot,
+/// of McGill, Tukey and Larsen, "Variations of Box Plots" (1978).
+double UncertaintyOfMedian(const std::vector<double>& values)
+{
+    const Spread spread = SpreadOf(values);
+    return 1.57 * (spread.upper - spread.lower) / std::sqrt(static_cast<double>(values.size()));
+}
+
 int DrawsOf(const CompiledFrame& frame)
 {
     int draws = 0;
@@ -69,6 +78,7 @@ CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& 
     CellResult result{id, {}, {}, {}, {}};
     AddMedian(result, "gpuMilliseconds", with.gpu);
     AddMedian(result, "gpuAddedMilliseconds", with.gpuAdded);
+    result.values["gpuAddedUncertainty"] = UncertaintyOfMedian(with.gpuAdded);
     AddMedian(result, "cpuRecordMilliseconds", with.cpu);
     AddMedian(result, "cpuAddedMilliseconds", with.cpuAdded);
     const CompiledFrame& frame = *with.result.frame;

@@ -71,7 +71,7 @@ void AddScores(const Coverage& alpha, const Coverage& exact, const Silhouette& s
                      {"contourOuter", contours.high.mean},
                      {"hausdorff", HausdorffDistance(alpha, exact)},
                      {"bandPixels", static_cast<double>(score.bandPixels)},
-                     {"badTexels", static_cast<double>(score.badValues)}};
+                     {"outOfRange", static_cast<double>(score.badValues)}};
     if (contours.high.crossings == 0)
     {
         result.notes.push_back("nowhere as opaque as one half: it has no contour");

@@ -72,6 +72,7 @@ const std::vector<Metric>& Metrics()
         // cost
         {"gpuMilliseconds", "GPU time of the frame", "ms", true},
         {"gpuAddedMilliseconds", "GPU time added", "ms", true},
+        {"gpuAddedUncertainty", "its median is good to ±", "ms", true},
         {"cpuRecordMilliseconds", "CPU time to record", "ms", true},
         {"cpuAddedMilliseconds", "CPU time added", "ms", true},
         {"passes", "render passes added", ""},
@@ -81,7 +82,7 @@ const std::vector<Metric>& Metrics()
         {"floorMilliseconds", "floor: its pixels copied once", "ms", true},
         // stability
         {"badTexels", "NaN or infinite texels", ""},
-        {"outOfRange", "texels outside 0...1", ""},
+        {"outOfRange", "texels outside 0...1, or NaN", ""},
         {"validationMessages", "validation messages", ""},
         {"errorBound", "error bound", ""},
         {"areaGrowth", "area for twice the width / area", ""},

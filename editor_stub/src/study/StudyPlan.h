@@ -18,7 +18,8 @@ struct StudyOptions
 
     /// The same text for the same cells: "quick, 1280x720, Strokes, Selection".
     std::string Text() const;
-    int rounds() const { return isQuick ? 5 : 15; } ///< of cells of cost
+    /// Of cells of cost: frames of each technique. Those that techniques are compared by get more.
+    int RoundsOf(const CellId& cell) const;
 };
 
 /// All cells, those of one reference side by side, their techniques one after the other.

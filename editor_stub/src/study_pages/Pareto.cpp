@@ -17,6 +17,7 @@ namespace
 constexpr double k_NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_Error = "meanAbsoluteError";
 constexpr const char* k_Time = "gpuAddedMilliseconds";
+constexpr const char* k_TimeUncertainty = "gpuAddedUncertainty";
 constexpr const char* k_Scene = "scene";
 
 bool HasFinite(const CellResult& cell, const char* metric)
@@ -148,6 +149,8 @@ void AddTime(Standing& standing, const Study& study, const Comparison& compariso
         {
             standing.at.milliseconds = cell.Value(k_Time);
             standing.timeQuartiles = QuartilesOf(cell, k_Time);
+            standing.timeUncertainty =
+                cell.Has(k_TimeUncertainty) ? cell.Value(k_TimeUncertainty) : 0.0;
         }
     }
 }
@@ -204,8 +207,8 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing* chosen)
     return "";
 }
 
-/// Those whose error is the chosen one's to a hundredth and whose time is apart from it by less
-/// than both spread.
+/// Those whose error is the chosen one's to a hundredth and whose time may be as short, as well as
+/// the two medians are known.
 std::string AsGood(const Comparison& comparison, const Standing& chosen, double budget)
 {
     std::string names;
@@ -213,13 +216,14 @@ std::string AsGood(const Comparison& comparison, const Standing& chosen, double 
     {
         const bool isNear = other.at.error <= chosen.at.error * 1.01 &&
                             other.at.milliseconds <= budget &&
-                            other.timeQuartiles.first <= chosen.timeQuartiles.second;
+                            other.at.milliseconds - other.timeUncertainty <=
+                                chosen.at.milliseconds + chosen.timeUncertainty;
         if (isNear && &other != &chosen)
         {
             names += (names.empty() ? "" : ", ") + other.technique->name;
         }
     }
-    return names.empty() ? "" : " As good, within what its times spread: " + names + ".";
+    return names.empty() ? "" : " As good, as far as the times tell: " + names + ".";
 }
 
 } // namespace

@@ -27,8 +27,11 @@ struct Standing
     TimeAndError at;
     std::pair<double, double> timeQuartiles;  ///< NaN if it has none
     std::pair<double, double> errorQuartiles; ///< NaN if it has none
-    std::size_t failures = 0;                 ///< stability cells that failed
-    std::size_t stabilityCells = 0;           ///< it was put through
+    /// Half the interval in which the median of the time lies with 95 %, milliseconds; 0 if
+    /// unknown.
+    double timeUncertainty = 0.0;
+    std::size_t failures = 0;       ///< stability cells that failed
+    std::size_t stabilityCells = 0; ///< it was put through
 };
 
 /// All techniques of a study at one width: the mean error of the outline against the GPU time it
@@ -62,7 +65,7 @@ struct Recommendation
 };
 
 /// The least error whose time is within the budget; of equal errors the quickest, and what is as
-/// good within what its times spread is named.
+/// good and by its time not to be told from it is named.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

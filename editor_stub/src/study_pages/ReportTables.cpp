@@ -149,6 +149,7 @@ Table TechniquesTable(const Comparison& comparison)
                  {"mean error", "", true},
                  {"error quartiles", "", true},
                  {"GPU time added", "ms", true},
+                 {"known to ±", "ms", true},
                  {"its quartiles", "ms", true},
                  {"stability checks failed", "", true},
                  {"what it is", "", false}},
@@ -160,7 +161,9 @@ Table TechniquesTable(const Comparison& comparison)
         const TechniqueInfo& technique = *standing.technique;
         table.rows.push_back(
             {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
-             Figure(standing.at.milliseconds), FromTo(standing.timeQuartiles),
+             Figure(standing.at.milliseconds),
+             standing.timeUncertainty > 0.0 ? Readable(standing.timeUncertainty) : k_Nothing,
+             FromTo(standing.timeQuartiles),
              standing.stabilityCells == 0 ? k_Nothing
                                           : std::to_string(standing.failures) + " of " +
                                                 std::to_string(standing.stabilityCells),

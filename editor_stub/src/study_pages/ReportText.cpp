@@ -255,13 +255,12 @@ std::string Uncertainty(const Study& study, const Comparison& comparison)
     std::size_t wide = 0;
     for (const Standing& standing : comparison.standings)
     {
-        const auto [lower, upper] = standing.timeQuartiles;
-        timed += std::isnan(lower) ? 0 : 1;
-        wide += upper - lower > standing.at.milliseconds ? 1 : 0;
+        timed += std::isnan(standing.at.milliseconds) ? 0 : 1;
+        wide += standing.timeUncertainty > 0.5 * standing.at.milliseconds ? 1 : 0;
     }
     return wide == 0 ? ""
                      : "The times of " + std::to_string(wide) + " of " + Count(timed, "technique") +
-                           " spread by more than themselves (load average " +
+                           " are known to no better than half of themselves (load average " +
                            Readable(study.loadAverage) +
                            "): measure again on a quieter machine before choosing by them.";
 }

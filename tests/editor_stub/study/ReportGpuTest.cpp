@@ -6,6 +6,7 @@
 #include "study/StudyBench.h"
 #include "study/StudyFiles.h"
 
+#include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
 
@@ -173,6 +174,10 @@ TEST_F(StudyBenchGpu, TakesTheTimeOfTechniquesInTurn)
         const auto [low, high] = cell.quartiles.at("gpuMilliseconds");
         EXPECT_LE(low, cell.Value("gpuMilliseconds"));
         EXPECT_GE(high, cell.Value("gpuMilliseconds"));
+        // The notch of a box plot of three values.
+        const auto [lower, upper] = cell.quartiles.at("gpuAddedMilliseconds");
+        EXPECT_NEAR(cell.Value("gpuAddedUncertainty"), 1.57 * (upper - lower) / std::sqrt(3.0),
+                    1e-9);
         EXPECT_GE(cell.Value("passes"), 1.0);
         EXPECT_GT(cell.Value("floorMilliseconds"), 0.0);
     }

@@ -265,19 +265,19 @@ TEST(Recommendation, OfEqualErrorsIsTheQuickest)
     EXPECT_EQ("Quicker", Recommend(Compare(sample), 5.0).standing->technique->name);
 }
 
-TEST(Recommendation, NamesWhatIsAsGoodWithinTheSpreadOfTimes)
+TEST(Recommendation, NamesWhatIsAsGoodAsFarAsTheTimesTell)
 {
     study::Study sample = EmptySample();
     for (const char* name : {"Chosen", "Near", "Slow", "Worse"})
     {
         AddTechnique(sample, name);
     }
-    AddPoint(sample, "Chosen", 4.0, 1.0, 0.25); // 0.9 to 1.2 ms
-    AddPoint(sample, "Near", 4.0, 1.1, 0.251);  // 0.99 to 1.32 ms
-    AddPoint(sample, "Slow", 4.0, 1.9, 0.25);   // 1.71 to 2.28 ms
+    AddPoint(sample, "Chosen", 4.0, 1.0, 0.25); // up to 1.1 ms
+    AddPoint(sample, "Near", 4.0, 1.2, 0.251);  // from 1.08 ms
+    AddPoint(sample, "Slow", 4.0, 1.3, 0.25);   // from 1.17 ms
     AddPoint(sample, "Worse", 4.0, 1.1, 0.26);
     const study::Comparison comparison = Compare(sample);
-    const std::string sentence = " As good, within what its times spread: Near.";
+    const std::string sentence = " As good, as far as the times tell: Near.";
     EXPECT_THAT(Recommend(comparison, 5.0).sentence, testing::EndsWith(sentence));
     EXPECT_THAT(Recommend(comparison, 1.05).sentence, testing::Not(HasSubstr("As good")));
 }

@@ -159,7 +159,7 @@ TEST(ErrorAgainstTimePlot, HasTheFrontTheFloorTheBudgetAndArticlesApart)
     EXPECT_EQ(2.0, plot.front[0].milliseconds);
     EXPECT_THAT(plot.verticals, ElementsAre(Pair(0.25, "floor"), Pair(3.0, "budget")));
     EXPECT_THAT(plot.caption, HasSubstr("Without both figures, so not in it: Rim."));
-    EXPECT_EQ(std::pair(1.8, 2.4), plot.series[0].points[0].barX);
+    EXPECT_EQ(std::pair(1.8, 2.2), plot.series[0].points[0].barX);
 }
 
 TEST(LinePlots, HaveALineATechniqueThroughItsCells)

@@ -76,6 +76,7 @@ void AddCost(Study& sample, const MadeUp& technique, double width, int pictureWi
                  pictureWidth, pictureHeight, variant},
                 {{"gpuMilliseconds", 30.0 * factor + time},
                  {"gpuAddedMilliseconds", time},
+                 {"gpuAddedUncertainty", time * 0.1},
                  {"cpuRecordMilliseconds", 0.3},
                  {"cpuAddedMilliseconds", 0.05},
                  {"passes", 3.0},

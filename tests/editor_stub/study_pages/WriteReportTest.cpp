@@ -244,6 +244,7 @@ TEST(ReportTables, HaveTheStudysFigures)
     const Table techniques = TechniquesTable(comparison);
     EXPECT_EQ("14.7", At(techniques, "Separable", "GPU time added"));
     EXPECT_EQ("0.012", At(techniques, "Separable", "mean error"));
+    EXPECT_EQ("1.47", At(techniques, "Separable", "known to ±"));
     EXPECT_EQ("13.7 … 16.9", At(techniques, "Separable", "its quartiles"));
     EXPECT_EQ("infinite", At(techniques, "Fails", "mean error"));
     EXPECT_EQ("–", At(techniques, "Rim", "mean error"));
@@ -299,7 +300,7 @@ TEST(ReportOfStability, BeginsWithWhoPassed)
     EXPECT_THAT(report.plots, testing::IsEmpty());
 }
 
-/// 2 ms (1.8 to 2.4) and 4 ms (3.6 to 4.8).
+/// 2 ms and 4 ms, each known to a tenth.
 study::Study TwoTechniques()
 {
     study::Study sample = EmptySample();
@@ -310,16 +311,16 @@ study::Study TwoTechniques()
     return sample;
 }
 
-TEST(ReportRemarks, WarnOfTimesThatSpreadByMoreThanThemselves)
+TEST(ReportRemarks, WarnOfTimesThatAreHardlyKnown)
 {
     study::Study sample = TwoTechniques();
     EXPECT_THAT(ReportOf(sample, Compare(sample), {}).remarks, testing::IsEmpty());
-    sample.cells[1].quartiles["gpuAddedMilliseconds"] = {0.5, 2.6};
-    EXPECT_THAT(
-        ReportOf(sample, Compare(sample), {}).remarks,
-        testing::ElementsAre("The times of 1 of 2 techniques spread by more than themselves "
-                             "(load average 0.5): measure again on a quieter machine before "
-                             "choosing by them."));
+    sample.cells[1].values["gpuAddedUncertainty"] = 1.01; // of 2 ms
+    EXPECT_THAT(ReportOf(sample, Compare(sample), {}).remarks,
+                testing::ElementsAre(
+                    "The times of 1 of 2 techniques are known to no better than half of "
+                    "themselves (load average 0.5): measure again on a quieter machine before "
+                    "choosing by them."));
 }
 
 TEST(ReportRemarks, NamePlannedCellsThatAreMissing)

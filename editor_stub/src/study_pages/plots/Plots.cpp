@@ -39,6 +39,15 @@ PlotPoint PointOf(const CellResult& cell, const char* metric, double x)
     return point;
 }
 
+/// A bar as far as the median is known.
+std::pair<double, double> UncertaintyOf(const Standing& standing)
+{
+    const double time = standing.at.milliseconds;
+    return standing.timeUncertainty > 0.0
+               ? std::pair(time - standing.timeUncertainty, time + standing.timeUncertainty)
+               : std::pair(k_NoBar, k_NoBar);
+}
+
 /// One point a technique, in two series: limn's own and the articles'.
 std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
 {
@@ -48,7 +57,7 @@ std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
     {
         const TechniqueInfo& technique = *standing.technique;
         series[technique.isArticle ? 1 : 0].points.push_back(
-            {standing.at, standing.timeQuartiles, standing.errorQuartiles, technique.name, false});
+            {standing.at, UncertaintyOf(standing), standing.errorQuartiles, technique.name, false});
     }
     return series;
 }
@@ -75,8 +84,8 @@ Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget
         "Mean error (" + ErrorOf(comparison) + ") of an outline of " + Readable(comparison.width) +
         " px against the GPU time it adds to a frame of " +
         SizeText(comparison.pictureWidth, comparison.pictureHeight) +
-        ", both less is better; bars from the lower to the upper quartile. What is on the "
-        "line is beaten by nothing in both." +
+        ", both less is better; bars: where the median of the time lies with 95 %. What is on "
+        "the line is beaten by nothing in both." +
         NotDrawn(comparison);
     plot.labelX = k_TimeLabel;
     plot.labelY = k_ErrorLabel;
@@ -290,7 +299,8 @@ Plot FlickerAgainstTime(const Study& study, const Comparison& comparison)
         "What changes beyond what the exact outline changes, in motion by sixteenths of a "
         "pixel (" +
         Readable(width) +
-        " px wide, median over what moved, bars over its quartiles), against the GPU time "
+        " px wide, median over what moved, bars over its quartiles and where the median of the "
+        "time lies with 95 %), against the GPU time "
         "added to a frame of " +
         SizeText(comparison.pictureWidth, comparison.pictureHeight) + " (" +
         Readable(comparison.width) + " px wide).";
