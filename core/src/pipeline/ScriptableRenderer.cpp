@@ -199,7 +199,7 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     m_Executing = true;
     for (const auto& feature : m_Features)
     {
-        if (feature->isActive())
+        if (feature->isActive() && !renderingData.cameraData.isPreviewCamera())
         {
             feature->SetupRenderPasses(*this, renderingData);
         }

@@ -114,6 +114,7 @@ inline constexpr SceneKey k_Camera[] = {
     {"farClipPlane", Number, "", k_ClipPlanes},
     {"clearFlags", ClearFlags},
     {"backgroundColor", Color},
+    {"renderPostProcessing", Bool, "What features ask before they add effects"},
     {"allowHDR", Bool},
     {"allowMSAA", Bool, "Several samples a pixel, if the scene's msaaSampleCount says so"},
     {"cullingMask", Layers},
