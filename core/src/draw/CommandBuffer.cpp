@@ -343,6 +343,26 @@ void CommandBuffer::EndSample()
     m_Commands.emplace_back(EndSampleCommand{});
 }
 
+void CommandBuffer::EndSample(std::string_view name)
+{
+    int ended = 0;
+    for (auto command = m_Commands.rbegin(); command != m_Commands.rend(); ++command)
+    {
+        ended += std::holds_alternative<EndSampleCommand>(*command) ? 1 : 0;
+        const auto* begin = std::get_if<BeginSampleCommand>(&*command);
+        if (begin != nullptr && --ended < 0)
+        {
+            if (begin->name != name)
+            {
+                throw ContractError("EndSample: '" + std::string(name) + "' is not what ends, '" +
+                                    begin->name.name() + "' is");
+            }
+            break;
+        }
+    }
+    EndSample();
+}
+
 void CommandBuffer::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id, "global ");

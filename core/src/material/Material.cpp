@@ -153,7 +153,7 @@ void Material::SetRenderQueue(int queue)
 
 void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
 {
-    if (!isFinite(value))
+    if (!isFinite(value) || isEmptyArray(value))
     {
         RequireFinite(value, id, "material '" + m_Name + "': ");
     }

@@ -26,9 +26,24 @@ struct AllFinite
     {
         return (*this)(m[0]) && (*this)(m[1]) && (*this)(m[2]) && (*this)(m[3]);
     }
-    bool operator()(const std::vector<glm::vec4>& array) const
+    template <typename Element>
+    bool operator()(const std::vector<Element>& array) const
     {
         return std::all_of(array.begin(), array.end(), *this);
+    }
+};
+
+struct HasNoElements
+{
+    template <typename Element>
+    bool operator()(const std::vector<Element>& array) const
+    {
+        return array.empty();
+    }
+    template <typename Other>
+    bool operator()(const Other&) const
+    {
+        return false;
     }
 };
 
@@ -39,8 +54,18 @@ bool isFinite(const ShaderPropertyValue& value)
     return std::visit(AllFinite(), value);
 }
 
+bool isEmptyArray(const ShaderPropertyValue& value)
+{
+    return std::visit(HasNoElements(), value);
+}
+
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::string_view owner)
 {
+    if (isEmptyArray(value))
+    {
+        throw ContractError(std::string(owner) + "property '" + id.name() +
+                            "' is set to an array without elements");
+    }
     if (!isFinite(value))
     {
         throw ContractError(std::string(owner) + "property '" + id.name() +

@@ -46,7 +46,27 @@ void WriteComponents(const UniformMember& member, const float* values, int count
     }
 }
 
-void WriteInt(const UniformMember& member, int value, Bytes bytes)
+void Write(const UniformMember& member, float value, Bytes bytes)
+{
+    WriteComponents(member, &value, 1, bytes);
+}
+
+void Write(const UniformMember& member, const glm::vec4& value, Bytes bytes)
+{
+    WriteComponents(member, glm::value_ptr(value), 4, bytes);
+}
+
+void Write(const UniformMember& member, const Color& value, Bytes bytes)
+{
+    Write(member, value.linear().vector(), bytes);
+}
+
+void Write(const UniformMember&, const glm::mat4& value, Bytes bytes)
+{
+    std::memcpy(bytes.data(), glm::value_ptr(value), sizeof(glm::mat4));
+}
+
+void Write(const UniformMember& member, int value, Bytes bytes)
 {
     if (member.type == UniformType::Float)
     {
@@ -59,21 +79,27 @@ void WriteInt(const UniformMember& member, int value, Bytes bytes)
     }
 }
 
-void WriteArray(const UniformMember& member, const std::vector<glm::vec4>& values, Bytes bytes)
+template <typename Element>
+void Write(const UniformMember& member, const std::vector<Element>& values, Bytes bytes)
 {
     const std::size_t count =
         std::min(values.size(), static_cast<std::size_t>(std::max(member.arraySize, 1)));
     for (std::size_t i = 0; i < count; ++i)
     {
-        WriteComponents(member, glm::value_ptr(values[i]), 4,
-                        bytes.subspan(i * member.arrayStride));
+        Write(member, values[i], bytes.subspan(i * member.arrayStride));
     }
 }
 
 const char* KindOf(const ShaderPropertyValue& value)
 {
-    static constexpr const char* k_Kinds[] = {"a number", "an integer", "a vector",
-                                              "a color",  "a matrix",   "an array of vectors",
+    static constexpr const char* k_Kinds[] = {"a number",
+                                              "an integer",
+                                              "a vector",
+                                              "a color",
+                                              "a matrix",
+                                              "an array of floats",
+                                              "an array of vectors",
+                                              "an array of matrices",
                                               "a texture"};
     return k_Kinds[value.index()];
 }
@@ -89,41 +115,25 @@ const char* KindOf(const ShaderPropertyValue& value)
 void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
                 const PropertySources& sources, Bytes bytes)
 {
-    const bool wantsMatrix = member.type == UniformType::Matrix4x4;
-    const auto* matrix = std::get_if<glm::mat4>(&value);
-    if (wantsMatrix != (matrix != nullptr))
+    const bool isMatrix = std::holds_alternative<glm::mat4>(value) ||
+                          std::holds_alternative<std::vector<glm::mat4>>(value);
+    if (isMatrix != (member.type == UniformType::Matrix4x4))
     {
         FailKind(member, value, sources);
     }
-    if (matrix != nullptr)
-    {
-        std::memcpy(bytes.data(), glm::value_ptr(*matrix), sizeof(glm::mat4));
-    }
-    else if (const auto* number = std::get_if<float>(&value))
-    {
-        WriteComponents(member, number, 1, bytes);
-    }
-    else if (const auto* integer = std::get_if<int>(&value))
-    {
-        WriteInt(member, *integer, bytes);
-    }
-    else if (const auto* vector = std::get_if<glm::vec4>(&value))
-    {
-        WriteComponents(member, glm::value_ptr(*vector), 4, bytes);
-    }
-    else if (const auto* color = std::get_if<Color>(&value))
-    {
-        const glm::vec4 linear = color->linear().vector();
-        WriteComponents(member, glm::value_ptr(linear), 4, bytes);
-    }
-    else if (const auto* array = std::get_if<std::vector<glm::vec4>>(&value))
-    {
-        WriteArray(member, *array, bytes);
-    }
-    else
-    {
-        FailKind(member, value, sources);
-    }
+    std::visit(
+        [&](const auto& v)
+        {
+            if constexpr (std::is_same_v<decltype(v), const std::shared_ptr<const Texture>&>)
+            {
+                FailKind(member, value, sources);
+            }
+            else
+            {
+                Write(member, v, bytes);
+            }
+        },
+        value);
 }
 
 /// The texture behind `X` for a member called `X_TexelSize`, if there is one.

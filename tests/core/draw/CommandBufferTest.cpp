@@ -54,6 +54,36 @@ TEST_F(CommandBuffers, KeepCommandsInOrderUntilCleared)
     EXPECT_TRUE(m_Cmd.commands().empty());
 }
 
+TEST_F(CommandBuffers, EndTheSampleOfAName)
+{
+    m_Cmd.BeginSample("outer");
+    m_Cmd.BeginSample("inner");
+    m_Cmd.EndSample("inner");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Cmd.EndSample("inner"); }),
+              "EndSample: 'inner' is not what ends, 'outer' is");
+    m_Cmd.EndSample("outer");
+    m_Cmd.EndSample("of another buffer");
+    ASSERT_EQ(m_Cmd.commands().size(), 5u);
+    EXPECT_TRUE(std::holds_alternative<EndSampleCommand>(m_Cmd.commands()[4]));
+}
+
+TEST_F(CommandBuffers, ClearDepthWithTheStencilWhereToldByBools)
+{
+    const auto flagsOf = [&](bool depth, bool color)
+    {
+        m_Cmd.Clear();
+        m_Cmd.ClearRenderTarget(depth, color, Color::red, 0.25f);
+        const auto& clear = std::get<ClearCommand>(m_Cmd.commands().at(0));
+        EXPECT_EQ(clear.color, Color::red);
+        EXPECT_EQ(clear.depth, 0.25f);
+        return clear.flags;
+    };
+    EXPECT_EQ(flagsOf(false, false), ClearFlag::None);
+    EXPECT_EQ(flagsOf(true, false), ClearFlag::DepthStencil);
+    EXPECT_EQ(flagsOf(false, true), ClearFlag::Color);
+    EXPECT_EQ(flagsOf(true, true), ClearFlag::All);
+}
+
 TEST_F(CommandBuffers, RefuseTargetsThatAreEmpty)
 {
     EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(RTHandle()); }),

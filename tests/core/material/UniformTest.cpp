@@ -194,6 +194,100 @@ TEST_F(Uniforms, HoldTheFirstComponentOfEachElementOfAFloatArray)
     EXPECT_EQ(m_Draw.Floats("_Points", 1, 16)[0], 5.0f);
 }
 
+TEST_F(Uniforms, HoldArraysOfFloats)
+{
+    m_Draw.before.SetGlobalFloatArray("_Points", {1, 2});
+    const auto material =
+        MaterialOf("", "float _Points[3];", "_Points[0] + _Points[1] + _Points[2]");
+    const auto elements = [&]
+    {
+        m_Draw.Resolve(material);
+        return std::vector{m_Draw.Floats("_Points", 1)[0], m_Draw.Floats("_Points", 1, 16)[0],
+                           m_Draw.Floats("_Points", 1, 32)[0]};
+    };
+    EXPECT_THAT(elements(), ElementsAre(1, 2, 0));
+    material->SetFloatArray("_Points", {3, 4, 5, 6});
+    EXPECT_THAT(elements(), ElementsAre(3, 4, 5));
+    m_Draw.block.SetFloatArray("_Points", {7});
+    EXPECT_THAT(elements(), ElementsAre(7, 0, 0));
+}
+
+TEST_F(Uniforms, HoldArraysOfMatrices)
+{
+    m_Draw.before.SetGlobalMatrixArray("_Matrix", {glm::mat4(1), glm::mat4(2), glm::mat4(3)});
+    const auto material = MaterialOf("", "float4x4 _Matrix[2];",
+                                     "_Matrix[0][0] + mul(_Matrix[1], float4(1, 2, 3, 4))");
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 16),
+                ElementsAre(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 16, 64),
+                ElementsAre(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2));
+    material->SetMatrixArray("_Matrix", {glm::mat4(4)});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 1), ElementsAre(4));
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 1, 64), ElementsAre(0));
+    m_Draw.block.SetMatrixArray("_Matrix", {glm::mat4(5), glm::mat4(6)});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Matrix", 1, 64), ElementsAre(6));
+}
+
+TEST_F(Uniforms, HoldAGlobalArrayOfVectors)
+{
+    m_Draw.before.SetGlobalVectorArray("_Points", {{1, 2, 3, 4}, {5, 6, 7, 8}});
+    const auto material = MaterialOf("", "float4 _Points[2];", "_Points[0] + _Points[1]");
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Points", 8), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+    material->SetVectorArray("_Points", {{9, 9, 9, 9}});
+    m_Draw.Resolve(material);
+    EXPECT_THAT(m_Draw.Floats("_Points", 8), ElementsAre(9, 9, 9, 9, 0, 0, 0, 0));
+}
+
+// The number of a name is that of Shader.PropertyToID: both ways of calling it meet.
+TEST_F(Uniforms, AreSetByName)
+{
+    const auto texture = test::Target("map", 40, 8);
+    const auto material =
+        MaterialOf("",
+                   "float _Value; int _Count; float4 _Color; float4 _Glow; float4x4 _Matrix; "
+                   "float4 _Map_TexelSize;",
+                   "_Value + _Count + _Color + _Glow + _Matrix[0] + _Map_TexelSize");
+    const auto expectAll = [&]
+    {
+        m_Draw.Resolve(material);
+        EXPECT_THAT(m_Draw.Floats("_Value", 1), ElementsAre(0.5f));
+        EXPECT_THAT(m_Draw.Ints("_Count", 1), ElementsAre(16777217)) << "no float is that";
+        EXPECT_THAT(m_Draw.Floats("_Color", 4), ElementsAre(1, 0, 1, 0.5f));
+        EXPECT_THAT(m_Draw.Floats("_Glow", 4), ElementsAre(1, 2, 3, 4));
+        EXPECT_THAT(m_Draw.Floats("_Matrix", 1), ElementsAre(3));
+        EXPECT_THAT(m_Draw.Floats("_Map_TexelSize", 4), ElementsAre(0.025f, 0.125f, 40, 8));
+    };
+    const std::string value = "_Value";
+    CommandBuffer& cmd = m_Draw.before;
+    cmd.SetGlobalFloat(value, 0.5f);
+    cmd.SetGlobalInteger("_Count", 16777217);
+    cmd.SetGlobalColor("_Color", {1, 0, 1, 0.5f});
+    cmd.SetGlobalVector("_Glow", {1, 2, 3, 4});
+    cmd.SetGlobalMatrix("_Matrix", glm::mat4(3));
+    cmd.SetGlobalTexture("_Map", texture);
+    expectAll();
+    cmd.Clear();
+    const auto setAll = [&](auto& target)
+    {
+        target.SetFloat(std::string_view(value), 0.5f);
+        target.SetInteger("_Count", 16777217);
+        target.SetColor("_Color", {1, 0, 1, 0.5f});
+        target.SetVector("_Glow", {1, 2, 3, 4});
+        target.SetMatrix("_Matrix", glm::mat4(3));
+        target.SetTexture("_Map", texture);
+    };
+    setAll(m_Draw.block);
+    expectAll();
+    EXPECT_NE(m_Draw.block.Find(_Map), nullptr);
+    m_Draw.block.Clear();
+    setAll(*material);
+    expectAll();
+}
+
 TEST_F(Uniforms, DoNotOverflowTheirPlace)
 {
     const auto material = MaterialOf("", "float2 _Value; float2 _Glow;", "float4(_Value, _Glow)");
@@ -218,6 +312,12 @@ TEST_F(Uniforms, RefuseAValueOfAnotherKind)
     number->SetMatrix(_Value, glm::mat4(1.0f));
     EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to a matrix, but the "
                                "shader declares a number or vector");
+    number->SetMatrixArray(_Value, {glm::mat4(1.0f)});
+    EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to an array of "
+                               "matrices, but the shader declares a number or vector");
+    matrix->SetFloatArray(_Matrix, {1.0f});
+    EXPECT_EQ(ErrorOf(matrix), "material 'Paint': property '_Matrix' is set to an array of floats, "
+                               "but the shader declares a matrix");
     number->SetTexture(_Value, test::Target("map"));
     EXPECT_EQ(ErrorOf(number), "material 'Paint': property '_Value' is set to a texture, but the "
                                "shader declares a number or vector");
@@ -263,8 +363,13 @@ void ExpectAllRefused(float bad, const std::string& message, Set&& set)
 {
     glm::mat4 matrix(1.0f);
     matrix[3][1] = bad;
-    const ShaderPropertyValue values[] = {bad, glm::vec4(0, 1, 2, bad), Color{bad, 0, 0, 1}, matrix,
-                                          std::vector<glm::vec4>{{0, 0, 0, 0}, {0, bad, 0, 0}}};
+    const ShaderPropertyValue values[] = {bad,
+                                          glm::vec4(0, 1, 2, bad),
+                                          Color{bad, 0, 0, 1},
+                                          matrix,
+                                          std::vector<float>{0, bad},
+                                          std::vector<glm::vec4>{{0, 0, 0, 0}, {0, bad, 0, 0}},
+                                          std::vector<glm::mat4>{glm::mat4(1.0f), matrix}};
     for (const ShaderPropertyValue& value : values)
     {
         EXPECT_EQ(test::ThrownMessage<ContractError>([&] { set(value); }), message)
@@ -306,6 +411,22 @@ TEST(PropertyValues, OfAMaterialAreRefusedUnlessTheyAreFinite)
     EXPECT_THROW(material.SetTextureOffset(_Map, {0.0f, k_Nan}), ContractError);
     EXPECT_EQ(material.Find(_Value), nullptr);
     EXPECT_EQ(material.version(), version);
+}
+
+TEST(PropertyValues, ThatAreArraysAreRefusedWithoutElements)
+{
+    Material material(test::ShaderWithModes({"A"}), "Paint");
+    MaterialPropertyBlock block;
+    CommandBuffer cmd;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { material.SetFloatArray("_Value", {}); }),
+              "material 'Paint': property '_Value' is set to an array without elements");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { block.SetVectorArray("_Value", {}); }),
+              "property '_Value' is set to an array without elements");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.SetGlobalMatrixArray("_Value", {}); }),
+              "global property '_Value' is set to an array without elements");
+    EXPECT_EQ(material.Find("_Value"), nullptr);
+    EXPECT_TRUE(block.isEmpty());
+    EXPECT_TRUE(cmd.commands().empty());
 }
 
 TEST(PropertyValues, OfABlockAreRefusedUnlessTheyAreFinite)

@@ -63,6 +63,15 @@ public:
     /// @throws ContractError if depth is outside 0...1 or the colour is not finite
     void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
                            int stencil = 0);
+    /// Depth goes with the stencil. @throws ContractError as the other does
+    /// @source Unity: CommandBuffer.ClearRenderTarget(bool, bool, Color, float) (2022.3)
+    void ClearRenderTarget(bool clearDepth, bool clearColor, const Color& backgroundColor,
+                           float depth = 1.0f)
+    {
+        ClearRenderTarget((clearDepth ? ClearFlag::DepthStencil : ClearFlag::None) |
+                              (clearColor ? ClearFlag::Color : ClearFlag::None),
+                          backgroundColor, depth);
+    }
     /// Until the next SetRenderTarget, which sets the whole target.
     /// @throws ContractError if the size is not positive, or the end fits no int
     void SetViewport(const ViewportRect& rect);
@@ -98,14 +107,29 @@ public:
     void Blit(const RTHandle& source, const RTHandle& dest,
               const std::shared_ptr<const Material>& material, int pass = -1);
 
-    // Setting a global throws ContractError naming it if the value is not finite.
+    // Setting a global throws ContractError naming it if the value is not finite, or an array
+    // without elements.
     void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
     void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
+    void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
     /// The same as SetGlobalVector, as in Unity: give it `linear()` of what a person picked. Only
     /// colours of materials and property blocks are converted.
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
     void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
+    // Arrays: as MaterialPropertyBlock's.
+    void SetGlobalFloatArray(ShaderPropertyId id, std::vector<float> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
+    void SetGlobalVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
+    void SetGlobalMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
     void SetGlobalTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
     {
         SetGlobal(id, std::move(value));
@@ -121,6 +145,8 @@ public:
 
     void BeginSample(std::string_view name);
     void EndSample();
+    /// @throws ContractError if the innermost sample that this buffer has open has another name
+    void EndSample(std::string_view name);
 
     /// Forgets what was recorded, and keeps the memory.
     void Clear();

@@ -28,14 +28,20 @@ public:
     int passCount() const { return m_Shader->passCount(); }
     int FindPass(std::string_view passName) const { return m_Shader->FindPassByName(passName); }
 
-    // Setting a value throws ContractError naming material and property if it is not finite.
+    // Setting a value throws ContractError naming material and property if it is not finite, or an
+    // array without elements.
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
+    void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
     /// @param value  sRGB; linear for the shader, unless the property is declared [HDR]: those are
     ///               linear already
     void SetColor(ShaderPropertyId id, const Color& value);
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
+    // Arrays: as MaterialPropertyBlock's.
+    void SetFloatArray(ShaderPropertyId id, std::vector<float> v) { Set(id, std::move(v)); }
+    void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
+    void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> v) { Set(id, std::move(v)); }
     void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
     {
         Set(id, std::move(value));

@@ -13,8 +13,9 @@ namespace limn
 {
 
 /// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
-using ShaderPropertyValue = std::variant<float, int, glm::vec4, Color, glm::mat4,
-                                         std::vector<glm::vec4>, std::shared_ptr<const Texture>>;
+using ShaderPropertyValue =
+    std::variant<float, int, glm::vec4, Color, glm::mat4, std::vector<float>,
+                 std::vector<glm::vec4>, std::vector<glm::mat4>, std::shared_ptr<const Texture>>;
 
 /// Shader property values by name. Draws look values up in the block of the draw, then in the
 /// material, then in the globals. Unity: UnityEngine.MaterialPropertyBlock (2022.3).
@@ -23,15 +24,20 @@ class MaterialPropertyBlock
 public:
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
+    void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
     void SetColor(ShaderPropertyId id, const Color& value) { Set(id, value); } ///< sRGB
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
+    // A shader gets as many elements as both it and the array have; the rest of its own are 0.
+    void SetFloatArray(ShaderPropertyId id, std::vector<float> v) { Set(id, std::move(v)); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
+    void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> v) { Set(id, std::move(v)); }
     void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> v)
     {
         Set(id, std::move(v));
     }
-    /// @throws ContractError naming the property, if a number is not finite; so do all above
+    /// @throws ContractError naming the property, if a number is not finite or an array has no
+    ///         elements; so do all above
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
     /// Takes over all values of another block.
     void SetAll(const MaterialPropertyBlock& other);

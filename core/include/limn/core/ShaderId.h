@@ -1,10 +1,12 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace limn
 {
@@ -16,27 +18,38 @@ namespace detail
 std::uint32_t InternName(std::string_view name);
 const std::string& InternedName(std::uint32_t id);
 
+struct PropertyTag;
+struct ShaderTag;
+struct SampleTag;
+
 template <typename Tag>
 struct NameId
 {
     std::uint32_t value = 0; ///< 0 = the empty name
 
     constexpr NameId() = default;
-    explicit NameId(std::string_view name) : value(InternName(name)) {}
+    /// A property may be called by its name wherever its number is taken, as in Unity.
+    template <std::convertible_to<std::string_view> Text>
+    explicit(!std::is_same_v<Tag, PropertyTag>) NameId(const Text& name) : value(InternName(name))
+    {
+    }
 
     const std::string& name() const { return InternedName(value); }
     bool operator==(const NameId&) const = default;
-    bool operator==(std::string_view text) const { return name() == text; }
+    template <std::convertible_to<std::string_view> Text>
+    bool operator==(const Text& text) const
+    {
+        return name() == text;
+    }
     auto operator<=>(const NameId&) const = default;
 };
 
-struct PropertyTag;
-struct ShaderTag;
-struct SampleTag;
-
 } // namespace detail
 
-/// A shader property's name as a number, for keeping in a static. Unity: Shader.PropertyToID.
+/// A shader property's name as a number. Whatever takes one takes a string, too, which is looked up
+/// in a table of the process each time: keep the number in a static where that is each frame. Each
+/// name is kept to the end of the process. Unity: Shader.PropertyToID, and the overloads of
+/// Material.SetFloat and the like that take a string (2022.3).
 using ShaderPropertyId = detail::NameId<detail::PropertyTag>;
 
 /// The name of a ShaderLab tag's value, above all of LightMode. Unity:
