@@ -82,8 +82,8 @@ TEST(Usage, HelpNamesEveryVerbAndTheExitCodes)
     const CommandRun run = RunCommand({"help"});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
-    for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader", "new",
-                             "doctor", "completion", "help", "version"})
+    for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader",
+                             "new", "doctor", "completion", "help", "version"})
     {
         EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(verb) + " "));
     }
