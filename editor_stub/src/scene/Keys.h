@@ -97,6 +97,7 @@ inline constexpr SceneKey k_Scene[] = {
     Required({"camera", Camera}),
     {"light", Light},
     {"ambientLight", Color},
+    {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
     {"renderer", Renderer},
     {"volumes", Volumes},
     {"materials", Materials},
