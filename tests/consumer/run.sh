@@ -28,3 +28,15 @@ cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
 cmake --build "$folder/build" >/dev/null
 "$folder/build/consumer"
 "$folder/prefix/bin/limn" --version
+
+# A feature written by `limn new` is built by whoever has limn installed, and drawn by it.
+limn=$folder/prefix/bin/limn
+"$limn" new feature Paint -o "$folder/paint" -q >/dev/null
+cmake -S "$folder/paint" -B "$folder/paint/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" \
+    -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror" >/dev/null
+cmake --build "$folder/paint/build" >/dev/null
+ctest --test-dir "$folder/paint/build" --output-on-failure
+"$limn" render "$folder/paint/Paint.scene.yaml" --plugin "$folder/paint/build/Paint.so" \
+    --device software --no-cache -o "$folder/paint.png" >/dev/null
+python3 "$(dirname "$0")/check_picture.py" "$folder/paint.png"

@@ -40,6 +40,13 @@ std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> sha
     return std::make_shared<Material>(std::move(shader));
 }
 
+void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
+                    const MaterialPropertyBlock& properties, int shaderPassId)
+{
+    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), shaderPassId, k_TriangleVertices,
+                       properties);
+}
+
 } // namespace CoreUtils
 
 namespace Blitter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/FeatureCode.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/TypeName.h>
 
@@ -58,7 +59,8 @@ std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,
     {
         try
         {
-            pass->OnCameraCleanup(cmd);
+            RunFeatureCode(*pass, pass->profilingSampler.name(), "OnCameraCleanup",
+                           [&] { pass->OnCameraCleanup(cmd); });
         }
         catch (...)
         {
@@ -110,7 +112,7 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     {
         throw ContractError("AddFeature: the feature is null");
     }
-    feature->Create();
+    RunFeatureCode(*feature, feature->name, "Create", [&] { feature->Create(); });
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
 }
@@ -184,7 +186,8 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
     {
         if (feature->isActive())
         {
-            feature->AddRenderPasses(*this, renderingData);
+            RunFeatureCode(*feature, feature->name, "AddRenderPasses",
+                           [&] { feature->AddRenderPasses(*this, renderingData); });
         }
         else
         {
@@ -202,9 +205,10 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
         {m_CameraColor, m_CameraDepth, renderingData.temporaryTextures, copyMaterial()});
     for (const auto& feature : m_Features)
     {
-        if (feature->isActive())
+        if (feature->isActive() && !renderingData.cameraData.isPreviewCamera())
         {
-            feature->SetupRenderPasses(*this, renderingData);
+            RunFeatureCode(*feature, feature->name, "SetupRenderPasses",
+                           [&] { feature->SetupRenderPasses(*this, renderingData); });
         }
     }
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
@@ -214,7 +218,9 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     {
         while (setUp < m_Queue.size())
         {
-            m_Queue[setUp++]->OnCameraSetup(*cmd, renderingData);
+            ScriptableRenderPass& pass = *m_Queue[setUp++];
+            RunFeatureCode(pass, pass.profilingSampler.name(), "OnCameraSetup",
+                           [&] { pass.OnCameraSetup(*cmd, renderingData); });
         }
         ExecutePasses(context, renderingData, *cmd);
     }
@@ -237,7 +243,9 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
     renderingData.report->passes.reserve(m_Queue.size());
     for (ScriptableRenderPass* pass : m_Queue)
     {
-        pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor);
+        RunFeatureCode(*pass, pass->profilingSampler.name(), "Configure",
+                       [&]
+                       { pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor); });
     }
     context.ExecuteCommandBuffer(cmd);
     cmd.Clear();
@@ -289,7 +297,7 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
     renderingData.report->passes.push_back({SampleName(name), pass.renderPassEvent});
-    pass.Execute(context, renderingData);
+    RunFeatureCode(pass, name, "Execute", [&] { pass.Execute(context, renderingData); });
     cmd->Clear();
     cmd->EndSample();
     context.ExecuteCommandBuffer(*cmd);

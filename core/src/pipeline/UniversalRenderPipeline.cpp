@@ -90,6 +90,9 @@ RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer
     data.cameraData.camera = &camera;
     data.cameraData.cameraTargetDescriptor = descriptor;
     data.cameraData.renderer = &renderer;
+    data.cameraData.cameraType = camera.cameraType;
+    data.cameraData.postProcessEnabled = camera.renderPostProcessing;
+    data.cameraData.isHdrEnabled = camera.allowHDR;
     data.cameraData.viewMatrix = camera.viewMatrix();
     const std::shared_ptr<ShaderCompiler> compiler = renderer.shaderCompiler();
     data.cameraData.usesReversedZBuffer = !compiler || compiler->usesReversedZBuffer();

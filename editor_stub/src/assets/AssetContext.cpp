@@ -1,6 +1,7 @@
 #include <limn/editor_stub/AssetContext.h>
 
 #include "assets/GltfBufferFiles.h"
+#include "plugins/LoadPlugin.h"
 #include "scene/MaterialReader.h"
 #include "scene/ProfileContext.h"
 #include "shaders/ShaderFolders.h"
@@ -101,6 +102,19 @@ AssetContext::RootsFor::RootsFor(AssetContext& assets, const std::filesystem::pa
 AssetContext::RootsFor::~RootsFor()
 {
     std::swap(m_Assets.m_Roots, m_Before);
+}
+
+void AssetContext::LoadPlugin(const std::filesystem::path& path)
+{
+    Reach(path);
+    std::error_code ignored; // LoadPlugin says what is wrong
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
+    if (m_Plugins.count(canonical) == 0)
+    {
+        limn::LoadPlugin(path, m_Features, m_VolumeComponents);
+        m_Plugins.insert(canonical);
+        m_ShippedShaders.clear(); // where a name may stand for none
+    }
 }
 
 std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)

@@ -85,6 +85,14 @@ void AddPackageOption(CLI::App& verb, CommandLine& line)
         ->check(CheckPackage);
 }
 
+void AddPluginOption(CLI::App& verb, CommandLine& line)
+{
+    verb.add_option("--plugin", line.plugins,
+                    "Load features, volume components and shaders from a module, whose code runs")
+        ->type_name("FILE.so")
+        ->allow_extra_args(false);
+}
+
 void AddSizeOption(CLI::App& verb, std::string& size)
 {
     verb.add_option("--size", size, "Picture size in pixels; without it the scene's")
@@ -151,6 +159,7 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
                                    "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many")
                       ->type_name("DIR");
     verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
+    AddPluginOption(*verb, line);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     return verb;
@@ -214,6 +223,7 @@ void AddInspect(CLI::App& app, CommandLine& line)
         ->type_name("SCENE|PROFILE")
         ->required();
     verb->add_flag("--json", line.inspect.json, "Print JSON");
+    AddPluginOption(*verb, line);
     AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunInspect(line.inspect, console); });
 }
@@ -289,6 +299,7 @@ void AddExplain(CLI::App& app, CommandLine& line)
         ->type_name("FILE")
         ->check(CheckGraph);
     AddValueOptions(*verb, options.profile, options.overrides);
+    AddPluginOption(*verb, line);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunExplain(line.explain, console); });
@@ -305,6 +316,7 @@ void AddSet(CLI::App& app, CommandLine& line)
         ->type_name("Component.param=VALUE")
         ->required()
         ->check(CheckEdit);
+    AddPluginOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunSet(line.set, console); });
 }
 
@@ -316,8 +328,32 @@ void AddSchema(CLI::App& app, CommandLine& line)
         ->type_name("scene|profile|material")
         ->required()
         ->check(CheckChoice("scene|profile|material"));
+    AddPluginOption(*verb, line);
     OnceParsed(verb, line,
-               [&line](Console& console) { return RunSchema(line.schemaKind, console); });
+               [&line](Console& console)
+               { return RunSchema(line.schemaKind, line.plugins, console); });
+}
+
+void AddNew(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "new", "Write the folder of a render feature that builds and draws at once");
+    verb->add_option("kind", line.newKind, "What to write: feature")
+        ->type_name("feature")
+        ->required()
+        ->check(CheckChoice("feature"));
+    verb->add_option("name", line.newFeature.name, "Of its classes, such as DepthFog")
+        ->type_name("NAME")
+        ->required();
+    verb->add_option("-o,--output", line.newFeature.folder, "A new or empty folder")
+        ->type_name("DIR")
+        ->required()
+        ->check([](const std::string& text)
+                { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
+    verb->add_option("--style", line.newStyle, "Of the code: urp14, as in Unity 2022 (default)")
+        ->type_name("urp14")
+        ->check(CheckChoice("urp14"));
+    OnceParsed(verb, line, [&line](Console& console) { return RunNew(line.newFeature, console); });
 }
 
 void AddDoctor(CLI::App& app, CommandLine& line)
@@ -400,6 +436,7 @@ void AddEverything(CLI::App& app, CommandLine& line)
     AddSet(app, line);
     AddSchema(app, line);
     AddShader(app, line);
+    AddNew(app, line);
     AddDoctor(app, line);
     AddCompletion(app, line);
     AddHelp(app, line);
@@ -427,6 +464,10 @@ void FinishOptions(CommandLine& line)
     line.render.packages = ToPackages(line.packages);
     line.shader.packages = line.render.packages;
     line.explain.packages = line.render.packages;
+    line.render.plugins = line.plugins;
+    line.explain.plugins = line.plugins;
+    line.inspect.plugins = line.plugins;
+    line.set.plugins = line.plugins;
     line.render.roots = line.roots;
     line.shader.roots = line.roots;
     line.explain.roots = line.roots;

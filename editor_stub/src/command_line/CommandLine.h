@@ -3,6 +3,7 @@
 #include "command_line/SelectionOptions.h"
 #include "commands/ExplainCommand.h"
 #include "commands/InspectCommand.h"
+#include "commands/NewCommand.h"
 #include "commands/RenderCommand.h"
 #include "commands/ReportCommand.h"
 #include "commands/SetCommand.h"
@@ -29,6 +30,9 @@ struct CommandLine
     InspectOptions inspect;
     SetOptions set;
     ReportCommandOptions report;
+    NewOptions newFeature;
+    std::string newKind;
+    std::string newStyle;
     std::string schemaKind;
     std::string doctorDevice;
     std::string helpVerb; ///< "": of limn itself
@@ -39,6 +43,7 @@ struct CommandLine
     bool isQuiet = false;
     bool isVerbose = false;
     std::vector<std::string> packages;
+    std::vector<std::string> plugins;
     std::vector<std::string> roots;
     std::function<int(Console&)> run; ///< the verb that was chosen, once it was parsed
 };

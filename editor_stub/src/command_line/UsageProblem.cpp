@@ -71,8 +71,12 @@ std::string MissingOf(const CLI::App& verb)
                                                              option->get_type_name());
         }
     }
-    return CLI::detail::join(missing, " and ") + (missing.size() == 1 ? " is" : " are") +
-           " missing";
+    std::string text = missing.front();
+    for (std::size_t i = 1; i < missing.size(); ++i)
+    {
+        text += (i + 1 < missing.size() ? ", " : " and ") + missing[i];
+    }
+    return text + (missing.size() == 1 ? " is" : " are") + " missing";
 }
 
 std::string MismatchOf(const CLI::Option& option, const std::string& message)

@@ -201,6 +201,7 @@ int RunExplain(const ExplainOptions& options, Console& console)
     rendering.profile = options.profile;
     rendering.overrides = options.overrides;
     rendering.packages = options.packages;
+    rendering.plugins = options.plugins;
     rendering.roots = options.roots;
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);

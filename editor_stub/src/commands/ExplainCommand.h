@@ -19,6 +19,7 @@ struct ExplainOptions
     std::string profile;
     std::vector<std::string> overrides;
     std::map<std::string, std::string> packages;
+    std::vector<std::string> plugins; ///< modules with features of other people
     std::vector<std::string> roots;
 };
 

@@ -51,6 +51,10 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     AssetContext assets(std::move(compilerOptions));
     assets.AddRootsAround(file);
+    for (const std::string& plugin : options.plugins)
+    {
+        assets.LoadPlugin(plugin);
+    }
     const std::string text = ReadYamlText(file);
     const bool isUnity = IsUnityAsset(text);
     const std::vector<YamlNode> documents =

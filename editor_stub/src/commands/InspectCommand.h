@@ -13,6 +13,7 @@ struct InspectOptions
 {
     std::string file; ///< a scene, a profile or a renderer asset, told by its content
     bool json = false;
+    std::vector<std::string> plugins; ///< modules with features of other people
     std::vector<std::string> roots;
 };
 

@@ -29,7 +29,8 @@ struct RenderOptions
     std::string cacheFolder; ///< "": the default one
     bool noCache = false;
     std::map<std::string, std::string> packages;
-    std::vector<std::string> roots; ///< folders that references and includes may lead into
+    std::vector<std::string> plugins; ///< modules with features of other people
+    std::vector<std::string> roots;   ///< folders that references and includes may lead into
 };
 
 /// Draws the scene into a PNG.

@@ -1,5 +1,6 @@
 #include "commands/SchemaCommand.h"
 
+#include "plugins/LoadPlugin.h"
 #include "schema/Schemas.h"
 
 #include <limn/editor_stub/RunLimn.h>
@@ -11,11 +12,15 @@ namespace limn
 namespace
 {
 
-Json SchemaOf(const std::string& kind)
+Json SchemaOf(const std::string& kind, std::span<const std::string> plugins)
 {
     FeatureRegistry features;
     VolumeComponentRegistry components;
     RegisterFeatures(features, components);
+    for (const std::string& plugin : plugins)
+    {
+        LoadPlugin(plugin, features, components);
+    }
     if (kind == "scene")
     {
         return SceneSchema(features);
@@ -29,9 +34,9 @@ Json SchemaOf(const std::string& kind)
 
 } // namespace
 
-int RunSchema(const std::string& kind, Console& console)
+int RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console)
 {
-    console.Results(JsonText(SchemaOf(kind)));
+    console.Results(JsonText(SchemaOf(kind, plugins)));
     return static_cast<int>(ExitCode::Done);
 }
 

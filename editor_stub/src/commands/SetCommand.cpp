@@ -1,6 +1,7 @@
 #include "commands/SetCommand.h"
 
 #include "assets/FileKind.h"
+#include "plugins/LoadPlugin.h"
 
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
@@ -11,8 +12,13 @@ namespace limn
 
 int RunSet(const SetOptions& options, Console& console)
 {
+    FeatureRegistry features;
     VolumeComponentRegistry registry;
-    RegisterVolumeComponents(registry);
+    RegisterFeatures(features, registry);
+    for (const std::string& plugin : options.plugins)
+    {
+        LoadPlugin(plugin, features, registry);
+    }
     std::vector<ScalarEdit> edits;
     for (const std::string& text : options.edits)
     {

@@ -74,6 +74,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     map.Read("backgroundColor", camera.backgroundColor);
     map.Read("allowHDR", camera.allowHDR);
     map.Read("allowMSAA", camera.allowMSAA);
+    map.Read("renderPostProcessing", camera.renderPostProcessing);
     for (const auto& [key, mask] : {std::pair("cullingMask", &camera.cullingMask),
                                     std::pair("volumeLayerMask", &camera.volumeLayerMask)})
     {

@@ -53,6 +53,20 @@ void ReadSamples(SceneMapReader& map, SceneLoader& loader)
     }
 }
 
+void ReadPlugins(const YamlNode& node, SceneLoader& loader)
+{
+    int index = 0;
+    for (const YamlNode& item : ReadItems(node, "plugins", loader.diagnostics))
+    {
+        const auto load = [&loader](const std::filesystem::path& path)
+        {
+            loader.references.assets().LoadPlugin(path);
+            return true;
+        };
+        loader.references.Read(item, "plugins[" + std::to_string(index++) + "]", load);
+    }
+}
+
 /// Calls `read` with the value of a key that may be absent.
 template <typename Read>
 void ReadPart(SceneMapReader& map, std::string_view key, SceneLoader& loader, Read&& read)
@@ -80,6 +94,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     ReadPart(map, "camera", loader, ReadCamera);
     ReadPart(map, "light", loader, ReadLight);
     map.Read("ambientLight", asset.scene.ambientLight);
+    ReadPart(map, "plugins", loader, ReadPlugins);     // whose shaders materials may name
     ReadPart(map, "materials", loader, ReadMaterials); // which features may name
     ReadPart(map, "renderer", loader, ReadRenderer);
     ReadPart(map, "volumes", loader, ReadVolumes);

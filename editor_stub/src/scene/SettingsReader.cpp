@@ -2,6 +2,8 @@
 
 #include "scene/ReadEnum.h"
 
+#include <limn/core/FeatureCode.h>
+
 namespace limn
 {
 
@@ -125,7 +127,11 @@ void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
 {
     try
     {
-        feature.Create();
+        RunFeatureCode(feature, feature.name, "Create", [&] { feature.Create(); });
+    }
+    catch (const AssetError& error)
+    {
+        diagnostics.Add(error);
     }
     catch (const ContractError& error)
     {

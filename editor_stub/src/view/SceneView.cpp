@@ -47,6 +47,10 @@ ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Consol
 
 SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
 {
+    for (const std::string& plugin : options.plugins)
+    {
+        assets.LoadPlugin(plugin);
+    }
     SceneAsset asset = LoadScene(options.scene, assets);
     if (!options.profile.empty())
     {

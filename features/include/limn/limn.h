@@ -18,6 +18,7 @@
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/OutlineRegion.h>
+#include <limn/features/Plugin.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/RimOutlineRendererFeature.h>

@@ -109,6 +109,7 @@ public:
         ScriptableRenderContext context(report);
         RenderingData data;
         data.cameraData.camera = &camera;
+        data.cameraData.cameraType = camera.cameraType;
         data.cameraData.cameraTargetDescriptor = {8, 4, GraphicsFormat::R8G8B8A8_UNorm, 32};
         data.cameraData.renderer = &renderer;
         data.cullResults = cullResults;

@@ -56,6 +56,16 @@ TEST_F(ScriptableRendererOrder, CallsAllFeaturesAndPassesStepByStep)
                             "builtIn.OnCameraCleanup", "late.OnCameraCleanup"));
 }
 
+TEST_F(ScriptableRendererOrder, CallsNoSetupRenderPassesForAPreview)
+{
+    LoggingPass pass("pass", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&pass});
+    m_Harness.camera.cameraType = CameraType::Preview;
+    m_Harness.Render();
+    EXPECT_THAT(m_Log, ElementsAre("f.Create", "f.AddRenderPasses", "pass.OnCameraSetup",
+                                   "pass.Configure", "pass.Execute", "pass.OnCameraCleanup"));
+}
+
 TEST_F(ScriptableRendererOrder, SortsByEventAndKeepsEqualEventsAsEnqueued)
 {
     LoggingPass a("A", RenderPassEvent::AfterRenderingOpaques, m_Log);

@@ -83,7 +83,7 @@ TEST(Usage, HelpNamesEveryVerbAndTheExitCodes)
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
     for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader",
-                             "doctor", "completion", "help", "version"})
+                             "new", "doctor", "completion", "help", "version"})
     {
         EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(verb) + " "));
     }
@@ -108,6 +108,10 @@ TEST(Usage, HelpOfAVerbTellsItsArgumentsAndOptions)
               "\n"
               "arguments:\n"
               "  scene|profile|material    The kind of file: scene, profile or material\n"
+              "\n"
+              "options:\n"
+              "      --plugin FILE.so ...  Load features, volume components and shaders from a\n"
+              "                            module, whose code runs\n"
               "\n"
               "options of every verb:\n"
               "  -V, --version             Print the version\n"
@@ -145,7 +149,7 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
                      "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
     ExpectWrongUsage({"-v", "frobnicate"},
                      "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
-                     "report, set, schema, shader, doctor, completion, help, version)\n" +
+                     "report, set, schema, shader, new, doctor, completion, help, version)\n" +
                          k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},
                      "error: unknown verb 'rendr'; did you mean 'render'?\n"

@@ -57,6 +57,7 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
                                          "  cullingMask: [Default, Furniture, 9]\n"
                                          "  allowHDR: false\n"
                                          "  allowMSAA: false\n"
+                                         "  renderPostProcessing: false\n"
                                          "  volumeLayerMask: Everything\n"
                                          "  volumeTrigger: [4, 5, 6]\n");
     const Camera& camera = asset.camera;
@@ -74,6 +75,7 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
     EXPECT_EQ(LayerMask(1u + 64u + 512u), camera.cullingMask);
     EXPECT_FALSE(camera.allowHDR);
     EXPECT_FALSE(camera.allowMSAA);
+    EXPECT_FALSE(camera.renderPostProcessing);
     EXPECT_EQ(LayerMask::Everything(), camera.volumeLayerMask);
     EXPECT_EQ(glm::vec3(4, 5, 6), camera.volumeTrigger);
 }

@@ -18,6 +18,16 @@ enum class CameraClearFlags
     Nothing = 4
 };
 
+/// What a camera is there for. Unity: UnityEngine.CameraType, of which limn has these; flags, so
+/// that several can be asked for at once.
+enum class CameraType
+{
+    Game = 1,
+    SceneView = 2,
+    Preview = 4,
+    Reflection = 16
+};
+
 /// Unity: UnityEngine.Camera with URP's additional data (2022.3).
 struct Camera
 {
@@ -36,6 +46,10 @@ struct Camera
     CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
+    CameraType cameraType = CameraType::Game;
+    /// What features ask before they add effects. limn has no effects of its own, so it is on,
+    /// where a camera of Unity's begins without. Unity: UniversalAdditionalCameraData.
+    bool renderPostProcessing = true;
     bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
     bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
     LayerMask volumeLayerMask{1}; ///< layers whose volumes apply

@@ -23,6 +23,12 @@ struct Color
     static const Color clear; ///< (0, 0, 0, 0)
     static const Color red;
     static const Color green;
+    static const Color blue;
+    static const Color cyan;
+    static const Color magenta;
+    static const Color yellow; ///< not (1, 1, 0): easier on the eye, as Unity's
+    static const Color gray;
+    static const Color grey;
 
     /// This sRGB colour as linear RGB; alpha is kept. Above 1 the curve goes on as a 2.2 power, as
     /// Unity's does, as far as a float goes. Unity: Color.linear.
@@ -49,5 +55,11 @@ inline constexpr Color Color::black{0.0f, 0.0f, 0.0f, 1.0f};
 inline constexpr Color Color::clear{0.0f, 0.0f, 0.0f, 0.0f};
 inline constexpr Color Color::red{1.0f, 0.0f, 0.0f, 1.0f};
 inline constexpr Color Color::green{0.0f, 1.0f, 0.0f, 1.0f};
+inline constexpr Color Color::blue{0.0f, 0.0f, 1.0f, 1.0f};
+inline constexpr Color Color::cyan{0.0f, 1.0f, 1.0f, 1.0f};
+inline constexpr Color Color::magenta{1.0f, 0.0f, 1.0f, 1.0f};
+inline constexpr Color Color::yellow{1.0f, 235.0f / 255.0f, 4.0f / 255.0f, 1.0f};
+inline constexpr Color Color::gray{0.5f, 0.5f, 0.5f, 1.0f};
+inline constexpr Color Color::grey{0.5f, 0.5f, 0.5f, 1.0f};
 
 } // namespace limn

@@ -19,6 +19,20 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
 
+/// Draws one triangle over the whole of the bound target: three vertices, of which the shader's
+/// vertex function sees SV_VertexID only.
+/// @throws ContractError if the material is null or has no such pass
+void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
+                    const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
+
+/// Lets go of a material or texture, which is gone when nothing else holds it. C++ does the same
+/// where the member ends; this is for lines of C# that go over as they are.
+template <typename T>
+void Destroy(std::shared_ptr<T>& object)
+{
+    object.reset();
+}
+
 } // namespace CoreUtils
 
 /// Unity: UnityEngine.Rendering.Universal.RenderingUtils (URP 14).

@@ -13,6 +13,10 @@ public:
     explicit ProfilingSampler(std::string name) : m_Name(std::move(name)) {}
     const std::string& name() const { return m_Name; }
 
+    /// Opens and closes the group by hand; a ProfilingScope cannot forget the second.
+    void Begin(CommandBuffer& cmd) const { cmd.BeginSample(m_Name); }
+    void End(CommandBuffer& cmd) const { cmd.EndSample(); }
+
 private:
     std::string m_Name;
 };

@@ -50,6 +50,22 @@ struct CameraData
     /// Depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1 far.
     /// Unity: SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;
+    CameraType cameraType = CameraType::Game;
+    bool postProcessEnabled = true; ///< Camera::renderPostProcessing
+    bool isHdrEnabled = true;       ///< Camera::allowHDR
+
+    bool isSceneViewCamera() const { return cameraType == CameraType::SceneView; }
+    bool isPreviewCamera() const { return cameraType == CameraType::Preview; }
+
+    const glm::dmat4& GetViewMatrix() const { return viewMatrix; }
+    const glm::mat4& GetGPUProjectionMatrix() const { return gpuProjectionMatrix; }
+    /// View to clip space as Unity's scripts see it, whichever way the device has depth: OpenGL's,
+    /// z from -w at the near plane to w at the far one.
+    glm::dmat4 GetProjectionMatrix() const
+    {
+        return camera->projectionMatrixFor(static_cast<float>(cameraTargetDescriptor.width) /
+                                           static_cast<float>(cameraTargetDescriptor.height));
+    }
 
     /// World to clip space with z from w near to 0 far, whichever way round the device's depth is.
     glm::dmat4 reversedViewProjection() const

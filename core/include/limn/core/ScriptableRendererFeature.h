@@ -25,7 +25,8 @@ public:
     virtual void Create() = 0;
     /// Once a camera a frame, while active: enqueue passes. Camera targets do not exist yet.
     virtual void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) = 0;
-    /// Once a camera a frame, while active, when the camera's targets exist.
+    /// Once a camera a frame, while active, when the camera's targets exist; not for
+    /// CameraType::Preview.
     virtual void SetupRenderPasses(ScriptableRenderer& renderer,
                                    const RenderingData& renderingData);
 

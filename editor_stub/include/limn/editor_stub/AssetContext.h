@@ -29,7 +29,12 @@ public:
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
 
-    /// A shader that comes with limn; null for any other name.
+    /// Adds the features, volume components and shaders of a shared module, once; see
+    /// <limn/features/Plugin.h>. Before scenes and profiles that name them are loaded.
+    /// @throws AssetError if it is no plug-in for this limn, or a name of it is taken
+    void LoadPlugin(const std::filesystem::path& path);
+
+    /// A shader that comes with limn or a plug-in; null for any other name.
     std::shared_ptr<const Shader> FindShader(std::string_view name);
     /// A .shader file. What its UsePass and Fallback name is looked for in the files of its folder
     /// and below, or of the Unity project's Assets folder that it lies in, and among limn's own.
@@ -125,6 +130,7 @@ private:
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;
+    std::set<std::filesystem::path> m_Plugins; ///< canonical
 };
 
 } // namespace limn

@@ -15,7 +15,7 @@ void RegisterFeatures(FeatureRegistry& features, VolumeComponentRegistry& compon
 /// Registers the volume components only.
 void RegisterVolumeComponents(VolumeComponentRegistry& registry);
 
-/// Every shader that comes with limn, of core's and of the features'.
+/// Every shader that comes with limn, of core's and of the features', or with a loaded plug-in.
 const ShaderDatabase& ShippedShaders();
 
 /// One of ShippedShaders(); null for any other name.

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limn
+{
+
+/// Unity's float functions by their names, so that C# lines go over as they are; where std:: does
+/// otherwise, the comment says what these do. Angles are radians.
+/// Unity: UnityEngine.Mathf (2022.3).
+namespace Mathf
+{
+
+inline constexpr float PI = 3.14159265358979f;
+inline constexpr float Deg2Rad = PI / 180.0f;
+inline constexpr float Rad2Deg = 180.0f / PI;
+inline constexpr float Infinity = std::numeric_limits<float>::infinity();
+inline constexpr float NegativeInfinity = -Infinity;
+/// The least float above 0 of any kind: C#'s float.Epsilon, not C++'s.
+inline constexpr float Epsilon = std::numeric_limits<float>::denorm_min();
+
+inline float Sin(float x)
+{
+    return std::sin(x);
+}
+inline float Cos(float x)
+{
+    return std::cos(x);
+}
+inline float Tan(float x)
+{
+    return std::tan(x);
+}
+inline float Asin(float x)
+{
+    return std::asin(x);
+}
+inline float Acos(float x)
+{
+    return std::acos(x);
+}
+inline float Atan(float x)
+{
+    return std::atan(x);
+}
+inline float Atan2(float y, float x)
+{
+    return std::atan2(y, x);
+}
+inline float Sqrt(float x)
+{
+    return std::sqrt(x);
+}
+inline float Pow(float x, float power)
+{
+    return std::pow(x, power);
+}
+inline float Exp(float x)
+{
+    return std::exp(x);
+}
+inline float Log(float x)
+{
+    return std::log(x);
+}
+inline float Log(float x, float base)
+{
+    return std::log(x) / std::log(base);
+}
+inline float Log10(float x)
+{
+    return std::log10(x);
+}
+
+template <typename T>
+T Abs(T x)
+{
+    return std::abs(x);
+}
+template <typename T>
+constexpr T Min(T a, T b)
+{
+    return a < b ? a : b;
+}
+template <typename T>
+constexpr T Max(T a, T b)
+{
+    return a > b ? a : b;
+}
+/// `minimum` wins where the two are the wrong way round; NaN stays.
+template <typename T>
+constexpr T Clamp(T x, T minimum, T maximum)
+{
+    return x < minimum ? minimum : x > maximum ? maximum : x;
+}
+constexpr float Clamp01(float x)
+{
+    return Clamp(x, 0.0f, 1.0f);
+}
+
+inline float Floor(float x)
+{
+    return std::floor(x);
+}
+inline float Ceil(float x)
+{
+    return std::ceil(x);
+}
+/// Halves go to the even neighbour: 0.5 is 0, 1.5 and 2.5 are 2.
+inline float Round(float x)
+{
+    return x - std::remainder(x, 1.0f);
+}
+/// What no int holds is the nearest int that there is, NaN is 0; undefined in C#.
+inline int ToInt(float whole)
+{
+    constexpr double k_Low = std::numeric_limits<int>::min();
+    constexpr double k_High = std::numeric_limits<int>::max();
+    return std::isnan(whole) ? 0 : static_cast<int>(Clamp<double>(whole, k_Low, k_High));
+}
+inline int FloorToInt(float x)
+{
+    return ToInt(Floor(x));
+}
+inline int CeilToInt(float x)
+{
+    return ToInt(Ceil(x));
+}
+inline int RoundToInt(float x)
+{
+    return ToInt(Round(x));
+}
+
+/// 1 for 0 too, and -1 below.
+constexpr float Sign(float x)
+{
+    return x >= 0.0f ? 1.0f : -1.0f;
+}
+
+/// t is kept within 0...1.
+constexpr float Lerp(float a, float b, float t)
+{
+    return a + (b - a) * Clamp01(t);
+}
+constexpr float LerpUnclamped(float a, float b, float t)
+{
+    return a + (b - a) * t;
+}
+/// Where x lies between the two, 0...1; 0 where they are equal.
+constexpr float InverseLerp(float a, float b, float x)
+{
+    return a == b ? 0.0f : Clamp01((x - a) / (b - a));
+}
+/// From one value to another: not HLSL's smoothstep, which takes the ends of x.
+constexpr float SmoothStep(float from, float to, float t)
+{
+    const float x = Clamp01(t);
+    const float y = x * x * (3.0f - 2.0f * x);
+    return to * y + from * (1.0f - y);
+}
+inline float MoveTowards(float current, float target, float maxDelta)
+{
+    return std::abs(target - current) <= maxDelta ? target
+                                                  : current + Sign(target - current) * maxDelta;
+}
+/// x modulo `length`, never below 0.
+inline float Repeat(float x, float length)
+{
+    return Clamp(x - std::floor(x / length) * length, 0.0f, length);
+}
+inline float PingPong(float x, float length)
+{
+    return length - std::abs(Repeat(x, 2.0f * length) - length);
+}
+/// The two differ by at most a millionth of the larger one, or by eight times Epsilon.
+inline bool Approximately(float a, float b)
+{
+    return std::abs(b - a) < Max(1e-6f * Max(std::abs(a), std::abs(b)), Epsilon * 8.0f);
+}
+
+constexpr bool IsPowerOfTwo(int x)
+{
+    return x > 0 && (x & (x - 1)) == 0;
+}
+/// The least power of two that is at least x; 0 for what is not above 0 or above 2^30.
+constexpr int NextPowerOfTwo(int x)
+{
+    if (x <= 0 || x > (1 << 30))
+    {
+        return 0;
+    }
+    int power = 1;
+    while (power < x)
+    {
+        power *= 2;
+    }
+    return power;
+}
+
+} // namespace Mathf
+
+} // namespace limn

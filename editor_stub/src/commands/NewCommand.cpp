@@ -1,0 +1,114 @@
+#include "commands/NewCommand.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limn/editor_stub/RunLimn.h>
+#include <limn/features/Features.h>
+#include <limn/shaderlab/EmbeddedFile.h>
+
+namespace limn
+{
+
+namespace embedded
+{
+std::span<const EmbeddedFile> FeatureTemplate();
+}
+
+namespace
+{
+
+constexpr std::size_t k_LongestName = 40;
+
+bool isClassName(const std::string& name)
+{
+    const auto isIn = [](char c, char first, char last)
+    {
+        return c >= first && c <= last;
+    };
+    return !name.empty() && name.size() <= k_LongestName && isIn(name[0], 'A', 'Z') &&
+           std::ranges::all_of(
+               name,
+               [&](char c) { return isIn(c, 'A', 'Z') || isIn(c, 'a', 'z') || isIn(c, '0', '9'); });
+}
+
+/// What is wrong with the name; "" if nothing is.
+std::string NameProblem(const std::string& name)
+{
+    if (!isClassName(name))
+    {
+        return "'" + name +
+               "' cannot be the name of a feature; a capital letter, then letters and "
+               "digits, up to 40 in all, are expected: DepthFog";
+    }
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFeatures(features, components);
+    const bool isTaken =
+        components.Find(name) != nullptr || features.Create(name + "RendererFeature") != nullptr;
+    return isTaken ? "limn has a feature of the name '" + name + "'; take another" : "";
+}
+
+std::string Named(std::string text, std::string_view placeholder, const std::string& name)
+{
+    for (std::size_t at = text.find(placeholder); at != std::string::npos;
+         at = text.find(placeholder, at + name.size()))
+    {
+        text.replace(at, placeholder.size(), name);
+    }
+    return text;
+}
+
+/// "NameTest.cpp.in" → "DepthFogTest.cpp"
+std::string FileName(const EmbeddedFile& file, const std::string& name)
+{
+    std::string result(file.path.substr(0, file.path.size() - 3));
+    return result.starts_with("Name") ? name + result.substr(4) : result;
+}
+
+void Write(const std::filesystem::path& path, const std::string& text)
+{
+    errno = 0;
+    std::ofstream stream(path, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+    {
+        throw AssetError(path.generic_string(), {},
+                         std::string("cannot be written: ") + std::strerror(errno));
+    }
+}
+
+} // namespace
+
+int RunNew(const NewOptions& options, Console& console)
+{
+    const std::string problem = NameProblem(options.name);
+    if (!problem.empty())
+    {
+        console.Error(problem);
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    const std::filesystem::path folder = options.folder;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder))
+    {
+        throw AssetError(options.folder, {}, "cannot be made: " + error.message());
+    }
+    if (!std::filesystem::is_empty(folder))
+    {
+        throw AssetError(options.folder, {},
+                         "holds files already, none of which is written over; name a new folder");
+    }
+    for (const EmbeddedFile& file : embedded::FeatureTemplate())
+    {
+        const std::filesystem::path path = folder / FileName(file, options.name);
+        Write(path, Named(std::string(file.text), "@NAME@", options.name));
+        console.Result(path.generic_string());
+    }
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace limn

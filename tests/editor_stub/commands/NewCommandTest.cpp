@@ -1,0 +1,79 @@
+#include "commands/CommandRun.h"
+#include "commands/WorkingFolder.h"
+
+#include <gmock/gmock.h>
+#include <set>
+
+// What is written is built and drawn by tests/consumer.
+
+namespace limn::test
+{
+
+namespace
+{
+
+CommandRun RunNewFeature(const std::string& name, const std::string& folder)
+{
+    return RunCommand({"new", "feature", name, "-o", folder});
+}
+
+} // namespace
+
+TEST(NewCommand, WritesAFeatureOfThatName)
+{
+    const WorkingFolder working;
+    const CommandRun run = RunNewFeature("DepthFog", "a/fog");
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ("", run.err);
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator("a/fog"))
+    {
+        const std::string file = entry.path().filename().string();
+        files.insert(file);
+        EXPECT_THAT(run.out, testing::HasSubstr("a/fog/" + file + "\n"));
+        EXPECT_THAT(ReadText(entry.path()), testing::Not(testing::HasSubstr("@"))) << file;
+    }
+    EXPECT_EQ(
+        (std::set<std::string>{"CMakeLists.txt", "DepthFog.profile.yaml", "DepthFog.scene.yaml",
+                               "DepthFog.shader", "DepthFogRendererFeature.cpp",
+                               "DepthFogRendererFeature.h", "DepthFogTest.cpp", "README.md"}),
+        files);
+    EXPECT_EQ(0, RunCommand({"shader", "a/fog/DepthFog.shader"}).exitCode);
+    EXPECT_EQ(10, std::ranges::count(ReadText("a/fog/README.md"), '\n'));
+}
+
+TEST(NewCommand, WritesOverNothing)
+{
+    const WorkingFolder working;
+    working.folder.Write("mine.txt", "mine");
+    const CommandRun run = RunNewFeature("DepthFog", ".");
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_EQ(".: error: holds files already, none of which is written over; name a new folder\n",
+              run.err);
+    EXPECT_EQ("mine", ReadText("mine.txt"));
+    EXPECT_FALSE(std::filesystem::exists("CMakeLists.txt"));
+    EXPECT_EQ("mine.txt: error: cannot be made: Not a directory\n",
+              RunNewFeature("DepthFog", "mine.txt").err);
+    EXPECT_EQ("mine.txt/a: error: cannot be made: Not a directory\n",
+              RunNewFeature("DepthFog", "mine.txt/a").err);
+}
+
+TEST(NewCommand, RefusesANameThatIsNoClass)
+{
+    const WorkingFolder working;
+    for (const std::string name : {"depthFog", "Depth Fog", "Depth-Fog", "9Fog", "", "Ö", "../Fog"})
+    {
+        const CommandRun run = RunNewFeature(name, "fog");
+        EXPECT_EQ(2, run.exitCode) << name;
+        EXPECT_EQ("error: '" + name +
+                      "' cannot be the name of a feature; a capital letter, then letters and "
+                      "digits, up to 40 in all, are expected: DepthFog\n",
+                  run.err);
+    }
+    EXPECT_EQ(2, RunNewFeature(std::string(41, 'A'), "fog").exitCode);
+    EXPECT_EQ("error: limn has a feature of the name 'WideOutline'; take another\n",
+              RunNewFeature("WideOutline", "fog").err);
+    EXPECT_FALSE(std::filesystem::exists("fog"));
+}
+
+} // namespace limn::test

@@ -1,0 +1,119 @@
+#include "PluginRun.h"
+
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// What stderr and the exit code are if the plug-in cannot be used.
+std::string Refusal(const std::string& sentence)
+{
+    return sentence + "\nexit 1\n";
+}
+
+} // namespace
+
+TEST(Plugin, IsInWhatInspectAndSchemaAndExplainAndSetSay)
+{
+    const PluginFolder folder;
+    const std::string inspected = folder.Run("inspect s.scene.yaml --plugin probe.so");
+    EXPECT_THAT(inspected, AllOf(HasSubstr("ProbeFeature"), HasSubstr("fault"), HasSubstr("Probe"),
+                                 HasSubstr("strength"), HasSubstr("0.75"), EndsWith("exit 0\n")));
+    EXPECT_THAT(folder.Run("schema scene --plugin ./probe.so"),
+                AllOf(HasSubstr("ProbeFeature"), HasSubstr("Where it throws")));
+    EXPECT_THAT(folder.Run("schema profile --plugin probe.so"), HasSubstr("How red the picture"));
+    EXPECT_THAT(folder.Run("explain -v s.scene.yaml --plugin probe.so"),
+                AllOf(HasSubstr("Paint"), HasSubstr("Hidden/Probe"), HasSubstr("strength"),
+                      EndsWith("exit 0\n")));
+    EXPECT_THAT(folder.Run("set p.profile.yaml Probe.strength=0.5 --plugin probe.so"),
+                HasSubstr("Probe.strength: 0.75 → 0.5\n"));
+}
+
+TEST(Plugin, OfASceneNeedsNoOption)
+{
+    const PluginFolder folder;
+    EXPECT_THAT(folder.Run("explain s.scene.yaml"),
+                AllOf(HasSubstr("unknown feature 'ProbeFeature'"), EndsWith("exit 1\n")));
+    std::filesystem::remove("probe.so"); // a link that leads out of the scene's folder
+    std::filesystem::copy_file(std::filesystem::path(LimnExecutable()).parent_path() /
+                                   "../tests/plugins/probe.so",
+                               "probe.so");
+    folder.WriteScene("{type: ProbeFeature}", "plugins: [probe.so]\n");
+    EXPECT_THAT(folder.Run("explain -v s.scene.yaml"),
+                AllOf(HasSubstr("Hidden/Probe"), EndsWith("exit 0\n")));
+    EXPECT_THAT(folder.Run("explain -v s.scene.yaml --plugin probe.so"), EndsWith("exit 0\n"));
+}
+
+TEST(Plugin, OfASceneThatCannotBeUsedIsAnErrorAtItsPlace)
+{
+    const PluginFolder folder;
+    folder.WriteScene("", "plugins: [text.so]\n");
+    EXPECT_THAT(folder.Run("explain s.scene.yaml"),
+                AllOf(HasSubstr("s.scene.yaml:3:11: error: plugins[0]: 'text.so' cannot be used; "
+                                "see the errors of that file\n"),
+                      HasSubstr("text.so: error: cannot be loaded as a plug-in: "),
+                      EndsWith("exit 1\n")));
+    folder.WriteScene("", "plugins: [probe.so]\n"); // the link
+    EXPECT_THAT(
+        folder.Run("explain s.scene.yaml"),
+        AllOf(HasSubstr("plugins[0]: 'probe.so' lies outside the folders"), EndsWith("exit 1\n")));
+}
+
+TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
+{
+    const PluginFolder folder;
+    const auto run = [&](const std::string& module)
+    {
+        return folder.Run("explain s.scene.yaml --plugin " + module);
+    };
+    EXPECT_EQ(Refusal("no.so: error: cannot be loaded as a plug-in: No such file or directory"),
+              run("no.so"));
+    EXPECT_THAT(run("text.so"), AllOf(StartsWith("text.so: error: cannot be loaded as a plug-in: "),
+                                      Not(HasSubstr(std::filesystem::current_path().string())),
+                                      EndsWith("\nexit 1\n")));
+    EXPECT_EQ(Refusal("no_plugin.so: error: no plug-in of limn: it has no 'limn_plugin', which "
+                      "LIMN_PLUGIN of <limn/features/Plugin.h> defines"),
+              run("no_plugin.so"));
+    const std::string version = folder.Run("--version"); // "limn 0.1.0\nexit 0\n"
+    EXPECT_EQ(Refusal("old_plugin.so: error: this plug-in cannot be used: it was built for limn "
+                      "0.0.9, this is " +
+                      version.substr(0, version.find('\n')) + "; build it again with this one"),
+              run("old_plugin.so"));
+    EXPECT_EQ(Refusal("other_build.so: error: this plug-in cannot be used: it was built with "
+                      "other headers of limn, or another compiler, so that objects of the two "
+                      "differ in size; build it again with this limn"),
+              run("other_build.so"));
+}
+
+TEST(Plugin, ThatThrowsIsNamed)
+{
+    const PluginFolder folder;
+    const auto run = [&](const std::string& fault)
+    {
+        folder.WriteScene("{type: ProbeFeature, name: Red, fault: " + fault + "}");
+        return folder.Run("explain s.scene.yaml --plugin probe.so");
+    };
+    const std::string threw = "' of this plug-in threw in ";
+    EXPECT_EQ(Refusal("probe.so: error: 'Red" + threw + "Create: out of paint"), run("Create"));
+    EXPECT_EQ(Refusal("probe.so: error: 'Red" + threw + "AddRenderPasses: not today"),
+              run("AddRenderPasses"));
+    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "OnCameraSetup: no such texture"),
+              run("Setup"));
+    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: the brush is gone"),
+              run("Execute"));
+    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: an exception without a name"),
+              run("Nameless"));
+    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: a target is missing"),
+              run("Draw"));
+}
+
+} // namespace limn::test

@@ -1,0 +1,2 @@
+/* A module, but no plug-in. */
+int something = 1;
