@@ -30,8 +30,12 @@ public:
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
     void SetGlobal(const SetGlobalCommand& command);
+    /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
+    /// nothing else.
+    void TakeShaderGlobals();
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetRenderTarget(const SetRenderTargetCommand& command);
+    CommonDrawState& commonState() { return m_State; } ///< of what is drawn from now on
     /// @param properties  of the draw; null = none
     void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
@@ -52,6 +56,9 @@ public:
     std::optional<TargetRegion> Project(const Bounds& bounds, float radius,
                                         const PerDrawData& perDraw) const;
 
+    /// What PipelineState calls that for a mesh whose transform mirrors or does not.
+    bool FlipsFrontFace(bool isMirrored) const { return isMirrored != m_State.invertsCulling; }
+
     /// The number of a setup, or of a mesh, in the frame's tables.
     std::uint32_t Add(DrawSetup setup);
     std::uint32_t Add(const std::shared_ptr<const Mesh>& mesh);
@@ -62,8 +69,10 @@ public:
 private:
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
+    bool MayCover(const RecordedDraw& recorded, const PipelineState& state) const;
     std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
-                                                     const MaterialPropertyBlock* properties);
+                                                     const MaterialPropertyBlock* properties,
+                                                     const PipelineState& state);
     bool MergeIntoLast(const DrawCommand& draw);
 
     struct GlobalChange
@@ -83,7 +92,10 @@ private:
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
+    std::uint64_t m_ShaderGlobalsVersion = 0;
+    std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
+    CommonDrawState m_State;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
     struct MeshPlace
