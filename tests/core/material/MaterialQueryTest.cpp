@@ -1,4 +1,6 @@
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "ThrownMessage.h"
 #include "draw/DrawHarness.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/RenderTexturePool.h>
 
 #include "ThrownMessage.h"
 #include "draw/DrawHarness.h"
