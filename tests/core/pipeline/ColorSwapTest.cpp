@@ -153,14 +153,15 @@ TEST_F(ColorSwaps, AreWhatLaterPassesAndCommandsCallTheCameras)
     Add(500, [this](const SwappingPass&, CommandBuffer& cmd, RenderingData&)
         { cmd.DrawProcedural(glm::mat4(1.0f), m_Opaque, 0, 3); });
     const RenderResult result = Render();
-    EXPECT_THAT(DrawnInto(result),
-                ElementsAre("_CameraColorAttachmentA <- nothing nothing",
-                            "_CameraColorAttachmentB <- _CameraColorAttachmentA nothing nothing",
-                            HasSubstr(" <- _CameraColorAttachmentB")));
+    EXPECT_THAT(DrawnInto(result), ElementsAre("_CameraColorAttachmentA <- nothing nothing",
+                                               "_CameraColorAttachmentB <- _CameraColorAttachmentA",
+                                               "_CameraColorAttachmentB <- nothing nothing",
+                                               HasSubstr(" <- _CameraColorAttachmentB")));
     EXPECT_EQ(before.rt()->name(), "_CameraColorAttachmentA");
     EXPECT_EQ(after.rt()->name(), "_CameraColorAttachmentB");
     EXPECT_EQ(after.rt()->descriptor(), before.rt()->descriptor());
-    EXPECT_TRUE(result.frame->passes.at(1).depth) << "the camera keeps its depth";
+    EXPECT_FALSE(result.frame->passes.at(1).depth) << "a blit has none";
+    EXPECT_TRUE(result.frame->passes.at(2).depth) << "the camera keeps its own";
 }
 
 TEST_F(ColorSwaps, AreWhatTheOpaqueTextureIsCopiedFromIfTheyComeBefore)
@@ -177,8 +178,8 @@ TEST_F(ColorSwaps, AreWhatTheOpaqueTextureIsCopiedFromIfTheyComeBefore)
                 ElementsAre("_CameraColorAttachmentA <- nothing",
                             "_CameraColorAttachmentB <- _CameraColorAttachmentA",
                             "_CameraOpaqueTexture <- _CameraColorAttachmentB",
-                            "_CameraColorAttachmentA <- _CameraColorAttachmentB "
-                            "_CameraOpaqueTexture",
+                            "_CameraColorAttachmentA <- _CameraColorAttachmentB",
+                            "_CameraColorAttachmentA <- _CameraOpaqueTexture",
                             HasSubstr(" <- _CameraColorAttachmentA")));
 }
 
