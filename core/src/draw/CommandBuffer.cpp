@@ -237,15 +237,21 @@ void CommandBuffer::DrawRenderer(const GameObject& object,
 void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
                          const std::shared_ptr<const Material>& material, int pass)
 {
-    static const ShaderPropertyId _MainTex{"_MainTex"};
     if (!source || !dest)
     {
         throw ContractError(std::string("Blit: the ") + (source ? "destination" : "source") +
                             " is an empty handle");
     }
-    if (source == dest)
+    DrawBlit(source.rt(), dest, material, pass);
+}
+
+void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
+                             const std::shared_ptr<const Material>& material, int pass)
+{
+    static const ShaderPropertyId _MainTex{"_MainTex"};
+    if (source == dest.rt())
     {
-        throw ContractError("Blit: '" + source.rt()->name() + "' is both source and destination");
+        throw ContractError("Blit: '" + source->name() + "' is both source and destination");
     }
     RecordedDraw draw;
     draw.mesh = BlitQuad();
@@ -259,7 +265,10 @@ void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
     }
     SetRenderTarget(dest);
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
-    properties.SetTexture(_MainTex, source.rt());
+    if (source)
+    {
+        properties.SetTexture(_MainTex, source);
+    }
     SetBlitMatrices(properties);
     DrawPasses(std::move(draw), properties);
     properties.Clear();
@@ -321,6 +330,65 @@ void CommandBuffer::Clear()
     {
         m_Blocks[m_BlockCount - 1].Clear();
     }
+}
+
+void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color)
+{
+    SetRenderTarget(std::move(color), BuiltinRenderTextureType::None);
+}
+
+void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth)
+{
+    m_Commands.emplace_back(SetIdentifiedTargetCommand{std::move(color), std::move(depth)});
+}
+
+void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
+                                   FilterMode filter)
+{
+    m_Commands.emplace_back(GetTemporaryRTCommand{nameID, desc, filter});
+}
+
+void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer,
+                                   FilterMode filter, RenderTextureFormat format,
+                                   RenderTextureReadWrite readWrite, int antiAliasing)
+{
+    RenderTextureDescriptor descriptor(
+        width, height, ToGraphicsFormat(format, readWrite != RenderTextureReadWrite::Linear),
+        depthBuffer);
+    descriptor.msaaSamples = antiAliasing;
+    GetTemporaryRT(nameID, descriptor, filter);
+}
+
+void CommandBuffer::ReleaseTemporaryRT(ShaderPropertyId nameID)
+{
+    m_Commands.emplace_back(ReleaseTemporaryRTCommand{nameID});
+}
+
+void CommandBuffer::SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value)
+{
+    m_Commands.emplace_back(SetGlobalIdentifierCommand{id, std::move(value)});
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
+                         std::shared_ptr<const Material> material, int pass)
+{
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+    m_Commands.emplace_back(
+        IdentifiedBlitCommand{std::move(source), std::move(dest), std::move(material), pass});
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+{
+    m_Commands.emplace_back(IdentifiedBlitCommand{std::move(source), std::move(dest), nullptr, 0});
+}
+
+void CommandBuffer::CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+{
+    m_Commands.emplace_back(CopyTextureCommand{std::move(source), std::move(dest)});
 }
 
 void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,

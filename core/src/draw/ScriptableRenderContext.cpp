@@ -1,4 +1,5 @@
 #include "draw/DrawRecorder.h"
+#include "draw/IdentifiedTargets.h"
 #include "draw/ObjectDraws.h"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ FrameCommands Emptied(FrameCommands frame)
 } // namespace
 
 ScriptableRenderContext::ScriptableRenderContext()
-    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName))
+    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName)),
+      m_Identified(std::make_unique<IdentifiedTargets>(m_Frame, m_Globals))
 {
 }
 
@@ -46,6 +48,17 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
     m_Frame.usesReversedZBuffer = usesReversedZBuffer;
     m_Globals.Clear();
     m_Recorder->Begin(m_Report->notes, m_Origin);
+    m_Identified->EndCamera();
+}
+
+void ScriptableRenderContext::BeginCamera(CameraTargets camera)
+{
+    m_Identified->BeginCamera(std::move(camera), m_Report->notes);
+}
+
+void ScriptableRenderContext::EndCamera()
+{
+    m_Identified->EndCamera();
 }
 
 ScriptableRenderContext::~ScriptableRenderContext() = default;
@@ -74,9 +87,13 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 {
                     m_Recorder->SetRenderTarget(c);
                 }
-                else
+                else if constexpr (std::is_constructible_v<FrameCommand, Command>)
                 {
                     m_Frame.commands.emplace_back(c);
+                }
+                else
+                {
+                    ExecuteCommandBuffer(m_Identified->Resolve(c));
                 }
             },
             command);

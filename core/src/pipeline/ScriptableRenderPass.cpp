@@ -1,3 +1,4 @@
+#include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/core/ScriptableRendererFeature.h>
 
@@ -29,6 +30,35 @@ void ScriptableRenderPass::ResetTarget()
     m_OverrideCameraTarget = false;
     m_Color.Release();
     m_Depth.Release();
+}
+
+void ScriptableRenderPass::Blit(CommandBuffer& cmd, RenderTargetIdentifier source,
+                                RenderTargetIdentifier destination,
+                                std::shared_ptr<const Material> material, int passIndex) const
+{
+    if (m_ClearFlag & ClearFlag::Color)
+    {
+        cmd.SetRenderTarget(destination);
+        cmd.ClearRenderTarget(ClearFlag::Color, m_ClearColor);
+    }
+    if (material)
+    {
+        cmd.Blit(std::move(source), std::move(destination), std::move(material), passIndex);
+        return;
+    }
+    cmd.Blit(std::move(source), std::move(destination));
+}
+
+void ScriptableRenderPass::Blit(CommandBuffer& cmd, const RTHandle& source,
+                                const RTHandle& destination,
+                                std::shared_ptr<const Material> material, int passIndex) const
+{
+    if (material)
+    {
+        Blitter::BlitCameraTexture(cmd, source, destination, std::move(material), passIndex);
+        return;
+    }
+    cmd.Blit(RenderTargetIdentifier(source), RenderTargetIdentifier(destination));
 }
 
 DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const ShaderTagId> tags,

@@ -200,6 +200,9 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
 void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
 {
     m_Executing = true;
+    const AtExit end([&] { context.EndCamera(); });
+    context.BeginCamera(
+        {m_CameraColor, m_CameraDepth, renderingData.temporaryTextures, copyMaterial()});
     for (const auto& feature : m_Features)
     {
         if (feature->isActive() && !renderingData.cameraData.isPreviewCamera())

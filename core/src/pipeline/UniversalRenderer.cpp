@@ -30,6 +30,8 @@ void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descrip
 
 UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
     : m_Compiler(std::move(compiler)),
+      m_CopyMaterial(CoreUtils::CreateEngineMaterial(
+          FindBuiltinShader("Hidden/Universal/CoreBlit", m_Compiler))),
       m_OpaquePass(std::make_unique<DrawObjectsPass>(
           "Draw Opaque Objects", RenderPassEvent::BeforeRenderingOpaques, ForwardShaderTags(),
           RenderQueueRange::opaque, SortingCriteria::CommonOpaque)),
@@ -37,11 +39,9 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
           "Draw Transparent Objects", RenderPassEvent::BeforeRenderingTransparents,
           ForwardShaderTags(), RenderQueueRange::transparent, SortingCriteria::CommonTransparent))
 {
-    const auto blit =
-        CoreUtils::CreateEngineMaterial(FindBuiltinShader("Hidden/Universal/CoreBlit", m_Compiler));
     m_FinalBlitPass = std::make_unique<BlitPass>("Final Blit", RenderPassEvent::AfterRendering + 1,
-                                                 blit, k_FinalBlitPass);
-    m_CameraTextures = std::make_unique<CameraTextures>(blit);
+                                                 m_CopyMaterial, k_FinalBlitPass);
+    m_CameraTextures = std::make_unique<CameraTextures>(m_CopyMaterial);
 }
 
 UniversalRenderer::~UniversalRenderer() = default;

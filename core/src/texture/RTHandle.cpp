@@ -1,4 +1,5 @@
-#include <limn/core/RTHandle.h>
+#include <limn/core/RenderTargetIdentifier.h>
+#include <limn/shaderlab/Diagnostic.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,6 +28,22 @@ bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted
 }
 
 } // namespace
+
+RenderTargetIdentifier::RenderTargetIdentifier(const RTHandle& handle) : m_Content(handle.rt())
+{
+    if (!handle)
+    {
+        throw ContractError("RenderTargetIdentifier: the handle is empty");
+    }
+}
+
+RenderTargetIdentifier::RenderTargetIdentifier(std::shared_ptr<const Texture> texture)
+{
+    if (texture)
+    {
+        m_Content = std::move(texture);
+    }
+}
 
 RTHandle RTHandles::Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode,
                           TextureWrapMode wrapMode, std::string name)

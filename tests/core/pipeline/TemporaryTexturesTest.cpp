@@ -41,6 +41,46 @@ private:
         "_MainTex.Sample(sampler_MainTex, 0.5)"));
 };
 
+/// The same colours there and back by a named texture, as URP 8 to 12 features do it.
+class NamedTemporaryPass final : public ScriptableRenderPass
+{
+public:
+    NamedTemporaryPass()
+    {
+        m_Temp.Init("_NamedTemporary");
+        renderPassEvent = RenderPassEvent::AfterRenderingTransparents;
+    }
+
+    void OnCameraSetup(CommandBuffer& cmd, RenderingData& data) override
+    {
+        cmd.GetTemporaryRT(m_Temp.id, data.cameraData.cameraTargetDescriptor);
+    }
+    void Execute(ScriptableRenderContext& context, RenderingData&) override
+    {
+        const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+        Blit(*cmd, BuiltinRenderTextureType::CameraTarget, m_Temp.Identifier());
+        Blit(*cmd, m_Temp.Identifier(), BuiltinRenderTextureType::CameraTarget);
+        context.ExecuteCommandBuffer(*cmd);
+    }
+    void OnCameraCleanup(CommandBuffer& cmd) override { cmd.ReleaseTemporaryRT(m_Temp.id); }
+
+private:
+    RenderTargetHandle m_Temp;
+};
+
+class NamedTemporaryFeature final : public ScriptableRendererFeature
+{
+public:
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
+    {
+        renderer.EnqueuePass(m_Pass);
+    }
+
+private:
+    NamedTemporaryPass m_Pass;
+};
+
 class TemporaryFeature final : public ScriptableRendererFeature
 {
 public:
@@ -95,6 +135,22 @@ TEST_F(TemporaryTextures, AreTheSameInEachFrameWhichIsNotCompiledAgain)
     m_Cube->transform.localPosition.x = 0.5f;
     EXPECT_EQ(m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure, structure);
     EXPECT_EQ(m_Pass->used, used);
+}
+
+TEST_F(TemporaryTextures, OfANameAreTheSameInEachFrameWhichIsNotCompiledAgain)
+{
+    m_Renderer.AddFeature(std::make_unique<NamedTemporaryFeature>());
+    const RenderResult first = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    EXPECT_TRUE(first.report.notes.empty());
+    std::uint64_t structure = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        structure = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure;
+    }
+    m_Cube->transform.localPosition.x = 0.5f;
+    const RenderResult last = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    EXPECT_EQ(last.frame->structure, structure);
+    EXPECT_TRUE(last.report.notes.empty());
 }
 
 TEST_F(TemporaryTextures, AreNotSharedByTwoPipelines)

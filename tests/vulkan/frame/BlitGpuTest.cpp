@@ -1,7 +1,10 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/FrameCompiler.h>
+#include <limn/core/RenderTexturePool.h>
 #include <limn/core/ScriptableRenderContext.h>
 
 namespace limn::test
@@ -10,9 +13,14 @@ namespace limn::test
 namespace
 {
 
-std::shared_ptr<const Material> BlitMaterial(const std::string& fragment)
+const std::shared_ptr<ShaderCompiler>& BlitCompiler()
 {
     static const auto compiler = std::make_shared<ShaderCompiler>();
+    return compiler;
+}
+
+std::shared_ptr<const Material> BlitMaterial(const std::string& fragment)
+{
     // Nothing is switched off: the quad must face the viewer and lie between near and far.
     return std::make_shared<const Material>(Shader::FromText(
         R"(Shader "Test/Blit" { SubShader { Pass {
@@ -33,7 +41,7 @@ std::shared_ptr<const Material> BlitMaterial(const std::string& fragment)
             }
             float4 frag(v2f i) : SV_Target { return )" +
             fragment + "; }\nENDCG } } }",
-        "blit.shader", compiler));
+        "blit.shader", BlitCompiler()));
 }
 
 /// Runs command buffers with an origin of the frame's.
@@ -44,6 +52,7 @@ protected:
     {
         RenderReport report;
         ScriptableRenderContext context(report, origin);
+        context.BeginCamera({dest, {}, &pool, copyMaterial});
         context.ExecuteCommandBuffer(cmd);
         cmd.Clear();
         const auto texture = output.rt();
@@ -53,6 +62,9 @@ protected:
     }
 
     CommandBuffer cmd;
+    RenderTexturePool pool;
+    const std::shared_ptr<const Material> copyMaterial = CoreUtils::CreateEngineMaterial(
+        FindBuiltinShader("Hidden/Universal/CoreBlit", BlitCompiler()));
     const RTHandle source{MakeTarget(7, 5)};
     const RTHandle dest{MakeTarget(7, 5)};
     const RTHandle other{MakeTarget(2, 3)};
@@ -105,6 +117,56 @@ TEST_F(BlitGpu, GivesTheTexelSizeOfTheSource)
     EXPECT_NEAR(texel[1], 255.0 / 3.0, 0.51);
     EXPECT_NEAR(texel[2], 255.0 * 0.2, 0.51);
     EXPECT_NEAR(texel[3], 255.0 * 0.3, 0.51);
+    ExpectNoValidationMessages();
+}
+
+// Texel centre x of 14 lies at (x + 0.5) / 2 of the 7, whose centres lie at k + 0.5.
+TEST_F(BlitGpu, ScalesWithoutAMaterialByTheSourcesFilter)
+{
+    const auto paint = BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)");
+    const RTHandle large(MakeTarget(14, 10));
+    for (const FilterMode filter : {FilterMode::Point, FilterMode::Bilinear})
+    {
+        cmd.GetTemporaryRT("_Temp", {7, 5, GraphicsFormat::R8G8B8A8_UNorm}, filter);
+        cmd.Blit(other, "_Temp", paint);
+        cmd.Blit("_Temp", large);
+        cmd.ReleaseTemporaryRT("_Temp");
+        const Image image = Draw(large);
+        const auto expected = [&](int texel, int last)
+        {
+            const double place = std::clamp((texel + 0.5) / 2.0 - 0.5, 0.0, double(last));
+            return 20.0 * (filter == FilterMode::Point ? texel / 2 : place);
+        };
+        for (int y = 0; y < 10; ++y)
+        {
+            for (int x = 0; x < 14; ++x)
+            {
+                const Rgba8 texel = Texel8(image, x, y);
+                EXPECT_NEAR(texel[0], expected(x, 6), 0.6) << x << ", " << y;
+                EXPECT_NEAR(texel[1], expected(y, 4), 0.6) << x << ", " << y;
+                EXPECT_EQ(texel[2], 255);
+                EXPECT_EQ(texel[3], 102);
+            }
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+TEST_F(BlitGpu, CopiesTexturesTexelForTexelBesideWhatIsBound)
+{
+    const auto paint = BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)");
+    cmd.Blit(other, source, paint);
+    cmd.SetRenderTarget(other);
+    cmd.CopyTexture(source, BuiltinRenderTextureType::CameraTarget);
+    cmd.ClearRenderTarget(ClearFlag::All, Color::red); // of `other`, not of the copy
+    const Image image = Draw(dest);
+    for (int y = 0; y < 5; ++y)
+    {
+        for (int x = 0; x < 7; ++x)
+        {
+            EXPECT_EQ(Texel8(image, x, y), (Rgba8{20 * x, 20 * y, 255, 102})) << x << ", " << y;
+        }
+    }
     ExpectNoValidationMessages();
 }
 

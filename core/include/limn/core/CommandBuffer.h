@@ -3,6 +3,7 @@
 #include <limn/core/FrameCommands.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
+#include <limn/core/RenderTargetIdentifier.h>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -43,9 +44,51 @@ struct SetViewProjectionCommand
     bool inverses = false;
 };
 
+// What names its textures by identifiers, which are looked up when the buffer is executed.
+
+struct GetTemporaryRTCommand
+{
+    ShaderPropertyId id;
+    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's
+    FilterMode filter = FilterMode::Point;
+};
+
+struct ReleaseTemporaryRTCommand
+{
+    ShaderPropertyId id;
+};
+
+struct SetIdentifiedTargetCommand
+{
+    RenderTargetIdentifier color;
+    RenderTargetIdentifier depth; ///< none = what belongs to the colour
+};
+
+struct SetGlobalIdentifierCommand
+{
+    ShaderPropertyId id;
+    RenderTargetIdentifier value;
+};
+
+struct IdentifiedBlitCommand
+{
+    RenderTargetIdentifier source;
+    RenderTargetIdentifier dest;
+    std::shared_ptr<const Material> material; ///< null = a plain copy
+    int pass = -1;
+};
+
+struct CopyTextureCommand
+{
+    RenderTargetIdentifier source;
+    RenderTargetIdentifier dest;
+};
+
 using RecordedCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
-                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetViewProjectionCommand>;
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetViewProjectionCommand,
+                 GetTemporaryRTCommand, ReleaseTemporaryRTCommand, SetIdentifiedTargetCommand,
+                 SetGlobalIdentifierCommand, IdentifiedBlitCommand, CopyTextureCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -58,6 +101,31 @@ public:
     ///         wrong kind, or sizes or sample counts differ
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
+    /// With the depth that belongs to the colour: the camera's, or the one that GetTemporaryRT made
+    /// beside it. Executing throws ContractError where a name stands for nothing, and for what the
+    /// other forms refuse.
+    void SetRenderTarget(RenderTargetIdentifier color);
+    void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
+
+    /// A texture until ReleaseTemporaryRT, or to the camera's end, which is global under its name
+    /// at once. What is in it is undefined: clear it, or draw over the whole of it. One of the same
+    /// name that is not released yet is. A colour format with depthBufferBits is a colour and a
+    /// depth beside it. Wraps by clamping.
+    /// @param width, height  texels; a negative one is a part of the camera's: -1 all, -2 half
+    /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
+    /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
+    void GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
+                        FilterMode filter = FilterMode::Point);
+    void GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer = 0,
+                        FilterMode filter = FilterMode::Point,
+                        RenderTextureFormat format = RenderTextureFormat::ARGB32,
+                        RenderTextureReadWrite readWrite = RenderTextureReadWrite::Default,
+                        int antiAliasing = 1);
+    /// Nothing is global under the name then. A name that stands for no temporary texture is a
+    /// sentence in the report (Unity says nothing).
+    /// @source Unity: CommandBuffer.ReleaseTemporaryRT (2022.3)
+    void ReleaseTemporaryRT(ShaderPropertyId nameID);
+
     /// @param color  linear
     /// @param depth  1 = far on every device
     /// @throws ContractError if depth is outside 0...1 or the colour is not finite
@@ -106,6 +174,18 @@ public:
     /// @source Unity: CommandBuffer.Blit, Graphics.Blit (2022.3)
     void Blit(const RTHandle& source, const RTHandle& dest,
               const std::shared_ptr<const Material>& material, int pass = -1);
+    /// The same with what the identifiers stand for when the buffer is executed, which is when they
+    /// are refused. A source that is none leaves _MainTex to the material.
+    void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
+              std::shared_ptr<const Material> material, int pass = -1);
+    /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
+    void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
+    /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
+    /// what no sampler can tell apart may be written otherwise.
+    /// @throws ContractError  when executed: unless both have one size and colour format and one
+    ///         sample a texel
+    /// @source Unity: CommandBuffer.CopyTexture (2022.3), which copies bits and depth, too
+    void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest);
 
     // Setting a global throws ContractError naming it if the value is not finite, or an array
     // without elements.
@@ -134,6 +214,8 @@ public:
     {
         SetGlobal(id, std::move(value));
     }
+    /// What the identifier stands for when the buffer is executed. None = the shader's default.
+    void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value);
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
         SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
@@ -156,6 +238,11 @@ public:
     const MaterialPropertyBlock* PropertiesOf(const RecordedDraw& draw) const;
 
 private:
+    friend class IdentifiedTargets;
+
+    /// @param source  null = none
+    void DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
+                  const std::shared_ptr<const Material>& material, int pass);
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
     std::uint32_t Keep(const MaterialPropertyBlock& properties);
     void DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties);

@@ -10,6 +10,19 @@ namespace limn
 {
 
 class DrawRecorder;
+class IdentifiedTargets;
+class RenderTexturePool;
+
+/// What identifiers stand for while a camera is rendered.
+struct CameraTargets
+{
+    RTHandle color;
+    RTHandle depth;
+    RenderTexturePool* temporaryTextures = nullptr; ///< null = there are none to be had
+    /// Passes 0 and 1 draw _BlitTexture over the whole target, the nearest texel and bilinear; null
+    /// where the renderer has no shaders.
+    std::shared_ptr<const Material> copy;
+};
 
 /// Turns what passes record into the frame's list of commands, with materials, globals and
 /// LightMode tags looked up: the list is plain data.
@@ -33,6 +46,11 @@ public:
     /// @param usesReversedZBuffer  see ShaderCompilerOptions
     void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {},
                bool usesReversedZBuffer = true);
+
+    /// From here to EndCamera identifiers in command buffers stand for these.
+    void BeginCamera(CameraTargets camera);
+    /// Gives back the temporary textures that nobody released.
+    void EndCamera();
 
     /// Appends the buffer's commands; the buffer may be cleared and used again afterwards.
     /// @throws AssetError if a shader pass does not compile
@@ -75,6 +93,7 @@ private:
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;
     std::unique_ptr<DrawRecorder> m_Recorder;
+    std::unique_ptr<IdentifiedTargets> m_Identified;
 };
 
 } // namespace limn

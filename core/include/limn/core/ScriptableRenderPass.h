@@ -55,6 +55,18 @@ public:
     void ConfigureInput(ScriptableRenderPassInput passInput) { m_Input = passInput; }
     void ResetTarget();
 
+    /// cmd.Blit, the source as _MainTex; the pass's ConfigureClear clears the colour first.
+    /// @param material  null = a plain copy, whatever `passIndex` is
+    /// @source Unity: ScriptableRenderPass.Blit of identifiers (URP 14)
+    void Blit(CommandBuffer& cmd, RenderTargetIdentifier source, RenderTargetIdentifier destination,
+              std::shared_ptr<const Material> material = nullptr, int passIndex = 0) const;
+    /// Blitter::BlitCameraTexture, the source as _BlitTexture.
+    /// @param material  null = a plain copy
+    /// @throws ContractError as BlitCameraTexture does
+    /// @source Unity: ScriptableRenderPass.Blit of handles (URP 14)
+    void Blit(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+              std::shared_ptr<const Material> material = nullptr, int passIndex = 0) const;
+
     /// Draw with these LightMode tags, sorted by these criteria from the current camera.
     /// @throws ContractError if `tags` is empty or longer than 16
     DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> tags,

@@ -60,6 +60,8 @@ public:
 protected:
     /// Makes the camera's targets (ConfigureCameraTarget) and enqueues built-in passes.
     virtual void Setup(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
+    /// CameraTargets::copy of its cameras.
+    virtual std::shared_ptr<const Material> copyMaterial() const { return nullptr; }
     void ConfigureCameraTarget(RTHandle color, RTHandle depth);
     /// The passes enqueued so far.
     std::span<ScriptableRenderPass* const> activeRenderPassQueue() const { return m_Queue; }

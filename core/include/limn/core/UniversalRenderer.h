@@ -30,11 +30,13 @@ public:
 
 protected:
     void Setup(ScriptableRenderContext& context, RenderingData& renderingData) override;
+    std::shared_ptr<const Material> copyMaterial() const override { return m_CopyMaterial; }
     void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
                     const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
     std::shared_ptr<ShaderCompiler> m_Compiler;
+    std::shared_ptr<const Material> m_CopyMaterial; ///< of CoreBlit.shader
     RTHandle m_Output;
     RTHandle m_Color;
     RTHandle m_Depth;

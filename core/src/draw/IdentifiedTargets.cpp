@@ -1,0 +1,336 @@
+#include "draw/IdentifiedTargets.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+const ShaderPropertyId _BlitTexture{"_BlitTexture"};
+const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
+constexpr int k_NearestPass = 0; // of CameraTargets::copy
+constexpr int k_BilinearPass = 1;
+
+/// A negative size is a part of the camera's.
+int SizeOf(int asked, int camera)
+{
+    return asked < 0 ? std::max(camera / -asked, 1) : asked;
+}
+
+std::string Describe(const Texture& texture)
+{
+    return "'" + texture.name() + "' is " + std::to_string(texture.width()) + "x" +
+           std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat());
+}
+
+void ExpectCopyable(const Texture& source, const RenderTexture& dest)
+{
+    if (source.width() != dest.width() || source.height() != dest.height() ||
+        source.graphicsFormat() != dest.graphicsFormat())
+    {
+        throw ContractError("CopyTexture: " + Describe(source) + " and " + Describe(dest) +
+                            "; size and format must be the same");
+    }
+    const auto* target = dynamic_cast<const RenderTexture*>(&source);
+    const bool hasSamples = target != nullptr && target->descriptor().msaaSamples > 1;
+    if (IsDepthFormat(dest.graphicsFormat()) || dest.descriptor().msaaSamples > 1 || hasSamples)
+    {
+        throw ContractError("CopyTexture: " + Describe(source) +
+                            "; limn copies colours of one sample a texel");
+    }
+}
+
+} // namespace
+
+void IdentifiedTargets::BeginCamera(CameraTargets camera, std::vector<std::string>& notes)
+{
+    EndCamera();
+    m_Camera = std::move(camera);
+    m_Notes = &notes;
+}
+
+void IdentifiedTargets::EndCamera()
+{
+    m_Result.Clear();
+    m_Temporaries.clear();
+    m_Camera = {};
+    m_Notes = nullptr;
+}
+
+const CameraTargets& IdentifiedTargets::Camera(std::string_view call) const
+{
+    if (m_Notes == nullptr)
+    {
+        throw ContractError(std::string(call) + ": no camera is rendered, so there is no "
+                                                "CameraTarget and no temporary texture");
+    }
+    return m_Camera;
+}
+
+/// What later draws of the frame go into.
+const SetRenderTargetCommand& IdentifiedTargets::Bound(std::string_view call) const
+{
+    const auto isTarget = [](const FrameCommand& command)
+    {
+        return std::holds_alternative<SetRenderTargetCommand>(command);
+    };
+    const auto& commands = m_Frame.commands;
+    const auto bound = std::find_if(commands.rbegin(), commands.rend(), isTarget);
+    if (bound == commands.rend())
+    {
+        throw ContractError(std::string(call) + ": CurrentActive, but no target is bound yet");
+    }
+    return std::get<SetRenderTargetCommand>(*bound);
+}
+
+IdentifiedTargets::TexturePointer IdentifiedTargets::FindNamed(ShaderPropertyId name,
+                                                               std::string_view call) const
+{
+    if (const auto temporary = m_Temporaries.find(name); temporary != m_Temporaries.end())
+    {
+        return temporary->second.main().rt();
+    }
+    const ShaderPropertyValue* value = m_Globals.Find(name);
+    const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
+    if (texture == nullptr || !*texture)
+    {
+        throw ContractError(std::string(call) + ": '" + name.name() +
+                            "' stands for no texture; GetTemporaryRT or SetGlobalTexture comes "
+                            "first");
+    }
+    return *texture;
+}
+
+/// @return null for none
+IdentifiedTargets::TexturePointer IdentifiedTargets::Find(const RenderTargetIdentifier& identifier,
+                                                          std::string_view call) const
+{
+    if (const auto* texture = std::get_if<TexturePointer>(&identifier.content()))
+    {
+        return *texture;
+    }
+    if (const auto* name = std::get_if<ShaderPropertyId>(&identifier.content()))
+    {
+        return FindNamed(*name, call);
+    }
+    switch (std::get<BuiltinRenderTextureType>(identifier.content()))
+    {
+    case BuiltinRenderTextureType::CameraTarget:
+        return Camera(call).color.rt();
+    case BuiltinRenderTextureType::CurrentActive:
+    {
+        const SetRenderTargetCommand& bound = Bound(call);
+        return bound.colors.empty() ? bound.depth : bound.colors.front();
+    }
+    case BuiltinRenderTextureType::None:
+        break;
+    }
+    return nullptr;
+}
+
+RTHandle IdentifiedTargets::FindTarget(const RenderTargetIdentifier& identifier,
+                                       std::string_view call) const
+{
+    const TexturePointer texture = Find(identifier, call);
+    auto target = std::dynamic_pointer_cast<const RenderTexture>(texture);
+    if (!target)
+    {
+        throw ContractError(
+            std::string(call) + ": the destination " +
+            (texture ? "'" + texture->name() + "' is no render texture" : std::string("is None")));
+    }
+    return RTHandle(std::move(target));
+}
+
+/// The depth that is bound with a colour which is named alone.
+RTHandle IdentifiedTargets::DepthBeside(const RenderTargetIdentifier& color) const
+{
+    if (color == BuiltinRenderTextureType::CameraTarget)
+    {
+        return m_Camera.depth;
+    }
+    if (color == BuiltinRenderTextureType::CurrentActive)
+    {
+        return RTHandle(Bound("SetRenderTarget").depth);
+    }
+    const auto* name = std::get_if<ShaderPropertyId>(&color.content());
+    const auto temporary = name != nullptr ? m_Temporaries.find(*name) : m_Temporaries.end();
+    return temporary != m_Temporaries.end() ? temporary->second.depth.handle() : RTHandle();
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const GetTemporaryRTCommand& command)
+{
+    const CameraTargets& camera = Camera("GetTemporaryRT");
+    if (camera.temporaryTextures == nullptr)
+    {
+        throw ContractError("GetTemporaryRT: no pipeline renders, so there is no temporary "
+                            "texture");
+    }
+    RenderTextureDescriptor color = command.descriptor;
+    if (color.width < 0 || color.height < 0)
+    {
+        const RTHandle target =
+            FindTarget(BuiltinRenderTextureType::CameraTarget, "GetTemporaryRT");
+        color.width = SizeOf(color.width, target.rt()->width());
+        color.height = SizeOf(color.height, target.rt()->height());
+    }
+    RenderTextureDescriptor depth = color;
+    color.depthBufferBits = 0;
+    const auto get = [&](const RenderTextureDescriptor& descriptor)
+    {
+        return camera.temporaryTextures->GetTemporary(descriptor, command.filter,
+                                                      TextureWrapMode::Clamp);
+    };
+    const GraphicsFormat format = color.graphicsFormat;
+    const bool hasColor = format != GraphicsFormat::None && !IsDepthFormat(format);
+    Temporary temporary;
+    if (hasColor)
+    {
+        temporary.color = get(color);
+    }
+    if (!hasColor || depth.depthBufferBits != 0)
+    {
+        temporary.depth = get(depth);
+    }
+    m_Result.Clear();
+    m_Result.SetGlobalTexture(command.id, temporary.main());
+    m_Temporaries[command.id] = std::move(temporary);
+    return m_Result;
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const ReleaseTemporaryRTCommand& command)
+{
+    m_Result.Clear();
+    const auto temporary = m_Temporaries.find(command.id);
+    if (temporary != m_Temporaries.end())
+    {
+        const ShaderPropertyValue* value = m_Globals.Find(command.id);
+        const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
+        if (texture != nullptr && *texture == temporary->second.main().rt())
+        {
+            m_Result.SetGlobalTexture(command.id, TexturePointer());
+        }
+        m_Temporaries.erase(temporary);
+        return m_Result;
+    }
+    Camera("ReleaseTemporaryRT");
+    std::string note = "ReleaseTemporaryRT: '" + command.id.name() +
+                       "' is no temporary texture: never made, or released before";
+    if (std::find(m_Notes->begin(), m_Notes->end(), note) == m_Notes->end())
+    {
+        m_Notes->push_back(std::move(note));
+    }
+    return m_Result;
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const SetIdentifiedTargetCommand& command)
+{
+    static constexpr std::string_view k_Call = "SetRenderTarget";
+    const RenderTargetIdentifier& depth = command.depth;
+    m_Result.Clear();
+    RTHandle second;
+    if (depth == BuiltinRenderTextureType::None)
+    {
+        second = DepthBeside(command.color);
+    }
+    else if (const RTHandle beside = DepthBeside(depth))
+    {
+        second = beside;
+    }
+    else
+    {
+        second = FindTarget(depth, k_Call);
+    }
+    const RTHandle first = FindTarget(command.color, k_Call);
+    m_Result.SetRenderTarget(first, first == second ? RTHandle() : second);
+    return m_Result;
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const SetGlobalIdentifierCommand& command)
+{
+    m_Result.Clear();
+    m_Result.SetGlobalTexture(command.id, Find(command.value, "SetGlobalTexture"));
+    return m_Result;
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const IdentifiedBlitCommand& command)
+{
+    m_Result.Clear();
+    const TexturePointer source = Find(command.source, "Blit");
+    const RTHandle dest = FindTarget(command.dest, "Blit");
+    if (command.material)
+    {
+        m_Result.DrawBlit(source, dest, command.material, command.pass);
+        return m_Result;
+    }
+    if (!source)
+    {
+        throw ContractError("Blit: the source is None, and no material is given");
+    }
+    const bool isNearest = source->sampler().filterMode == FilterMode::Point;
+    DrawCopy(source, dest, isNearest ? k_NearestPass : k_BilinearPass, "Blit");
+    return m_Result;
+}
+
+const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& command)
+{
+    m_Result.Clear();
+    const TexturePointer source = Find(command.source, "CopyTexture");
+    const RTHandle dest = FindTarget(command.dest, "CopyTexture");
+    if (!source)
+    {
+        throw ContractError("CopyTexture: the source is None");
+    }
+    ExpectCopyable(*source, *dest.rt());
+    DrawCopy(source, dest, k_NearestPass, "CopyTexture");
+    BindAgain();
+    return m_Result;
+}
+
+void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
+                                 std::string_view call)
+{
+    const std::shared_ptr<const Material>& material = Camera(call).copy;
+    if (!material)
+    {
+        throw ContractError(std::string(call) +
+                            ": copying needs a shader, and the renderer has no shaderCompiler()");
+    }
+    if (source == dest.rt())
+    {
+        throw ContractError(std::string(call) + ": '" + source->name() +
+                            "' is both source and destination");
+    }
+    m_Result.SetRenderTarget(dest);
+    MaterialPropertyBlock properties;
+    properties.SetTexture(_BlitTexture, source);
+    properties.SetVector(_BlitScaleBias, {1.0f, 1.0f, 0.0f, 0.0f});
+    m_Result.DrawProcedural(glm::mat4(1.0f), material, pass, 3, properties);
+}
+
+/// The target and the viewport that the frame ends with.
+void IdentifiedTargets::BindAgain()
+{
+    const auto& commands = m_Frame.commands;
+    const SetViewportCommand* viewport = nullptr;
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+    {
+        if (const auto* target = std::get_if<SetRenderTargetCommand>(&*command))
+        {
+            m_Result.m_Commands.emplace_back(*target);
+            if (viewport != nullptr)
+            {
+                m_Result.SetViewport(viewport->rect);
+            }
+            return;
+        }
+        if (const auto* set = std::get_if<SetViewportCommand>(&*command))
+        {
+            viewport = viewport != nullptr ? viewport : set;
+        }
+    }
+}
+
+} // namespace limn

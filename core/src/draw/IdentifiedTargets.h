@@ -1,0 +1,61 @@
+#pragma once
+
+#include <limn/core/RenderTexturePool.h>
+#include <limn/core/ScriptableRenderContext.h>
+#include <unordered_map>
+
+namespace limn
+{
+
+/// Looks up what identifiers stand for, and says their commands with textures.
+class IdentifiedTargets
+{
+public:
+    /// @param frame    what is bound by its end
+    /// @param globals  where names are looked up that are no temporary textures
+    IdentifiedTargets(const FrameCommands& frame, const MaterialPropertyBlock& globals)
+        : m_Frame(frame), m_Globals(globals)
+    {
+    }
+
+    void BeginCamera(CameraTargets camera, std::vector<std::string>& notes);
+    void EndCamera();
+
+    // The same by commands that name no identifiers; until the next call.
+    // All throw ContractError for what cannot be done.
+    const CommandBuffer& Resolve(const GetTemporaryRTCommand& command);
+    const CommandBuffer& Resolve(const ReleaseTemporaryRTCommand& command);
+    const CommandBuffer& Resolve(const SetIdentifiedTargetCommand& command);
+    const CommandBuffer& Resolve(const SetGlobalIdentifierCommand& command);
+    const CommandBuffer& Resolve(const IdentifiedBlitCommand& command);
+    const CommandBuffer& Resolve(const CopyTextureCommand& command);
+
+private:
+    struct Temporary
+    {
+        TemporaryTexture color; ///< none where it is a depth texture
+        TemporaryTexture depth; ///< may be none
+
+        const RTHandle& main() const { return color ? color.handle() : depth.handle(); }
+    };
+    using TexturePointer = std::shared_ptr<const Texture>;
+
+    const CameraTargets& Camera(std::string_view call) const;
+    const SetRenderTargetCommand& Bound(std::string_view call) const;
+    TexturePointer Find(const RenderTargetIdentifier& identifier, std::string_view call) const;
+    TexturePointer FindNamed(ShaderPropertyId name, std::string_view call) const;
+    RTHandle FindTarget(const RenderTargetIdentifier& identifier, std::string_view call) const;
+    RTHandle DepthBeside(const RenderTargetIdentifier& color) const;
+    void DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
+                  std::string_view call);
+    void BindAgain();
+
+    const FrameCommands& m_Frame;
+    const MaterialPropertyBlock& m_Globals;
+    CameraTargets m_Camera;
+    std::vector<std::string>* m_Notes = nullptr; ///< null = no camera is rendered
+    std::unordered_map<ShaderPropertyId, Temporary> m_Temporaries;
+    CommandBuffer m_Result;
+};
+
+} // namespace limn
