@@ -77,7 +77,7 @@ Shader "Hidden/Limn/ColorEdges"
 
             TEXTURE2D_X(_ColorEdgesMask);
             half4 _ColorEdgesColor;
-            float4 _ColorEdgesTaps; // texels: first, last and middle row of taps, of columns as well
+            float4 _ColorEdgesTaps; // texels: column and row of the first (xy) and the last tap (zw)
             float4 _ColorEdgesRamp; // the step where lines begin, how fast they get stronger
 
             float Brightness(float2 place)
@@ -92,8 +92,8 @@ Shader "Hidden/Limn/ColorEdges"
             // How much the brightness changes across the taps: a straight step of h gives h.
             float Gradient(float2 center)
             {
-                float2 first = center + _BlitTexture_TexelSize.xy * _ColorEdgesTaps.x;
-                float2 last = center + _BlitTexture_TexelSize.xy * _ColorEdgesTaps.y;
+                float2 first = center + _BlitTexture_TexelSize.xy * _ColorEdgesTaps.xy;
+                float2 last = center + _BlitTexture_TexelSize.xy * _ColorEdgesTaps.zw;
                 float corner00 = Brightness(first);
                 float corner10 = Brightness(float2(last.x, first.y));
                 float corner01 = Brightness(float2(first.x, last.y));
@@ -108,7 +108,8 @@ Shader "Hidden/Limn/ColorEdges"
                 #else
                 const float weight = 1.0;
                 #endif
-                float2 middle = center + _BlitTexture_TexelSize.xy * _ColorEdgesTaps.z;
+                float2 between = 0.5 * (_ColorEdgesTaps.xy + _ColorEdgesTaps.zw);
+                float2 middle = center + _BlitTexture_TexelSize.xy * between;
                 float across = Brightness(float2(last.x, middle.y)) -
                                Brightness(float2(first.x, middle.y));
                 float along = Brightness(float2(middle.x, last.y)) -

@@ -131,7 +131,9 @@ Shader "Hidden/Limn/WideOutline"
             #pragma fragment ColumnFragment
             float4 ColumnFragment(float4 position : SV_POSITION) : SV_Target
             {
-                return ColumnSeeds(position.xy);
+                float row = (position.y + _WideOutlineCorner.y) * _WideOutlineCorner.w;
+                bool isComposited = row > 0.0 && row < 1.0;
+                return isComposited ? ColumnSeeds(position.xy) : 0.0;
             }
             ENDHLSL
         }

@@ -30,17 +30,28 @@ const ShaderPropertyId _ColorEdgesRamp{"_ColorEdgesRamp"};
 constexpr const char* k_ColorEdgesKeywords[] = {"_ROBERTS", "_SOBEL",
                                                 "_PREWITT"}; // by EdgeOperator
 
-/// Rows of taps, `width` texels apart: the first, the last, the middle. On texels where the width
-/// is whole, so that a line gets as wide as it says; in between one of the two moves evenly.
-glm::vec4 ColorEdgesTaps(float width)
+/// The first and the last of taps `width` texels apart. On texels where the width is whole, so that
+/// a line gets as wide as it says; in between one of the two moves evenly.
+glm::vec2 ColorEdgesTaps(float width)
 {
     const float whole = std::floor(width);
     const float part = width - whole;
     const float half = std::floor(whole * 0.5f);
     const bool isEven = half * 2.0f == whole;
-    const float before = half + (isEven ? 0.0f : part);
-    const float behind = half + (isEven ? part : 1.0f);
-    return {-before, behind, (behind - before) * 0.5f, 0.0f};
+    return {-half - (isEven ? 0.0f : part), half + (isEven ? part : 1.0f)};
+}
+
+/// Of columns (xz) and rows (yw), no farther apart than half the picture: beyond that both taps of
+/// a pixel can lie beside what is in the picture's middle, and its lines are lost.
+glm::vec4 ColorEdgesTaps(float width, const glm::ivec2& picture)
+{
+    const auto within = [&](int side)
+    {
+        return ColorEdgesTaps(std::min(width, static_cast<float>(std::max(side / 2, 1))));
+    };
+    const glm::vec2 columns = within(picture.x);
+    const glm::vec2 rows = within(picture.y);
+    return {columns.x, rows.x, columns.y, rows.y};
 }
 
 } // namespace
@@ -66,9 +77,7 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
     const CameraData& camera = renderingData.cameraData;
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
-    // Taps farther apart than the picture's sides are all at its border.
-    const auto farthest = static_cast<float>(std::max(picture.x, picture.y));
-    const glm::vec4 taps = ColorEdgesTaps(std::min(component.m_OutlineWidth.value(), farthest));
+    const glm::vec4 taps = ColorEdgesTaps(component.m_OutlineWidth.value(), picture);
     m_Part = {0, 0, picture.x, picture.y};
     if (m_Settings.m_OnlyFilteredObjects)
     {
@@ -78,7 +87,7 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
         {
             return found.why;
         }
-        const auto region = FindOutlineRegion(found.objects, camera, taps.y);
+        const auto region = FindOutlineRegion(found.objects, camera, std::max(taps.z, taps.w));
         m_Part = region ? region->InPicture() : ViewportRect{};
         if (m_Part.width == 0 || m_Part.height == 0)
         {
@@ -93,13 +102,13 @@ void ColorEdgesPass::SetMaterial(const ColorEdges& component, const glm::vec4& t
 {
     const float ramp = std::max(component.m_Softness.value(), k_SharpestRamp);
     m_Material->SetVector(_ColorEdgesTaps, taps);
-    m_Material->SetFloat(_ColorEdgesReach, taps.y);
+    m_Material->SetFloat(_ColorEdgesReach, std::max(taps.z, taps.w));
     m_Material->SetVector(_ColorEdgesRamp, {component.m_Threshold.value(), 1.0f / ramp, 0, 0});
     m_Material->SetColor(_ColorEdgesColor, component.m_OutlineColor.value());
     SetOperator(component.m_Operator.value());
     const bool hasMiddle = component.m_Operator.value() != EdgeOperator::Roberts;
-    const glm::vec3 used(taps.x, taps.y, hasMiddle ? taps.z : 0.0f);
-    const bool isWhole = used == glm::floor(used);
+    const glm::vec2 middle = 0.5f * (glm::vec2(taps.x, taps.y) + glm::vec2(taps.z, taps.w));
+    const bool isWhole = taps == glm::floor(taps) && (!hasMiddle || middle == glm::floor(middle));
     isWhole ? m_Material->DisableKeyword("_BETWEEN_TEXELS")
             : m_Material->EnableKeyword("_BETWEEN_TEXELS");
 }

@@ -91,7 +91,8 @@ std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> o
     {
         if (!Include(box, *object.item.object, viewProjection, picture))
         {
-            return FindOutlineRegion(glm::dvec2(0.0), glm::dvec2(picture), picture, reach);
+            const glm::dvec2 anywhere(std::numeric_limits<double>::infinity());
+            return FindOutlineRegion(-anywhere, anywhere, picture, reach);
         }
     }
     return FindOutlineRegion(box.low, box.high, picture, reach);
@@ -117,6 +118,9 @@ std::optional<OutlineRegion> FindOutlineRegion(const glm::dvec2& low, const glm:
     region.size = {RoundUp(static_cast<int>(to.x) - region.corner.x),
                    RoundUp(static_cast<int>(to.y) - region.corner.y)};
     region.picture = picture;
+    // A texel more for what is rounded otherwise by the device.
+    region.objectsBegin = glm::ivec2(glm::max(glm::floor(low) - 1.0, from)) - region.corner;
+    region.objectsEnd = glm::ivec2(glm::min(glm::ceil(high) + 1.0, to)) - region.corner;
     return region;
 }
 

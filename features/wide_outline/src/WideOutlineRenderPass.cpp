@@ -37,6 +37,7 @@ const ShaderPropertyId _WideOutlineCorner = Shader::PropertyToID("_WideOutlineCo
 const ShaderPropertyId _WideOutlineRange = Shader::PropertyToID("_WideOutlineRange");
 const ShaderPropertyId _WideOutlineStep = Shader::PropertyToID("_WideOutlineStep");
 const ShaderPropertyId _WideOutlineAside = Shader::PropertyToID("_WideOutlineAside");
+const ShaderPropertyId _WideOutlineObjects = Shader::PropertyToID("_WideOutlineObjects");
 const ShaderPropertyId _WideOutlineBand = Shader::PropertyToID("_WideOutlineBand");
 const ShaderPropertyId _WideOutlineSeeds = Shader::PropertyToID("_WideOutlineSeeds");
 const ShaderPropertyId _WideOutlineOuterColor = Shader::PropertyToID("_WideOutlineOuterColor");
@@ -241,6 +242,8 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
     const CameraData& camera = renderingData.cameraData;
     const glm::vec2 picture(group.region.picture);
     m_Material->SetVector(_WideOutlineCorner, {glm::vec2(group.region.corner), 1.0f / picture});
+    m_Material->SetVector(_WideOutlineObjects, {glm::vec2(group.region.objectsBegin) + 0.5f,
+                                                glm::vec2(group.region.objectsEnd) - 0.5f});
 
     CoreUtils::SetRenderTarget(cmd, m_Mask, ClearFlag::Color, Color::clear);
     SetRegionProjection(cmd, group.region, camera);

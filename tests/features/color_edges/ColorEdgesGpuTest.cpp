@@ -223,7 +223,26 @@ TEST_F(ColorEdgesGpu, DrawsNoLineAlongTheBorderOfThePicture)
     }
 }
 
-TEST_F(ColorEdgesGpu, TakesAWidthBeyondThePictureForItsSmallerSide)
+// Taps farther away than that look past whatever is in the picture's middle.
+TEST_F(ColorEdgesGpu, LosesNoLineToAWidthThatThePictureIsTooSmallFor)
+{
+    FlatScene flat(96, 64);
+    flat.Add({30, 14}, {66, 50}, 5, Plain({0.5f, 0.5f, 0.5f}));
+    Lines lines(flat);
+    const Field base = lines.Color(nullptr);
+    for (const EdgeOperator edgeOperator : k_Operators)
+    {
+        int least = 1;
+        for (double width = 1.0; width < 1e5; width *= 2.0)
+        {
+            const int drawn = CountDifferent(lines.Color(&With({edgeOperator, width})), base);
+            EXPECT_GE(drawn, least) << static_cast<int>(edgeOperator) << ", width " << width;
+            least = drawn;
+        }
+    }
+}
+
+TEST_F(ColorEdgesGpu, TakesAWidthBeyondHalfASideOfThePictureForThat)
 {
     FlatScene flat(16, 12);
     flat.Add({8, 0}, {16, 12}, 5, Plain({0.5f, 0.5f, 0.5f}));

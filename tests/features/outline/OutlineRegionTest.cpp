@@ -72,6 +72,23 @@ TEST_F(OutlineRegions, ReachOverTheBorderAsFarAsAnOutlineComesFrom)
     EXPECT_FLOAT_EQ(scaleBias.z, 5.0f / 64.0f);
 }
 
+TEST_F(OutlineRegions, KnowWhereInThemObjectsCanBe)
+{
+    const auto inside = Find({Cube({0.01f, -0.01f, 0.0f})}, 4.0f);
+    ASSERT_TRUE(inside);
+    // 90.2...110.2 by 40.2...60.2 and a texel around it, from the corner at 85, 35.
+    EXPECT_EQ(inside->objectsBegin, glm::ivec2(4, 4));
+    EXPECT_EQ(inside->objectsEnd, glm::ivec2(27, 27));
+    const auto leftOfIt = Find({Cube({-5.59f, -0.01f, 0.0f})}, 4.0f);
+    ASSERT_TRUE(leftOfIt);
+    EXPECT_EQ(leftOfIt->objectsBegin, glm::ivec2(0, 4)) << "from the texture's border";
+    EXPECT_EQ(leftOfIt->objectsEnd, glm::ivec2(5, 27)) << "-1.8 and a texel more, from -5";
+    const auto behind = Find({Cube({0.0f, 0.0f, -10.0f})}, 4.0f);
+    ASSERT_TRUE(behind) << "the camera is in the cube, which may be anywhere";
+    EXPECT_EQ(behind->objectsBegin, glm::ivec2(0));
+    EXPECT_EQ(behind->objectsEnd, glm::ivec2(200 + 2 * 5, 100 + 2 * 5));
+}
+
 TEST_F(OutlineRegions, AreNoneWhereNoOutlineTouchesThePicture)
 {
     EXPECT_FALSE(Find({Cube({-5.6f - 0.25f, 0.0f, 0.0f})}, 4.0f));

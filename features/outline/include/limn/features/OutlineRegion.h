@@ -17,6 +17,9 @@ struct OutlineRegion
     glm::ivec2 corner{0};  ///< top left, pixels from the picture's top left; may be negative
     glm::ivec2 size{0};    ///< pixels, multiples of 64, so that textures serve several frames
     glm::ivec2 picture{0}; ///< size of the picture, pixels
+    /// Between which texels of such a texture objects can be: the first and, excluded, the last.
+    glm::ivec2 objectsBegin{0};
+    glm::ivec2 objectsEnd{0};
 
     /// A texture of this size, one sample a texel unless set otherwise.
     RenderTextureDescriptor Descriptor(GraphicsFormat format) const
@@ -40,7 +43,8 @@ std::optional<OutlineRegion> FindOutlineRegion(std::span<const OutlinedObject> o
                                                const CameraData& camera, float reach);
 
 /// The same for what lies between two points of the picture.
-/// @param low   pixels from the picture's top left; above `high` where there is nothing
+/// @param low   pixels from the picture's top left, may be infinite; above `high` where there is
+///              nothing
 std::optional<OutlineRegion> FindOutlineRegion(const glm::dvec2& low, const glm::dvec2& high,
                                                const glm::ivec2& picture, float reach);
 
