@@ -79,6 +79,7 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
             Decide(*target, read.contains(target->id()), frame.states);
         }
         const bool isRead =
+            node->targets.isKept ||
             std::any_of(targets.begin(), targets.end(),
                         [&](const auto& target) { return read.contains(target->id()); });
         if (!isRead)

@@ -139,6 +139,7 @@ private:
             m_NodeViewport.reset();
             m_Started = false;
         }
+        m_Nodes.back().targets.isKept = m_Nodes.back().targets.isKept || m_Target->isKept;
         FlushPending();
         if (m_Viewport != m_NodeViewport)
         {

@@ -1,3 +1,5 @@
+#include "pipeline/MakeDrawingSettings.h"
+
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/core/ScriptableRenderer.h>
@@ -10,6 +12,17 @@ void ScriptableRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&) {}
 void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescriptor&) {}
 
 void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&) {}
+
+void ScriptableRenderPass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
+{
+    renderingData.cameraData.renderer->RecordRenderGraph(*this, context, renderingData);
+}
+
+void ScriptableRenderPass::RecordRenderGraph(RenderGraph&, ContextContainer&)
+{
+    throw ContractError("pass '" + profilingSampler.name() +
+                        "' overrides neither Execute nor RecordRenderGraph");
+}
 
 const RTHandle& ScriptableRenderPass::colorAttachmentHandle() const
 {
@@ -123,12 +136,17 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const Shad
                                                             const RenderingData& renderingData,
                                                             SortingCriteria sortingCriteria) const
 {
+    return MakeDrawingSettings(tags, *renderingData.cameraData.camera, sortingCriteria);
+}
+
+DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Camera& camera,
+                                    SortingCriteria sortingCriteria)
+{
     if (tags.empty() || tags.size() > DrawingSettings::maxShaderPasses)
     {
         throw ContractError("CreateDrawingSettings: " + std::to_string(tags.size()) +
                             " LightMode tags; give 1 to 16");
     }
-    const Camera& camera = *renderingData.cameraData.camera;
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());
     settings.sortingSettings = {

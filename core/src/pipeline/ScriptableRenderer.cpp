@@ -1,3 +1,4 @@
+#include "graph/RenderGraphCamera.h"
 #include "pipeline/CameraUniforms.h"
 
 #include <algorithm>
@@ -192,8 +193,13 @@ const RTHandle& ScriptableRenderer::GetCameraColorFrontBuffer()
 
 void ScriptableRenderer::SwapColorBuffer(CommandBuffer& cmd)
 {
-    m_CameraColor = GetCameraColorFrontBuffer();
-    cmd.SetCameraColor(m_CameraColor);
+    SetCameraColor(cmd, GetCameraColorFrontBuffer());
+}
+
+void ScriptableRenderer::SetCameraColor(CommandBuffer& cmd, const RTHandle& color)
+{
+    m_CameraColor = color;
+    cmd.SetCameraColor(color);
 }
 
 void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
@@ -204,6 +210,10 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
         {
             m_Queue.clear();
             m_Executing = false;
+            if (m_RenderGraph)
+            {
+                m_RenderGraph->End();
+            }
         });
     m_FirstColor = true;
     m_FirstDepth = true;

@@ -83,7 +83,12 @@ void UniversalRenderer::SwapColorBuffer(CommandBuffer& cmd)
 {
     ScriptableRenderer::SwapColorBuffer(cmd);
     m_Current = 1 - m_Current;
-    m_FinalBlitPass->SetTargets(m_Colors[m_Current], m_Output);
+}
+
+void UniversalRenderer::SetCameraColor(CommandBuffer& cmd, const RTHandle& color)
+{
+    ScriptableRenderer::SetCameraColor(cmd, color);
+    m_FinalBlitPass->SetTargets(color, m_Output);
 }
 
 void UniversalRenderer::BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
@@ -91,11 +96,12 @@ void UniversalRenderer::BeforePass(ScriptableRenderContext& context, RenderingDa
 {
     if (next != nullptr)
     {
-        m_CameraTextures->BeforePass(context, next->renderPassEvent, place, m_Colors[m_Current]);
+        m_CameraTextures->BeforePass(context, next->renderPassEvent, place,
+                                     cameraColorTargetHandle());
         return;
     }
     constexpr auto behindAll = static_cast<RenderPassEvent>(std::numeric_limits<int>::max());
-    m_CameraTextures->BeforePass(context, behindAll, place, m_Colors[m_Current]);
+    m_CameraTextures->BeforePass(context, behindAll, place, cameraColorTargetHandle());
     for (const auto& late : m_CameraTextures->Needed(context, m_Depth))
     {
         ExecuteAt(late.place, context, *late.pass, renderingData);

@@ -8,6 +8,7 @@
 #include <limn/core/GltfMesh.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
+#include <limn/core/UniversalFrameData.h>
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/AutoOutlineRendererFeature.h>
 #include <limn/features/Bloom.h>

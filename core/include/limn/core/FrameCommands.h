@@ -169,6 +169,7 @@ struct SetRenderTargetCommand
     FixedList<std::shared_ptr<const RenderTexture>, k_MostColors>
         colors;                                 ///< may be empty with a depth
     std::shared_ptr<const RenderTexture> depth; ///< may be null
+    bool isKept = false;                        ///< those draws are run whether anything reads them
 
     bool operator==(const SetRenderTargetCommand&) const = default;
 };

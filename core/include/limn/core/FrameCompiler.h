@@ -47,7 +47,7 @@ struct FrameCompilerOptions
 ///   where a draw uses it;
 /// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
 ///   draws into the copy, or is resolved into it; what blends, where the copy holds the same;
-/// - LeaveOutUnread: a node whose targets nothing reads goes;
+/// - LeaveOutUnread: a node whose targets nothing reads goes, unless it isKept;
 /// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;
 /// - MergeNodes: nodes whose colours are the same, as far as both have some, and whose depth is not

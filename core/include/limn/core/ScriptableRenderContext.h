@@ -97,6 +97,8 @@ public:
     FrameCommands TakeCommands();
 
 private:
+    friend class RenderGraphRun; // looks at what a pass recorded
+
     RenderReport* m_Report = nullptr;
     glm::dvec3 m_Origin{0.0};
     std::string m_PassName;

@@ -10,6 +10,9 @@
 namespace limn
 {
 
+class ContextContainer;
+class RenderGraph;
+
 /// The name of a pass that was given none and not yet enqueued; Unity's.
 inline constexpr std::string_view k_UnnamedPass = "Unnamed_ScriptableRenderPass";
 
@@ -35,7 +38,11 @@ public:
     virtual void Configure(CommandBuffer& cmd,
                            const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
-    virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
+    virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
+    /// The pass's work as Unity 6 has it, for a pass that does not override Execute: what is added
+    /// to the graph runs when this returns.
+    /// Unity: ScriptableRenderPass.RecordRenderGraph (URP 17).
+    virtual void RecordRenderGraph(RenderGraph& renderGraph, ContextContainer& frameData);
     /// Once for each OnCameraSetup, after all passes have executed or one of them has thrown.
     virtual void OnCameraCleanup(CommandBuffer& cmd);
 

@@ -9,6 +9,7 @@
 namespace limn
 {
 
+class RenderGraphCamera;
 class ShaderCompiler;
 
 /// Runs features and passes for one camera after the other, in URP's order of calls:
@@ -66,6 +67,8 @@ protected:
     /// The texture that GetCameraColorFrontBuffer gave is the camera's colour, for `cmd` from here
     /// on.
     virtual void SwapColorBuffer(CommandBuffer& cmd);
+    /// Another texture of its size is the camera's colour, for `cmd` from here on.
+    virtual void SetCameraColor(CommandBuffer& cmd, const RTHandle& color);
     /// CameraTargets::copy of its cameras.
     virtual std::shared_ptr<const Material> copyMaterial() const { return nullptr; }
     void ConfigureCameraTarget(RTHandle color, RTHandle depth);
@@ -84,6 +87,9 @@ protected:
 private:
     friend class ScriptableRenderPass; // Blit swaps
 
+    void RecordRenderGraph(ScriptableRenderPass& pass, ScriptableRenderContext& context,
+                           RenderingData& renderingData);
+
     void AddRenderPasses(RenderingData& renderingData);
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
     void ExecutePasses(ScriptableRenderContext& context, RenderingData& renderingData,
@@ -98,6 +104,7 @@ private:
     std::vector<ScriptableRenderPass*> m_FeaturePasses; ///< of these, as enqueued
     RTHandle m_CameraColor;
     RTHandle m_CameraDepth;
+    std::shared_ptr<RenderGraphCamera> m_RenderGraph; ///< null until a pass records one
     bool m_Executing = false;
     bool m_FirstColor = true;
     bool m_FirstDepth = true;

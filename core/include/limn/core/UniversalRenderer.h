@@ -10,6 +10,8 @@ namespace limn
 class BlitPass;
 class CameraTextures;
 class DrawObjectsPass;
+class RenderGraph;
+class TextureHandle;
 
 /// URP's forward renderer in small: opaque objects (event 250), transparent objects (450), final
 /// copy to the output (1001); and before them what makes the camera's depth, normals and opaque
@@ -26,6 +28,14 @@ public:
 
     std::shared_ptr<ShaderCompiler> shaderCompiler() const override { return m_Compiler; }
 
+    /// A texture of a render graph. Unity: the same (URP 17).
+    /// @param clear  to black, or to far, before the first pass that writes it
+    static TextureHandle
+    CreateRenderGraphTexture(RenderGraph& renderGraph, const RenderTextureDescriptor& desc,
+                             std::string name, bool clear,
+                             FilterMode filterMode = FilterMode::Point,
+                             TextureWrapMode wrapMode = TextureWrapMode::Clamp);
+
     /// Where the picture ends up: R8G8B8A8_SRGB of the camera's size. Set before rendering.
     void SetOutput(RTHandle output) { m_Output = std::move(output); }
 
@@ -33,6 +43,7 @@ protected:
     void Setup(ScriptableRenderContext& context, RenderingData& renderingData) override;
     const RTHandle& GetCameraColorFrontBuffer() override;
     void SwapColorBuffer(CommandBuffer& cmd) override;
+    void SetCameraColor(CommandBuffer& cmd, const RTHandle& color) override;
     std::shared_ptr<const Material> copyMaterial() const override { return m_CopyMaterial; }
     void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
                     const ScriptableRenderPass* next, const PassPlace& place) override;

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <functional>
+#include <limn/core/RenderGraphCommandBuffer.h>
+
+namespace limn
+{
+
+struct RenderGraphPass;
+
+/// Declares what a pass of a render graph does. Each call throws ContractError, naming pass and
+/// texture, for an empty handle, one of an earlier frame or of another pass's transient texture,
+/// and for what it says itself. Whether the pass does as declared is found out when it has run.
+/// In C# it is disposed of; here its scope ends, and nothing happens.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.IBaseRenderGraphBuilder (core 17).
+class BaseRenderGraphBuilder
+{
+public:
+    BaseRenderGraphBuilder(const BaseRenderGraphBuilder&) = delete;
+    BaseRenderGraphBuilder& operator=(const BaseRenderGraphBuilder&) = delete;
+
+    /// @throws ContractError if the texture is an attachment of the pass, or written twice
+    void UseTexture(const TextureHandle& input, AccessFlags flags = AccessFlags::Read);
+    /// What is global under the name when the pass runs. @throws ContractError then, if nothing is
+    void UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags = AccessFlags::Read);
+    /// Shaders may sample whatever is global: nothing is said about textures that they read.
+    void UseAllGlobalTextures(bool enable);
+    void SetGlobalTextureAfterPass(const TextureHandle& input, ShaderPropertyId propertyId);
+    /// A texture that this pass alone reads and writes.
+    TextureHandle CreateTransientTexture(const TextureDesc& desc);
+    TextureHandle CreateTransientTexture(const TextureHandle& texture);
+    void UseRendererList(const RendererListHandle& input);
+    /// False: what it draws is run whoever reads it. As by default it is left out where nothing
+    /// does.
+    void AllowPassCulling(bool value);
+    /// True: the pass may set globals, and is not culled.
+    void AllowGlobalStateModification(bool value);
+
+protected:
+    BaseRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass) : m_Graph(graph), m_Pass(pass)
+    {
+    }
+    ~BaseRenderGraphBuilder() = default;
+    void SetAttachment(const TextureHandle& texture, int index, AccessFlags flags);
+    void SetDepthAttachment(const TextureHandle& texture, AccessFlags flags);
+    void SetFunction(std::function<void(RasterCommandBuffer&)> function);
+    void SetFunction(std::function<void(UnsafeCommandBuffer&)> function);
+
+private:
+    void ExpectUsable(const TextureHandle& texture, const std::string& subject) const;
+
+    RenderGraph& m_Graph;
+    RenderGraphPass& m_Pass;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.IRasterRenderGraphBuilder (core 17).
+template <typename PassData>
+class RasterRenderGraphBuilder : public BaseRenderGraphBuilder
+{
+public:
+    /// What the texture holds stays where nothing is drawn, whatever `flags` are; with WriteAll it
+    /// need not.
+    /// @param index  0 ... 7; none below it may be left out
+    /// @throws ContractError if the texture is used otherwise by the pass, the index is taken, or
+    ///         it is a depth texture
+    void SetRenderAttachment(const TextureHandle& tex, int index,
+                             AccessFlags flags = AccessFlags::Write)
+    {
+        SetAttachment(tex, index, flags);
+    }
+    /// @throws ContractError as SetRenderAttachment, and if it is no depth texture
+    void SetRenderAttachmentDepth(const TextureHandle& tex,
+                                  AccessFlags flags = AccessFlags::ReadWrite)
+    {
+        SetDepthAttachment(tex, flags);
+    }
+    /// @param function  (PassData&, RasterGraphContext&): records the pass, once
+    template <std::invocable<PassData&, RasterGraphContext&> Function>
+    void SetRenderFunc(Function function)
+    {
+        SetFunction(
+            [data = m_Data, function = std::move(function)](RasterCommandBuffer& cmd)
+            {
+                RasterGraphContext context{cmd};
+                function(*data, context);
+            });
+    }
+
+private:
+    friend class RenderGraph;
+    RasterRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
+                             std::shared_ptr<PassData> data)
+        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
+    {
+    }
+    std::shared_ptr<PassData> m_Data;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.IUnsafeRenderGraphBuilder (core 17).
+template <typename PassData>
+class UnsafeRenderGraphBuilder : public BaseRenderGraphBuilder
+{
+public:
+    /// @param function  (PassData&, UnsafeGraphContext&): records the pass, once. It sets its
+    ///                  targets itself
+    template <std::invocable<PassData&, UnsafeGraphContext&> Function>
+    void SetRenderFunc(Function function)
+    {
+        SetFunction(
+            [data = m_Data, function = std::move(function)](UnsafeCommandBuffer& cmd)
+            {
+                UnsafeGraphContext context{cmd};
+                function(*data, context);
+            });
+    }
+
+private:
+    friend class RenderGraph;
+    UnsafeRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
+                             std::shared_ptr<PassData> data)
+        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
+    {
+    }
+    std::shared_ptr<PassData> m_Data;
+};
+
+} // namespace limn

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <limn/core/CoreUtils.h>
+#include <limn/core/RenderGraphResources.h>
+
+namespace limn
+{
+
+class BaseCommandBuffer;
+class RenderGraphRun;
+class UnsafeCommandBuffer;
+
+namespace CommandBufferHelpers
+{
+
+/// For what only a CommandBuffer can do, until the render function ends.
+/// Unity: UnityEngine.Rendering.CommandBufferHelpers (core 17).
+CommandBuffer& GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
+
+} // namespace CommandBufferHelpers
+
+namespace CoreUtils
+{
+
+void DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
+                    const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
+
+} // namespace CoreUtils
+
+namespace Blitter
+{
+
+void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex);
+
+} // namespace Blitter
+
+/// What all render functions may record. Calls are CommandBuffer's, which says more of them.
+/// Unity: UnityEngine.Rendering.BaseCommandBuffer (core 17).
+class BaseCommandBuffer
+{
+public:
+    BaseCommandBuffer(const BaseCommandBuffer&) = delete;
+    BaseCommandBuffer& operator=(const BaseCommandBuffer&) = delete;
+
+    void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f, int stencil = 0)
+    {
+        m_Native.ClearRenderTarget(flags, color, depth, stencil);
+    }
+    void ClearRenderTarget(bool clearDepth, bool clearColor, const Color& backgroundColor,
+                           float depth = 1.0f)
+    {
+        m_Native.ClearRenderTarget(clearDepth, clearColor, backgroundColor, depth);
+    }
+    void SetViewport(const ViewportRect& pixelRect) { m_Native.SetViewport(pixelRect); }
+    // Ends with the pass.
+    void EnableScissorRect(const ViewportRect& scissor) { m_Native.EnableScissorRect(scissor); }
+    void DisableScissorRect() { m_Native.DisableScissorRect(); }
+
+    void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
+                  std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
+                  const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMesh(std::move(mesh), matrix, std::move(material), subMesh, shaderPass,
+                          properties);
+    }
+    void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                           const std::shared_ptr<const Material>& material, int shaderPass,
+                           std::span<const glm::mat4> matrices,
+                           const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, properties);
+    }
+    void DrawRenderer(const GameObject& object, const std::shared_ptr<const Material>& material,
+                      int submeshIndex = 0, int shaderPass = -1,
+                      const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawRenderer(object, material, submeshIndex, shaderPass, properties);
+    }
+    void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
+                        int shaderPass, int vertexCount,
+                        const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawProcedural(matrix, std::move(material), shaderPass, vertexCount, properties);
+    }
+    /// @throws ContractError if the pass did not UseRendererList of it
+    void DrawRendererList(const RendererListHandle& rendererList);
+
+    // Globals: @throws ContractError unless the pass does AllowGlobalStateModification.
+    void SetGlobalFloat(ShaderPropertyId id, float value) { Globals(id).SetGlobalFloat(id, value); }
+    void SetGlobalInt(ShaderPropertyId id, int value) { Globals(id).SetGlobalInt(id, value); }
+    void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobalInt(id, value); }
+    void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value)
+    {
+        Globals(id).SetGlobalVector(id, value);
+    }
+    void SetGlobalColor(ShaderPropertyId id, const Color& value)
+    {
+        Globals(id).SetGlobalColor(id, value);
+    }
+    void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value)
+    {
+        Globals(id).SetGlobalMatrix(id, value);
+    }
+    void SetGlobalFloatArray(ShaderPropertyId id, std::vector<float> values)
+    {
+        Globals(id).SetGlobalFloatArray(id, std::move(values));
+    }
+    void SetGlobalVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
+    {
+        Globals(id).SetGlobalVectorArray(id, std::move(values));
+    }
+    void SetGlobalMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> values)
+    {
+        Globals(id).SetGlobalMatrixArray(id, std::move(values));
+    }
+    void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
+    {
+        Globals(id).SetGlobalTexture(id, value);
+    }
+    void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
+                                   bool setInverseMatrices);
+
+    void BeginSample(std::string_view name) { m_Native.BeginSample(name); }
+    void EndSample() { m_Native.EndSample(); }
+    void EndSample(std::string_view name) { m_Native.EndSample(name); }
+
+protected:
+    BaseCommandBuffer(CommandBuffer& native, RenderGraphRun& run) : m_Native(native), m_Run(run) {}
+    ~BaseCommandBuffer() = default;
+    CommandBuffer& native() { return m_Native; }
+
+private:
+    friend void CoreUtils::DrawFullScreen(BaseCommandBuffer&, std::shared_ptr<const Material>,
+                                          const MaterialPropertyBlock&, int);
+    friend void Blitter::BlitTexture(BaseCommandBuffer&, const RTHandle&, const glm::vec4&,
+                                     std::shared_ptr<const Material>, int);
+    CommandBuffer& Globals(ShaderPropertyId id);
+
+    CommandBuffer& m_Native;
+    RenderGraphRun& m_Run;
+};
+
+/// Of raster passes, whose targets are those that the builder was told: there is no call to set
+/// others. Unity: UnityEngine.Rendering.RasterCommandBuffer (core 17).
+class RasterCommandBuffer : public BaseCommandBuffer
+{
+    friend class RenderGraphRun;
+    using BaseCommandBuffer::BaseCommandBuffer;
+};
+
+/// Of unsafe passes. Unity: UnityEngine.Rendering.UnsafeCommandBuffer (core 17).
+class UnsafeCommandBuffer : public BaseCommandBuffer
+{
+public:
+    void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {})
+    {
+        native().SetRenderTarget(color, depth);
+    }
+    void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth)
+    {
+        native().SetRenderTarget(colors, depth);
+    }
+
+private:
+    friend class RenderGraphRun;
+    friend CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
+    using BaseCommandBuffer::BaseCommandBuffer;
+};
+
+/// What a raster pass's render function gets.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.RasterGraphContext (core 17).
+struct RasterGraphContext
+{
+    RasterCommandBuffer& cmd;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.UnsafeGraphContext (core 17).
+struct UnsafeGraphContext
+{
+    UnsafeCommandBuffer& cmd;
+};
+
+} // namespace limn

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <limn/core/DrawingSettings.h>
+#include <limn/core/FilteringSettings.h>
+#include <limn/core/RTHandle.h>
+#include <limn/core/RenderStateBlock.h>
+#include <optional>
+
+namespace limn
+{
+
+class RenderGraph;
+struct CullingResults;
+
+/// What a pass does with a texture; bit flags, values Unity's.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.AccessFlags (core 17).
+enum class AccessFlags
+{
+    None = 0,
+    Read = 1,
+    Write = 2,
+    ReadWrite = 3,
+    Discard = 4, ///< what was in it does not matter
+    WriteAll = 6 ///< Write and Discard
+};
+constexpr AccessFlags operator|(AccessFlags a, AccessFlags b)
+{
+    return static_cast<AccessFlags>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator&(AccessFlags a, AccessFlags b)
+{
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
+
+/// Unity: UnityEngine.Rendering.DepthBits (core 17).
+enum class DepthBits
+{
+    None = 0,
+    Depth16 = 16,
+    Depth24 = 24,
+    Depth32 = 32
+};
+/// Unity: UnityEngine.Rendering.MSAASamples (core 17).
+enum class MSAASamples
+{
+    None = 1,
+    MSAA2x = 2,
+    MSAA4x = 4,
+    MSAA8x = 8
+};
+
+/// A texture that RenderGraph::CreateTexture makes.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.TextureDesc (core 17), the fields that limn
+/// honours.
+struct TextureDesc
+{
+    int width = 0;  ///< texels
+    int height = 0; ///< texels
+    GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
+    DepthBits depthBufferBits = DepthBits::None; ///< not None = a depth texture without colour
+    MSAASamples msaaSamples = MSAASamples::None;
+    FilterMode filterMode = FilterMode::Bilinear;
+    TextureWrapMode wrapMode = TextureWrapMode::Clamp;
+    /// Before the first pass that writes it, unless with AccessFlags::WriteAll. Else it holds
+    /// nothing in particular then.
+    bool clearBuffer = true;
+    Color clearColor = Color::black; ///< linear; depth clears to far
+    std::string name;
+
+    TextureDesc() = default;
+    TextureDesc(int w, int h) : width(w), height(h) {}
+    explicit TextureDesc(const RenderTextureDescriptor& descriptor);
+
+    RenderTextureDescriptor descriptor() const;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.ImportResourceParams (core 17). What is discarded
+/// the frame compiler works out.
+struct ImportResourceParams
+{
+    bool clearOnFirstUse = false;
+    Color clearColor = Color::clear; ///< linear
+};
+
+/// A texture of a camera's render graph, or none: until the camera is done.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.TextureHandle (core 17).
+class TextureHandle
+{
+public:
+    TextureHandle() = default;
+
+    bool IsValid() const { return static_cast<bool>(m_Texture); }
+    /// As in Unity's render functions, where a texture is wanted.
+    operator const RTHandle&() const { return m_Texture; }
+    const std::shared_ptr<const RenderTexture>& rt() const { return m_Texture.rt(); }
+    /// @throws ContractError if there is no texture
+    TextureDesc GetDescriptor(const RenderGraph& renderGraph) const;
+
+    bool operator==(const TextureHandle&) const = default;
+
+private:
+    friend class RenderGraph;
+    TextureHandle(RTHandle texture, std::uint64_t frame)
+        : m_Texture(std::move(texture)), m_Frame(frame)
+    {
+    }
+
+    RTHandle m_Texture;
+    std::uint64_t m_Frame = 0;
+};
+
+/// What a list of renderers holds and how they are drawn.
+/// Unity: UnityEngine.Rendering.RendererListParams (2023.1), with one state block for all.
+struct RendererListParams
+{
+    /// @param results  must outlive the camera's frame, as those of the frame data do
+    RendererListParams(const CullingResults& results, DrawingSettings drawing,
+                       FilteringSettings filtering)
+        : cullingResults(&results),
+          drawSettings(std::move(drawing)),
+          filteringSettings(std::move(filtering))
+    {
+    }
+
+    const CullingResults* cullingResults; ///< never null
+    DrawingSettings drawSettings;
+    FilteringSettings filteringSettings;
+    RenderStateBlock stateBlock{RenderStateMask::Nothing};
+};
+
+/// A list of a camera's render graph, or none: until the camera is done.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.RendererListHandle (core 17).
+class RendererListHandle
+{
+public:
+    RendererListHandle() = default;
+    bool IsValid() const { return m_Frame != 0; }
+    bool operator==(const RendererListHandle&) const = default;
+
+private:
+    friend class RenderGraph;
+    RendererListHandle(std::size_t index, std::uint64_t frame) : m_Index(index), m_Frame(frame) {}
+
+    std::size_t m_Index = 0;
+    std::uint64_t m_Frame = 0; ///< 0 = none
+};
+
+} // namespace limn

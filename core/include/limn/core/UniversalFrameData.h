@@ -1,0 +1,80 @@
+#pragma once
+
+#include <limn/core/RenderGraph.h>
+#include <limn/core/RenderingData.h>
+
+namespace limn
+{
+
+/// The camera's textures, for RecordRenderGraph.
+/// Unity: UnityEngine.Rendering.Universal.UniversalResourceData (URP 17), what limn has of it.
+class UniversalResourceData final : public ContextItem
+{
+public:
+    /// What later passes draw into and the picture is made of: another texture of the camera's size
+    /// assigned here takes its place when RecordRenderGraph returns, so that nothing need be copied
+    /// back.
+    TextureHandle cameraColor;
+    TextureHandle cameraDepth;
+    // What shaders find under these names at the pass's event; none where nothing makes it by then.
+    TextureHandle cameraDepthTexture;
+    TextureHandle cameraNormalsTexture;
+    TextureHandle cameraOpaqueTexture;
+
+    const TextureHandle& activeColorTexture() const { return cameraColor; }
+    const TextureHandle& activeDepthTexture() const { return cameraDepth; }
+    bool isActiveTargetBackBuffer() const { return false; } ///< features never draw into it
+
+    void Reset() override;
+};
+
+/// Unity: UnityEngine.Rendering.Universal.UniversalCameraData (URP 17).
+class UniversalCameraData final : public ContextItem, public CameraData
+{
+public:
+    void Reset() override { static_cast<CameraData&>(*this) = CameraData(); }
+};
+
+/// Unity: UnityEngine.Rendering.Universal.UniversalRenderingData (URP 17), and what RenderingData
+/// has beyond that.
+class UniversalRenderingData final : public ContextItem
+{
+public:
+    const CullingResults& cullResults() const { return m_Data->cullResults; }
+    const VolumeStackPointer& volumeStack() const { return m_Data->volumeStack; }
+    RenderReport& report() const { return *m_Data->report; }
+    double time() const { return m_Data->time; } ///< seconds
+
+    void Set(const RenderingData& data) { m_Data = &data; }
+    void Reset() override { m_Data = nullptr; }
+
+private:
+    const RenderingData* m_Data = nullptr; ///< not null in RecordRenderGraph
+};
+
+/// To be handed on: limn's shaders find the scene's light by themselves.
+/// Unity: UnityEngine.Rendering.Universal.UniversalLightData (URP 17).
+class UniversalLightData final : public ContextItem
+{
+public:
+    void Reset() override {}
+};
+
+namespace RenderingUtils
+{
+
+/// As ScriptableRenderPass::CreateDrawingSettings. Unity: the same (URP 17).
+DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
+                                      const UniversalRenderingData& renderingData,
+                                      const UniversalCameraData& cameraData,
+                                      const UniversalLightData& lightData,
+                                      SortingCriteria sortingCriteria);
+DrawingSettings CreateDrawingSettings(ShaderTagId shaderTagId,
+                                      const UniversalRenderingData& renderingData,
+                                      const UniversalCameraData& cameraData,
+                                      const UniversalLightData& lightData,
+                                      SortingCriteria sortingCriteria);
+
+} // namespace RenderingUtils
+
+} // namespace limn

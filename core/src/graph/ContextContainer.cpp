@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <limn/core/ContextContainer.h>
+#include <limn/core/TypeName.h>
+#include <limn/shaderlab/Diagnostic.h>
+#include <utility>
+
+namespace limn
+{
+
+void ContextContainer::Dispose()
+{
+    for (Entry& entry : m_Entries)
+    {
+        if (std::exchange(entry.isThere, false))
+        {
+            entry.item->Reset();
+        }
+    }
+}
+
+ContextContainer::Entry* ContextContainer::Find(std::type_index type)
+{
+    const auto entry = std::ranges::find(m_Entries, type, &Entry::type);
+    return entry == m_Entries.end() ? nullptr : &*entry;
+}
+
+bool ContextContainer::Contains(std::type_index type) const
+{
+    const auto entry = std::ranges::find(m_Entries, type, &Entry::type);
+    return entry != m_Entries.end() && entry->isThere;
+}
+
+ContextItem& ContextContainer::Existing(std::type_index type)
+{
+    Entry* entry = Find(type);
+    if (entry == nullptr || !entry->isThere)
+    {
+        throw ContractError("ContextContainer: there is no " + TypeName(type) +
+                            " in this frame; Contains asks, GetOrCreate makes one");
+    }
+    return *entry->item;
+}
+
+void ContextContainer::Begin(Entry& entry)
+{
+    if (entry.isThere)
+    {
+        throw ContractError("ContextContainer: Create of " + TypeName(entry.type) +
+                            ", which is there already; Get or GetOrCreate gives it");
+    }
+    entry.isThere = true;
+}
+
+} // namespace limn

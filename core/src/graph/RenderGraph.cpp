@@ -1,0 +1,250 @@
+#include "graph/RenderGraphPass.h"
+
+#include <algorithm>
+#include <limn/core/UniversalRenderer.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_NearestPass = 0; // of CameraTargets::copy
+constexpr int k_BilinearPass = 1;
+
+SamplerState SamplerOf(const TextureDesc& desc)
+{
+    return {desc.filterMode, desc.wrapMode, desc.wrapMode, desc.wrapMode, false};
+}
+
+std::string Describe(const RenderTexture& texture)
+{
+    return "'" + texture.name() + "' is " + texture.DescribeSize() + " " +
+           ToString(texture.graphicsFormat()) + " of " +
+           std::to_string(texture.descriptor().msaaSamples) + " samples a texel";
+}
+
+/// What a blit's render function draws with.
+struct BlitData
+{
+    TextureHandle source;
+    glm::vec4 scaleBias;
+    std::shared_ptr<const Material> material;
+    int shaderPass = 0;
+};
+
+} // namespace
+
+TextureDesc::TextureDesc(const RenderTextureDescriptor& descriptor)
+    : width(descriptor.width),
+      height(descriptor.height),
+      format(descriptor.graphicsFormat),
+      depthBufferBits(static_cast<DepthBits>(descriptor.depthBufferBits)),
+      msaaSamples(static_cast<MSAASamples>(descriptor.msaaSamples))
+{
+}
+
+RenderTextureDescriptor TextureDesc::descriptor() const
+{
+    RenderTextureDescriptor result(width, height, format, static_cast<int>(depthBufferBits));
+    result.msaaSamples = static_cast<int>(msaaSamples);
+    return result;
+}
+
+TextureDesc TextureHandle::GetDescriptor(const RenderGraph& renderGraph) const
+{
+    return renderGraph.GetTextureDesc(*this);
+}
+
+RenderGraphTexture* RenderGraphState::Find(const Texture& texture)
+{
+    const auto found = std::ranges::find_if(textures, [&](const RenderGraphTexture& candidate)
+                                            { return candidate.texture.rt().get() == &texture; });
+    return found == textures.end() ? nullptr : &*found;
+}
+
+TextureHandle UniversalRenderer::CreateRenderGraphTexture(RenderGraph& renderGraph,
+                                                          const RenderTextureDescriptor& desc,
+                                                          std::string name, bool clear,
+                                                          FilterMode filterMode,
+                                                          TextureWrapMode wrapMode)
+{
+    TextureDesc texture(desc);
+    texture.name = std::move(name);
+    texture.clearBuffer = clear;
+    texture.filterMode = filterMode;
+    texture.wrapMode = wrapMode;
+    return renderGraph.CreateTexture(texture);
+}
+
+RenderGraph::RenderGraph() : m_State(std::make_unique<RenderGraphState>()) {}
+RenderGraph::~RenderGraph() = default;
+
+TextureHandle RenderGraph::HandleOf(const RTHandle& texture) const
+{
+    return {texture, m_State->frame};
+}
+
+void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const std::string& subject) const
+{
+    if (!texture.IsValid())
+    {
+        throw ContractError(subject + " of an empty handle");
+    }
+    if (texture.m_Frame != m_State->frame || m_State->Find(*texture.rt()) == nullptr)
+    {
+        throw ContractError(subject + " of '" + texture.rt()->name() +
+                            "', a handle of an earlier frame; handles are for one camera's frame");
+    }
+}
+
+std::size_t RenderGraph::IndexOf(const RendererListHandle& list, const std::string& subject) const
+{
+    if (!list.IsValid() || list.m_Frame != m_State->frame)
+    {
+        throw ContractError(
+            subject + (list.IsValid() ? " of a list of an earlier frame" : " of an empty handle"));
+    }
+    return list.m_Index;
+}
+
+TextureHandle RenderGraph::CreateTexture(const TextureDesc& desc)
+{
+    const RenderTextureDescriptor descriptor = desc.descriptor();
+    const SamplerState sampler = SamplerOf(desc);
+    auto& kept = m_State->kept;
+    auto place =
+        std::ranges::find_if(kept,
+                             [&](const RenderGraphState::Kept& candidate)
+                             {
+                                 const RenderTexture& texture = *candidate.texture.rt();
+                                 return !candidate.isTaken && texture.descriptor() == descriptor &&
+                                        texture.sampler() == sampler && texture.name() == desc.name;
+                             });
+    if (place == kept.end())
+    {
+        kept.push_back({RTHandle(
+            std::make_shared<const RenderTexture>(desc.name, descriptor, sampler, true))});
+        place = kept.end() - 1;
+    }
+    place->isTaken = true;
+    RenderGraphTexture texture;
+    texture.texture = place->texture;
+    texture.isMade = true;
+    texture.clears = desc.clearBuffer;
+    texture.clearColor = desc.clearColor;
+    m_State->textures.push_back(std::move(texture));
+    return HandleOf(place->texture);
+}
+
+TextureHandle RenderGraph::CreateTexture(const TextureHandle& texture)
+{
+    return CreateTexture(GetTextureDesc(texture));
+}
+
+TextureHandle RenderGraph::ImportTexture(const RTHandle& rt,
+                                         const ImportResourceParams& importParams)
+{
+    if (!rt.rt())
+    {
+        throw ContractError("ImportTexture: the handle has no texture");
+    }
+    if (m_State->Find(*rt.rt()) == nullptr)
+    {
+        RenderGraphTexture texture;
+        texture.texture = rt;
+        texture.clears = importParams.clearOnFirstUse;
+        texture.clearColor = importParams.clearColor;
+        m_State->textures.push_back(std::move(texture));
+    }
+    return HandleOf(rt);
+}
+
+TextureDesc RenderGraph::GetTextureDesc(const TextureHandle& texture) const
+{
+    ExpectOfFrame(texture, "GetTextureDesc");
+    const RenderGraphTexture& known = *m_State->Find(*texture.rt());
+    TextureDesc desc(texture.rt()->descriptor());
+    desc.filterMode = texture.rt()->sampler().filterMode;
+    desc.wrapMode = texture.rt()->sampler().wrapModeU;
+    desc.clearBuffer = known.clears;
+    desc.clearColor = known.clearColor;
+    desc.name = texture.rt()->name();
+    return desc;
+}
+
+RendererListHandle RenderGraph::CreateRendererList(const RendererListParams& desc)
+{
+    m_State->rendererLists.push_back(desc);
+    return {m_State->rendererLists.size() - 1, m_State->frame};
+}
+
+RenderGraphPass& RenderGraph::AddPass(std::string_view name)
+{
+    RenderGraphPass& pass = m_State->passes.emplace_back();
+    pass.name = name;
+    return pass;
+}
+
+const std::shared_ptr<const Material>& RenderGraph::CopyMaterial(std::string_view call) const
+{
+    if (!m_State->copy)
+    {
+        throw ContractError(std::string(call) + ": the renderer has no shaders; give a material");
+    }
+    return m_State->copy;
+}
+
+void RenderGraph::AddBlitPass(const RenderGraphUtils::BlitMaterialParameters& blitParameters,
+                              std::string_view passName)
+{
+    if (!blitParameters.material)
+    {
+        throw ContractError("AddBlitPass '" + std::string(passName) + "': the material is null");
+    }
+    BlitData* passData = nullptr;
+    auto builder = AddRasterRenderPass<BlitData>(passName, passData);
+    *passData = {blitParameters.source, glm::vec4(blitParameters.scale, blitParameters.offset),
+                 blitParameters.material, blitParameters.shaderPass};
+    builder.UseTexture(blitParameters.source);
+    builder.SetRenderAttachment(blitParameters.destination, 0);
+    builder.SetRenderFunc(
+        [](BlitData& data, RasterGraphContext& context)
+        {
+            Blitter::BlitTexture(context.cmd, data.source, data.scaleBias, data.material,
+                                 data.shaderPass);
+        });
+}
+
+void RenderGraph::AddBlitPass(const TextureHandle& source, const TextureHandle& destination,
+                              const glm::vec2& scale, const glm::vec2& offset,
+                              RenderGraphUtils::BlitFilterMode filterMode,
+                              std::string_view passName)
+{
+    const bool isNearest = filterMode == RenderGraphUtils::BlitFilterMode::ClampNearest;
+    RenderGraphUtils::BlitMaterialParameters parameters(source, destination,
+                                                        CopyMaterial("AddBlitPass"),
+                                                        isNearest ? k_NearestPass : k_BilinearPass);
+    parameters.scale = scale;
+    parameters.offset = offset;
+    AddBlitPass(parameters, passName);
+}
+
+void RenderGraph::AddCopyPass(const TextureHandle& source, const TextureHandle& destination,
+                              std::string_view passName)
+{
+    const std::string subject = "AddCopyPass '" + std::string(passName) + "'";
+    ExpectOfFrame(source, subject);
+    ExpectOfFrame(destination, subject);
+    if (source.rt()->descriptor() != destination.rt()->descriptor() ||
+        IsDepthFormat(source.rt()->graphicsFormat()))
+    {
+        throw ContractError(subject + ": " + Describe(*source.rt()) + ", " +
+                            Describe(*destination.rt()) +
+                            "; both must be colours of one size, format and number of samples");
+    }
+    AddBlitPass(source, destination, glm::vec2(1.0f), glm::vec2(0.0f),
+                RenderGraphUtils::BlitFilterMode::ClampNearest, passName);
+}
+
+} // namespace limn

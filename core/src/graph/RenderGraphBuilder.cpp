@@ -1,0 +1,174 @@
+#include "graph/RenderGraphPass.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string Quoted(const RTHandle& texture)
+{
+    return "'" + texture.rt()->name() + "'";
+}
+
+std::string Subject(const RenderGraphPass& pass, const char* call)
+{
+    return "pass '" + pass.name + "': " + call;
+}
+
+/// A texture has one use in a pass; reading it twice is one.
+void AddUse(RenderGraphPass& pass, const char* call, RenderGraphPass::Use use)
+{
+    const RenderGraphPass::Use* other = pass.FindUse(use.texture);
+    if (other == nullptr)
+    {
+        pass.uses.push_back(std::move(use));
+        return;
+    }
+    const bool isReadTwice = !other->isAttachment && !use.isAttachment &&
+                             !(use.flags & AccessFlags::Write) &&
+                             !(other->flags & AccessFlags::Write);
+    if (!isReadTwice)
+    {
+        throw ContractError(Subject(pass, call) + " of " + Quoted(use.texture) +
+                            ", which the pass " +
+                            (other->isAttachment                 ? "draws into already"
+                             : other->flags & AccessFlags::Write ? "writes already"
+                                                                 : "reads already") +
+                            "; one pass uses a texture in one way");
+    }
+}
+
+} // namespace
+
+const RenderGraphPass::Use* RenderGraphPass::FindUse(const RTHandle& texture) const
+{
+    const auto use = std::ranges::find(uses, texture, &Use::texture);
+    return use == uses.end() ? nullptr : &*use;
+}
+
+bool RenderGraphPass::Declares(const RTHandle& texture, AccessFlags flags) const
+{
+    const Use* use = FindUse(texture);
+    return use != nullptr && (use->flags & flags);
+}
+
+void BaseRenderGraphBuilder::ExpectUsable(const TextureHandle& texture,
+                                          const std::string& subject) const
+{
+    m_Graph.ExpectOfFrame(texture, subject);
+    const RenderGraphPass* owner = m_Graph.m_State->Find(*texture.rt())->owner;
+    if (owner != nullptr && owner != &m_Pass)
+    {
+        throw ContractError(subject + " of " + Quoted(texture) + ", which is transient in pass '" +
+                            owner->name + "'");
+    }
+}
+
+void BaseRenderGraphBuilder::UseTexture(const TextureHandle& input, AccessFlags flags)
+{
+    ExpectUsable(input, Subject(m_Pass, "UseTexture"));
+    AddUse(m_Pass, "UseTexture", {input, flags, false});
+}
+
+void BaseRenderGraphBuilder::UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags)
+{
+    m_Pass.globalUses.push_back({propertyId, flags});
+}
+
+void BaseRenderGraphBuilder::UseAllGlobalTextures(bool enable)
+{
+    m_Pass.usesAllGlobals = enable;
+}
+
+void BaseRenderGraphBuilder::SetGlobalTextureAfterPass(const TextureHandle& input,
+                                                       ShaderPropertyId propertyId)
+{
+    ExpectUsable(input, Subject(m_Pass, "SetGlobalTextureAfterPass"));
+    m_Pass.globalsAfter.push_back({propertyId, input});
+}
+
+TextureHandle BaseRenderGraphBuilder::CreateTransientTexture(const TextureDesc& desc)
+{
+    TextureHandle texture = m_Graph.CreateTexture(desc);
+    m_Graph.m_State->textures.back().owner = &m_Pass;
+    return texture;
+}
+
+TextureHandle BaseRenderGraphBuilder::CreateTransientTexture(const TextureHandle& texture)
+{
+    return CreateTransientTexture(texture.GetDescriptor(m_Graph));
+}
+
+void BaseRenderGraphBuilder::UseRendererList(const RendererListHandle& input)
+{
+    m_Pass.rendererLists.push_back(m_Graph.IndexOf(input, Subject(m_Pass, "UseRendererList")));
+}
+
+void BaseRenderGraphBuilder::AllowPassCulling(bool value)
+{
+    m_Pass.allowsCulling = value;
+}
+
+void BaseRenderGraphBuilder::AllowGlobalStateModification(bool value)
+{
+    m_Pass.allowsGlobalState = value;
+}
+
+void BaseRenderGraphBuilder::SetAttachment(const TextureHandle& texture, int index,
+                                           AccessFlags flags)
+{
+    const std::string subject = Subject(m_Pass, "SetRenderAttachment");
+    ExpectUsable(texture, subject);
+    if (IsDepthFormat(texture.rt()->graphicsFormat()))
+    {
+        throw ContractError(subject + " of " + Quoted(texture) +
+                            ", a depth texture; SetRenderAttachmentDepth takes those");
+    }
+    if (index < 0 || index >= static_cast<int>(k_MostColors))
+    {
+        throw ContractError(subject + " of " + Quoted(texture) + " at index " +
+                            std::to_string(index) + "; there are 0 to " +
+                            std::to_string(k_MostColors - 1));
+    }
+    RTHandle& slot = m_Pass.colors[static_cast<std::size_t>(index)];
+    if (slot)
+    {
+        throw ContractError(subject + " of " + Quoted(texture) + " at index " +
+                            std::to_string(index) + ", where " + Quoted(slot) + " is already");
+    }
+    AddUse(m_Pass, "SetRenderAttachment", {texture, flags, true});
+    slot = texture;
+}
+
+void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, AccessFlags flags)
+{
+    const std::string subject = Subject(m_Pass, "SetRenderAttachmentDepth");
+    ExpectUsable(texture, subject);
+    if (!IsDepthFormat(texture.rt()->graphicsFormat()))
+    {
+        throw ContractError(subject + " of " + Quoted(texture) +
+                            ", which is no depth texture; SetRenderAttachment takes colours");
+    }
+    if (m_Pass.depth)
+    {
+        throw ContractError(subject + " of " + Quoted(texture) + ", where " + Quoted(m_Pass.depth) +
+                            " is already");
+    }
+    AddUse(m_Pass, "SetRenderAttachmentDepth", {texture, flags, true});
+    m_Pass.depth = texture;
+}
+
+void BaseRenderGraphBuilder::SetFunction(std::function<void(RasterCommandBuffer&)> function)
+{
+    m_Pass.raster = std::move(function);
+}
+
+void BaseRenderGraphBuilder::SetFunction(std::function<void(UnsafeCommandBuffer&)> function)
+{
+    m_Pass.unsafe = std::move(function);
+}
+
+} // namespace limn

@@ -1,0 +1,140 @@
+#include "graph/RenderGraphCamera.h"
+
+#include "graph/RenderGraphRun.h"
+#include "pipeline/MakeDrawingSettings.h"
+
+#include <limn/core/ScriptableRenderer.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_IdleFrames = 15; ///< that a texture outlives nobody asking for it
+
+std::string SizeOf(const RTHandle& texture)
+{
+    return texture.rt()->DescribeSize() + " of " +
+           std::to_string(texture.rt()->descriptor().msaaSamples) + " samples a texel";
+}
+
+} // namespace
+
+void UniversalResourceData::Reset()
+{
+    cameraColor = {};
+    cameraDepth = {};
+    cameraDepthTexture = {};
+    cameraNormalsTexture = {};
+    cameraOpaqueTexture = {};
+}
+
+DrawingSettings RenderingUtils::CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
+                                                      const UniversalRenderingData&,
+                                                      const UniversalCameraData& cameraData,
+                                                      const UniversalLightData&,
+                                                      SortingCriteria sortingCriteria)
+{
+    return MakeDrawingSettings(shaderTagIdList, *cameraData.camera, sortingCriteria);
+}
+
+DrawingSettings RenderingUtils::CreateDrawingSettings(ShaderTagId shaderTagId,
+                                                      const UniversalRenderingData&,
+                                                      const UniversalCameraData& cameraData,
+                                                      const UniversalLightData&,
+                                                      SortingCriteria sortingCriteria)
+{
+    return MakeDrawingSettings(std::span(&shaderTagId, 1), *cameraData.camera, sortingCriteria);
+}
+
+RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderContext& context,
+                                   const RenderingData& renderingData, const Targets& targets)
+{
+    m_HasRecorded = true;
+    RenderGraphState& state = *m_Graph.m_State;
+    state.copy = targets.copy;
+    FillFrameData(context, renderingData, targets);
+    pass.RecordRenderGraph(m_Graph, m_FrameData);
+    RenderGraphRun run(m_Graph, state, context, *renderingData.report);
+    for (; state.ran < state.passes.size(); ++state.ran)
+    {
+        run.Run(state.passes[state.ran]);
+    }
+    context.SetPassName(pass.profilingSampler.name());
+    const TextureHandle& color = m_FrameData.Get<UniversalResourceData>().cameraColor;
+    const std::string subject = "pass '" + pass.profilingSampler.name() + "': cameraColor";
+    m_Graph.ExpectOfFrame(color, subject);
+    const RTHandle& result = color;
+    if (SizeOf(result) != SizeOf(targets.color))
+    {
+        throw ContractError(subject + " is set to '" + result.rt()->name() + "', " +
+                            SizeOf(result) + "; the camera's colour is " + SizeOf(targets.color));
+    }
+    return result;
+}
+
+void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
+                                      const RenderingData& renderingData, const Targets& targets)
+{
+    auto& resources = m_FrameData.GetOrCreate<UniversalResourceData>();
+    resources.cameraColor = m_Graph.ImportTexture(targets.color);
+    resources.cameraDepth = m_Graph.ImportTexture(targets.depth);
+    resources.cameraDepthTexture = ImportGlobal(context, "_CameraDepthTexture");
+    resources.cameraNormalsTexture = ImportGlobal(context, "_CameraNormalsTexture");
+    resources.cameraOpaqueTexture = ImportGlobal(context, "_CameraOpaqueTexture");
+    static_cast<CameraData&>(m_FrameData.GetOrCreate<UniversalCameraData>()) =
+        renderingData.cameraData;
+    m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);
+    m_FrameData.GetOrCreate<UniversalLightData>();
+}
+
+TextureHandle RenderGraphCamera::ImportGlobal(const ScriptableRenderContext& context,
+                                              ShaderPropertyId id)
+{
+    const RTHandle texture = RenderGraphRun::GlobalTexture(context, id);
+    return texture ? m_Graph.ImportTexture(texture) : TextureHandle();
+}
+
+void RenderGraphCamera::End()
+{
+    if (!std::exchange(m_HasRecorded, false))
+    {
+        return;
+    }
+    m_FrameData.Dispose();
+    RenderGraphState& state = *m_Graph.m_State;
+    ++state.frame;
+    state.ran = 0;
+    state.textures.clear();
+    state.rendererLists.clear();
+    state.passes.clear();
+    state.copy = nullptr;
+    std::erase_if(state.kept,
+                  [](RenderGraphState::Kept& kept)
+                  {
+                      kept.idleFrames = kept.isTaken ? 0 : kept.idleFrames + 1;
+                      kept.isTaken = false;
+                      return kept.idleFrames > k_IdleFrames;
+                  });
+}
+
+void ScriptableRenderer::RecordRenderGraph(ScriptableRenderPass& pass,
+                                           ScriptableRenderContext& context,
+                                           RenderingData& renderingData)
+{
+    if (!m_RenderGraph)
+    {
+        m_RenderGraph = std::make_shared<RenderGraphCamera>();
+    }
+    const RTHandle color = m_RenderGraph->Record(pass, context, renderingData,
+                                                 {m_CameraColor, m_CameraDepth, copyMaterial()});
+    if (color != m_CameraColor)
+    {
+        const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+        SetCameraColor(*cmd, color);
+        context.ExecuteCommandBuffer(*cmd);
+    }
+}
+
+} // namespace limn

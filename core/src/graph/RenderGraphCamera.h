@@ -1,0 +1,41 @@
+#pragma once
+
+#include "graph/RenderGraphPass.h"
+
+#include <limn/core/ScriptableRenderContext.h>
+#include <limn/core/UniversalFrameData.h>
+
+namespace limn
+{
+
+class ScriptableRenderPass;
+
+/// The render graph of a renderer's cameras, one after the other.
+class RenderGraphCamera
+{
+public:
+    struct Targets
+    {
+        RTHandle color;
+        RTHandle depth;
+        std::shared_ptr<const Material> copy; ///< see CameraTargets
+    };
+
+    /// Lets the pass record, and runs what it recorded.
+    /// @return the camera's colour from then on
+    RTHandle Record(ScriptableRenderPass& pass, ScriptableRenderContext& context,
+                    const RenderingData& renderingData, const Targets& targets);
+    /// Handles and frame data of the camera are gone then.
+    void End();
+
+private:
+    void FillFrameData(const ScriptableRenderContext& context, const RenderingData& renderingData,
+                       const Targets& targets);
+    TextureHandle ImportGlobal(const ScriptableRenderContext& context, ShaderPropertyId id);
+
+    RenderGraph m_Graph;
+    ContextContainer m_FrameData;
+    bool m_HasRecorded = false; ///< for this camera
+};
+
+} // namespace limn

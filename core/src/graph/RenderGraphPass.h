@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <limn/core/RenderGraph.h>
+
+namespace limn
+{
+
+/// A pass as declared.
+struct RenderGraphPass
+{
+    struct Use
+    {
+        RTHandle texture;
+        AccessFlags flags = AccessFlags::None;
+        bool isAttachment = false;
+    };
+    struct GlobalUse
+    {
+        ShaderPropertyId id;
+        AccessFlags flags = AccessFlags::None;
+    };
+    struct GlobalAfter
+    {
+        ShaderPropertyId id;
+        RTHandle texture;
+    };
+
+    std::string name;
+    std::function<void(RasterCommandBuffer&)> raster;
+    std::function<void(UnsafeCommandBuffer&)> unsafe;
+    std::vector<Use> uses;
+    std::array<RTHandle, k_MostColors> colors;
+    RTHandle depth;
+    std::vector<GlobalUse> globalUses;
+    std::vector<GlobalAfter> globalsAfter;
+    std::vector<std::size_t> rendererLists;
+    bool usesAllGlobals = false;
+    bool allowsCulling = true;
+    bool allowsGlobalState = false;
+
+    const Use* FindUse(const RTHandle& texture) const;
+    bool Declares(const RTHandle& texture, AccessFlags flags) const;
+};
+
+/// A texture that a handle stands for.
+struct RenderGraphTexture
+{
+    RTHandle texture;
+    bool isMade = false;                    ///< by the graph
+    bool clears = false;                    ///< before it is written first
+    Color clearColor;                       ///< linear
+    bool isWritten = false;                 ///< by a pass that has run
+    const RenderGraphPass* owner = nullptr; ///< of a transient one
+};
+
+/// Of one camera, but for the textures, which later frames get again.
+struct RenderGraphState
+{
+    struct Kept
+    {
+        RTHandle texture;
+        bool isTaken = false;
+        int idleFrames = 0; ///< since it was last taken
+    };
+
+    std::uint64_t frame = 1; ///< of the handles that are given out
+    std::vector<Kept> kept;
+    std::vector<RenderGraphTexture> textures;
+    std::deque<RendererListParams> rendererLists;
+    std::deque<RenderGraphPass> passes; ///< of the camera so far
+    std::size_t ran = 0;                ///< of them, these have run
+    std::shared_ptr<const Material> copy;
+
+    RenderGraphTexture* Find(const Texture& texture);
+};
+
+} // namespace limn

@@ -1,0 +1,352 @@
+#include "graph/RenderGraphRun.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+template <typename T>
+bool Has(const std::vector<T>& list, const T& value)
+{
+    return std::ranges::find(list, value) != list.end();
+}
+
+} // namespace
+
+void BaseCommandBuffer::DrawRendererList(const RendererListHandle& rendererList)
+{
+    m_Run.DrawRendererList(rendererList);
+}
+
+CommandBuffer& BaseCommandBuffer::Globals(ShaderPropertyId id)
+{
+    m_Run.ExpectGlobalsAllowed("sets the global '" + id.name() + "'");
+    return m_Native;
+}
+
+void BaseCommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
+                                                  const glm::mat4& gpuProjection,
+                                                  bool setInverseMatrices)
+{
+    m_Run.ExpectGlobalsAllowed("sets the view and projection matrices");
+    m_Native.SetViewProjectionMatrices(view, gpuProjection, setInverseMatrices);
+}
+
+void CoreUtils::DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
+                               const MaterialPropertyBlock& properties, int shaderPassId)
+{
+    DrawFullScreen(cmd.m_Native, std::move(material), properties, shaderPassId);
+}
+
+void Blitter::BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source,
+                          const glm::vec4& scaleBias, std::shared_ptr<const Material> material,
+                          int passIndex)
+{
+    BlitTexture(cmd.m_Native, source, scaleBias, std::move(material), passIndex);
+}
+
+CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd)
+{
+    return cmd.native();
+}
+
+RTHandle RenderGraphRun::GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id)
+{
+    const ShaderPropertyValue* value = context.m_Globals.Find(id);
+    const auto* texture =
+        value != nullptr ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture != nullptr ? RTHandle(std::dynamic_pointer_cast<const RenderTexture>(*texture))
+                              : RTHandle();
+}
+
+void RenderGraphRun::Run(RenderGraphPass& pass)
+{
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    m_Pass = &pass;
+    m_Cmd = cmd.get();
+    ExpectRunnable();
+    ResolveGlobals();
+    ExpectWritten();
+    Clear();
+    const std::size_t first = m_Context.m_Frame.commands.size();
+    Bind();
+    Record();
+    ExpectAsDeclared(first);
+    Finish();
+}
+
+void RenderGraphRun::ExpectRunnable() const
+{
+    if (!m_Pass->raster && !m_Pass->unsafe)
+    {
+        throw ContractError(Subject() + " has no render function; SetRenderFunc gives it one");
+    }
+    const auto& colors = m_Pass->colors;
+    const auto gap = std::ranges::find(colors, RTHandle());
+    const auto behind = std::find_if(gap, colors.end(), [](const RTHandle& c) { return bool(c); });
+    if (behind != colors.end())
+    {
+        throw ContractError(Subject() + " has '" + behind->rt()->name() + "' at index " +
+                            std::to_string(behind - colors.begin()) + ", yet nothing at " +
+                            std::to_string(gap - colors.begin()) + "; leave no index out");
+    }
+}
+
+/// What is global now under the names that the pass uses.
+void RenderGraphRun::ResolveGlobals()
+{
+    for (const RenderGraphPass::GlobalUse& global : m_Pass->globalUses)
+    {
+        const RTHandle texture = GlobalTexture(m_Context, global.id);
+        if (!texture)
+        {
+            throw ContractError(Subject() + ": UseGlobalTexture of '" + global.id.name() +
+                                "', but no pass before it made a texture global under that name; "
+                                "SetGlobalTextureAfterPass does");
+        }
+        if (m_Pass->FindUse(texture) == nullptr)
+        {
+            m_Pass->uses.push_back({texture, global.flags, false});
+        }
+    }
+}
+
+void RenderGraphRun::ExpectWritten() const
+{
+    for (const RenderGraphPass::Use& use : m_Pass->uses)
+    {
+        const RenderGraphTexture* texture = m_State.Find(*use.texture.rt());
+        const bool holdsNothing = texture != nullptr && texture->isMade && !texture->isWritten &&
+                                  texture->owner != m_Pass;
+        if (holdsNothing && !use.isAttachment && use.flags == AccessFlags::Read)
+        {
+            throw ContractError(Subject() + " reads '" + use.texture.rt()->name() +
+                                "', which no pass before it writes");
+        }
+    }
+}
+
+/// What is written for the first time.
+void RenderGraphRun::Clear()
+{
+    m_Cmd->BeginSample(m_Pass->name);
+    for (RenderGraphTexture& texture : m_State.textures)
+    {
+        const RenderGraphPass::Use* use = m_Pass->FindUse(texture.texture);
+        const bool isOwn = texture.owner == m_Pass;
+        const bool writes = isOwn || (use != nullptr && (use->flags & AccessFlags::Write));
+        const bool discards = use != nullptr && (use->flags & AccessFlags::Discard);
+        if (writes && !discards && !texture.isWritten && texture.clears)
+        {
+            const bool isDepth = IsDepthFormat(texture.texture.rt()->graphicsFormat());
+            CoreUtils::SetRenderTarget(*m_Cmd, texture.texture,
+                                       isDepth ? ClearFlag::DepthStencil : ClearFlag::Color,
+                                       texture.clearColor);
+        }
+        texture.isWritten = texture.isWritten || writes;
+    }
+    m_Context.ExecuteCommandBuffer(*m_Cmd);
+    m_Cmd->Clear();
+}
+
+void RenderGraphRun::Bind()
+{
+    const auto& colors = m_Pass->colors;
+    const auto count =
+        static_cast<std::size_t>(std::ranges::find(colors, RTHandle()) - colors.begin());
+    if (count > 0 || m_Pass->depth)
+    {
+        m_Cmd->SetRenderTarget(std::span<const RTHandle>(colors.data(), count), m_Pass->depth);
+    }
+}
+
+void RenderGraphRun::Record()
+{
+    m_DrawnLists.clear();
+    m_Context.SetPassName(m_Pass->name);
+    if (m_Pass->raster)
+    {
+        RasterCommandBuffer raster(*m_Cmd, *this);
+        m_Pass->raster(raster);
+    }
+    else
+    {
+        UnsafeCommandBuffer unsafe(*m_Cmd, *this);
+        m_Pass->unsafe(unsafe);
+    }
+    Flush();
+}
+
+void RenderGraphRun::Flush()
+{
+    for (const RecordedCommand& command : m_Cmd->commands())
+    {
+        const auto* global = std::get_if<SetGlobalCommand>(&command);
+        const auto* identified = std::get_if<SetGlobalIdentifierCommand>(&command);
+        if (global != nullptr || identified != nullptr)
+        {
+            const ShaderPropertyId id = global != nullptr ? global->id : identified->id;
+            ExpectGlobalsAllowed("sets the global '" + id.name() + "'");
+        }
+    }
+    m_Context.ExecuteCommandBuffer(*m_Cmd);
+    m_Cmd->Clear();
+}
+
+void RenderGraphRun::ExpectGlobalsAllowed(const std::string& what) const
+{
+    if (!m_Pass->allowsGlobalState)
+    {
+        throw ContractError(Subject() + " " + what +
+                            ", yet declares no AllowGlobalStateModification(true)");
+    }
+}
+
+void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
+{
+    const std::size_t index = m_Graph.IndexOf(list, Subject() + ": DrawRendererList");
+    if (!Has(m_Pass->rendererLists, index))
+    {
+        throw ContractError(Subject() +
+                            " declares no UseRendererList of a renderer list, yet draws it");
+    }
+    m_DrawnLists.push_back(index);
+    Flush();
+    const RendererListParams& params = m_State.rendererLists[index];
+    m_Context.DrawRenderers(*params.cullingResults, params.drawSettings, params.filteringSettings,
+                            params.stateBlock);
+}
+
+void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
+{
+    m_Sampled.clear();
+    m_Targets.clear();
+    const bool isKept = !m_Pass->allowsCulling || m_Pass->allowsGlobalState;
+    const SetRenderTargetCommand* target = nullptr;
+    const DrawBindings* last = nullptr;
+    auto& commands = m_Context.m_Frame.commands;
+    for (std::size_t i = firstCommand; i < commands.size(); ++i)
+    {
+        if (auto* bound = std::get_if<SetRenderTargetCommand>(&commands[i]))
+        {
+            bound->isKept = isKept;
+            target = bound;
+            continue;
+        }
+        const auto* draw = std::get_if<DrawCommand>(&commands[i]);
+        if (draw == nullptr && !std::holds_alternative<ClearCommand>(commands[i]))
+        {
+            continue;
+        }
+        ExpectTarget(target);
+        const DrawBindings* bindings =
+            draw != nullptr ? m_Context.m_Frame.Setup(*draw).bindings.get() : last;
+        if (bindings != last)
+        {
+            last = bindings;
+            ExpectReads(*bindings);
+        }
+    }
+    NoteUnused(last != nullptr);
+}
+
+void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
+{
+    if (target == nullptr)
+    {
+        throw ContractError(Subject() + (m_Pass->raster
+                                             ? " draws, yet declares no SetRenderAttachment"
+                                             : " draws before it sets a render target"));
+    }
+    const auto expect = [&](const std::shared_ptr<const RenderTexture>& texture)
+    {
+        if (!texture || Has<const Texture*>(m_Targets, texture.get()))
+        {
+            return;
+        }
+        m_Targets.push_back(texture.get());
+        const RenderGraphTexture* known = m_State.Find(*texture);
+        const RenderGraphPass::Use* use = m_Pass->FindUse(RTHandle(texture));
+        const bool isDeclared =
+            use != nullptr && (use->isAttachment || use->flags & AccessFlags::Write);
+        if (known != nullptr && known->owner != m_Pass && !isDeclared)
+        {
+            throw ContractError(Subject() + " declares no write of '" + texture->name() +
+                                "', yet draws into it; UseTexture(…, AccessFlags::Write) "
+                                "declares it");
+        }
+    };
+    std::ranges::for_each(target->colors, expect);
+    expect(target->depth);
+}
+
+void RenderGraphRun::ExpectReads(const DrawBindings& bindings)
+{
+    for (const TextureSlot& slot : bindings.textures)
+    {
+        const Texture* texture = slot.texture.get();
+        if (Has(m_Sampled, texture))
+        {
+            continue;
+        }
+        m_Sampled.push_back(texture);
+        const RenderGraphTexture* known = m_State.Find(*texture);
+        if (known == nullptr || known->owner == m_Pass || m_Pass->usesAllGlobals)
+        {
+            continue;
+        }
+        const RenderGraphPass::Use* use = m_Pass->FindUse(known->texture);
+        if (use == nullptr || (!use->isAttachment && !(use->flags & AccessFlags::Read)))
+        {
+            throw ContractError(Subject() + " declares no read of '" + texture->name() +
+                                "', yet samples it; UseTexture declares it");
+        }
+    }
+}
+
+/// What is declared for nothing.
+void RenderGraphRun::NoteUnused(bool draws)
+{
+    std::vector<std::string>& notes = m_Report.notes;
+    const auto isDrawn = [&](std::size_t list)
+    {
+        return Has(m_DrawnLists, list);
+    };
+    if (!std::ranges::all_of(m_Pass->rendererLists, isDrawn))
+    {
+        notes.push_back(Subject() + " declares UseRendererList of a list that it does not draw");
+    }
+    for (const RenderGraphPass::Use& use : m_Pass->uses)
+    {
+        const Texture* texture = use.texture.rt().get();
+        const bool isRead = Has(m_Sampled, texture);
+        const bool isWritten = Has(m_Targets, texture);
+        if (!use.isAttachment && (use.flags & AccessFlags::Read) && draws && !isRead && !isWritten)
+        {
+            notes.push_back(Subject() + " declares a read of '" + texture->name() +
+                            "', yet samples it nowhere");
+        }
+        // Of a list there may be nothing to draw.
+        if ((use.flags & AccessFlags::Write) && !isWritten && !isRead && m_DrawnLists.empty())
+        {
+            notes.push_back(Subject() + " declares a write of '" + texture->name() +
+                            "', yet draws nothing into it");
+        }
+    }
+}
+
+void RenderGraphRun::Finish()
+{
+    for (const RenderGraphPass::GlobalAfter& global : m_Pass->globalsAfter)
+    {
+        m_Cmd->SetGlobalTexture(global.id, global.texture);
+    }
+    m_Cmd->DisableScissorRect();
+    m_Cmd->EndSample();
+    m_Context.ExecuteCommandBuffer(*m_Cmd);
+}
+
+} // namespace limn

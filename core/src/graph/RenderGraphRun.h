@@ -1,0 +1,62 @@
+#pragma once
+
+#include "graph/RenderGraphPass.h"
+
+#include <limn/core/RenderReport.h>
+#include <limn/core/ScriptableRenderContext.h>
+
+namespace limn
+{
+
+/// Runs passes of a render graph, and compares what they did with what they declare.
+class RenderGraphRun
+{
+public:
+    RenderGraphRun(const RenderGraph& graph, RenderGraphState& state,
+                   ScriptableRenderContext& context, RenderReport& report)
+        : m_Graph(graph), m_State(state), m_Context(context), m_Report(report)
+    {
+    }
+
+    /// @throws ContractError for what Unity would draw wrongly. What is declared for nothing
+    /// becomes
+    ///         a note
+    void Run(RenderGraphPass& pass);
+
+    // For the pass's command buffer:
+    void DrawRendererList(const RendererListHandle& list);
+    /// @param what  the pass does, "sets ..."
+    void ExpectGlobalsAllowed(const std::string& what) const;
+
+    /// What a camera's draws find under the name now; null = no render texture.
+    static RTHandle GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id);
+
+private:
+    void ExpectRunnable() const;
+    void ResolveGlobals();
+    void ExpectWritten() const;
+    void Clear();
+    void Bind();
+    void Record();
+    void Flush();
+    void ExpectAsDeclared(std::size_t firstCommand);
+    void ExpectTarget(const SetRenderTargetCommand* target);
+    void ExpectReads(const DrawBindings& bindings);
+    void NoteUnused(bool draws);
+    void Finish();
+    std::string Subject() const { return "pass '" + m_Pass->name + "'"; }
+
+    const RenderGraph& m_Graph;
+    RenderGraphState& m_State;
+    ScriptableRenderContext& m_Context;
+    RenderReport& m_Report;
+
+    // Of the pass that runs:
+    RenderGraphPass* m_Pass = nullptr;
+    CommandBuffer* m_Cmd = nullptr;
+    std::vector<std::size_t> m_DrawnLists;
+    std::vector<const Texture*> m_Sampled;
+    std::vector<const Texture*> m_Targets; ///< drawn into or cleared
+};
+
+} // namespace limn

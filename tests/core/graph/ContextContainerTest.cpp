@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+#include <limn/core/ContextContainer.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "ThrownMessage.h"
+
+namespace limn
+{
+namespace
+{
+
+struct Blurred final : ContextItem
+{
+    int reset = 7;
+    int kept = 7;
+    void Reset() override { reset = 0; }
+};
+struct Masked final : ContextItem
+{
+    void Reset() override {}
+};
+
+} // namespace
+
+TEST(ContextContainer, HoldsOneItemOfEachTypeThatWasCreated)
+{
+    ContextContainer container;
+    EXPECT_FALSE(container.Contains<Blurred>());
+    Blurred& item = container.Create<Blurred>();
+    EXPECT_TRUE(container.Contains<Blurred>());
+    EXPECT_FALSE(container.Contains<Masked>());
+    container.Create<Masked>();
+    EXPECT_EQ(&container.Get<Blurred>(), &item);
+    EXPECT_EQ(&container.GetOrCreate<Blurred>(), &item);
+}
+
+TEST(ContextContainer, GetOrCreateMakesWhatIsNotThere)
+{
+    ContextContainer container;
+    Blurred& item = container.GetOrCreate<Blurred>();
+    EXPECT_EQ(&container.Get<Blurred>(), &item);
+}
+
+TEST(ContextContainer, RefusesTwoOfOneTypeAndNone)
+{
+    ContextContainer container;
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Get<Masked>(); }),
+              "ContextContainer: there is no (anonymous namespace)::Masked in this frame; Contains "
+              "asks, GetOrCreate makes one");
+    container.Create<Masked>();
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Create<Masked>(); }),
+              "ContextContainer: Create of (anonymous namespace)::Masked, which is there already; "
+              "Get or GetOrCreate gives it");
+}
+
+// Unity pools items: what Reset leaves alone is found again.
+TEST(ContextContainer, ResetsItemsWhenItIsDisposedOfAndUsesThemAgain)
+{
+    ContextContainer container;
+    Blurred& item = container.Create<Blurred>();
+    item.reset = 1;
+    item.kept = 2;
+    container.Dispose();
+    EXPECT_FALSE(container.Contains<Blurred>());
+    EXPECT_EQ(&container.Create<Blurred>(), &item);
+    EXPECT_EQ(item.reset, 0);
+    EXPECT_EQ(item.kept, 2);
+}
+
+} // namespace limn

@@ -1,0 +1,460 @@
+#include "graph/GraphHarness.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ThrownMessage.h"
+
+namespace limn
+{
+namespace
+{
+
+using test::AddRaster;
+using test::AddUnsafe;
+using test::Desc;
+using test::Draw;
+using test::GraphPass;
+using test::Sample;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Whether a pass does what it declares: what a frame with it throws and notes.
+class RenderGraphMismatch : public testing::Test
+{
+protected:
+    void Render(GraphPass::Recording recording)
+    {
+        m_Pass = std::make_unique<GraphPass>(std::move(recording));
+        harness.renderer.builtIn = {m_Pass.get()};
+        harness.Render();
+    }
+    std::string ErrorOf(GraphPass::Recording recording)
+    {
+        return test::ThrownMessage<ContractError>([&] { Render(std::move(recording)); });
+    }
+    std::vector<std::string> NotesOf(GraphPass::Recording recording)
+    {
+        Render(std::move(recording));
+        return harness.report.notes;
+    }
+    /// Of a raster pass "Blur" that draws into the camera's colour, behind one that wrote _Mask.
+    template <typename Declare, typename Record>
+    GraphPass::Recording Blur(Declare declare, Record record)
+    {
+        return [=](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const TextureHandle mask = WrittenMask(graph);
+            const TextureHandle color = frameData.Get<UniversalResourceData>().activeColorTexture();
+            AddRaster(
+                graph, "Blur",
+                [&](auto& builder)
+                {
+                    builder.SetRenderAttachment(color, 0);
+                    declare(builder, mask);
+                },
+                [=](RasterCommandBuffer& cmd) { record(cmd, mask); });
+        };
+    }
+    static TextureHandle WrittenMask(RenderGraph& graph)
+    {
+        const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+        AddRaster(
+            graph, "Mask", [&](auto& builder) { builder.SetRenderAttachment(mask, 0); },
+            [](RasterCommandBuffer& cmd) { Draw(cmd); });
+        return mask;
+    }
+    /// What a builder says to `declare`.
+    std::string ErrorOfDeclaring(
+        const std::function<void(RasterRenderGraphBuilder<test::NoData>&, RenderGraph&)>& declare)
+    {
+        return ErrorOf(
+            [&](RenderGraph& graph, ContextContainer&)
+            {
+                AddRaster(
+                    graph, "Blur", [&](auto& builder) { declare(builder, graph); },
+                    [](RasterCommandBuffer&) {});
+            });
+    }
+
+    test::RendererHarness harness;
+
+private:
+    std::unique_ptr<GraphPass> m_Pass;
+};
+
+const auto k_SampleMask = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
+{
+    Sample(cmd, mask);
+};
+
+} // namespace
+
+TEST_F(RenderGraphMismatch, IsNoneWhereThePassDoesWhatItDeclares)
+{
+    EXPECT_THAT(
+        NotesOf(Blur([](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); },
+                     k_SampleMask)),
+        IsEmpty());
+}
+
+TEST_F(RenderGraphMismatch, NamesATextureThatIsSampledUndeclared)
+{
+    EXPECT_EQ(ErrorOf(Blur([](auto&, const TextureHandle&) {}, k_SampleMask)),
+              "pass 'Blur' declares no read of '_Mask', yet samples it; UseTexture declares it");
+    EXPECT_EQ(ErrorOf(Blur([](auto& builder, const TextureHandle& mask)
+                           { builder.UseTexture(mask, AccessFlags::Write); },
+                           k_SampleMask)),
+              "pass 'Blur' declares no read of '_Mask', yet samples it; UseTexture declares it");
+}
+
+TEST_F(RenderGraphMismatch, NamesOneOfTheCamerasTexturesAsWell)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer& frameData)
+                  {
+                      const auto& resources = frameData.Get<UniversalResourceData>();
+                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                      AddRaster(
+                          graph, "Blur",
+                          [&](auto& builder) { builder.SetRenderAttachment(mask, 0); },
+                          [color = resources.activeColorTexture()](RasterCommandBuffer& cmd)
+                          { Sample(cmd, color); });
+                  }),
+              "pass 'Blur' declares no read of 'CameraColor', yet samples it; UseTexture declares "
+              "it");
+}
+
+TEST_F(RenderGraphMismatch, LeavesTexturesAloneThatTheGraphDoesNotKnow)
+{
+    const RTHandle own(test::Target("Own"));
+    EXPECT_THAT(
+        NotesOf(Blur([](auto&, const TextureHandle&) {},
+                     [own](RasterCommandBuffer& cmd, const TextureHandle&) { Sample(cmd, own); })),
+        IsEmpty());
+}
+
+TEST_F(RenderGraphMismatch, NamesATextureThatAnUnsafePassDrawsIntoUndeclared)
+{
+    for (const bool reads : {false, true})
+    {
+        EXPECT_EQ(ErrorOf(
+                      [&](RenderGraph& graph, ContextContainer&)
+                      {
+                          const TextureHandle mask = WrittenMask(graph);
+                          AddUnsafe(
+                              graph, "Chain",
+                              [&](auto& builder)
+                              {
+                                  if (reads)
+                                  {
+                                      builder.UseTexture(mask);
+                                  }
+                              },
+                              [mask](UnsafeCommandBuffer& cmd)
+                              {
+                                  cmd.SetRenderTarget(mask);
+                                  cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
+                              });
+                      }),
+                  "pass 'Chain' declares no write of '_Mask', yet draws into it; UseTexture(…, "
+                  "AccessFlags::Write) declares it");
+    }
+}
+
+TEST_F(RenderGraphMismatch, NamesAPassThatDrawsWithoutATarget)
+{
+    const auto nothing = [](auto&) {
+    };
+    EXPECT_EQ(
+        ErrorOf(
+            [&](RenderGraph& graph, ContextContainer&)
+            { AddRaster(graph, "Blur", nothing, [](RasterCommandBuffer& cmd) { Draw(cmd); }); }),
+        "pass 'Blur' draws, yet declares no SetRenderAttachment");
+    EXPECT_EQ(
+        ErrorOf(
+            [&](RenderGraph& graph, ContextContainer&)
+            { AddUnsafe(graph, "Chain", nothing, [](UnsafeCommandBuffer& cmd) { Draw(cmd); }); }),
+        "pass 'Chain' draws before it sets a render target");
+}
+
+TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
+{
+    const auto set = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
+    {
+        Sample(cmd, mask);
+        cmd.SetGlobalFloat("_Width", 2.0f);
+    };
+    const auto declare = [](bool allows)
+    {
+        return [allows](auto& builder, const TextureHandle& mask)
+        {
+            builder.UseTexture(mask);
+            builder.AllowGlobalStateModification(allows);
+        };
+    };
+    EXPECT_EQ(ErrorOf(Blur(declare(false), set)),
+              "pass 'Blur' sets the global '_Width', yet declares no "
+              "AllowGlobalStateModification(true)");
+    EXPECT_THAT(NotesOf(Blur(declare(true), set)), IsEmpty());
+    const auto setView = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
+    {
+        Sample(cmd, mask);
+        cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
+    };
+    EXPECT_EQ(ErrorOf(Blur(declare(false), setView)),
+              "pass 'Blur' sets the view and projection matrices, yet declares no "
+              "AllowGlobalStateModification(true)");
+}
+
+TEST_F(RenderGraphMismatch, NamesAGlobalThatANativeCommandBufferSetsWithoutLeave)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      AddUnsafe(
+                          graph, "Chain", [](auto&) {},
+                          [](UnsafeCommandBuffer& cmd) {
+                              CommandBufferHelpers::GetNativeCommandBuffer(cmd).SetGlobalInt(
+                                  "_Count", 2);
+                          });
+                  }),
+              "pass 'Chain' sets the global '_Count', yet declares no "
+              "AllowGlobalStateModification(true)");
+}
+
+TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
+{
+    EXPECT_EQ(ErrorOf(Blur([](auto& builder, const TextureHandle&)
+                           { builder.UseGlobalTexture("_Nobody"); },
+                           k_SampleMask)),
+              "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
+              "global under that name; SetGlobalTextureAfterPass does");
+}
+
+TEST_F(RenderGraphMismatch, NamesATextureThatIsReadBeforeAnythingWroteIt)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                      AddUnsafe(
+                          graph, "Blur", [&](auto& builder) { builder.UseTexture(mask); },
+                          [](UnsafeCommandBuffer&) {});
+                  }),
+              "pass 'Blur' reads '_Mask', which no pass before it writes");
+}
+
+TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
+{
+    const auto record = [&](bool declares, bool draws)
+    {
+        return [=, this](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const RendererListHandle list = graph.CreateRendererList(
+                RendererListParams(harness.cullResults, DrawingSettings(), FilteringSettings()));
+            const TextureHandle color = frameData.Get<UniversalResourceData>().activeColorTexture();
+            AddRaster(
+                graph, "List",
+                [&](auto& builder)
+                {
+                    builder.SetRenderAttachment(color, 0);
+                    if (declares)
+                    {
+                        builder.UseRendererList(list);
+                    }
+                },
+                [=](RasterCommandBuffer& cmd)
+                {
+                    Draw(cmd);
+                    if (draws)
+                    {
+                        cmd.DrawRendererList(list);
+                    }
+                });
+        };
+    };
+    EXPECT_EQ(ErrorOf(record(false, true)),
+              "pass 'List' declares no UseRendererList of a renderer list, yet draws it");
+    EXPECT_THAT(NotesOf(record(true, false)),
+                ElementsAre("pass 'List' declares UseRendererList of a list that it does not "
+                            "draw"));
+}
+
+TEST_F(RenderGraphMismatch, NotesWhatIsDeclaredForNothing)
+{
+    EXPECT_THAT(
+        NotesOf(Blur([](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); },
+                     [](RasterCommandBuffer& cmd, const TextureHandle&) { Draw(cmd); })),
+        ElementsAre("pass 'Blur' declares a read of '_Mask', yet samples it nowhere"));
+    EXPECT_THAT(NotesOf(Blur([](auto&, const TextureHandle&) {},
+                             [](RasterCommandBuffer&, const TextureHandle&) {})),
+                ElementsAre("pass 'Blur' declares a write of 'CameraColor', yet draws nothing "
+                            "into it"));
+}
+
+TEST_F(RenderGraphMismatch, NamesAPassWithoutARenderFunction)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      test::NoData* data = nullptr;
+                      graph.AddRasterRenderPass<test::NoData>("Blur", data);
+                  }),
+              "pass 'Blur' has no render function; SetRenderFunc gives it one");
+}
+
+TEST_F(RenderGraphMismatch, NamesTwoUsesOfATextureInOnePass)
+{
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [](auto& builder, RenderGraph& graph)
+                  {
+                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                      builder.SetRenderAttachment(mask, 0);
+                      builder.UseTexture(mask);
+                  }),
+              "pass 'Blur': UseTexture of '_Mask', which the pass draws into already; one pass "
+              "uses a texture in one way");
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [](auto& builder, RenderGraph& graph)
+                  {
+                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                      builder.UseTexture(mask);
+                      builder.SetRenderAttachment(mask, 0);
+                  }),
+              "pass 'Blur': SetRenderAttachment of '_Mask', which the pass reads already; one pass "
+              "uses a texture in one way");
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [](auto& builder, RenderGraph& graph)
+                  {
+                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                      builder.UseTexture(mask, AccessFlags::Write);
+                      builder.UseTexture(mask, AccessFlags::Write);
+                  }),
+              "pass 'Blur': UseTexture of '_Mask', which the pass writes already; one pass uses a "
+              "texture in one way");
+    EXPECT_THAT(NotesOf(Blur(
+                    [](auto& builder, const TextureHandle& mask)
+                    {
+                        builder.UseTexture(mask);
+                        builder.UseTexture(mask); // two reads are fine, as in Unity
+                    },
+                    k_SampleMask)),
+                IsEmpty());
+}
+
+TEST_F(RenderGraphMismatch, NamesAttachmentsThatDoNotFit)
+{
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [](auto& builder, RenderGraph& graph)
+                  {
+                      builder.SetRenderAttachment(graph.CreateTexture(Desc("_A")), 0);
+                      builder.SetRenderAttachment(graph.CreateTexture(Desc("_B")), 0);
+                  }),
+              "pass 'Blur': SetRenderAttachment of '_B' at index 0, where '_A' is already");
+    EXPECT_EQ(
+        ErrorOfDeclaring([](auto& builder, RenderGraph& graph)
+                         { builder.SetRenderAttachment(graph.CreateTexture(Desc("_A")), 8); }),
+        "pass 'Blur': SetRenderAttachment of '_A' at index 8; there are 0 to 7");
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [](auto& builder, RenderGraph& graph)
+                  {
+                      builder.SetRenderAttachment(graph.CreateTexture(Desc("_A")), 0);
+                      builder.SetRenderAttachment(graph.CreateTexture(Desc("_C")), 2);
+                  }),
+              "pass 'Blur' has '_C' at index 2, yet nothing at 1; leave no index out");
+    TextureDesc depth = Desc("_Depth");
+    depth.depthBufferBits = DepthBits::Depth32;
+    EXPECT_EQ(ErrorOfDeclaring([&](auto& builder, RenderGraph& graph)
+                               { builder.SetRenderAttachment(graph.CreateTexture(depth), 0); }),
+              "pass 'Blur': SetRenderAttachment of '_Depth', a depth texture; "
+              "SetRenderAttachmentDepth takes those");
+    EXPECT_EQ(
+        ErrorOfDeclaring([](auto& builder, RenderGraph& graph)
+                         { builder.SetRenderAttachmentDepth(graph.CreateTexture(Desc("_A"))); }),
+        "pass 'Blur': SetRenderAttachmentDepth of '_A', which is no depth texture; "
+        "SetRenderAttachment takes colours");
+    EXPECT_EQ(ErrorOfDeclaring(
+                  [&](auto& builder, RenderGraph& graph)
+                  {
+                      builder.SetRenderAttachmentDepth(graph.CreateTexture(depth));
+                      builder.SetRenderAttachmentDepth(graph.CreateTexture(depth));
+                  }),
+              "pass 'Blur': SetRenderAttachmentDepth of '_Depth', where '_Depth' is already");
+}
+
+TEST_F(RenderGraphMismatch, NamesHandlesThatStandForNothing)
+{
+    EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseTexture({}); }),
+              "pass 'Blur': UseTexture of an empty handle");
+    EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseRendererList({}); }),
+              "pass 'Blur': UseRendererList of an empty handle");
+    TextureHandle old;
+    Render([&](RenderGraph& graph, ContextContainer&) { old = graph.CreateTexture(Desc("_Old")); });
+    EXPECT_EQ(ErrorOfDeclaring([&](auto& builder, RenderGraph&) { builder.UseTexture(old); }),
+              "pass 'Blur': UseTexture of '_Old', a handle of an earlier frame; handles are for "
+              "one camera's frame");
+    EXPECT_EQ(ErrorOf([](RenderGraph& graph, ContextContainer&) { graph.ImportTexture({}); }),
+              "ImportTexture: the handle has no texture");
+}
+
+TEST_F(RenderGraphMismatch, NamesATransientTextureOfAnotherPass)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      TextureHandle transient;
+                      AddRaster(
+                          graph, "Own",
+                          [&](auto& builder)
+                          {
+                              transient = builder.CreateTransientTexture(Desc("_Transient"));
+                              builder.SetRenderAttachment(transient, 0);
+                          },
+                          [](RasterCommandBuffer& cmd) { Draw(cmd); });
+                      AddRaster(
+                          graph, "Other", [&](auto& builder) { builder.UseTexture(transient); },
+                          [](RasterCommandBuffer&) {});
+                  }),
+              "pass 'Other': UseTexture of '_Transient', which is transient in pass 'Own'");
+}
+
+TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer& frameData)
+                  {
+                      TextureDesc desc(4, 2);
+                      desc.name = "_Small";
+                      frameData.Get<UniversalResourceData>().cameraColor =
+                          graph.CreateTexture(desc);
+                  }),
+              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples a texel; the "
+              "camera's colour is 8x4 of 1 samples a texel");
+}
+
+TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      TextureDesc half(4, 2);
+                      half.name = "_Half";
+                      graph.AddCopyPass(graph.CreateTexture(Desc("_A")), graph.CreateTexture(half),
+                                        "Copy");
+                  }),
+              "AddCopyPass 'Copy': '_A' is 8x4 R8G8B8A8_UNorm of 1 samples a texel, '_Half' is 4x2 "
+              "R8G8B8A8_UNorm of 1 samples a texel; both must be colours of one size, format and "
+              "number of samples");
+}
+
+TEST_F(RenderGraphMismatch, LeavesTheNextFrameAsItWouldBe)
+{
+    EXPECT_NE(ErrorOf(Blur([](auto&, const TextureHandle&) {}, k_SampleMask)), "");
+    EXPECT_THAT(
+        NotesOf(Blur([](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); },
+                     k_SampleMask)),
+        IsEmpty());
+}
+
+} // namespace limn
