@@ -30,6 +30,9 @@ public:
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
     void SetGlobal(const SetGlobalCommand& command);
+    void SetKeyword(const SetKeywordCommand& command);
+    /// Those that are on for all materials, sorted.
+    const std::vector<std::string>& keywords();
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetRenderTarget(const SetRenderTargetCommand& command);
     /// @param properties  of the draw; null = none
@@ -83,6 +86,9 @@ private:
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
+    std::vector<GlobalKeyword> m_KnownKeywords; ///< that were ever switched, by name
+    std::vector<std::string> m_Keywords;        ///< that are on, unless m_AreKeywordsOld
+    bool m_AreKeywordsOld = false;
     glm::dvec3 m_Origin{0.0};
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
