@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <limits>
 #include <limn/core/CommandBuffer.h>
@@ -49,6 +51,29 @@ void ExpectDepth(const RTHandle& target)
         throw ContractError("SetRenderTarget: the depth target '" + target.rt()->name() +
                             "' has the format " + ToString(target.rt()->graphicsFormat()) +
                             "; it needs a depth format");
+    }
+}
+
+bool Wraps(const RTHandle& target)
+{
+    return target && !target.rt();
+}
+
+/// @param least  the smallest size allowed
+void ExpectRect(const char* call, const ViewportRect& rect, int least)
+{
+    const auto size = std::to_string(rect.width) + "x" + std::to_string(rect.height);
+    if (rect.width < least || rect.height < least)
+    {
+        throw ContractError(std::string(call) + ": the size is " + size + "; both must be " +
+                            (least > 0 ? "greater than 0" : "0 or more"));
+    }
+    constexpr int k_Most = std::numeric_limits<int>::max();
+    if (rect.x > k_Most - rect.width || rect.y > k_Most - rect.height)
+    {
+        throw ContractError(std::string(call) + ": " + size + " at (" + std::to_string(rect.x) +
+                            ", " + std::to_string(rect.y) + ") ends beyond texel " +
+                            std::to_string(k_Most));
     }
 }
 
@@ -124,7 +149,7 @@ void SetBlitMatrices(MaterialPropertyBlock& properties)
 
 void CommandBuffer::SetRenderTarget(const RTHandle& color, const RTHandle& depth)
 {
-    if (color && !depth && IsDepthFormat(color.rt()->graphicsFormat()))
+    if (color.rt() && !depth && IsDepthFormat(color.rt()->graphicsFormat()))
     {
         SetRenderTarget(std::span<const RTHandle>(), color);
         return;
@@ -138,6 +163,12 @@ void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHa
     {
         throw ContractError("SetRenderTarget: " + std::to_string(colors.size()) +
                             " colour targets; at most " + std::to_string(k_MostColors));
+    }
+    if (Wraps(depth) || std::any_of(colors.begin(), colors.end(), Wraps))
+    {
+        const std::vector<RenderTargetIdentifier> identifiers(colors.begin(), colors.end());
+        SetRenderTarget(identifiers, depth.nameID());
+        return;
     }
     SetRenderTargetCommand command;
     for (const RTHandle& color : colors)
@@ -181,20 +212,34 @@ void CommandBuffer::ClearRenderTarget(ClearFlag flags, const Color& color, float
 
 void CommandBuffer::SetViewport(const ViewportRect& rect)
 {
-    if (rect.width <= 0 || rect.height <= 0)
-    {
-        throw ContractError("SetViewport: the size is " + std::to_string(rect.width) + "x" +
-                            std::to_string(rect.height) + "; both must be greater than 0");
-    }
-    constexpr int k_Most = std::numeric_limits<int>::max();
-    if (rect.x > k_Most - rect.width || rect.y > k_Most - rect.height)
-    {
-        throw ContractError("SetViewport: " + std::to_string(rect.width) + "x" +
-                            std::to_string(rect.height) + " at (" + std::to_string(rect.x) + ", " +
-                            std::to_string(rect.y) + ") ends beyond texel " +
-                            std::to_string(k_Most));
-    }
+    ExpectRect("SetViewport", rect, 1);
     m_Commands.emplace_back(SetViewportCommand{rect});
+}
+
+void CommandBuffer::EnableScissorRect(const ViewportRect& scissor)
+{
+    ExpectRect("EnableScissorRect", scissor, 0);
+    m_Commands.emplace_back(SetScissorCommand{scissor});
+}
+
+void CommandBuffer::DisableScissorRect()
+{
+    m_Commands.emplace_back(SetScissorCommand{});
+}
+
+void CommandBuffer::SetInvertCulling(bool invertCulling)
+{
+    m_Commands.emplace_back(SetInvertCullingCommand{invertCulling});
+}
+
+void CommandBuffer::SetGlobalDepthBias(float bias, float slopeBias)
+{
+    if (!std::isfinite(bias) || !std::isfinite(slopeBias))
+    {
+        throw ContractError("SetGlobalDepthBias: the bias is " + std::to_string(bias) + ", " +
+                            std::to_string(slopeBias) + "; both must be finite");
+    }
+    m_Commands.emplace_back(SetGlobalDepthBiasCommand{bias, slopeBias});
 }
 
 void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
@@ -209,6 +254,29 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
     ExpectSubMesh(*mesh, subMesh);
     m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, glm::dmat4(matrix),
                                          std::move(material), shaderPass, Keep(properties)});
+}
+
+void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                      const std::shared_ptr<const Material>& material,
+                                      int shaderPass, std::span<const glm::mat4> matrices,
+                                      const MaterialPropertyBlock& properties)
+{
+    constexpr std::size_t k_Most = 1023; // Unity's
+    if (matrices.size() > k_Most)
+    {
+        throw ContractError("DrawMeshInstanced: " + std::to_string(matrices.size()) +
+                            " matrices; at most " + std::to_string(k_Most));
+    }
+    ExpectMaterial(material);
+    const bool isEach = shaderPass == k_AllPasses;
+    const int end = isEach ? material->passCount() : shaderPass + 1;
+    for (int pass = isEach ? 0 : shaderPass; pass < end; ++pass)
+    {
+        for (const glm::mat4& matrix : matrices)
+        {
+            DrawMesh(mesh, matrix, material, submeshIndex, pass, properties);
+        }
+    }
 }
 
 void CommandBuffer::DrawRenderer(const GameObject& object,
@@ -241,6 +309,11 @@ void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
     {
         throw ContractError(std::string("Blit: the ") + (source ? "destination" : "source") +
                             " is an empty handle");
+    }
+    if (Wraps(source) || Wraps(dest))
+    {
+        Blit(source.nameID(), dest.nameID(), material, pass);
+        return;
     }
     DrawBlit(source.rt(), dest, material, pass);
 }
@@ -339,7 +412,19 @@ void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color)
 
 void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth)
 {
-    m_Commands.emplace_back(SetIdentifiedTargetCommand{std::move(color), std::move(depth)});
+    SetRenderTarget(std::span(&color, 1), std::move(depth));
+}
+
+void CommandBuffer::SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
+                                    RenderTargetIdentifier depth)
+{
+    m_Commands.emplace_back(
+        SetIdentifiedTargetCommand{{colors.begin(), colors.end()}, std::move(depth)});
+}
+
+void CommandBuffer::SetCameraColor(RTHandle color)
+{
+    m_Commands.emplace_back(SetCameraColorCommand{std::move(color)});
 }
 
 void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,

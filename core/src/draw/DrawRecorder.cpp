@@ -2,6 +2,7 @@
 
 #include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
+#include "material/ShaderGlobals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,9 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     ++m_GlobalsVersion;
     m_AreKeywordsOld = true;
     m_Origin = origin;
+    m_State = {};
+    m_ShaderGlobalsVersion = 0;
+    m_ShaderGlobals.clear();
     m_Depth = nullptr;
     if (std::exchange(m_HasDraws, false))
     {
@@ -129,10 +133,30 @@ const std::vector<std::string>& DrawRecorder::keywords()
     return m_Keywords;
 }
 
+void DrawRecorder::TakeShaderGlobals()
+{
+    const std::uint64_t version = ShaderGlobals::version();
+    if (std::exchange(m_ShaderGlobalsVersion, version) == version)
+    {
+        return;
+    }
+    ShaderGlobals::ForEach(
+        [&](ShaderPropertyId id, const ShaderPropertyValue& value)
+        {
+            const ShaderPropertyValue* now = m_Globals.Find(id);
+            const auto taken = m_ShaderGlobals.find(id);
+            if (now == nullptr || (taken != m_ShaderGlobals.end() && *now == taken->second))
+            {
+                SetGlobal({id, value});
+                m_ShaderGlobals[id] = value;
+            }
+        });
+}
+
 DrawRecorder::Place DrawRecorder::MarkPlace()
 {
     m_KeepsChanges = true;
-    return {m_Frame.commands.size(), m_Changes.size()};
+    return {m_Frame.commands.size(), m_Changes.size(), m_State};
 }
 
 void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>& record)
@@ -153,7 +177,9 @@ void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>
     }
     ++m_GlobalsVersion;
     m_AreKeywordsOld = true;
+    const CommonDrawState state = std::exchange(m_State, place.state);
     record();
+    m_State = state;
     m_Changes.resize(count);
     m_Globals = std::move(now);
     ++m_GlobalsVersion;
@@ -195,6 +221,8 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     draw.shaderPass = shaderPass;
     draw.state = Override(
         ResolveState(material.shader()->passState(shaderPass), material, m_Globals), stateBlock);
+    draw.state.offsetUnits += m_State.depthBias;
+    draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);
     draw.bindings = m_Resolver.Resolve(draw.program, {properties, &material, &m_Globals},
                                        m_GlobalsVersion, m_Frame.uniformData);
@@ -232,8 +260,9 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
         LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock());
     const PerDrawData perDraw =
         MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
-    setup.fullScreen = Promise(recorded, properties);
+    setup.fullScreen = Promise(recorded, properties, setup.state);
     DrawCommand draw;
+    draw.scissor = m_State.scissor;
     const bool hasCamera = recorded.mesh && !recorded.isBlit;
     if (hasCamera && setup.shader->staysWithinMesh(setup.shaderPass))
     {
@@ -248,7 +277,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
     // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
     // Unity's render textures, which are upside down: counter-clockwise is the front there.
-    setup.state.frontFaceFlipped = isMirrored != (recorded.mesh == nullptr);
+    setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored != (recorded.mesh == nullptr));
     draw.setup = Add(std::move(setup));
     if (!MergeIntoLast(draw))
     {
@@ -329,12 +358,20 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
     }
 }
 
+/// Whether it can be a draw over the whole of the target.
+bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& state) const
+{
+    return (!recorded.mesh || recorded.isBlit) && !m_State.scissor &&
+           (!m_State.invertsCulling || state.cull == CullMode::Off);
+}
+
 /// What the pass's LimnFullScreen tag comes to with the values of this draw.
 std::shared_ptr<const FullScreenPromise>
-DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
+DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties,
+                      const PipelineState& state)
 {
     const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
-    if ((recorded.mesh && !recorded.isBlit) || tag == nullptr)
+    if (tag == nullptr || !MayCover(recorded, state))
     {
         return nullptr;
     }
@@ -371,7 +408,8 @@ bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
         m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
     if (last == nullptr || draw.mesh == DrawCommand::k_NoMesh || last->mesh != draw.mesh ||
         last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects ||
-        last->setup != draw.setup || !isInstanceable(*m_Frame.Setup(draw).program))
+        last->setup != draw.setup || last->scissor != draw.scissor ||
+        !isInstanceable(*m_Frame.Setup(draw).program))
     {
         return false;
     }

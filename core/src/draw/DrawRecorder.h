@@ -33,8 +33,12 @@ public:
     void SetKeyword(const SetKeywordCommand& command);
     /// Those that are on for all materials, sorted.
     const std::vector<std::string>& keywords();
+    /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
+    /// nothing else.
+    void TakeShaderGlobals();
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetRenderTarget(const SetRenderTargetCommand& command);
+    CommonDrawState& commonState() { return m_State; } ///< of what is drawn from now on
     /// @param properties  of the draw; null = none
     void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
@@ -55,6 +59,9 @@ public:
     std::optional<TargetRegion> Project(const Bounds& bounds, float radius,
                                         const PerDrawData& perDraw) const;
 
+    /// What PipelineState calls that for a mesh whose transform mirrors or does not.
+    bool FlipsFrontFace(bool isMirrored) const { return isMirrored != m_State.invertsCulling; }
+
     /// The number of a setup, or of a mesh, in the frame's tables.
     std::uint32_t Add(DrawSetup setup);
     std::uint32_t Add(const std::shared_ptr<const Mesh>& mesh);
@@ -65,8 +72,10 @@ public:
 private:
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
+    bool MayCover(const RecordedDraw& recorded, const PipelineState& state) const;
     std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
-                                                     const MaterialPropertyBlock* properties);
+                                                     const MaterialPropertyBlock* properties,
+                                                     const PipelineState& state);
     bool MergeIntoLast(const DrawCommand& draw);
 
     struct GlobalChange
@@ -89,7 +98,10 @@ private:
     std::vector<GlobalKeyword> m_KnownKeywords; ///< that were ever switched, by name
     std::vector<std::string> m_Keywords;        ///< that are on, unless m_AreKeywordsOld
     bool m_AreKeywordsOld = false;
+    std::uint64_t m_ShaderGlobalsVersion = 0;
+    std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
+    CommonDrawState m_State;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;
     struct MeshPlace

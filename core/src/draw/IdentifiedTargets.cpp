@@ -230,10 +230,11 @@ const CommandBuffer& IdentifiedTargets::Resolve(const SetIdentifiedTargetCommand
     static constexpr std::string_view k_Call = "SetRenderTarget";
     const RenderTargetIdentifier& depth = command.depth;
     m_Result.Clear();
+    const bool isAlone = command.colors.size() == 1;
     RTHandle second;
     if (depth == BuiltinRenderTextureType::None)
     {
-        second = DepthBeside(command.color);
+        second = isAlone ? DepthBeside(command.colors.front()) : RTHandle();
     }
     else if (const RTHandle beside = DepthBeside(depth))
     {
@@ -243,8 +244,17 @@ const CommandBuffer& IdentifiedTargets::Resolve(const SetIdentifiedTargetCommand
     {
         second = FindTarget(depth, k_Call);
     }
-    const RTHandle first = FindTarget(command.color, k_Call);
-    m_Result.SetRenderTarget(first, first == second ? RTHandle() : second);
+    FixedList<RTHandle, k_MostColors> colors;
+    for (const RenderTargetIdentifier& color : command.colors)
+    {
+        colors.push_back(FindTarget(color, k_Call));
+    }
+    if (isAlone)
+    {
+        m_Result.SetRenderTarget(colors[0], colors[0] == second ? RTHandle() : second);
+        return m_Result;
+    }
+    m_Result.SetRenderTarget(std::span<const RTHandle>(colors.begin(), colors.size()), second);
     return m_Result;
 }
 

@@ -20,6 +20,7 @@ public:
 
     void BeginCamera(CameraTargets camera, std::vector<std::string>& notes);
     void EndCamera();
+    void SetCameraColor(const SetCameraColorCommand& command) { m_Camera.color = command.color; }
 
     // The same by commands that name no identifiers; until the next call.
     // All throw ContractError for what cannot be done.

@@ -422,11 +422,12 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
         if (!setup)
         {
             DrawSetup turned = pass;
-            turned.state.frontFaceFlipped = batch.isMirrored;
+            turned.state.frontFaceFlipped = recorder.FlipsFrontFace(batch.isMirrored);
             setup = recorder.Add(std::move(turned));
         }
         DrawCommand draw;
         draw.drawsObjects = true;
+        draw.scissor = recorder.commonState().scissor;
         draw.setup = *setup;
         draw.mesh = recorder.Add(part.mesh);
         draw.subMesh = part.subMesh;

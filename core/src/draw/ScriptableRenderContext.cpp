@@ -53,6 +53,7 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
 
 void ScriptableRenderContext::BeginCamera(CameraTargets camera)
 {
+    m_Recorder->commonState() = {};
     m_Identified->BeginCamera(std::move(camera), m_Report->notes);
 }
 
@@ -65,6 +66,7 @@ ScriptableRenderContext::~ScriptableRenderContext() = default;
 
 void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandBuffer)
 {
+    m_Recorder->TakeShaderGlobals();
     for (const RecordedCommand& command : commandBuffer.commands())
     {
         std::visit(
@@ -95,6 +97,29 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 {
                     m_Frame.commands.emplace_back(c);
                 }
+                else if constexpr (std::is_same_v<Command, SetScissorCommand>)
+                {
+                    m_Recorder->commonState().scissor = c.rect;
+                }
+                else if constexpr (std::is_same_v<Command, SetInvertCullingCommand>)
+                {
+                    m_Recorder->commonState().invertsCulling = c.isInverted;
+                }
+                else if constexpr (std::is_same_v<Command, SetGlobalDepthBiasCommand>)
+                {
+                    m_Recorder->commonState().depthBias = c.bias;
+                    m_Recorder->commonState().slopeDepthBias = c.slopeBias;
+                }
+                else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
+                {
+                    m_Identified->SetCameraColor(c);
+                }
+                else if constexpr (std::is_same_v<Command, CopyTextureCommand>)
+                {
+                    const CommonDrawState state = std::exchange(m_Recorder->commonState(), {});
+                    ExecuteCommandBuffer(m_Identified->Resolve(c));
+                    m_Recorder->commonState() = state;
+                }
                 else
                 {
                     ExecuteCommandBuffer(m_Identified->Resolve(c));
@@ -114,6 +139,7 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
         {SampleName(m_PassName), filteringSettings, drawingSettings, judged.counts});
     if (!judged.drawn.empty())
     {
+        m_Recorder->TakeShaderGlobals();
         const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
         DrawObjects(judged.drawn, runs, drawingSettings, stateBlock, *m_Recorder);
     }

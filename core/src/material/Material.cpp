@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "material/RequireFinite.h"
 #include "scene/UniqueId.h"
@@ -17,6 +18,36 @@ const ShaderProperty* FindProperty(const Shader& shader, const std::string& name
     const auto it = std::find_if(properties.begin(), properties.end(),
                                  [&](const ShaderProperty& p) { return p.name == name; });
     return it == properties.end() ? nullptr : &*it;
+}
+
+/// @param property  null = it is declared nowhere
+bool isHdr(const ShaderProperty* property)
+{
+    return property != nullptr && property->HasAttribute("HDR");
+}
+
+bool isOneOf(const ShaderProperty* property, std::initializer_list<ShaderPropertyType> types)
+{
+    return property != nullptr && std::ranges::find(types, property->type) != types.end();
+}
+
+ShaderPropertyId ScaleOffsetId(ShaderPropertyId texture)
+{
+    return ShaderPropertyId(texture.name() + "_ST");
+}
+
+/// @return null where there is no value of this kind
+template <typename Kind>
+const Kind* As(const ShaderPropertyValue* value)
+{
+    return value != nullptr ? std::get_if<Kind>(value) : nullptr;
+}
+
+template <typename Kind>
+Kind CopyOf(const ShaderPropertyValue* value)
+{
+    const auto* kind = As<Kind>(value);
+    return kind != nullptr ? *kind : Kind();
 }
 
 } // namespace
@@ -74,8 +105,7 @@ Material::Material(const Material& source, std::shared_ptr<const Shader> shader)
 
 void Material::SetColor(ShaderPropertyId id, const Color& value)
 {
-    const ShaderProperty* property = FindProperty(*m_Shader, id.name());
-    if (property != nullptr && property->HasAttribute("HDR"))
+    if (isHdr(FindProperty(*m_Shader, id.name())))
     {
         Set(id, value.vector());
         return;
@@ -95,13 +125,170 @@ void Material::SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset)
 
 void Material::SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value)
 {
-    const ShaderPropertyId id(texture.name() + "_ST");
-    const ShaderPropertyValue* old = Find(id);
-    const glm::vec4* vector = old != nullptr ? std::get_if<glm::vec4>(old) : nullptr;
-    glm::vec4 changed = vector != nullptr ? *vector : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
+    glm::vec4 changed = ScaleOffset(texture);
     changed[first] = value.x;
     changed[first + 1] = value.y;
-    Set(id, changed);
+    Set(ScaleOffsetId(texture), changed);
+}
+
+glm::vec4 Material::ScaleOffset(ShaderPropertyId texture) const
+{
+    const auto* vector = As<glm::vec4>(Find(ScaleOffsetId(texture)));
+    return vector != nullptr ? *vector : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
+}
+
+glm::vec2 Material::GetTextureScale(ShaderPropertyId id) const
+{
+    return ScaleOffset(id);
+}
+
+glm::vec2 Material::GetTextureOffset(ShaderPropertyId id) const
+{
+    const glm::vec4 value = ScaleOffset(id);
+    return {value.z, value.w};
+}
+
+void Material::SetColorArray(ShaderPropertyId id, const std::vector<Color>& values)
+{
+    std::vector<glm::vec4> vectors;
+    for (const Color& value : values)
+    {
+        vectors.push_back(value.linear().vector());
+    }
+    Set(id, std::move(vectors));
+}
+
+void Material::SetTexture(ShaderPropertyId id, const RTHandle& value)
+{
+    Set(id, TextureOf(value, id, "material '" + m_Name + "': "));
+}
+
+void Material::FailGet(ShaderPropertyId id, const char* kind) const
+{
+    throw ContractError("material '" + m_Name + "': property '" + id.name() + "' is " +
+                        (Find(id) != nullptr ? "not " : "not set, asked for as ") + kind);
+}
+
+float Material::GetFloat(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = Find(id);
+    if (const auto* number = As<float>(value))
+    {
+        return *number;
+    }
+    if (const auto* integer = As<int>(value))
+    {
+        return static_cast<float>(*integer);
+    }
+    FailGet(id, "a number");
+}
+
+int Material::GetInt(ShaderPropertyId id) const
+{
+    if (const auto* integer = As<int>(Find(id)))
+    {
+        return *integer;
+    }
+    constexpr double k_Least = std::numeric_limits<int>::min();
+    constexpr double k_Most = std::numeric_limits<int>::max();
+    return static_cast<int>(std::clamp(static_cast<double>(GetFloat(id)), k_Least, k_Most));
+}
+
+glm::vec4 Material::GetVector(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = Find(id);
+    if (const auto* vector = As<glm::vec4>(value))
+    {
+        return *vector;
+    }
+    if (const auto* color = As<Color>(value))
+    {
+        return color->linear().vector();
+    }
+    FailGet(id, "a vector");
+}
+
+Color Material::GetColor(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = Find(id);
+    if (const auto* color = As<Color>(value))
+    {
+        return *color;
+    }
+    if (const auto* vector = As<glm::vec4>(value))
+    {
+        const Color linear{vector->x, vector->y, vector->z, vector->w};
+        return isHdr(FindProperty(*m_Shader, id.name())) ? linear : linear.gamma();
+    }
+    FailGet(id, "a colour");
+}
+
+glm::mat4 Material::GetMatrix(ShaderPropertyId id) const
+{
+    if (const auto* matrix = As<glm::mat4>(Find(id)))
+    {
+        return *matrix;
+    }
+    FailGet(id, "a matrix");
+}
+
+std::shared_ptr<const Texture> Material::GetTexture(ShaderPropertyId id) const
+{
+    return CopyOf<std::shared_ptr<const Texture>>(Find(id));
+}
+
+std::vector<float> Material::GetFloatArray(ShaderPropertyId id) const
+{
+    return CopyOf<std::vector<float>>(Find(id));
+}
+
+std::vector<glm::vec4> Material::GetVectorArray(ShaderPropertyId id) const
+{
+    return CopyOf<std::vector<glm::vec4>>(Find(id));
+}
+
+std::vector<glm::mat4> Material::GetMatrixArray(ShaderPropertyId id) const
+{
+    return CopyOf<std::vector<glm::mat4>>(Find(id));
+}
+
+bool Material::HasProperty(ShaderPropertyId id) const
+{
+    return FindProperty(*m_Shader, id.name()) != nullptr;
+}
+
+bool Material::HasFloat(ShaderPropertyId id) const
+{
+    using enum ShaderPropertyType;
+    return isOneOf(FindProperty(*m_Shader, id.name()), {Float, Range, Int});
+}
+
+bool Material::HasInteger(ShaderPropertyId id) const
+{
+    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Integer});
+}
+
+bool Material::HasColor(ShaderPropertyId id) const
+{
+    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Color});
+}
+
+bool Material::HasVector(ShaderPropertyId id) const
+{
+    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Vector});
+}
+
+bool Material::HasTexture(ShaderPropertyId id) const
+{
+    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Texture});
+}
+
+void Material::CopyPropertiesFromMaterial(const Material& mat)
+{
+    m_Values.SetAll(mat.m_Values);
+    m_RenderQueue = mat.m_RenderQueue;
+    m_Keywords = mat.m_Keywords;
+    KeywordsChanged();
 }
 
 void Material::EnableKeyword(const std::string& keyword)

@@ -59,6 +59,18 @@ bool isEmptyArray(const ShaderPropertyValue& value)
     return std::visit(HasNoElements(), value);
 }
 
+std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyId id,
+                                         std::string_view owner)
+{
+    if (handle && !handle.rt())
+    {
+        throw ContractError(std::string(owner) + "property '" + id.name() +
+                            "' is set to a handle around an identifier, which only a command "
+                            "buffer can look up; use SetGlobalTexture");
+    }
+    return handle.rt();
+}
+
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::string_view owner)
 {
     if (isEmptyArray(value))
@@ -77,6 +89,11 @@ void MaterialPropertyBlock::Set(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id);
     Put(id, std::move(value));
+}
+
+void MaterialPropertyBlock::SetTexture(ShaderPropertyId id, const RTHandle& value)
+{
+    Set(id, TextureOf(value, id));
 }
 
 void MaterialPropertyBlock::SetAll(const MaterialPropertyBlock& other)

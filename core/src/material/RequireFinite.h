@@ -17,4 +17,10 @@ bool isEmptyArray(const ShaderPropertyValue& value);
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id,
                    std::string_view owner = {});
 
+/// What a property is set to by a handle; null by an empty one.
+/// @param owner  as above
+/// @throws ContractError if it wraps an identifier
+std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyId id,
+                                         std::string_view owner = {});
+
 } // namespace limn

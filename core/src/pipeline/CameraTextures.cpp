@@ -95,7 +95,7 @@ void CameraTextures::Allocate(const RenderTextureDescriptor& camera)
 }
 
 void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
-                                const ScriptableRenderer::PassPlace& place)
+                                const ScriptableRenderer::PassPlace& place, const RTHandle& color)
 {
     if (context.Reads(*m_CopiedDepth.rt()))
     {
@@ -122,6 +122,7 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
     if (!m_ColorPlace && next > AfterRenderingSkybox)
     {
         m_ColorPlace = place;
+        m_ColorThere = color;
         Set(context, _CameraOpaqueTexture, m_OpaqueColor);
     }
 }
@@ -134,13 +135,12 @@ bool CameraTextures::TakesDepthFromPrepass(const ScriptableRenderContext& contex
 }
 
 std::vector<CameraTextures::LatePass> CameraTextures::Needed(const ScriptableRenderContext& context,
-                                                             const RTHandle& color,
                                                              const RTHandle& depth)
 {
     std::vector<LatePass> passes;
     if (context.Reads(*m_OpaqueColor.rt()))
     {
-        m_CopyColor.SetTargets(color, m_OpaqueColor);
+        m_CopyColor.SetTargets(m_ColorThere, m_OpaqueColor);
         passes.push_back({m_ColorPlace.value(), &m_CopyColor});
     }
     if (context.Reads(*m_CopiedDepth.rt()))

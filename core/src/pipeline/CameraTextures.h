@@ -34,9 +34,10 @@ public:
                const RenderTextureDescriptor& camera, std::vector<std::string>& notes);
 
     /// Gives draws that follow what is made at this place.
-    /// @param next  the event of the next pass, or one behind all
+    /// @param next   the event of the next pass, or one behind all
+    /// @param color  the camera's at this place
     void BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
-                    const ScriptableRenderer::PassPlace& place);
+                    const ScriptableRenderer::PassPlace& place, const RTHandle& color);
 
     struct LatePass
     {
@@ -44,8 +45,7 @@ public:
         ScriptableRenderPass* pass = nullptr; ///< never null
     };
     /// The passes that make what was read, the last first.
-    std::vector<LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& color,
-                                 const RTHandle& depth);
+    std::vector<LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& depth);
 
 private:
     struct PlaceOfEvent
@@ -78,6 +78,7 @@ private:
     std::vector<PlaceOfEvent> m_Places;
     OptionalPlace m_PrepassPlace;
     OptionalPlace m_ColorPlace;
+    RTHandle m_ColorThere; ///< the camera's colour at that place
 };
 
 } // namespace limn

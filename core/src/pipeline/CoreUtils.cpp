@@ -31,6 +31,16 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
     }
 }
 
+void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
+                     ClearFlag clearFlag, const Color& clearColor)
+{
+    cmd.SetRenderTarget(colors, depth);
+    if (clearFlag != ClearFlag::None)
+    {
+        cmd.ClearRenderTarget(clearFlag, clearColor);
+    }
+}
+
 void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state)
 {
     cmd.SetKeyword(GlobalKeyword(keyword), state);
@@ -72,7 +82,8 @@ void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandl
     }
     if (source == destination)
     {
-        throw ContractError("BlitCameraTexture: '" + source.rt()->name() +
+        throw ContractError("BlitCameraTexture: '" +
+                            (source.rt() ? source.rt()->name() : "one identifier") +
                             "' is both source and destination");
     }
     CoreUtils::SetRenderTarget(cmd, destination);
@@ -87,7 +98,14 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
         throw ContractError("BlitTexture: the source is an empty handle");
     }
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
-    properties.SetTexture(_BlitTexture, source.rt());
+    if (source.rt())
+    {
+        properties.SetTexture(_BlitTexture, source.rt());
+    }
+    else
+    {
+        cmd.SetGlobalTexture(_BlitTexture, source.nameID());
+    }
     properties.SetVector(_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
                        properties);

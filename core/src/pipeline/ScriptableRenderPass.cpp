@@ -1,6 +1,6 @@
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderPass.h>
-#include <limn/core/ScriptableRendererFeature.h>
+#include <limn/core/ScriptableRenderer.h>
 
 namespace limn
 {
@@ -11,12 +11,60 @@ void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescript
 
 void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&) {}
 
+const RTHandle& ScriptableRenderPass::colorAttachmentHandle() const
+{
+    static const RTHandle none;
+    return m_Colors.empty() ? none : m_Colors.front();
+}
+
 void ScriptableRenderPass::ConfigureTarget(const RTHandle& color, const RTHandle& depth)
 {
-    const bool isDepth = color && !depth && IsDepthFormat(color.rt()->graphicsFormat());
+    const bool isDepth = color.rt() && !depth && IsDepthFormat(color.rt()->graphicsFormat());
+    ConfigureTarget(std::span(&color, isDepth ? 0u : 1u), isDepth ? color : depth);
+}
+
+void ScriptableRenderPass::ConfigureTarget(std::span<const RTHandle> colors, const RTHandle& depth)
+{
+    while (!colors.empty() && !colors.back())
+    {
+        colors = colors.first(colors.size() - 1);
+    }
+    if (colors.size() > k_MostColors)
+    {
+        throw ContractError("ConfigureTarget: " + std::to_string(colors.size()) +
+                            " colour targets; at most " + std::to_string(k_MostColors));
+    }
     m_OverrideCameraTarget = true;
-    m_Color = isDepth ? RTHandle() : color;
-    m_Depth = isDepth ? color : depth;
+    m_Colors.assign(colors.begin(), colors.end());
+    m_Depth = depth;
+}
+
+void ScriptableRenderPass::ConfigureTarget(RenderTargetIdentifier color)
+{
+    ConfigureTarget(RTHandles::Alloc(std::move(color)));
+}
+
+void ScriptableRenderPass::ConfigureTarget(RenderTargetIdentifier color,
+                                           RenderTargetIdentifier depth)
+{
+    ConfigureTarget(RTHandles::Alloc(std::move(color)), RTHandles::Alloc(std::move(depth)));
+}
+
+void ScriptableRenderPass::ConfigureTarget(std::span<const RenderTargetIdentifier> colors)
+{
+    std::vector<RTHandle> handles;
+    for (const RenderTargetIdentifier& color : colors)
+    {
+        handles.push_back(RTHandles::Alloc(color));
+    }
+    ConfigureTarget(handles);
+}
+
+void ScriptableRenderPass::ConfigureTarget(std::span<const RenderTargetIdentifier> colors,
+                                           RenderTargetIdentifier depth)
+{
+    ConfigureTarget(colors);
+    m_Depth = RTHandles::Alloc(std::move(depth));
 }
 
 void ScriptableRenderPass::ConfigureClear(ClearFlag clearFlag, const Color& clearColor)
@@ -28,7 +76,7 @@ void ScriptableRenderPass::ConfigureClear(ClearFlag clearFlag, const Color& clea
 void ScriptableRenderPass::ResetTarget()
 {
     m_OverrideCameraTarget = false;
-    m_Color.Release();
+    m_Colors.clear();
     m_Depth.Release();
 }
 
@@ -59,6 +107,16 @@ void ScriptableRenderPass::Blit(CommandBuffer& cmd, const RTHandle& source,
         return;
     }
     cmd.Blit(RenderTargetIdentifier(source), RenderTargetIdentifier(destination));
+}
+
+void ScriptableRenderPass::Blit(CommandBuffer& cmd, RenderingData& data,
+                                std::shared_ptr<const Material> material, int passIndex) const
+{
+    ScriptableRenderer& renderer = *data.cameraData.renderer;
+    Blitter::BlitCameraTexture(cmd, renderer.cameraColorTargetHandle(),
+                               renderer.GetCameraColorFrontBuffer(), std::move(material),
+                               passIndex);
+    renderer.SwapColorBuffer(cmd);
 }
 
 DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const ShaderTagId> tags,

@@ -103,6 +103,27 @@ void Sort(std::vector<ScriptableRenderPass*>& passes)
     }
 }
 
+/// Whether a pass's target is the camera's, by itself or by an identifier.
+bool Is(const RTHandle& target, const RTHandle& camera)
+{
+    if (target.rt() || !target)
+    {
+        return target == camera;
+    }
+    const RenderTargetIdentifier identifier = target.nameID();
+    return identifier == BuiltinRenderTextureType::CameraTarget || identifier == camera.nameID();
+}
+
+/// Their number where it is none of them.
+std::size_t IndexOf(const RTHandle& camera, std::span<const RTHandle> colors)
+{
+    const auto isCamera = [&](const RTHandle& color)
+    {
+        return Is(color, camera);
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(colors, isCamera) - colors.begin());
+}
+
 } // namespace
 
 ScriptableRendererFeature&
@@ -161,6 +182,18 @@ void ScriptableRenderer::ConfigureCameraTarget(RTHandle color, RTHandle depth)
 {
     m_CameraColor = std::move(color);
     m_CameraDepth = std::move(depth);
+}
+
+const RTHandle& ScriptableRenderer::GetCameraColorFrontBuffer()
+{
+    throw ContractError("Blit(cmd, renderingData, material): the renderer has no second colour to "
+                        "draw into");
+}
+
+void ScriptableRenderer::SwapColorBuffer(CommandBuffer& cmd)
+{
+    m_CameraColor = GetCameraColorFrontBuffer();
+    cmd.SetCameraColor(m_CameraColor);
 }
 
 void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
@@ -313,37 +346,58 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
     {
         return; // the camera's targets are not in use yet
     }
-    const RTHandle& color = own ? pass.colorAttachmentHandle() : m_CameraColor;
+    const std::span<const RTHandle> colors =
+        own ? pass.colorAttachmentHandles()
+            : std::span<const RTHandle>(&m_CameraColor, m_CameraColor ? 1u : 0u);
     const RTHandle& depth = own ? pass.depthAttachmentHandle() : m_CameraDepth;
-    if (!color && !depth)
+    if (colors.empty() && !depth)
     {
         throw ContractError("pass '" + pass.profilingSampler.name() +
                             "': ConfigureTarget was given empty handles; allocate them in "
                             "OnCameraSetup");
     }
     const ClearFlag cameraClear = CameraClearFlag(data);
-    ClearFlag clear = ClearFlag::None;
+    ClearFlag clear = Only(pass.clearFlag(), ClearFlag::Color);
     Color clearColor = pass.clearColor();
-    if (color && color == m_CameraColor && m_FirstColor)
+    if (m_FirstColor && IndexOf(m_CameraColor, colors) < colors.size())
     {
         m_FirstColor = false;
-        clear = Only(cameraClear | pass.clearFlag(), ClearFlag::Color);
-        clearColor = BackgroundOf(data);
+        if (colors.size() == 1)
+        {
+            clear = clear | Only(cameraClear, ClearFlag::Color);
+            clearColor = BackgroundOf(data);
+        }
+        else if (clear != Only(cameraClear, ClearFlag::Color) || clearColor != BackgroundOf(data))
+        {
+            ClearApart(cmd, pass, data);
+            clear = ClearFlag::None;
+        }
     }
-    else
+    // A colour that is named alone brings its own depth along.
+    const bool isWithCameraDepth =
+        depth ? Is(depth, m_CameraDepth)
+              : colors.size() == 1 && colors[0].nameID() == BuiltinRenderTextureType::CameraTarget;
+    const bool isFirstDepth = isWithCameraDepth && m_FirstDepth;
+    m_FirstDepth = m_FirstDepth && !isFirstDepth;
+    clear = clear | Only(isFirstDepth ? cameraClear : pass.clearFlag(), ClearFlag::DepthStencil);
+    CoreUtils::SetRenderTarget(cmd, colors, depth, clear, clearColor);
+}
+
+/// The camera's colour to its background, the other ones to the pass's colour.
+void ScriptableRenderer::ClearApart(CommandBuffer& cmd, const ScriptableRenderPass& pass,
+                                    const CameraData& data)
+{
+    if (CameraClearFlag(data) & ClearFlag::Color)
     {
-        clear = Only(pass.clearFlag(), ClearFlag::Color);
+        CoreUtils::SetRenderTarget(cmd, m_CameraColor, ClearFlag::Color, BackgroundOf(data));
     }
-    if (depth && depth == m_CameraDepth && m_FirstDepth)
+    const std::span<const RTHandle> colors = pass.colorAttachmentHandles();
+    std::vector<RTHandle> others(colors.begin(), colors.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(IndexOf(m_CameraColor, colors)));
+    if (pass.clearFlag() & ClearFlag::Color)
     {
-        m_FirstDepth = false;
-        clear = clear | Only(cameraClear, ClearFlag::DepthStencil);
+        CoreUtils::SetRenderTarget(cmd, others, {}, ClearFlag::Color, pass.clearColor());
     }
-    else
-    {
-        clear = clear | Only(pass.clearFlag(), ClearFlag::DepthStencil);
-    }
-    CoreUtils::SetRenderTarget(cmd, color, depth, clear, clearColor);
 }
 
 } // namespace limn

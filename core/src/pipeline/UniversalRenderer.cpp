@@ -54,20 +54,36 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
     }
     RenderTextureDescriptor color = renderingData.cameraData.cameraTargetDescriptor;
     color.depthBufferBits = 0;
-    AllocateAttachment(m_Color, color, "_CameraColorAttachmentA");
+    m_Current = 0;
+    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
     AllocateAttachment(m_Depth, renderingData.cameraData.cameraTargetDescriptor,
                        "_CameraDepthAttachment");
-    ConfigureCameraTarget(m_Color, m_Depth);
+    ConfigureCameraTarget(m_Colors[0], m_Depth);
 
     m_CameraTextures->Setup(activeRenderPassQueue(), opaqueLayerMask,
                             renderingData.cameraData.cameraTargetDescriptor,
                             renderingData.report->notes);
     m_OpaquePass->SetLayerMask(opaqueLayerMask);
     m_TransparentPass->SetLayerMask(transparentLayerMask);
-    m_FinalBlitPass->SetTargets(m_Color, m_Output);
+    m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
     EnqueuePass(*m_OpaquePass);
     EnqueuePass(*m_TransparentPass);
     EnqueuePass(*m_FinalBlitPass);
+}
+
+const RTHandle& UniversalRenderer::GetCameraColorFrontBuffer()
+{
+    RTHandle& front = m_Colors[1 - m_Current];
+    AllocateAttachment(front, m_Colors[m_Current].rt()->descriptor(),
+                       m_Current == 0 ? "_CameraColorAttachmentB" : "_CameraColorAttachmentA");
+    return front;
+}
+
+void UniversalRenderer::SwapColorBuffer(CommandBuffer& cmd)
+{
+    ScriptableRenderer::SwapColorBuffer(cmd);
+    m_Current = 1 - m_Current;
+    m_FinalBlitPass->SetTargets(m_Colors[m_Current], m_Output);
 }
 
 void UniversalRenderer::BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
@@ -75,12 +91,12 @@ void UniversalRenderer::BeforePass(ScriptableRenderContext& context, RenderingDa
 {
     if (next != nullptr)
     {
-        m_CameraTextures->BeforePass(context, next->renderPassEvent, place);
+        m_CameraTextures->BeforePass(context, next->renderPassEvent, place, m_Colors[m_Current]);
         return;
     }
     constexpr auto behindAll = static_cast<RenderPassEvent>(std::numeric_limits<int>::max());
-    m_CameraTextures->BeforePass(context, behindAll, place);
-    for (const auto& late : m_CameraTextures->Needed(context, m_Color, m_Depth))
+    m_CameraTextures->BeforePass(context, behindAll, place, m_Colors[m_Current]);
+    for (const auto& late : m_CameraTextures->Needed(context, m_Depth))
     {
         ExecuteAt(late.place, context, *late.pass, renderingData);
     }

@@ -29,7 +29,31 @@ bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted
 
 } // namespace
 
-RenderTargetIdentifier::RenderTargetIdentifier(const RTHandle& handle) : m_Content(handle.rt())
+RenderTargetIdentifier RTHandle::nameID() const
+{
+    return m_Identifier ? *m_Identifier : RenderTargetIdentifier(m_Texture);
+}
+
+RTHandle RTHandles::Alloc(RenderTargetIdentifier texture)
+{
+    if (texture == BuiltinRenderTextureType::None)
+    {
+        throw ContractError("RTHandles::Alloc: the identifier is none");
+    }
+    return RTHandle(std::make_shared<const RenderTargetIdentifier>(std::move(texture)));
+}
+
+RTHandle RTHandles::Alloc(std::shared_ptr<const RenderTexture> texture)
+{
+    if (!texture)
+    {
+        throw ContractError("RTHandles::Alloc: the texture is null");
+    }
+    return RTHandle(std::move(texture));
+}
+
+RenderTargetIdentifier::RenderTargetIdentifier(const RTHandle& handle)
+    : RenderTargetIdentifier(handle.nameID())
 {
     if (!handle)
     {
@@ -58,7 +82,7 @@ bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescripto
 {
     descriptor.width = std::max(descriptor.width, 1);
     descriptor.height = std::max(descriptor.height, 1);
-    if (handle && Matches(*handle.rt(), descriptor, MakeSampler(filterMode, wrapMode), name))
+    if (handle.rt() && Matches(*handle.rt(), descriptor, MakeSampler(filterMode, wrapMode), name))
     {
         return false;
     }

@@ -2,6 +2,7 @@
 
 #include "frame/FrameBuilder.h"
 
+#include <limn/core/RenderTexturePool.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <memory>
 #include <string>
@@ -102,6 +103,7 @@ public:
     Camera camera;
     CullingResults cullResults; ///< what the passes may draw
     RenderReport report;        ///< of the last Render
+    RenderTexturePool temporaryTextures;
 
     CompiledFrame Render()
     {
@@ -114,6 +116,7 @@ public:
         data.cameraData.renderer = &renderer;
         data.cullResults = cullResults;
         data.report = &report;
+        data.temporaryTextures = &temporaryTextures;
         renderer.RenderCamera(context, data);
         return m_Compiler.Compile(context.TakeCommands());
     }

@@ -34,6 +34,9 @@ struct Color
     /// Unity's does, as far as a float goes. Unity: Color.linear.
     Color linear() const { return {ToLinear(r), ToLinear(g), ToLinear(b), a}; }
 
+    /// This linear colour as sRGB; the inverse of linear(). Unity: Color.gamma.
+    Color gamma() const { return {ToSRGB(r), ToSRGB(g), ToSRGB(b), a}; }
+
     glm::vec4 vector() const { return {r, g, b, a}; }
 
     bool operator==(const Color&) const = default;
@@ -47,6 +50,14 @@ private:
         }
         return s <= 1.0f ? std::pow((s + 0.055f) / 1.055f, 2.4f)
                          : std::min(std::pow(s, 2.2f), std::numeric_limits<float>::max());
+    }
+    static float ToSRGB(float l)
+    {
+        if (l <= 0.0031308f)
+        {
+            return l * 12.92f;
+        }
+        return l < 1.0f ? 1.055f * std::pow(l, 1.0f / 2.4f) - 0.055f : std::pow(l, 1.0f / 2.2f);
     }
 };
 

@@ -5,6 +5,7 @@
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
 #include <limn/core/RenderTargetIdentifier.h>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -69,8 +70,13 @@ struct ReleaseTemporaryRTCommand
 
 struct SetIdentifiedTargetCommand
 {
-    RenderTargetIdentifier color;
-    RenderTargetIdentifier depth; ///< none = what belongs to the colour
+    std::vector<RenderTargetIdentifier> colors;
+    RenderTargetIdentifier depth; ///< none = what belongs to the colour, if there is one of them
+};
+
+struct SetCameraColorCommand
+{
+    RTHandle color;
 };
 
 struct SetGlobalIdentifierCommand
@@ -93,12 +99,31 @@ struct CopyTextureCommand
     RenderTargetIdentifier dest;
 };
 
+// What holds for all draws that follow, whichever buffer they are of.
+
+struct SetScissorCommand
+{
+    std::optional<ViewportRect> rect; ///< none = the whole target
+};
+
+struct SetInvertCullingCommand
+{
+    bool isInverted = false;
+};
+
+struct SetGlobalDepthBiasCommand
+{
+    float bias = 0.0f;
+    float slopeBias = 0.0f;
+};
+
 using RecordedCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
                  EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
                  SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
-                 SetIdentifiedTargetCommand, SetGlobalIdentifierCommand, IdentifiedBlitCommand,
-                 CopyTextureCommand>;
+                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
+                 IdentifiedBlitCommand, CopyTextureCommand, SetScissorCommand,
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -116,6 +141,10 @@ public:
     /// other forms refuse.
     void SetRenderTarget(RenderTargetIdentifier color);
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
+    void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
+                         RenderTargetIdentifier depth);
+    /// What CameraTarget stands for in all that follows. Renderers that change it say so.
+    void SetCameraColor(RTHandle color);
 
     /// A texture until ReleaseTemporaryRT, or to the camera's end, which is global under its name
     /// at once. What is in it is undefined: clear it, or draw over the whole of it. One of the same
@@ -154,11 +183,39 @@ public:
     /// @throws ContractError if the size is not positive, or the end fits no int
     void SetViewport(const ViewportRect& rect);
 
+    // These hold for all draws of the camera that follow, of other buffers and into other targets,
+    // too, until they are set otherwise. At its beginning a camera has none of them.
+
+    /// Draws change these texels only. Clears and CopyTexture go on as they are.
+    /// @throws ContractError if the size is negative, or the end fits no int
+    /// @source Unity: CommandBuffer.EnableScissorRect (2022.3); what a clear does there depends on
+    ///         the device
+    void EnableScissorRect(const ViewportRect& scissor);
+    void DisableScissorRect();
+    /// Back faces are taken for front ones and the other way round, as in a mirror.
+    /// @source Unity: CommandBuffer.SetInvertCulling (2022.3)
+    void SetInvertCulling(bool invertCulling);
+    /// Added to what the passes' Offset says; positive = farther.
+    /// @param bias       in the smallest steps of the depth texture
+    /// @param slopeBias  in a triangle's greatest change of depth from texel to texel
+    /// @throws ContractError if one is not finite
+    /// @source Unity: CommandBuffer.SetGlobalDepthBias (2022.3)
+    void SetGlobalDepthBias(float bias, float slopeBias);
+
     /// @throws ContractError if mesh or material is null, there is no such sub-mesh or pass, or the
     ///         matrix is not finite
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
+    /// The mesh once for each matrix. Draws become instances of one wherever they can; the material
+    /// needs no enableInstancing.
+    /// @param shaderPass  -1 = all passes of the shader, one after the other
+    /// @throws ContractError as DrawMesh does, and for more than 1023 matrices
+    /// @source Unity: CommandBuffer.DrawMeshInstanced (2022.3)
+    void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                           const std::shared_ptr<const Material>& material, int shaderPass,
+                           std::span<const glm::mat4> matrices,
+                           const MaterialPropertyBlock& properties = {});
     /// A sub-mesh of the object's renderer, whatever culling, `enabled` and `activeSelf` say, where
     /// the object is now. Nothing where the renderer has no mesh.
     /// @param shaderPass  -1 = all passes of the shader, one after the other
@@ -228,6 +285,11 @@ public:
     void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value);
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
+        if (value && !value.rt())
+        {
+            SetGlobalTexture(id, value.nameID());
+            return;
+        }
         SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
     }
 

@@ -14,6 +14,8 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& depth,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 
 /// A material for a pass of one's own.
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
@@ -61,6 +63,7 @@ namespace Blitter
 /// Draws one triangle over the whole of `destination`, its contents kept where the pass blends,
 /// with `source` as _BlitTexture (and its size as _BlitTexture_TexelSize) and _BlitScaleBias
 /// (1, 1, 0, 0). No depth is bound: tests against depth or stencil pass.
+/// A source that wraps an identifier is global as _BlitTexture from then on, as in Unity.
 /// @throws ContractError if a handle is empty or both are the same texture
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        std::shared_ptr<const Material> material, int passIndex);

@@ -153,8 +153,9 @@ struct DrawCommand
     std::uint32_t firstInstance = 0; ///< index into FrameTables::instances
     std::uint32_t instanceCount = 1;
     bool drawsObjects = false; ///< its instances are of FrameTables::objects, else of perDraw
-    std::optional<TargetRegion> bounds;  ///< it draws nothing outside of these; none = not known
-    std::optional<ViewportRect> scissor; ///< only these texels are drawn; CompileFrame sets it
+    std::optional<TargetRegion> bounds; ///< it draws nothing outside of these; none = not known
+    /// Only these texels are drawn. Where none is recorded, CompileFrame may set one.
+    std::optional<ViewportRect> scissor;
 
     bool operator==(const DrawCommand&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/PipelineState.h>
+#include <limn/core/RTHandle.h>
 #include <limn/core/Shader.h>
 #include <memory>
 #include <span>
@@ -28,6 +29,8 @@ public:
     const std::shared_ptr<const Shader>& shader() const { return m_Shader; }
     int passCount() const { return m_Shader->passCount(); }
     int FindPass(std::string_view passName) const { return m_Shader->FindPassByName(passName); }
+    /// @throws ContractError if there is no such pass
+    const std::string& GetPassName(int pass) const { return m_Shader->passName(pass); }
 
     // Setting a value throws ContractError naming material and property if it is not finite, or an
     // array without elements.
@@ -43,14 +46,50 @@ public:
     void SetFloatArray(ShaderPropertyId id, std::vector<float> v) { Set(id, std::move(v)); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
     void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> v) { Set(id, std::move(v)); }
+    /// Each as SetColor does it with one of no [HDR] property.
+    void SetColorArray(ShaderPropertyId id, const std::vector<Color>& values);
     void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
     {
         Set(id, std::move(value));
     }
+    /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
+    ///         that stands for
+    void SetTexture(ShaderPropertyId id, const RTHandle& value);
     /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
     void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
     void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);
     const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
+
+    // What was set, or else the default of the shader's Properties block. Where there is neither,
+    // or it is of another kind, they throw ContractError naming material and property (Unity logs,
+    // and gives 0).
+    float GetFloat(ShaderPropertyId id) const;
+    int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
+    int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
+    /// What SetColor would be given for it: sRGB, or linear for an [HDR] property.
+    Color GetColor(ShaderPropertyId id) const;
+    glm::mat4 GetMatrix(ShaderPropertyId id) const;
+    // None where none was set, or something else.
+    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
+    std::vector<float> GetFloatArray(ShaderPropertyId id) const;
+    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
+    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
+    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 where none was set
+    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 where none was set
+
+    // Whether the shader's Properties block has it, of this kind: what was only set does not count.
+    bool HasProperty(ShaderPropertyId id) const;
+    bool HasFloat(ShaderPropertyId id) const; ///< Float, Range or Int, as in Unity
+    bool HasInt(ShaderPropertyId id) const { return HasFloat(id); }
+    bool HasInteger(ShaderPropertyId id) const;
+    bool HasColor(ShaderPropertyId id) const;
+    bool HasVector(ShaderPropertyId id) const;
+    bool HasTexture(ShaderPropertyId id) const;
+
+    /// Takes over the values, keywords and render queue of another material, not its shader.
+    /// @source Unity: Material.CopyPropertiesFromMaterial (2022.3)
+    void CopyPropertiesFromMaterial(const Material& mat);
 
     /// Keywords choose the variant of each pass; the shader's initial keywords to begin with. One
     /// that the shader does not have is kept and does nothing, as in Unity. One of a dynamic_branch
@@ -78,6 +117,8 @@ private:
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
     void SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value);
     void KeywordsChanged();
+    glm::vec4 ScaleOffset(ShaderPropertyId texture) const;
+    [[noreturn]] void FailGet(ShaderPropertyId id, const char* kind) const;
 
     std::uint64_t m_Id;
     std::string m_Name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
+#include <limn/core/RTHandle.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/Texture.h>
 #include <memory>
@@ -36,6 +37,9 @@ public:
     {
         Set(id, std::move(v));
     }
+    /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
+    ///         that stands for
+    void SetTexture(ShaderPropertyId id, const RTHandle& value);
     /// @throws ContractError naming the property, if a number is not finite or an array has no
     ///         elements; so do all above
     void Set(ShaderPropertyId id, ShaderPropertyValue value);

@@ -9,8 +9,11 @@
 namespace limn
 {
 
-/// A shared reference to a render texture, or none. Copies refer to the same texture, which lives
-/// as long as some handle to it; there is nothing to release by hand.
+class RenderTargetIdentifier;
+
+/// A shared reference to a render texture, or a name that stands for one when a command buffer is
+/// executed, or none. Copies refer to the same texture, which lives as long as some handle to it;
+/// there is nothing to release by hand.
 /// Unity: UnityEngine.Rendering.RTHandle (core 14).
 class RTHandle
 {
@@ -20,18 +23,27 @@ public:
     {
     }
 
-    explicit operator bool() const { return m_Texture != nullptr; }
+    /// Wraps an identifier: RTHandles::Alloc(RenderTargetIdentifier).
+    explicit RTHandle(std::shared_ptr<const RenderTargetIdentifier> identifier)
+        : m_Identifier(std::move(identifier))
+    {
+    }
 
-    /// The texture; null for an empty handle.
+    explicit operator bool() const { return m_Texture != nullptr || m_Identifier != nullptr; }
+
+    /// The texture; null for an empty handle and for one that wraps an identifier.
     const std::shared_ptr<const RenderTexture>& rt() const { return m_Texture; }
+    /// What stands for it in a command buffer; none for an empty handle.
+    RenderTargetIdentifier nameID() const;
 
-    /// Lets go of the texture now.
-    void Release() { m_Texture.reset(); }
+    /// Lets go of the texture or identifier now.
+    void Release() { *this = RTHandle(); }
 
     bool operator==(const RTHandle&) const = default;
 
 private:
     std::shared_ptr<const RenderTexture> m_Texture;
+    std::shared_ptr<const RenderTargetIdentifier> m_Identifier; ///< null = it wraps none
 };
 
 namespace RTHandles

@@ -34,7 +34,7 @@ public:
     RenderTargetIdentifier(const Text& name) : m_Content(ShaderPropertyId(name))
     {
     }
-    /// @throws ContractError for an empty handle
+    /// Its nameID(). @throws ContractError for an empty handle
     RenderTargetIdentifier(const RTHandle& handle);
     /// @param texture  null = none
     RenderTargetIdentifier(std::shared_ptr<const Texture> texture);
@@ -45,6 +45,21 @@ public:
 private:
     Content m_Content = BuiltinRenderTextureType::None;
 };
+
+namespace RTHandles
+{
+
+/// A handle for whoever takes handles, around what a name, a texture or CameraTarget stands for
+/// when a command buffer is executed; its rt() is null.
+/// @throws ContractError if the identifier is none
+/// @source Unity: RTHandles.Alloc(RenderTargetIdentifier), Alloc(Texture) (core 14)
+RTHandle Alloc(RenderTargetIdentifier texture);
+/// Wraps the texture itself. @throws ContractError if it is null
+/// @source Unity: RTHandles.Alloc(RenderTexture) (core 14), whose Release destroys the texture
+RTHandle Alloc(std::shared_ptr<const RenderTexture> texture);
+RTHandle Alloc(const RTHandle&) = delete; ///< it is one already
+
+} // namespace RTHandles
 
 /// A name for a temporary texture, or the camera's target, which one that was not initialised is.
 /// Unity: UnityEngine.Rendering.Universal.RenderTargetHandle (URP 12).

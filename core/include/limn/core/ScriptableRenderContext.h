@@ -24,6 +24,15 @@ struct CameraTargets
     std::shared_ptr<const Material> copy;
 };
 
+/// What holds for all draws until it is set otherwise.
+struct CommonDrawState
+{
+    std::optional<ViewportRect> scissor; ///< none = the whole target
+    bool invertsCulling = false;
+    float depthBias = 0.0f; ///< positive = farther, as PipelineState's offsets
+    float slopeDepthBias = 0.0f;
+};
+
 /// Turns what passes record into the frame's list of commands, with materials, globals and
 /// LightMode tags looked up: the list is plain data.
 /// Unity: UnityEngine.Rendering.ScriptableRenderContext (2022.3).
@@ -68,11 +77,12 @@ public:
     /// Whose calls these are, for the report.
     void SetPassName(std::string_view name) { m_PassName = name; }
 
-    /// A place between two commands of the frame, and what was global there.
+    /// A place between two commands of the frame, and what held for all draws there.
     struct Place
     {
         std::size_t command = 0;
         std::size_t globalChange = 0;
+        CommonDrawState state;
     };
     /// Here and now, for RecordAt.
     Place MarkPlace();

@@ -5,6 +5,7 @@
 #include <limn/core/RenderingData.h>
 #include <limn/core/ScriptableRenderContext.h>
 #include <span>
+#include <vector>
 
 namespace limn
 {
@@ -40,7 +41,9 @@ public:
 
     ScriptableRenderPassInput input() const { return m_Input; }
     bool overrideCameraTarget() const { return m_OverrideCameraTarget; }
-    const RTHandle& colorAttachmentHandle() const { return m_Color; }
+    /// The first of them; empty where the pass draws depth only, or into the camera's targets.
+    const RTHandle& colorAttachmentHandle() const;
+    std::span<const RTHandle> colorAttachmentHandles() const { return m_Colors; }
     const RTHandle& depthAttachmentHandle() const { return m_Depth; }
     ClearFlag clearFlag() const { return m_ClearFlag; }
     const Color& clearColor() const { return m_ClearColor; }
@@ -48,6 +51,18 @@ public:
     /// Draw into these instead of the camera's targets, until ResetTarget. Without `depth` there is
     /// none: the camera's is not used. A depth texture in place of the colour is the depth.
     void ConfigureTarget(const RTHandle& color, const RTHandle& depth = {});
+    /// Several colours at once. Empty handles behind the last colour are as good as none.
+    /// @throws ContractError for more than 8 colours
+    void ConfigureTarget(std::span<const RTHandle> colors, const RTHandle& depth = {});
+    /// The same by what the identifiers stand for when the pass begins. Without a depth it is the
+    /// one that belongs to the colour: the camera's, or the one that GetTemporaryRT made beside it.
+    /// @throws ContractError for none, and for more than 8 colours
+    /// @source Unity: ScriptableRenderPass.ConfigureTarget of identifiers (URP 14)
+    void ConfigureTarget(RenderTargetIdentifier color);
+    void ConfigureTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
+    void ConfigureTarget(std::span<const RenderTargetIdentifier> colors);
+    void ConfigureTarget(std::span<const RenderTargetIdentifier> colors,
+                         RenderTargetIdentifier depth);
     /// Clear on binding. On the first binding of the camera's colour its background colour wins.
     void ConfigureClear(ClearFlag clearFlag, const Color& clearColor);
     /// Overwrites what was asked before (it does not add). Call it before the renderer's set-up
@@ -67,6 +82,16 @@ public:
     void Blit(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
               std::shared_ptr<const Material> material = nullptr, int passIndex = 0) const;
 
+    /// Draws the camera's colour, as _BlitTexture, over another texture, which is the camera's
+    /// colour from then on: nothing is copied back. What cmd executes before that still means the
+    /// old one by CameraTarget.
+    /// @throws ContractError if the material is null, there is no such pass, or the renderer has
+    /// one
+    ///         colour only
+    /// @source Unity: ScriptableRenderPass.Blit(cmd, ref data, material, passIndex) (URP 14)
+    void Blit(CommandBuffer& cmd, RenderingData& data, std::shared_ptr<const Material> material,
+              int passIndex = 0) const;
+
     /// Draw with these LightMode tags, sorted by these criteria from the current camera.
     /// @throws ContractError if `tags` is empty or longer than 16
     DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> tags,
@@ -78,7 +103,7 @@ public:
 private:
     ScriptableRenderPassInput m_Input = ScriptableRenderPassInput::None;
     bool m_OverrideCameraTarget = false;
-    RTHandle m_Color;
+    std::vector<RTHandle> m_Colors;
     RTHandle m_Depth;
     ClearFlag m_ClearFlag = ClearFlag::None;
     Color m_ClearColor = Color::black;

@@ -60,6 +60,12 @@ public:
 protected:
     /// Makes the camera's targets (ConfigureCameraTarget) and enqueues built-in passes.
     virtual void Setup(ScriptableRenderContext& context, RenderingData& renderingData) = 0;
+    /// A texture like the camera's colour that is not in use, kept for SwapColorBuffer.
+    /// @throws ContractError if the renderer has none
+    virtual const RTHandle& GetCameraColorFrontBuffer();
+    /// The texture that GetCameraColorFrontBuffer gave is the camera's colour, for `cmd` from here
+    /// on.
+    virtual void SwapColorBuffer(CommandBuffer& cmd);
     /// CameraTargets::copy of its cameras.
     virtual std::shared_ptr<const Material> copyMaterial() const { return nullptr; }
     void ConfigureCameraTarget(RTHandle color, RTHandle depth);
@@ -76,6 +82,8 @@ protected:
                    ScriptableRenderPass& pass, RenderingData& renderingData);
 
 private:
+    friend class ScriptableRenderPass; // Blit swaps
+
     void AddRenderPasses(RenderingData& renderingData);
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
     void ExecutePasses(ScriptableRenderContext& context, RenderingData& renderingData,
@@ -83,6 +91,7 @@ private:
     void ExecuteRenderPass(ScriptableRenderContext& context, ScriptableRenderPass& pass,
                            RenderingData& renderingData);
     void BindTargets(CommandBuffer& cmd, const ScriptableRenderPass& pass, const CameraData& data);
+    void ClearApart(CommandBuffer& cmd, const ScriptableRenderPass& pass, const CameraData& data);
 
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;

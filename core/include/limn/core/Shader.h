@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limn/core/FullScreenTag.h>
+#include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/ShaderId.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderDatabase.h>
@@ -46,6 +47,36 @@ public:
 
     /// Unity: Shader.PropertyToID.
     static ShaderPropertyId PropertyToID(std::string_view name) { return ShaderPropertyId(name); }
+
+    // For all shaders of the process, until they are set otherwise: what comes behind the values of
+    // draws, materials, and CommandBuffer::SetGlobalFloat and its like in the frame. Reaches what
+    // is executed after the call. A value that is not finite and an array without elements throw
+    // ContractError naming it. Any thread. Unity: Shader.SetGlobalFloat and its like (2022.3).
+    static void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
+    static void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
+    static void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
+    static void SetGlobalVector(ShaderPropertyId id, const glm::vec4& v) { SetGlobal(id, v); }
+    /// As it is, see CommandBuffer::SetGlobalColor.
+    static void SetGlobalColor(ShaderPropertyId id, const Color& v) { SetGlobal(id, v.vector()); }
+    static void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& v) { SetGlobal(id, v); }
+    static void SetGlobalFloatArray(ShaderPropertyId id, std::vector<float> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
+    static void SetGlobalVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
+    static void SetGlobalMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> values)
+    {
+        SetGlobal(id, std::move(values));
+    }
+    /// @param value  kept until another one is set; null = the shader's default
+    static void SetGlobalTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
+    {
+        SetGlobal(id, std::move(value));
+    }
+    static void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
 
     std::uint64_t id() const { return m_Id; } ///< unique in the process
     const std::string& name() const { return m_Document.name; }
@@ -121,6 +152,7 @@ private:
         std::shared_ptr<const ShaderProgram> compiled;
     };
 
+    static void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;

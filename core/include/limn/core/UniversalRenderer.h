@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 
@@ -30,6 +31,8 @@ public:
 
 protected:
     void Setup(ScriptableRenderContext& context, RenderingData& renderingData) override;
+    const RTHandle& GetCameraColorFrontBuffer() override;
+    void SwapColorBuffer(CommandBuffer& cmd) override;
     std::shared_ptr<const Material> copyMaterial() const override { return m_CopyMaterial; }
     void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
                     const ScriptableRenderPass* next, const PassPlace& place) override;
@@ -38,7 +41,8 @@ private:
     std::shared_ptr<ShaderCompiler> m_Compiler;
     std::shared_ptr<const Material> m_CopyMaterial; ///< of CoreBlit.shader
     RTHandle m_Output;
-    RTHandle m_Color;
+    std::array<RTHandle, 2> m_Colors; ///< the second one is made when it is asked for
+    std::size_t m_Current = 0;        ///< of them, what cameraColorTargetHandle gives
     RTHandle m_Depth;
     std::unique_ptr<DrawObjectsPass> m_OpaquePass;
     std::unique_ptr<DrawObjectsPass> m_TransparentPass;

@@ -89,7 +89,8 @@ void PassRecorder::Run(const SetViewportCommand& viewport)
 void PassRecorder::Run(const DrawCommand& draw)
 {
     const PreparedDraw& prepared = m_Frame.draws[m_NextDraw++];
-    m_Bound.SetScissor(draw.scissor ? ClipToPass(*draw.scissor, m_Pass) : m_Scissor);
+    m_Bound.SetScissor(draw.scissor ? Common(ClipToPass(*draw.scissor, m_Pass), m_Scissor)
+                                    : m_Scissor);
     m_Bound.BindPipeline(prepared, m_Frame.states[prepared.state]);
     m_Bound.BindMesh(prepared);
     for (std::size_t i = 0; i < prepared.runCount; ++i)

@@ -272,6 +272,21 @@ VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
             {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
 }
 
+VkRect2D Common(const VkRect2D& a, const VkRect2D& b)
+{
+    const auto end = [](std::int32_t begin, std::uint32_t size)
+    {
+        return begin + static_cast<std::int32_t>(size);
+    };
+    const int left = std::max(a.offset.x, b.offset.x);
+    const int top = std::max(a.offset.y, b.offset.y);
+    const int right = std::min(end(a.offset.x, a.extent.width), end(b.offset.x, b.extent.width));
+    const int bottom = std::min(end(a.offset.y, a.extent.height), end(b.offset.y, b.extent.height));
+    return {{left, top},
+            {static_cast<std::uint32_t>(std::max(right - left, 0)),
+             static_cast<std::uint32_t>(std::max(bottom - top, 0))}};
+}
+
 VkViewport ToVkViewport(const ViewportRect& rect)
 {
     return {static_cast<float>(rect.x),

@@ -24,6 +24,8 @@ void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
 
 /// The part of the pass's area that `rect` covers.
 VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
+/// The texels that are in both.
+VkRect2D Common(const VkRect2D& a, const VkRect2D& b);
 
 /// Clip y = +1 is the rectangle's first row, clip z = depth.
 VkViewport ToVkViewport(const ViewportRect& rect);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <limn/core/MaterialPropertyBlock.h>
+
+namespace limn
+{
+
+/// What Shader::SetGlobalFloat and its like have set in the process; any thread.
+namespace ShaderGlobals
+{
+
+/// Grows with every change; 0 = there was none.
+std::uint64_t version();
+void ForEach(const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function);
+
+} // namespace ShaderGlobals
+
+} // namespace limn
