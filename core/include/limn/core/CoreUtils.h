@@ -27,6 +27,10 @@ std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> sha
 void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
 
+/// Switches a keyword for all draws that follow, or a material's.
+void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state);
+void SetKeyword(Material& material, const std::string& keyword, bool state);
+
 /// Lets go of a material or texture, which is gone when nothing else holds it. C++ does the same
 /// where the member ends; this is for lines of C# that go over as they are.
 template <typename T>
