@@ -3,6 +3,7 @@
 #include <limn/core/FrameCommands.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
+#include <limn/core/PipelineState.h>
 #include <limn/core/RenderTargetIdentifier.h>
 #include <optional>
 #include <span>
@@ -26,6 +27,8 @@ struct RecordedDraw
     int shaderPass = 0;
     std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
     RenderingLayerMask renderingLayers{1};
+    std::uint32_t instanceCount = 1; ///< procedural
+    MeshTopology topology = MeshTopology::Triangles;
     bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
 
     static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
@@ -220,6 +223,12 @@ public:
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
+    /// @param instanceCount  SV_InstanceID is 0, 1 ... of them; 0 = nothing is drawn
+    /// @throws ContractError also for Quads and Points, and for a negative count
+    /// @source Unity: CommandBuffer.DrawProcedural (2022.3)
+    void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
+                        int shaderPass, MeshTopology topology, int vertexCount,
+                        int instanceCount = 1, const MaterialPropertyBlock& properties = {});
 
     /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
     /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
