@@ -103,11 +103,11 @@ private:
         if (known.call != m_Index.call)
         {
             known = {m_Index.call, static_cast<std::uint32_t>(m_Passes.size())};
-            m_Passes.push_back({material,
-                                shaderPass,
-                                m_Recorder.LookUp(*material, shaderPass, m_Properties,
-                                                  m_StateBlock),
-                                {}});
+            m_Passes.push_back(
+                {material,
+                 shaderPass,
+                 m_Recorder.LookUp(*material, shaderPass, m_Properties, m_StateBlock),
+                 {}});
         }
         return known.index;
     }

@@ -10,9 +10,8 @@ namespace limn
 void ClassOrder::Update(const RendererTable& table)
 {
     std::vector<StateId> ids;
-    std::map<
-        std::tuple<const Material*, const MaterialPropertyBlock*, std::uint32_t, bool, bool>,
-        std::uint32_t>
+    std::map<std::tuple<const Material*, const MaterialPropertyBlock*, std::uint32_t, bool, bool>,
+             std::uint32_t>
         known;
     std::map<std::tuple<const Material*, int, std::uint32_t>, std::uint32_t> knownLooks;
     firsts.clear();

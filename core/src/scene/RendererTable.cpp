@@ -145,12 +145,8 @@ RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
     const std::uint32_t bits = (rowClass.isMirrored ? 1u : 0u) | (rowClass.isAgain ? 2u : 0u) |
                                (rowClass.isActive ? 4u : 0u) | (rowClass.isFirst ? 8u : 0u) |
                                std::uint32_t{rowClass.materialIndex} << 4;
-    return {rowClass.material.get(),
-            rowClass.properties.get(),
-            rowClass.layer,
-            rowClass.renderingLayerMask.bits,
-            rowClass.meshPart,
-            bits};
+    return {rowClass.material.get(),          rowClass.properties.get(), rowClass.layer,
+            rowClass.renderingLayerMask.bits, rowClass.meshPart,         bits};
 }
 
 FilterItem RendererTable::RowClass::item() const

@@ -47,7 +47,7 @@ public:
     /// rows.
     struct RowClass
     {
-        std::shared_ptr<const Material> material; ///< null: it draws nothing
+        std::shared_ptr<const Material> material;                ///< null: it draws nothing
         std::shared_ptr<const MaterialPropertyBlock> properties; ///< of the renderer; null = none
         int layer = 0;
         RenderingLayerMask renderingLayerMask;
