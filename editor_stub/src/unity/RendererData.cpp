@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/Features.h>
+#include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/UnityHeaderField.h>
 
@@ -218,6 +219,17 @@ void ReadFeatures(const UnityAsset& asset, const YamlNode& references, RendererA
     }
 }
 
+/// Behind all features, as URP's own passes are behind those of features.
+void ReadPostProcessing(const UnityObject& root, RendererAsset& renderer)
+{
+    const YamlNode* data = root.fields.Find("postProcessData");
+    if (data && ReadFileID(*data).value_or(0) != 0)
+    {
+        renderer.features.push_back(std::make_unique<PostProcessRendererFeature>());
+        renderer.featureTypes.push_back(renderer.features.back()->name);
+    }
+}
+
 void ReadLayers(const UnityObject& root, const char* field, LayerMask& mask, Loading& loading)
 {
     if (const YamlNode* node = root.fields.Find(field))
@@ -247,6 +259,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
     Loading loading{assets, diagnostics, {assets, {}, diagnostics}, UnityProject(path), {}};
     UnityRendererDataLoadResult result;
     ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);
+    ReadPostProcessing(*root, result.renderer);
     ReadLayers(*root, "m_OpaqueLayerMask", result.renderer.opaqueLayerMask, loading);
     ReadLayers(*root, "m_TransparentLayerMask", result.renderer.transparentLayerMask, loading);
     loading.references.ThrowIfErrors();

@@ -10,6 +10,8 @@
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/AutoOutlineRendererFeature.h>
+#include <limn/features/Bloom.h>
+#include <limn/features/ColorAdjustments.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/DepthNormalsOutlineRendererFeature.h>
 #include <limn/features/Features.h>
@@ -19,6 +21,7 @@
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/OutlineRegion.h>
 #include <limn/features/Plugin.h>
+#include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
 #include <limn/features/RimOutlineRendererFeature.h>
@@ -26,6 +29,8 @@
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/Tonemapping.h>
+#include <limn/features/Vignette.h>
 #include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/volume/AnimationCurveParameter.h>
 #include <limn/volume/BoolParameter.h>

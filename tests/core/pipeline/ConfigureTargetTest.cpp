@@ -32,8 +32,7 @@ class ConfiguredTargets : public testing::Test
 protected:
     CompiledFrame Render(std::vector<ScriptableRenderPass*> passes)
     {
-        test::Log log;
-        m_Harness.AddFeature("f", log, std::move(passes));
+        m_Harness.AddFeature("f", m_Log, std::move(passes));
         return m_Harness.Render();
     }
     CompiledFrame Render() { return Render({&m_Pass}); }
@@ -150,15 +149,34 @@ TEST_F(ConfiguredTargets, OfSeveralColorsClearTheCamerasApartOnFirstUse)
     m_Pass.ConfigureTarget(colors, m_Depth);
     m_Pass.ConfigureClear(ClearFlag::Color, Color::red);
     const CompiledFrame frame = Render();
-    ASSERT_EQ(frame.passes.size(), 1u);
-    EXPECT_THAT(ColorsOf(frame.passes[0]), ElementsAre(m_Mask.rt(), m_Color.rt()));
-    EXPECT_THAT(ClearsOf(frame.passes[0]), ElementsAre(Color::red, Color::green));
+    ASSERT_EQ(frame.passes.size(), 3u);
+    EXPECT_THAT(ColorsOf(frame.passes[0]), ElementsAre(m_Color.rt()));
+    EXPECT_THAT(ClearsOf(frame.passes[0]), ElementsAre(Color::green));
+    EXPECT_THAT(ColorsOf(frame.passes[1]), ElementsAre(m_Mask.rt()));
+    EXPECT_THAT(ClearsOf(frame.passes[1]), ElementsAre(Color::red));
+    EXPECT_THAT(ColorsOf(frame.passes[2]), ElementsAre(m_Mask.rt(), m_Color.rt()));
+    EXPECT_EQ(frame.passes[2].colors[0].load, LoadOp::Load);
+    EXPECT_EQ(frame.passes[2].colors[1].load, LoadOp::Load);
+    EXPECT_EQ(frame.passes[2].depth->load, LoadOp::Clear);
 
     m_Pass.ConfigureClear(ClearFlag::None, Color::red);
     const CompiledFrame kept = m_Harness.Render();
-    ASSERT_EQ(kept.passes.size(), 1u);
-    EXPECT_EQ(kept.passes[0].colors[0].load, LoadOp::Load);
-    EXPECT_EQ(kept.passes[0].colors[1].clearColor, Color::green);
+    ASSERT_EQ(kept.passes.size(), 2u);
+    EXPECT_THAT(ColorsOf(kept.passes[0]), ElementsAre(m_Color.rt()));
+    EXPECT_THAT(ClearsOf(kept.passes[0]), ElementsAre(Color::green));
+    EXPECT_EQ(kept.passes[1].colors[0].load, LoadOp::Load);
+}
+
+// What the camera is cleared to and what the pass asks for being the same, nothing is apart.
+TEST_F(ConfiguredTargets, OfSeveralColorsAreClearedTogetherWhereAllAskForTheSame)
+{
+    m_Harness.camera.backgroundColor = Color::red;
+    const std::vector<RTHandle> colors{m_Mask, m_Color};
+    m_Pass.ConfigureTarget(colors, m_Depth);
+    m_Pass.ConfigureClear(ClearFlag::Color, Color::red);
+    const CompiledFrame frame = Render();
+    ASSERT_EQ(frame.passes.size(), 1u);
+    EXPECT_THAT(ClearsOf(frame.passes[0]), ElementsAre(Color::red, Color::red));
 }
 
 TEST_F(ConfiguredTargets, OfSeveralColorsMayBeIdentifiers)
@@ -168,13 +186,17 @@ TEST_F(ConfiguredTargets, OfSeveralColorsMayBeIdentifiers)
     m_Harness.camera.backgroundColor = Color::green;
     m_Pass.ConfigureClear(ClearFlag::Color, Color::red);
     m_Pass.ConfigureTarget(colors);
-    const CompiledFrame frame = Render();
-    ASSERT_EQ(frame.passes.size(), 1u);
-    EXPECT_EQ(frame.passes[0].colors.at(1).texture, m_Color.rt());
-    EXPECT_THAT(ClearsOf(frame.passes[0]), ElementsAre(Color::red, Color::green));
-    EXPECT_FALSE(frame.passes[0].depth);
+    const CompiledFrame clears = Render();
+    ASSERT_EQ(clears.passes.size(), 2u);
+    EXPECT_THAT(ColorsOf(clears.passes[0]), ElementsAre(m_Color.rt()));
+    EXPECT_THAT(ClearsOf(clears.passes[0]), ElementsAre(Color::green));
+    EXPECT_THAT(ClearsOf(clears.passes[1]), ElementsAre(Color::red)) << "the temporary texture";
     m_Pass.ConfigureTarget(colors, BuiltinRenderTextureType::CameraTarget);
-    EXPECT_EQ(m_Harness.Render().passes.at(0).depth->texture, m_Depth.rt());
+    const CompiledFrame frame = m_Harness.Render();
+    ASSERT_EQ(frame.passes.size(), 3u);
+    EXPECT_EQ(frame.passes[2].colors.at(1).texture, m_Color.rt());
+    EXPECT_EQ(frame.passes[2].depth->texture, m_Depth.rt());
+    EXPECT_EQ(frame.passes[2].depth->load, LoadOp::Clear);
 }
 
 TEST_F(ConfiguredTargets, AreAtMostEightColorsWithEmptyOnesBehindThem)

@@ -2,6 +2,7 @@
 #include "SceneFolder.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 
 namespace limn::test
@@ -37,7 +38,9 @@ TEST(UnityRendererData, GivesTheFeatureOfTheArticlesProject)
     AssetContext assets;
     const UnityRendererDataLoadResult result =
         LoadUnityRendererData(k_Project + "/Assets/Settings/UniversalRenderer.asset", assets);
-    ASSERT_EQ(1u, result.renderer.features.size());
+    ASSERT_EQ(2u, result.renderer.features.size()) << "and post-processing, which URP has built in";
+    EXPECT_NE(nullptr,
+              dynamic_cast<const PostProcessRendererFeature*>(result.renderer.features[1].get()));
     const auto& feature =
         dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features[0]);
     EXPECT_EQ("Screem Space Outline", feature.name);
@@ -168,8 +171,9 @@ TEST(UnityRendererData, IsASceneFilesRenderer)
     folder.assets.AddRootsAround(k_Project + "/Assets/Settings/UniversalRenderer.asset");
     const SceneAsset asset = folder.LoadWithCamera("renderer: {rendererData: " + k_Project +
                                                    "/Assets/Settings/UniversalRenderer.asset}\n");
-    ASSERT_EQ(1u, asset.renderer.features.size());
-    EXPECT_EQ("ScreenSpaceOutlineRenderFeature", asset.renderer.featureTypes.at(0));
+    EXPECT_EQ((std::vector<std::string>{"ScreenSpaceOutlineRenderFeature",
+                                        "PostProcessRendererFeature"}),
+              asset.renderer.featureTypes);
     EXPECT_EQ(4u, asset.notes.size());
 }
 

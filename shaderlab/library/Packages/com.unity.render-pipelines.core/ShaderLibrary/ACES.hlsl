@@ -51,6 +51,10 @@ float3 ACEScg_to_unity(float3 x) { return mul(AP1_2_sRGB, x); }
 float3 ACES_to_ACEScg(float3 x) { return mul(AP0_2_AP1_MAT, x); }
 float3 ACEScg_to_ACES(float3 x) { return mul(AP1_2_AP0_MAT, x); }
 
+// Of ACEScc: where half precision ends, and a grey that reflects 18 %
+#define ACEScc_MAX 1.4679964
+#define ACEScc_MIDGRAY 0.4135884
+
 // S-2014-003: a logarithm with a parabola's foot below 2^-15.
 float ACES_to_ACEScc(float x)
 {

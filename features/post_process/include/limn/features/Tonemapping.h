@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limn/volume/EnumParameter.h>
+#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/VolumeComponent.h>
+
+namespace limn
+{
+
+/// How brightness beyond 1 is brought onto the screen. Unity: TonemappingMode (URP 14).
+enum class TonemappingMode
+{
+    None = 0,    ///< it is cut off
+    Neutral = 1, ///< a filmic curve for each channel, hues and saturation nearly kept
+    ACES = 2     ///< the Academy's look of film: more contrast, bright colours pale
+};
+
+/// Unity: Tonemapping (URP 14).
+class Tonemapping final : public VolumeComponent, public IPostProcessComponent
+{
+public:
+    EnumParameter<TonemappingMode> mode{this,
+                                        "mode",
+                                        TonemappingMode::None,
+                                        {{"None", TonemappingMode::None},
+                                         {"Neutral", TonemappingMode::Neutral},
+                                         {"ACES", TonemappingMode::ACES}},
+                                        {.tooltip = "The curve from scene to screen brightness."}};
+
+    bool IsActive() const override { return mode.value() != TonemappingMode::None; }
+    bool IsTileCompatible() const override { return true; }
+};
+
+} // namespace limn

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limn/volume/BoolParameter.h>
+#include <limn/volume/ColorParameter.h>
+#include <limn/volume/FloatParameter.h>
+#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/VectorParameter.h>
+#include <limn/volume/VolumeComponent.h>
+
+namespace limn
+{
+
+/// The picture fades towards its corners. Unity: Vignette (URP 14).
+class Vignette final : public VolumeComponent, public IPostProcessComponent
+{
+public:
+    ColorParameter color{this, "color", Color::black, false, false, true};
+    Vector2Parameter center{
+        this,
+        "center",
+        glm::vec2(0.5f),
+        {.tooltip = "Where nothing fades, 0...1 from the picture's bottom left corner."}};
+    ClampedFloatParameter intensity{
+        this, "intensity", 0.0f, 0.0f, 1.0f, {.tooltip = "How far in it reaches; 0 = none."}};
+    ClampedFloatParameter smoothness{this,  "smoothness", 0.2f,
+                                     0.01f, 1.0f,         {.tooltip = "How soft its border is."}};
+    BoolParameter rounded{
+        this, "rounded", false, {.tooltip = "A circle, whatever the picture's shape."}};
+
+    bool IsActive() const override { return intensity.value() > 0.0f; }
+    bool IsTileCompatible() const override { return true; }
+};
+
+} // namespace limn

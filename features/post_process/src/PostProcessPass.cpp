@@ -1,0 +1,250 @@
+#include "PostProcessPass.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limn/core/CoreUtils.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/Bloom.h>
+#include <limn/features/ColorAdjustments.h>
+#include <limn/features/Tonemapping.h>
+#include <limn/features/Vignette.h>
+#include <limn/volume/VolumeStack.h>
+
+namespace limn
+{
+
+namespace
+{
+
+enum BloomShaderPass
+{
+    Prefilter,
+    BlurHorizontal,
+    BlurVertical,
+    Upsample
+};
+
+const ShaderPropertyId _BlitTexture{"_BlitTexture"};
+const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
+const ShaderPropertyId _SourceTexLowMip{"_SourceTexLowMip"};
+const ShaderPropertyId _Params{"_Params"};
+const ShaderPropertyId _Bloom_Texture{"_Bloom_Texture"};
+const ShaderPropertyId _Bloom_Params{"_Bloom_Params"};
+const ShaderPropertyId _LensDirt_Texture{"_LensDirt_Texture"};
+const ShaderPropertyId _LensDirt_Params{"_LensDirt_Params"};
+const ShaderPropertyId _Vignette_Params1{"_Vignette_Params1"};
+const ShaderPropertyId _Vignette_Params2{"_Vignette_Params2"};
+const ShaderPropertyId _ColorFilter{"_ColorFilter"};
+const ShaderPropertyId _HueSatCon{"_HueSatCon"};
+const ShaderPropertyId _PostExposure{"_PostExposure"};
+const glm::vec4 k_WholeTexture{1.0f, 1.0f, 0.0f, 0.0f};
+
+template <typename Component>
+const Component* FindActive(const VolumeStackPointer& stack)
+{
+    const Component* component = stack->GetComponent<Component>();
+    return component != nullptr && component->active && component->IsActive() ? component : nullptr;
+}
+
+void SetKeyword(Material& material, const char* keyword, bool isOn)
+{
+    isOn ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
+}
+
+glm::vec3 Channels(const Color& color)
+{
+    return glm::vec3(color.vector());
+}
+
+/// Of one brightness, whatever the colour.
+glm::vec3 Tint(const Bloom& bloom)
+{
+    const glm::vec3 tint = Channels(bloom.tint.value().linear());
+    const float luminance = glm::dot(tint, glm::vec3(0.2126729f, 0.7151522f, 0.0721750f));
+    return luminance > 0.0f ? tint / luminance : glm::vec3(1.0f);
+}
+
+} // namespace
+
+ActiveEffects::ActiveEffects(const VolumeStackPointer& stack)
+    : bloom(FindActive<Bloom>(stack)),
+      vignette(FindActive<Vignette>(stack)),
+      colorAdjustments(FindActive<ColorAdjustments>(stack)),
+      tonemapping(FindActive<Tonemapping>(stack))
+{
+}
+
+PostProcessPass::PostProcessPass(const std::string& featureName,
+                                 std::shared_ptr<const Shader> bloom,
+                                 std::shared_ptr<const Shader> uber)
+    : m_BloomMaterial(CoreUtils::CreateEngineMaterial(std::move(bloom))),
+      m_UberMaterial(CoreUtils::CreateEngineMaterial(std::move(uber)))
+{
+    profilingSampler = ProfilingSampler(featureName);
+    renderPassEvent = RenderPassEvent::BeforeRenderingPostProcessing;
+}
+
+void PostProcessPass::Setup(const ActiveEffects& effects, ColorGradingMode grading,
+                            const CameraData& cameraData)
+{
+    const RenderTextureDescriptor& camera = cameraData.cameraTargetDescriptor;
+    const glm::ivec2 picture(camera.width, camera.height);
+    SetupBloom(effects.bloom, picture);
+    SetupVignette(effects.vignette, picture);
+    SetupGrading(effects, grading == ColorGradingMode::HighDynamicRange && cameraData.isHdrEnabled);
+}
+
+void PostProcessPass::SetupBloom(const Bloom* bloom, const glm::ivec2& picture)
+{
+    const bool isHighQuality = bloom != nullptr && bloom->highQualityFiltering.value();
+    SetKeyword(*m_UberMaterial, "_BLOOM_LQ", bloom != nullptr && !isHighQuality);
+    SetKeyword(*m_UberMaterial, "_BLOOM_HQ", isHighQuality);
+    SetKeyword(*m_BloomMaterial, "_BLOOM_HQ", isHighQuality);
+    SetKeyword(*m_UberMaterial, "_BLOOM_DIRT", false);
+    m_BloomMipCount = 0;
+    if (bloom == nullptr)
+    {
+        return;
+    }
+    m_BloomSize =
+        glm::max(bloom->downscale.value() == BloomDownscaleMode::Half ? picture / 2 : picture / 4,
+                 glm::ivec2(1));
+    const auto longest = static_cast<unsigned>(std::max(m_BloomSize.x, m_BloomSize.y));
+    const int halvings = std::bit_width(longest) - 2; // down to 2 or 3 texels
+    m_BloomMipCount =
+        static_cast<std::size_t>(std::clamp(halvings, 1, bloom->maxIterations.value()));
+
+    const float threshold = Color{bloom->threshold.value(), 0, 0, 0}.linear().r;
+    const float scatter = 0.05f + 0.9f * bloom->scatter.value();
+    m_BloomMaterial->SetVector(_Params,
+                               {scatter, bloom->clamp.value(), threshold, 0.5f * threshold});
+    m_UberMaterial->SetVector(_Bloom_Params, glm::vec4(bloom->intensity.value() * Tint(*bloom),
+                                                       bloom->dirtIntensity.value()));
+    SetupDirt(*bloom, picture);
+}
+
+void PostProcessPass::SetupDirt(const Bloom& bloom, const glm::ivec2& picture)
+{
+    const std::shared_ptr<const Texture>& dirt = bloom.dirtTexture.value().asset;
+    if (!dirt || bloom.dirtIntensity.value() <= 0.0f)
+    {
+        return;
+    }
+    // As large as the picture, what is too long for it cut off on both sides.
+    const glm::vec2 texture(dirt->width(), dirt->height());
+    const float ratio = texture.x / texture.y * static_cast<float>(picture.y) /
+                        static_cast<float>(picture.x); // of the dirt's shape to the picture's
+    const glm::vec2 scale(std::min(1.0f / ratio, 1.0f), std::min(ratio, 1.0f));
+    m_UberMaterial->EnableKeyword("_BLOOM_DIRT");
+    m_UberMaterial->SetTexture(_LensDirt_Texture, dirt);
+    m_UberMaterial->SetVector(_LensDirt_Params, glm::vec4(scale, 0.5f * (1.0f - scale)));
+}
+
+void PostProcessPass::SetupVignette(const Vignette* vignette, const glm::ivec2& picture)
+{
+    SetKeyword(*m_UberMaterial, "_VIGNETTE", vignette != nullptr);
+    if (vignette == nullptr)
+    {
+        return;
+    }
+    // The colour as it stands, though it is sRGB: as URP takes it.
+    const float aspect = static_cast<float>(picture.x) / static_cast<float>(picture.y);
+    m_UberMaterial->SetVector(
+        _Vignette_Params1,
+        glm::vec4(Channels(vignette->color.value()), vignette->rounded.value() ? aspect : 1.0f));
+    const glm::vec2 center = vignette->center.value(); // from the bottom, where v is from the top
+    m_UberMaterial->SetVector(_Vignette_Params2,
+                              {center.x, 1.0f - center.y, 3.0f * vignette->intensity.value(),
+                               5.0f * vignette->smoothness.value()});
+}
+
+void PostProcessPass::SetupGrading(const ActiveEffects& effects, bool isHdr)
+{
+    const TonemappingMode mode =
+        effects.tonemapping ? effects.tonemapping->mode.value() : TonemappingMode::None;
+    SetKeyword(*m_UberMaterial, "_TONEMAP_NEUTRAL", mode == TonemappingMode::Neutral);
+    SetKeyword(*m_UberMaterial, "_TONEMAP_ACES", mode == TonemappingMode::ACES);
+    SetKeyword(*m_UberMaterial, "_HDR_GRADING", isHdr);
+    const ColorAdjustments* adjustments = effects.colorAdjustments;
+    SetKeyword(*m_UberMaterial, "_COLOR_ADJUSTMENTS", adjustments != nullptr);
+    m_UberMaterial->SetFloat(_PostExposure,
+                             adjustments ? std::exp2(adjustments->postExposure.value()) : 1.0f);
+    if (adjustments == nullptr)
+    {
+        return;
+    }
+    m_UberMaterial->SetVector(_ColorFilter, adjustments->colorFilter.value().linear().vector());
+    m_UberMaterial->SetVector(_HueSatCon, {adjustments->hueShift.value() / 360.0f,
+                                           1.0f + adjustments->saturation.value() / 100.0f,
+                                           1.0f + adjustments->contrast.value() / 100.0f, 0.0f});
+}
+
+void PostProcessPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData)
+{
+    RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
+    descriptor.depthBufferBits = 0;
+    descriptor.msaaSamples = 1;
+    const auto allocate = [&](RTHandle& handle, const std::string& textureName)
+    {
+        RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Bilinear,
+                                           TextureWrapMode::Clamp, textureName);
+    };
+    allocate(m_Result, "_UberPost");
+    descriptor.graphicsFormat = GraphicsFormat::B10G11R11_UFloatPack32;
+    m_BloomMips.resize(std::max(m_BloomMips.size(), m_BloomMipCount));
+    glm::ivec2 size = m_BloomSize;
+    for (std::size_t i = 0; i < m_BloomMipCount; ++i)
+    {
+        descriptor.width = size.x;
+        descriptor.height = size.y;
+        allocate(m_BloomMips[i].down, "_BloomMipDown" + std::to_string(i));
+        allocate(m_BloomMips[i].up, "_BloomMipUp" + std::to_string(i));
+        size = glm::max(size / 2, glm::ivec2(1));
+    }
+}
+
+void PostProcessPass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
+{
+    const RTHandle& color = renderingData.cameraData.renderer->cameraColorTargetHandle();
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    MaterialPropertyBlock properties;
+    if (m_BloomMipCount > 0)
+    {
+        properties.SetTexture(_Bloom_Texture, DrawBloom(*cmd, color).rt());
+    }
+    properties.SetTexture(_BlitTexture, color.rt());
+    properties.SetVector(_BlitScaleBias, k_WholeTexture);
+    CoreUtils::SetRenderTarget(*cmd, m_Result);
+    CoreUtils::DrawFullScreen(*cmd, m_UberMaterial, properties);
+    Blit(*cmd, m_Result, color);
+    context.ExecuteCommandBuffer(*cmd);
+}
+
+const RTHandle& PostProcessPass::DrawBloom(CommandBuffer& cmd, const RTHandle& color) const
+{
+    const auto blit = [&](const RTHandle& source, const RTHandle& target, BloomShaderPass pass)
+    {
+        Blitter::BlitCameraTexture(cmd, source, target, m_BloomMaterial, pass);
+    };
+    blit(color, m_BloomMips[0].down, Prefilter);
+    for (std::size_t i = 1; i < m_BloomMipCount; ++i)
+    {
+        blit(m_BloomMips[i - 1].down, m_BloomMips[i].up, BlurHorizontal);
+        blit(m_BloomMips[i].up, m_BloomMips[i].down, BlurVertical);
+    }
+    const RTHandle* sum = &m_BloomMips[m_BloomMipCount - 1].down;
+    for (std::size_t i = m_BloomMipCount - 1; i-- > 0;)
+    {
+        MaterialPropertyBlock properties;
+        properties.SetTexture(_BlitTexture, m_BloomMips[i].down.rt());
+        properties.SetTexture(_SourceTexLowMip, sum->rt());
+        properties.SetVector(_BlitScaleBias, k_WholeTexture);
+        CoreUtils::SetRenderTarget(cmd, m_BloomMips[i].up);
+        CoreUtils::DrawFullScreen(cmd, m_BloomMaterial, properties, Upsample);
+        sum = &m_BloomMips[i].up;
+    }
+    return *sum;
+}
+
+} // namespace limn

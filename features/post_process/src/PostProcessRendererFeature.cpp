@@ -1,0 +1,58 @@
+#include "PostProcessPass.h"
+
+#include <limn/core/Inspector.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/OutlineRendererFeature.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr EnumEntry k_ColorGradingModes[] = {{"LowDynamicRange", 0}, {"HighDynamicRange", 1}};
+
+} // namespace
+
+PostProcessRendererFeature::PostProcessRendererFeature()
+{
+    name = "PostProcessRendererFeature";
+}
+
+PostProcessRendererFeature::~PostProcessRendererFeature() = default;
+
+void PostProcessRendererFeature::Create()
+{
+    m_Pass.reset();
+}
+
+void PostProcessRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
+                                                 RenderingData& renderingData)
+{
+    const ActiveEffects effects(renderingData.volumeStack);
+    const bool isEnabled = renderingData.cameraData.postProcessEnabled;
+    if (!effects.any() || !isEnabled)
+    {
+        renderingData.report->notes.push_back(
+            name + ": not drawn, " +
+            (isEnabled ? "no volume switches Bloom, Vignette, ColorAdjustments or Tonemapping on"
+                       : "the camera's renderPostProcessing is off"));
+        return;
+    }
+    if (!m_Pass)
+    {
+        m_Pass = std::make_unique<PostProcessPass>(
+            name, FindTechniqueShader(renderer, "Hidden/Universal Render Pipeline/Bloom"),
+            FindTechniqueShader(renderer, "Hidden/Universal Render Pipeline/UberPost"));
+    }
+    m_Pass->Setup(effects, m_ColorGradingMode, renderingData.cameraData);
+    renderer.EnqueuePass(*m_Pass);
+}
+
+void PostProcessRendererFeature::Describe(Inspector& inspector)
+{
+    inspector.Field("m_ColorGradingMode", m_ColorGradingMode, k_ColorGradingModes,
+                    "Whether colours are graded before or behind tonemapping");
+}
+
+} // namespace limn

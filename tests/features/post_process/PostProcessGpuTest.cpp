@@ -1,0 +1,325 @@
+#include "features/color_edges/PictureRun.h"
+#include "features/post_process/PostProcessReference.h"
+
+#include <gmock/gmock.h>
+#include <limn/features/Bloom.h>
+#include <limn/features/PostProcessRendererFeature.h>
+#include <limn/features/Vignette.h>
+
+namespace limn::test
+{
+namespace
+{
+
+/// A profile in a global volume, blended.
+class BlendedProfile
+{
+public:
+    BlendedProfile()
+    {
+        RegisterVolumeComponents(m_Registry);
+        m_Manager = std::make_unique<VolumeManager>(m_Registry);
+        m_Stack = std::make_unique<VolumeStack>(m_Manager->CreateStack());
+        m_Manager->Register(&m_Volume);
+    }
+
+    const VolumeStack& With(const std::function<void(VolumeProfile&)>& fill)
+    {
+        auto profile = std::make_shared<VolumeProfile>();
+        fill(*profile);
+        m_Volume.sharedProfile = std::move(profile);
+        m_Manager->Update(*m_Stack, glm::vec3(0.0f), LayerMask::FromIndex(0));
+        return *m_Stack;
+    }
+
+private:
+    VolumeComponentRegistry m_Registry;
+    std::unique_ptr<VolumeManager> m_Manager;
+    std::unique_ptr<VolumeStack> m_Stack;
+    Volume m_Volume;
+};
+
+class PostProcessGpu : public GpuTest
+{
+protected:
+    /// Patches of 6 x 6 pixels: greys from dark to far beyond white, colours, a black border.
+    static FlatScene Patches()
+    {
+        FlatScene flat(50, 26);
+        const std::vector<glm::vec3> colors = {{0.01f, 0.01f, 0.01f},
+                                               {0.18f, 0.18f, 0.18f},
+                                               {0.5f, 0.5f, 0.5f},
+                                               {1, 1, 1},
+                                               {4, 4, 4},
+                                               {30, 30, 30},
+                                               {200, 200, 200},
+                                               {0.8f, 0.1f, 0.1f},
+                                               {0.1f, 0.8f, 0.1f},
+                                               {0.1f, 0.1f, 0.8f},
+                                               {5, 0.5f, 0.1f},
+                                               {0.2f, 3, 0.4f},
+                                               {0.1f, 0.3f, 7},
+                                               {0.9f, 0.6f, 0.5f},
+                                               {0.02f, 0.2f, 0.1f}};
+        for (std::size_t i = 0; i < colors.size(); ++i)
+        {
+            const glm::vec2 corner(1 + 6 * (i % 8), 7 * (i / 8) + 1);
+            flat.Add(corner, corner + 6.0f, 5, Plain(colors[i]));
+        }
+        return flat;
+    }
+
+    struct Run : PictureRun
+    {
+        explicit Run(const FlatScene& flat, ColorGradingMode grading = {})
+            : PictureRun(flat.scene, flat.camera, static_cast<int>(flat.size.x),
+                         static_cast<int>(flat.size.y))
+        {
+            auto feature = std::make_unique<PostProcessRendererFeature>();
+            feature->m_ColorGradingMode = grading;
+            Add(std::move(feature));
+        }
+    };
+
+    const VolumeStack& Nothing()
+    {
+        return m_Volumes.With([](VolumeProfile&) {});
+    }
+
+    BlendedProfile m_Volumes;
+};
+
+void ExpectNear(const Field& picture, const Field& reference, const glm::dvec3& relative,
+                double absolute)
+{
+    ASSERT_EQ(picture.values.size(), reference.values.size());
+    double worst = 0.0;
+    for (int y = 0; y < picture.height; ++y)
+    {
+        for (int x = 0; x < picture.width; ++x)
+        {
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                const double value = picture.At(x, y, channel);
+                const double wanted = reference.At(x, y, channel);
+                const double allowed = absolute + relative[channel] * std::abs(wanted);
+                ASSERT_LE(std::abs(value - wanted), allowed)
+                    << x << ", " << y << ", channel " << channel << ": " << value << ", not "
+                    << wanted;
+                worst = std::max(worst, std::abs(value - wanted) / allowed);
+            }
+        }
+    }
+    testing::Test::RecordProperty("partOfAllowedError", std::to_string(worst));
+}
+
+struct Mode
+{
+    ColorGradingMode grading;
+    TonemappingMode tonemapping;
+};
+
+class PostProcessGradingGpu : public PostProcessGpu, public testing::WithParamInterface<Mode>
+{
+};
+
+TEST_P(PostProcessGradingGpu, IsWhatTheFormulasSayInDouble)
+{
+    const FlatScene flat = Patches();
+    const auto [grading, tonemapping] = GetParam();
+    Run run(flat, grading);
+    const Field base = run.Color(&Nothing());
+    const std::vector<Adjustments> looks = {{},
+                                            {.exposure = 1.5},
+                                            {.contrast = 40},
+                                            {.contrast = -60, .filter = {1.5, 0.8, 0.25}},
+                                            {.hueShift = 75, .saturation = 30},
+                                            {.exposure = -1,
+                                             .contrast = 20,
+                                             .filter = {0.5, 1, 2},
+                                             .hueShift = -150,
+                                             .saturation = -45},
+                                            {.saturation = -100}};
+    for (const Adjustments& look : looks)
+    {
+        const Field picture = run.Color(&m_Volumes.With(
+            [&](VolumeProfile& profile)
+            {
+                profile.Add<Tonemapping>().mode.Override(tonemapping);
+                look.SetOn(profile.Add<ColorAdjustments>());
+            }));
+        const bool drawsNothing = tonemapping == TonemappingMode::None && look.isNone();
+        const Field reference = PerPixel(
+            base, [&](const glm::dvec3& color, double, double)
+            { return drawsNothing ? color : GradeReference(color, look, grading, tonemapping); });
+        // Matrices of ACES are known to four digits; the picture has halves.
+        ExpectNear(picture, reference, glm::dvec3(1e-3),
+                   tonemapping == TonemappingMode::ACES ? 4e-3 : 1e-3);
+    }
+}
+
+std::string ModeName(const testing::TestParamInfo<Mode>& mode)
+{
+    constexpr const char* names[] = {"None", "Neutral", "Aces"};
+    const bool isHdr = mode.param.grading == ColorGradingMode::HighDynamicRange;
+    return (isHdr ? "Hdr" : "Ldr") + std::string(names[static_cast<int>(mode.param.tonemapping)]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Modes, PostProcessGradingGpu,
+    testing::Values(Mode{ColorGradingMode::LowDynamicRange, TonemappingMode::None},
+                    Mode{ColorGradingMode::LowDynamicRange, TonemappingMode::Neutral},
+                    Mode{ColorGradingMode::LowDynamicRange, TonemappingMode::ACES},
+                    Mode{ColorGradingMode::HighDynamicRange, TonemappingMode::None},
+                    Mode{ColorGradingMode::HighDynamicRange, TonemappingMode::Neutral},
+                    Mode{ColorGradingMode::HighDynamicRange, TonemappingMode::ACES}),
+    ModeName);
+
+TEST_F(PostProcessGpu, FadesToTheVignettesColourAwayFromItsCentre)
+{
+    FlatScene flat(45, 21);
+    flat.Add({-1, -1}, {46, 22}, 5, Plain({0.8f, 0.5f, 0.25f}));
+    Run run(flat);
+    const Field base = run.Color(&Nothing());
+    for (const bool rounded : {false, true})
+    {
+        const Field picture = run.Color(&m_Volumes.With(
+            [&](VolumeProfile& profile)
+            {
+                Vignette& vignette = profile.Add<Vignette>();
+                vignette.intensity.Override(0.5f);
+                vignette.smoothness.Override(0.4f);
+                vignette.center.Override({0.3f, 0.8f}); // left, and above the middle
+                vignette.color.Override({0.1f, 0.0f, 0.5f, 1.0f});
+                vignette.rounded.Override(rounded);
+            }));
+        const auto faded = [&](const glm::dvec3& color, double u, double v)
+        {
+            const double x = (u - 0.3) * 1.5 * (rounded ? 45.0 / 21.0 : 1.0);
+            const double y = (v - 0.2) * 1.5;
+            const double kept = std::pow(std::clamp(1.0 - x * x - y * y, 0.0, 1.0), 2.0);
+            return color * glm::mix(glm::dvec3(0.1, 0.0, 0.5), glm::dvec3(1.0), kept);
+        };
+        ExpectNear(picture, PerPixel(base, faded), glm::dvec3(1e-3), 1e-3); // lavapipe's pow
+    }
+}
+
+struct BloomCase
+{
+    const char* name;
+    glm::ivec2 size;
+    BloomLook look;
+};
+
+class PostProcessBloomGpu : public PostProcessGpu, public testing::WithParamInterface<BloomCase>
+{
+};
+
+TEST_P(PostProcessBloomGpu, IsWhatTheFormulasSayInDouble)
+{
+    const auto& [name, size, look] = GetParam();
+    FlatScene flat(size.x, size.y);
+    const glm::vec2 middle = flat.size * 0.5f;
+    flat.Add({0, 0}, middle, 6, Plain({0.05f, 0.1f, 0.2f}));
+    flat.Add(middle - 3.0f, middle + 2.0f, 5, Plain({6.0f, 2.5f, 0.3f}));
+    flat.Add({2, 3}, {3, 4}, 5, Plain({90.0f, 90.0f, 90.0f}));
+    Run run(flat);
+    const Field base = run.Color(&Nothing());
+    const Field picture = run.Color(
+        &m_Volumes.With([&](VolumeProfile& profile) { look.SetOn(profile.Add<Bloom>()); }));
+    const Field glow = BloomReference(base, look);
+    int glowing = 0;
+    const Field reference = PerPixel(base,
+                                     [&](const glm::dvec3& color, double u, double v)
+                                     {
+                                         const glm::dvec3 sum = color + At(glow, u, v);
+                                         glowing += At(glow, u, v).x > 0.02 ? 1 : 0;
+                                         return glm::min(sum, 1.0);
+                                     });
+    EXPECT_GT(glowing, size.x * size.y / 10);
+    // Each of the pictures cuts six bits behind the point off, of blue five: half a unit on
+    // average.
+    const double pictures = 2.0 * BloomMipCount(base, look) - 1.0;
+    ExpectNear(picture, reference, 0.5 * pictures * glm::exp2(-glm::dvec3(6, 6, 5)), 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Looks, PostProcessBloomGpu,
+    testing::Values(BloomCase{"Default", {48, 32}, {}},
+                    BloomCase{"HighQuality", {48, 32}, {.isHighQuality = true}},
+                    BloomCase{"OddSize", {37, 23}, {.isHighQuality = true}},
+                    BloomCase{"Quarter", {64, 40}, {.quarter = true, .maxIterations = 3}},
+                    BloomCase{"Tinted", {41, 33}, {.scatter = 0.2, .tint = {1.0, 0.5, 0.25}}},
+                    BloomCase{"OneTexel", {5, 5}, {.threshold = 0.2}},
+                    BloomCase{"Clamped", {32, 32}, {.clamp = 2.0, .maxIterations = 2}}),
+    [](const auto& bloom) { return std::string(bloom.param.name); });
+
+TEST_F(PostProcessGpu, KeepsWhatIsNoNumberToItsPixel)
+{
+    FlatScene flat(32, 24);
+    flat.Add({0, 0}, {32, 24}, 6, Plain({0.2f, 0.3f, 0.4f}));
+    GameObject& patch = flat.Add({10, 10}, {12, 12}, 5, nullptr);
+    for (const char* strange : {"asfloat(0x7FC00000u)", "asfloat(0x7F800000u)", "-5.0", "65504.0"})
+    {
+        patch.renderer->sharedMaterials = {Strange(strange)};
+        for (const auto tonemapping : {TonemappingMode::Neutral, TonemappingMode::ACES})
+        {
+            Run run(flat, ColorGradingMode::HighDynamicRange);
+            const Field picture = run.Color(&m_Volumes.With(
+                [&](VolumeProfile& profile)
+                {
+                    profile.Add<Bloom>().intensity.Override(1.0f);
+                    profile.Add<Tonemapping>().mode.Override(tonemapping);
+                    profile.Add<ColorAdjustments>().contrast.Override(100.0f);
+                }));
+            for (const double value : picture.values)
+            {
+                ASSERT_TRUE(value >= 0.0 && value <= 1.0) << strange << ": " << value;
+            }
+        }
+    }
+}
+
+std::vector<std::string> PassNames(const RenderResult& result)
+{
+    std::vector<std::string> names;
+    for (const CompiledRenderPass& pass : result.frame->passes)
+    {
+        names.push_back(pass.name);
+    }
+    return names;
+}
+
+TEST_F(PostProcessGpu, CostsNothingWhileNoEffectIsOn)
+{
+    const FlatScene flat = Patches();
+    PictureRun plain(flat.scene, flat.camera, 50, 26);
+    plain.Render(&Nothing(), true);
+    Run run(flat);
+    run.Render(&Nothing(), true);
+    EXPECT_EQ(PassNames(run.result()), PassNames(plain.result()));
+    EXPECT_THAT(run.result().report.notes,
+                testing::Contains("PostProcessRendererFeature: not drawn, no volume switches "
+                                  "Bloom, Vignette, ColorAdjustments or Tonemapping on"));
+}
+
+TEST_F(PostProcessGpu, IsLeftToTheCamera)
+{
+    FlatScene flat = Patches();
+    flat.camera.renderPostProcessing = false;
+    Run run(flat);
+    const auto fill = [](VolumeProfile& profile)
+    {
+        profile.Add<Tonemapping>().mode.Override(TonemappingMode::ACES);
+    };
+    run.Render(&m_Volumes.With(fill), true);
+    EXPECT_THAT(run.result().report.notes,
+                testing::Contains("PostProcessRendererFeature: not drawn, the camera's "
+                                  "renderPostProcessing is off"));
+    flat.camera.renderPostProcessing = true;
+    run.Render(&m_Volumes.With(fill), true);
+    EXPECT_THAT(run.result().report.notes, testing::IsEmpty());
+}
+
+} // namespace
+} // namespace limn::test
