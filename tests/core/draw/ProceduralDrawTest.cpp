@@ -105,10 +105,7 @@ protected:
         block.SetFloat("_Tint", tint);
         return block;
     }
-    GameObject& AddCube(float x)
-    {
-        return test::AddCube(m_Scene, "cube", {x, 0, 5}, {m_Material});
-    }
+    GameObject& AddCube(float x) { return test::AddCube(m_Scene, "cube", {x, 0, 5}, {m_Material}); }
     /// _Tint and the number of instances of each draw.
     std::vector<std::pair<float, std::uint32_t>> Draw()
     {

@@ -85,12 +85,14 @@ TEST_F(ProceduralGpu, DrawsEachInstance)
 // Lines through texel centres along rows and columns; where one ends is left to the device.
 TEST_F(ProceduralGpu, DrawsLinesAndLineStrips)
 {
-    const auto lines = Draw("float2(v % 2 == 0 ? -1 : 9, v / 2 * 3 + 1.5)", MeshTopology::Lines, 4, 1);
+    const auto lines =
+        Draw("float2(v % 2 == 0 ? -1 : 9, v / 2 * 3 + 1.5)", MeshTopology::Lines, 4, 1);
     for (int y = 0; y < 8; ++y)
     {
         EXPECT_EQ(lines[static_cast<std::size_t>(y)], y == 1 || y == 4 ? "11111111" : "........");
     }
-    const auto strip = Draw("float2(v == 0 ? -1 : 2.5, v == 2 ? 9 : 1.5)", MeshTopology::LineStrip, 3, 1);
+    const auto strip =
+        Draw("float2(v == 0 ? -1 : 2.5, v == 2 ? 9 : 1.5)", MeshTopology::LineStrip, 3, 1);
     EXPECT_EQ(strip[0], "........");
     EXPECT_EQ(strip[1].substr(0, 2), "11");
     EXPECT_EQ(strip[1].substr(3), ".....");
