@@ -57,6 +57,15 @@ bool Wraps(const RTHandle& target)
     return target && !target.rt();
 }
 
+void ExpectNoClear(RenderBufferLoadAction action)
+{
+    if (action == RenderBufferLoadAction::Clear)
+    {
+        throw ContractError("SetRenderTarget: RenderBufferLoadAction::Clear says not to what; use "
+                            "ClearRenderTarget");
+    }
+}
+
 /// @param least  the smallest size allowed
 void ExpectRect(const char* call, const ViewportRect& rect, int least)
 {
@@ -215,6 +224,29 @@ void CommandBuffer::SetRenderTarget(std::span<const RenderTargetIdentifier> colo
 {
     m_Commands.emplace_back(
         SetIdentifiedTargetCommand{{colors.begin(), colors.end()}, std::move(depth)});
+}
+
+void CommandBuffer::SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
+                                    RenderBufferStoreAction)
+{
+    ExpectNoClear(loadAction);
+    SetRenderTarget(std::move(rt));
+}
+
+void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color,
+                                    RenderBufferLoadAction colorLoadAction, RenderBufferStoreAction,
+                                    RenderTargetIdentifier depth,
+                                    RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction)
+{
+    ExpectNoClear(colorLoadAction);
+    ExpectNoClear(depthLoadAction);
+    SetRenderTarget(std::move(color), std::move(depth));
+}
+
+void CommandBuffer::DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias,
+                             bool bilinear)
+{
+    m_Commands.emplace_back(CopyDrawCommand{std::move(source), scaleBias, bilinear});
 }
 
 void CommandBuffer::SetCameraColor(RTHandle color)

@@ -87,6 +87,14 @@ struct IdentifiedBlitCommand
     int pass = -1;
 };
 
+/// Onto what is bound.
+struct CopyDrawCommand
+{
+    RenderTargetIdentifier source;
+    glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
+    bool isBilinear = false; ///< else the nearest texel
+};
+
 struct CopyTextureCommand
 {
     RenderTargetIdentifier source;
@@ -116,7 +124,7 @@ using RecordedCommand =
                  EndSampleCommand, RecordedDraw, SetGlobalCommand, SetViewProjectionCommand,
                  GetTemporaryRTCommand, ReleaseTemporaryRTCommand, SetIdentifiedTargetCommand,
                  SetCameraColorCommand, SetGlobalIdentifierCommand, IdentifiedBlitCommand,
-                 CopyTextureCommand, SetScissorCommand, SetInvertCullingCommand,
+                 CopyDrawCommand, CopyTextureCommand, SetScissorCommand, SetInvertCullingCommand,
                  SetGlobalDepthBiasCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
@@ -137,6 +145,13 @@ public:
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
                          RenderTargetIdentifier depth);
+    /// @throws ContractError for RenderBufferLoadAction::Clear: ClearRenderTarget says to what
+    void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
+                         RenderBufferStoreAction storeAction);
+    void SetRenderTarget(RenderTargetIdentifier color, RenderBufferLoadAction colorLoadAction,
+                         RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
+                         RenderBufferLoadAction depthLoadAction,
+                         RenderBufferStoreAction depthStoreAction);
     /// What CameraTarget stands for in all that follows. Renderers that change it say so.
     void SetCameraColor(RTHandle color);
 
@@ -247,6 +262,8 @@ public:
               std::shared_ptr<const Material> material, int pass = -1);
     /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
+    /// Blitter::BlitTexture without a material.
+    void DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias, bool bilinear);
     /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
     /// what no sampler can tell apart may be written otherwise.
     /// @throws ContractError  when executed: unless both have one size and colour format and one
