@@ -30,6 +30,7 @@ Shader "Universal Render Pipeline/Lit"
             HLSLPROGRAM
             #pragma vertex LitVertex
             #pragma fragment LitFragment
+            #pragma multi_compile _ _ADDITIONAL_LIGHTS
 
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -56,6 +57,9 @@ Shader "Universal Render Pipeline/Lit"
                 float2 uv : TEXCOORD0;
                 float3 normalWS : TEXCOORD1;
                 float3 viewDirWS : TEXCOORD2;
+            #ifdef _ADDITIONAL_LIGHTS
+                float3 positionWS : TEXCOORD3;
+            #endif
             };
 
             Varyings LitVertex(Attributes input)
@@ -65,7 +69,17 @@ Shader "Universal Render Pipeline/Lit"
                 output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
                 output.normalWS = TransformObjectToWorldNormal(input.normalOS);
                 output.viewDirWS = limn_ObjectToWorldSpaceViewDir(input.positionOS.xyz);
+            #ifdef _ADDITIONAL_LIGHTS
+                output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
+            #endif
                 return output;
+            }
+
+            half Highlight(float3 normal, float3 toLight, float3 view)
+            {
+                float3 halfway = SafeNormalize(toLight + view);
+                half exponent = exp2(10.0 * _Smoothness + 1.0);
+                return pow(saturate(dot(normal, halfway)), exponent) * _Smoothness * 0.25;
             }
 
             half4 LitFragment(Varyings input) : SV_Target
@@ -79,10 +93,16 @@ Shader "Universal Render Pipeline/Lit"
                 half3 ambient = SampleSH(normal) * (0.75 + 0.25 * normal.y);
                 half3 color = albedo.rgb * (light.color * wrapped * wrapped + ambient);
 
-                float3 halfway = SafeNormalize(light.direction + view);
-                half exponent = exp2(10.0 * _Smoothness + 1.0);
-                half highlight = pow(saturate(dot(normal, halfway)), exponent) * _Smoothness;
-                color += light.color * highlight * 0.25 + _EmissionColor.rgb;
+                color += light.color * Highlight(normal, light.direction, view) + _EmissionColor.rgb;
+            #ifdef _ADDITIONAL_LIGHTS
+                for (int i = 0; i < GetAdditionalLightsCount(); i++)
+                {
+                    Light other = GetAdditionalLight(i, input.positionWS);
+                    half lambert = saturate(dot(normal, other.direction));
+                    color += other.color * other.distanceAttenuation * lambert *
+                             (albedo.rgb + Highlight(normal, other.direction, view));
+                }
+            #endif
                 return half4(color, albedo.a);
             }
             ENDHLSL

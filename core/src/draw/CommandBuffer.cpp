@@ -326,6 +326,11 @@ void CommandBuffer::EndSample(std::string_view name)
     EndSample();
 }
 
+void CommandBuffer::SetKeyword(const GlobalKeyword& keyword, bool value)
+{
+    m_Commands.emplace_back(SetKeywordCommand{keyword, value});
+}
+
 void CommandBuffer::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id, "global ");

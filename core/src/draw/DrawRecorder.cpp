@@ -81,6 +81,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_Changes.clear();
     m_KeepsChanges = false;
     ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
     m_Origin = origin;
     m_State = {};
     m_ShaderGlobalsVersion = 0;
@@ -104,6 +105,44 @@ void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
     }
     m_Globals.Set(command.id, command.value);
     ++m_GlobalsVersion;
+}
+
+void DrawRecorder::SetKeyword(const SetKeywordCommand& command)
+{
+    const auto place =
+        std::ranges::lower_bound(m_KnownKeywords, command.keyword.name(), {}, &GlobalKeyword::name);
+    if (place == m_KnownKeywords.end() || *place != command.keyword)
+    {
+        m_KnownKeywords.insert(place, command.keyword);
+    }
+    SetGlobal({command.keyword.id(), command.isOn ? 1 : 0});
+    m_AreKeywordsOld = true;
+}
+
+const std::vector<std::string>& DrawRecorder::keywords()
+{
+    if (!std::exchange(m_AreKeywordsOld, false))
+    {
+        return m_Keywords;
+    }
+    // Most frames have those of the one before: the texts stay.
+    std::size_t count = 0;
+    for (const GlobalKeyword& keyword : m_KnownKeywords)
+    {
+        const ShaderPropertyValue* isOn = m_Globals.Find(keyword.id());
+        if (isOn == nullptr || *isOn != ShaderPropertyValue(1))
+        {
+            continue;
+        }
+        m_Keywords.resize(std::max(m_Keywords.size(), count + 1));
+        if (m_Keywords[count] != keyword.name())
+        {
+            m_Keywords[count] = keyword.name();
+        }
+        ++count;
+    }
+    m_Keywords.resize(count);
+    return m_Keywords;
 }
 
 void DrawRecorder::TakeShaderGlobals()
@@ -149,12 +188,14 @@ void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>
         }
     }
     ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
     const CommonDrawState state = std::exchange(m_State, place.state);
     record();
     m_State = state;
     m_Changes.resize(count);
     m_Globals = std::move(now);
     ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
 }
 
 void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
@@ -187,7 +228,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     m_HasDraws = true;
     ExpectSameDepth(material);
     DrawSetup draw;
-    draw.program = material.Compile(shaderPass);
+    draw.program = material.Compile(shaderPass, keywords());
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
     draw.state = Override(

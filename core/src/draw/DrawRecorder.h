@@ -30,6 +30,9 @@ public:
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
     void SetGlobal(const SetGlobalCommand& command);
+    void SetKeyword(const SetKeywordCommand& command);
+    /// Those that are on for all materials, sorted.
+    const std::vector<std::string>& keywords();
     /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
     /// nothing else.
     void TakeShaderGlobals();
@@ -92,6 +95,9 @@ private:
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
+    std::vector<GlobalKeyword> m_KnownKeywords; ///< that were ever switched, by name
+    std::vector<std::string> m_Keywords;        ///< that are on, unless m_AreKeywordsOld
+    bool m_AreKeywordsOld = false;
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};

@@ -264,7 +264,7 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
         const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
         if (buffer.name == k_DynamicKeywordBuffer)
         {
-            WriteDynamicKeywords(buffer, *sources.material, bytes);
+            WriteDynamicKeywords(buffer, sources, bytes);
         }
         else
         {

@@ -36,11 +36,11 @@ struct ObjectPass
     std::array<std::optional<std::uint32_t>, 2> setups;
 };
 
-bool Compiles(const Material& material, int pass)
+bool Compiles(const Material& material, int pass, const std::vector<std::string>& globalKeywords)
 {
     try
     {
-        material.Compile(pass);
+        material.Compile(pass, globalKeywords);
         return true;
     }
     catch (const AssetError&)
@@ -82,7 +82,8 @@ public:
         for (const ShaderTagId tag : m_Drawing.shaderTagIds)
         {
             const int pass = material->shader()->FindPassByLightMode(tag);
-            if (pass >= 0 && m_Drawing.fallbackMaterial && !Compiles(*material, pass))
+            if (pass >= 0 && m_Drawing.fallbackMaterial &&
+                !Compiles(*material, pass, m_Recorder.keywords()))
             {
                 passes.push_back(Add(m_Drawing.fallbackMaterial, 0));
                 break;

@@ -85,6 +85,10 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                 {
                     m_Recorder->SetGlobal(c);
                 }
+                else if constexpr (std::is_same_v<Command, SetKeywordCommand>)
+                {
+                    m_Recorder->SetKeyword(c);
+                }
                 else if constexpr (std::is_same_v<Command, SetRenderTargetCommand>)
                 {
                     m_Recorder->SetRenderTarget(c);

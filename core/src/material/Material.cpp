@@ -320,11 +320,16 @@ bool Material::IsKeywordEnabled(std::string_view keyword) const
     return std::binary_search(m_Keywords.begin(), m_Keywords.end(), keyword);
 }
 
-std::shared_ptr<const ShaderProgram> Material::Compile(int passIndex) const
+std::shared_ptr<const ShaderProgram>
+Material::Compile(int passIndex, std::span<const std::string> globalKeywords) const
 {
     // Choosing a variant costs more than a draw should.
-    return m_HasInitialKeywords ? m_Shader->Compile(passIndex)
-                                : m_Shader->Compile(passIndex, m_Keywords);
+    if (!m_HasInitialKeywords)
+    {
+        return m_Shader->Compile(passIndex, m_Keywords, globalKeywords);
+    }
+    return globalKeywords.empty() ? m_Shader->Compile(passIndex)
+                                  : m_Shader->CompileWithGlobals(passIndex, globalKeywords);
 }
 
 void Material::SetRenderQueue(int queue)

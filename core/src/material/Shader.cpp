@@ -99,6 +99,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         m_FullScreen.push_back(ReadFullScreenTag(pass, m_Document.file));
     }
     m_Initial = std::vector<Variant>(m_SubShader.passes.size());
+    m_LastGlobal = std::vector<LastGlobal>(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
@@ -189,11 +190,13 @@ bool Shader::HasKeyword(std::string_view keyword) const
                        });
 }
 
-std::vector<std::string> Shader::keywords(int passIndex, std::span<const std::string> enabled) const
+std::vector<std::string> Shader::keywords(int passIndex, std::span<const std::string> enabled,
+                                          std::span<const std::string> globalKeywords) const
 {
     const ShaderLabPass& pass = PassAt(passIndex);
     // A fixed-function pass has no keywords.
-    return pass.program ? SelectVariant(*pass.program, enabled) : std::vector<std::string>();
+    return pass.program ? SelectVariant(*pass.program, enabled, globalKeywords)
+                        : std::vector<std::string>();
 }
 
 std::shared_ptr<const ShaderProgram>
@@ -224,10 +227,11 @@ std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex) const
     return variant.compiled;
 }
 
-std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex,
-                                                     std::span<const std::string> enabled) const
+std::shared_ptr<const ShaderProgram>
+Shader::Compile(int passIndex, std::span<const std::string> enabled,
+                std::span<const std::string> globalKeywords) const
 {
-    const std::vector<std::string> wanted = keywords(passIndex, enabled);
+    const std::vector<std::string> wanted = keywords(passIndex, enabled, globalKeywords);
     if (wanted == keywords(passIndex))
     {
         return Compile(passIndex);
@@ -241,6 +245,20 @@ std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex,
         variant.compiled = CompileVariant(passIndex, wanted);
     }
     return variant.compiled;
+}
+
+std::shared_ptr<const ShaderProgram>
+Shader::CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const
+{
+    PassAt(passIndex);
+    LastGlobal& last = m_LastGlobal[static_cast<std::size_t>(passIndex)];
+    const std::lock_guard lock(last.mutex);
+    if (!last.compiled || !std::ranges::equal(last.keywords, globalKeywords))
+    {
+        last.compiled = Compile(passIndex, m_InitialKeywords, globalKeywords);
+        last.keywords.assign(globalKeywords.begin(), globalKeywords.end());
+    }
+    return last.compiled;
 }
 
 } // namespace limn

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <limn/core/DrawError.h>
+#include <limn/core/GlobalKeyword.h>
 
 namespace limn
 {
@@ -182,12 +183,15 @@ void WriteUniform(const UniformMember& member, ShaderPropertyId id, const Proper
     }
 }
 
-void WriteDynamicKeywords(const UniformBuffer& buffer, const Material& material,
+void WriteDynamicKeywords(const UniformBuffer& buffer, const PropertySources& sources,
                           std::span<std::byte> bytes)
 {
     for (const UniformMember& member : buffer.members)
     {
-        const std::int32_t isOn = material.IsKeywordEnabled(member.name) ? 1 : 0;
+        const ShaderPropertyValue* forAll = sources.globals->Find(GlobalKeyword(member.name).id());
+        const bool isOnForAll = forAll != nullptr && *forAll == ShaderPropertyValue(1);
+        const std::int32_t isOn =
+            isOnForAll || sources.material->IsKeywordEnabled(member.name) ? 1 : 0;
         std::memcpy(bytes.data() + member.offset, &isOn, sizeof(isOn));
     }
 }

@@ -14,9 +14,10 @@ namespace limn
 void WriteUniform(const UniformMember& member, ShaderPropertyId id, const PropertySources& sources,
                   std::span<std::byte> buffer);
 
-/// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on.
+/// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on, or
+/// the globals have.
 /// @param bytes  the whole buffer's
-void WriteDynamicKeywords(const UniformBuffer& buffer, const Material& material,
+void WriteDynamicKeywords(const UniformBuffer& buffer, const PropertySources& sources,
                           std::span<std::byte> bytes);
 
 } // namespace limn

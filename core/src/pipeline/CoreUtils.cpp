@@ -50,6 +50,16 @@ void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const
     }
 }
 
+void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state)
+{
+    cmd.SetKeyword(GlobalKeyword(keyword), state);
+}
+
+void SetKeyword(Material& material, const std::string& keyword, bool state)
+{
+    state ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
+}
+
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader)
 {
     if (!shader)

@@ -1,3 +1,4 @@
+#include "pipeline/AdditionalLights.h"
 #include "pipeline/CameraUniforms.h"
 
 #include <cmath>
@@ -180,6 +181,7 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                 const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
                 SetTimeUniforms(*cmd, request.time);
                 SetLightUniforms(*cmd, *request.scene);
+                SetAdditionalLightUniforms(*cmd, renderingData, result.report.notes);
                 context.ExecuteCommandBuffer(*cmd);
                 renderer.RenderCamera(context, renderingData);
             });

@@ -107,4 +107,34 @@ void ReadLight(const YamlNode& node, SceneLoader& loader)
     map.Finish();
 }
 
+void ReadLights(const YamlNode& node, SceneLoader& loader)
+{
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    int index = 0;
+    for (const YamlNode& item : ReadItems(node, "lights", diagnostics))
+    {
+        const std::string subject = "lights[" + std::to_string(index++) + "]";
+        SceneMapReader map(item, subject, scene_keys::k_AdditionalLight, diagnostics);
+        Light light;
+        if (const YamlNode* type = map.Find("type"))
+        {
+            const auto value = ReadEnum(*type, k_LightTypes, subject + ".type", diagnostics);
+            light.type = value ? static_cast<LightType>(*value) : light.type;
+        }
+        map.Read("position", light.transform.localPosition);
+        glm::vec3 degrees(0.0f);
+        if (map.Read("rotation", degrees))
+        {
+            light.transform.localRotation = EulerToRotation(degrees);
+        }
+        map.Read("color", light.color);
+        map.Read("intensity", light.intensity);
+        map.Read("range", light.range);
+        map.Read("spotAngle", light.spotAngle);
+        map.Read("innerSpotAngle", light.innerSpotAngle);
+        map.Finish();
+        loader.asset.scene.additionalLights.push_back(std::move(light));
+    }
+}
+
 } // namespace limn

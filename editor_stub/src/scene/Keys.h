@@ -20,6 +20,9 @@ inline constexpr EnumEntry k_ClearFlags[] = {
 inline constexpr EnumEntry k_MsaaQualities[] = {
     {"Disabled", 1}, {"_2x", 2}, {"_4x", 4}, {"_8x", 8}};
 
+/// Unity: UnityEngine.LightType.
+inline constexpr EnumEntry k_LightTypes[] = {{"Spot", 0}, {"Directional", 1}, {"Point", 2}};
+
 /// What stands behind a key.
 enum class SceneValue
 {
@@ -42,6 +45,8 @@ enum class SceneValue
     Colliders,
     Camera,
     Light,
+    LightType,
+    Lights,
     Renderer,
     Features,
     Volumes,
@@ -95,7 +100,8 @@ inline constexpr SceneKey k_Scene[] = {
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),
-    {"light", Light},
+    {"light", Light, "The main one, infinitely far away"},
+    {"lights", Lights, "Those besides the main one"},
     {"ambientLight", Color},
     {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
     {"renderer", Renderer},
@@ -124,6 +130,16 @@ inline constexpr SceneKey k_Camera[] = {
 
 inline constexpr SceneKey k_Light[] = {
     k_Rotation, {"color", Color}, {"intensity", Number, "", {0.0, 1e6}}};
+
+inline constexpr SceneKey k_AdditionalLight[] = {
+    {"type", LightType},
+    k_Position,
+    k_Rotation,
+    {"color", Color},
+    {"intensity", Number, "", {0.0, 1e6}},
+    {"range", Number, "Metres from which on it lights nothing", k_Lengths},
+    {"spotAngle", Number, "Where a spot's light ends, degrees across", {1.0, 179.0}},
+    {"innerSpotAngle", Number, "Up to where a spot's light is full, degrees across", {0.0, 179.0}}};
 
 /// A renderer has one of these.
 inline constexpr SceneKey k_Renderer[] = {{"rendererData", Text}, {"features", Features}};

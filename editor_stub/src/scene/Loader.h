@@ -34,6 +34,7 @@ struct SceneLoader
 
 void ReadCamera(const YamlNode& node, SceneLoader& loader);
 void ReadLight(const YamlNode& node, SceneLoader& loader);
+void ReadLights(const YamlNode& node, SceneLoader& loader);
 void ReadRenderer(const YamlNode& node, SceneLoader& loader); ///< needs layers and materials
 void ReadVolumes(const YamlNode& node, SceneLoader& loader);
 void ReadMaterials(const YamlNode& node, SceneLoader& loader);

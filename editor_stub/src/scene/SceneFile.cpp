@@ -93,6 +93,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     }
     ReadPart(map, "camera", loader, ReadCamera);
     ReadPart(map, "light", loader, ReadLight);
+    ReadPart(map, "lights", loader, ReadLights);
     map.Read("ambientLight", asset.scene.ambientLight);
     ReadPart(map, "plugins", loader, ReadPlugins);     // whose shaders materials may name
     ReadPart(map, "materials", loader, ReadMaterials); // which features may name

@@ -122,6 +122,10 @@ private:
             return Camera();
         case SceneValue::Light:
             return Map(scene_keys::k_Light);
+        case SceneValue::LightType:
+            return EnumSchema(k_LightTypes);
+        case SceneValue::Lights:
+            return ListSchema(Map(scene_keys::k_AdditionalLight));
         case SceneValue::Renderer:
             return Renderer();
         case SceneValue::Features:

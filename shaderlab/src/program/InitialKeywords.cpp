@@ -95,18 +95,24 @@ std::vector<std::string> InitialKeywords(const ShaderLabDocument& document)
 }
 
 std::vector<std::string> SelectVariant(const PassProgram& program,
-                                       std::span<const std::string> enabled)
+                                       std::span<const std::string> enabled,
+                                       std::span<const std::string> globalKeywords)
 {
+    const auto has = [](std::span<const std::string> keywords, const std::string& word)
+    {
+        return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+    };
     const auto dynamic = DynamicKeywords(program);
     std::set<std::string> keywords;
     for (const KeywordSet& set : program.keywordSets)
     {
         std::vector<std::string> words = set.keywords;
         std::erase_if(words, [&](const std::string& word) { return dynamic.count(word) > 0; });
-        const auto chosen = std::find_if(
-            words.begin(), words.end(),
-            [&](const std::string& word)
-            { return std::find(enabled.begin(), enabled.end(), word) != enabled.end(); });
+        const auto chosen = std::find_if(words.begin(), words.end(),
+                                         [&](const std::string& word) {
+                                             return has(enabled, word) ||
+                                                    (!set.isLocal && has(globalKeywords, word));
+                                         });
         if (!words.empty())
         {
             keywords.insert(chosen == words.end() ? words.front() : *chosen);

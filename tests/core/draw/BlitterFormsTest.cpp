@@ -143,14 +143,5 @@ TEST_F(BlitterForms, NeedACameraForPlainCopies)
                 HasSubstr("BlitTexture: no camera is rendered"));
 }
 
-TEST(CoreUtilsKeyword, IsEnabledOrDisabled)
-{
-    Material material(test::ShaderWithModes({"A"}));
-    CoreUtils::SetKeyword(material, "_FAST", true);
-    EXPECT_TRUE(material.IsKeywordEnabled("_FAST"));
-    CoreUtils::SetKeyword(material, "_FAST", false);
-    EXPECT_FALSE(material.IsKeywordEnabled("_FAST"));
-}
-
 } // namespace
 } // namespace limn

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limn/core/CoreUtils.h>
+
 #include "draw/DrawHarness.h"
 
 namespace limn
@@ -11,12 +13,15 @@ namespace
 using testing::ElementsAre;
 
 /// A shader whose result tells which keyword is on: _Off, _On or _Loud.
-std::shared_ptr<const Shader> KeywordShader(const std::string& properties)
+std::shared_ptr<const Shader> KeywordShader(const std::string& properties,
+                                            const std::string& directive = "shader_feature")
 {
     return test::ShaderOf("Shader \"Test/Keywords\" { Properties { " + properties +
                           " } SubShader { Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n"
                           "HLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
-                          "#pragma shader_feature _ TINT_ON TINT_LOUD\n"
+                          "#pragma " +
+                          directive +
+                          " _ TINT_ON TINT_LOUD\n"
                           "#if TINT_ON\nfloat _On;\n#define RESULT _On\n"
                           "#elif TINT_LOUD\nfloat _Loud;\n#define RESULT _Loud\n"
                           "#else\nfloat _Off;\n#define RESULT _Off\n#endif\n"
@@ -104,6 +109,122 @@ TEST(MaterialTexture, HasScaleOffsetAndSizeFed)
     material->SetTextureOffset(map, {0.5f, 0.25f});
     draw.Resolve(material);
     EXPECT_THAT(draw.Floats("_Map_ST", 4), ElementsAre(2.0f, 3.0f, 0.5f, 0.25f));
+}
+
+/// What a command buffer's draws come to, by the result of KeywordShader.
+class GlobalKeywords : public testing::Test
+{
+protected:
+    GlobalKeywords() { m_Cmd.SetRenderTarget(RTHandle(test::Target("Picture", 4, 4))); }
+
+    void Draw(const std::shared_ptr<const Material>& material)
+    {
+        m_Cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3);
+    }
+    std::vector<std::string> Results()
+    {
+        m_Context.ExecuteCommandBuffer(m_Cmd);
+        std::vector<std::string> results;
+        for (const test::SeenDraw& draw : test::DrawsOf(m_Context.TakeCommands()))
+        {
+            results.push_back(draw.program->layout.buffers.at(0).members.at(0).name);
+        }
+        return results;
+    }
+
+    CommandBuffer m_Cmd;
+    RenderReport m_Report;
+    ScriptableRenderContext m_Context{m_Report};
+};
+
+TEST_F(GlobalKeywords, ChooseTheVariantOfTheDrawsThatFollow)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    const auto other = std::make_shared<Material>(KeywordShader(""));
+    Draw(material);
+    m_Cmd.EnableShaderKeyword("TINT_ON");
+    Draw(material);
+    Draw(other);
+    m_Cmd.DisableShaderKeyword("TINT_ON");
+    Draw(material);
+    m_Cmd.EnableKeyword(GlobalKeyword::Create("TINT_LOUD"));
+    Draw(material);
+    CoreUtils::SetKeyword(m_Cmd, "UNKNOWN", true);
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_Off", "_On", "_On", "_Off", "_Loud", "_Loud"));
+    EXPECT_THAT(material->shaderKeywords(), testing::IsEmpty());
+}
+
+TEST_F(GlobalKeywords, AddToThoseOfTheMaterial)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    CoreUtils::SetKeyword(*material, "TINT_LOUD", true);
+    Draw(material);
+    m_Cmd.EnableShaderKeyword("TINT_ON"); // comes first in the set
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_Loud", "_On"));
+}
+
+TEST_F(GlobalKeywords, AreNotForLocalSets)
+{
+    const auto local =
+        std::make_shared<Material>(KeywordShader("", "multi_compile_local_fragment"));
+    m_Cmd.EnableShaderKeyword("TINT_ON");
+    Draw(local);
+    local->EnableKeyword("TINT_LOUD");
+    EXPECT_THAT(Results(), ElementsAre("_Loud")) << "the material as it is when it is executed";
+}
+
+TEST_F(GlobalKeywords, EndWithTheFrame)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    m_Cmd.EnableShaderKeyword("TINT_ON");
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_On"));
+    m_Cmd.Clear();
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    m_Cmd.SetRenderTarget(RTHandle(test::Target("Picture", 4, 4)));
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_Off"));
+}
+
+TEST_F(GlobalKeywords, AreThoseOfAnEarlierPlaceThere)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    Draw(material);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    m_Cmd.Clear();
+    const auto place = m_Context.MarkPlace();
+    m_Cmd.EnableShaderKeyword("TINT_ON");
+    Draw(material);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    m_Cmd.Clear();
+    m_Context.RecordAt(place,
+                       [&]
+                       {
+                           Draw(material);
+                           m_Context.ExecuteCommandBuffer(m_Cmd);
+                           m_Cmd.Clear();
+                       });
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_Off", "_Off", "_On", "_On"));
+}
+
+TEST_F(GlobalKeywords, AreValuesWhereTheShaderBranchesOnThem)
+{
+    const auto material = std::make_shared<Material>(test::ShaderOf(
+        "Shader \"Test/Branches\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex V\n"
+        "#pragma fragment F\n#pragma dynamic_branch _ WET\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+        "float4 F() : SV_Target { return WET ? 1 : 2; }\nENDHLSL } } }"));
+    m_Cmd.EnableShaderKeyword("WET");
+    Draw(material);
+    m_Context.ExecuteCommandBuffer(m_Cmd);
+    const FrameCommands frame = m_Context.TakeCommands();
+    const test::UniformBytes wet = test::FindUniform(frame, test::DrawsOf(frame).at(0), "WET");
+    std::int32_t value = 0;
+    std::memcpy(&value, wet.bytes, sizeof(value));
+    EXPECT_EQ(value, 1);
 }
 
 } // namespace

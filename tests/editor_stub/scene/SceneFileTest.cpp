@@ -130,6 +130,34 @@ TEST(SceneFile, LookAtTurnsTheCameraToThePoint)
     EXPECT_NEAR(-1.0f, asset.camera.transform.forward().z, 1e-6f);
 }
 
+TEST(SceneFile, HasLightsBesidesTheMainOne)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.LoadWithCamera(
+        "lights:\n"
+        "  - {position: [1, 2, 3], color: [1, 0, 0], intensity: 4, range: 5}\n"
+        "  - {type: Spot, rotation: [90, 0, 0], spotAngle: 60, "
+        "innerSpotAngle: 20}\n"
+        "  - {type: Directional}\n");
+    const std::vector<Light>& lights = asset.scene.additionalLights;
+    ASSERT_EQ(3u, lights.size());
+    EXPECT_EQ(LightType::Point, lights[0].type);
+    EXPECT_EQ(glm::vec3(1, 2, 3), lights[0].transform.localPosition);
+    EXPECT_EQ(Color::red, lights[0].color);
+    EXPECT_EQ(4.0f, lights[0].intensity);
+    EXPECT_EQ(5.0f, lights[0].range);
+    EXPECT_EQ(LightType::Spot, lights[1].type);
+    EXPECT_NEAR(-1.0f, lights[1].transform.forward().y, 1e-6f);
+    EXPECT_EQ(60.0f, lights[1].spotAngle);
+    EXPECT_EQ(20.0f, lights[1].innerSpotAngle);
+    EXPECT_EQ(LightType::Directional, lights[2].type);
+    EXPECT_THAT(folder.ProblemsOf("camera: {position: [0, 0, -5]}\n"
+                                  "lights:\n"
+                                  "  - {type: Area, range: -1}\n"
+                                  "  - {angle: 3}\n"),
+                testing::SizeIs(3));
+}
+
 TEST(SceneFile, TheLightShinesAlongItsForwardDirection)
 {
     SceneFolder folder;

@@ -105,5 +105,17 @@ TEST(SelectVariant, TakesTheEnabledKeywordOfEachSetElseItsDefault)
     EXPECT_THAT(SelectVariant(ProgramWith(""), enabled), IsEmpty());
 }
 
+TEST(SelectVariant, HeedsGlobalKeywordsInSetsThatAreNotLocal)
+{
+    const PassProgram program = ProgramWith("#pragma multi_compile A B C\n"
+                                            "#pragma multi_compile_local _ D\n"
+                                            "#pragma shader_feature_local_fragment _ E\n"
+                                            "#pragma multi_compile_fragment _ F");
+    const std::vector<std::string> material = {"C", "E"};
+    const std::vector<std::string> global = {"B", "D", "F"};
+    EXPECT_THAT(SelectVariant(program, {}, global), ElementsAre("B", "F"));
+    EXPECT_THAT(SelectVariant(program, material, global), ElementsAre("B", "E", "F"));
+}
+
 } // namespace
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/FrameCommands.h>
+#include <limn/core/GlobalKeyword.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
 #include <limn/core/PipelineState.h>
@@ -38,6 +39,14 @@ struct SetGlobalCommand
 {
     ShaderPropertyId id;
     ShaderPropertyValue value;
+};
+
+struct SetKeywordCommand
+{
+    GlobalKeyword keyword;
+    bool isOn = false;
+
+    bool operator==(const SetKeywordCommand&) const = default;
 };
 
 /// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
@@ -121,11 +130,11 @@ struct SetGlobalDepthBiasCommand
 
 using RecordedCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
-                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetViewProjectionCommand,
-                 GetTemporaryRTCommand, ReleaseTemporaryRTCommand, SetIdentifiedTargetCommand,
-                 SetCameraColorCommand, SetGlobalIdentifierCommand, IdentifiedBlitCommand,
-                 CopyDrawCommand, CopyTextureCommand, SetScissorCommand, SetInvertCullingCommand,
-                 SetGlobalDepthBiasCommand>;
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
+                 SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
+                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
+                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -313,6 +322,14 @@ public:
     /// RenderingUtils::SetViewAndProjectionMatrices says what.
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
+
+    /// For draws that follow, until the end of the camera; a keyword that is on there chooses
+    /// variants as if every material had it on.
+    void SetKeyword(const GlobalKeyword& keyword, bool value);
+    void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
+    void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
+    void EnableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), true); }
+    void DisableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), false); }
 
     void BeginSample(std::string_view name);
     void EndSample();

@@ -21,17 +21,15 @@ void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
 
-/// Enables or disables a keyword of the material.
-inline void SetKeyword(Material& material, const std::string& keyword, bool state)
-{
-    state ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
-}
-
 /// Draws one triangle over the whole of the bound target: three vertices, of which the shader's
 /// vertex function sees SV_VertexID only.
 /// @throws ContractError if the material is null or has no such pass
 void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
+
+/// Switches a keyword for all draws that follow, or a material's.
+void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state);
+void SetKeyword(Material& material, const std::string& keyword, bool state);
 
 /// Lets go of a material or texture, which is gone when nothing else holds it. C++ does the same
 /// where the member ends; this is for lines of C# that go over as they are.

@@ -5,6 +5,7 @@
 #include <limn/core/RTHandle.h>
 #include <limn/core/Shader.h>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace limn
@@ -99,7 +100,9 @@ public:
     /// Unity: Material.shaderKeywords. Sorted.
     const std::vector<std::string>& shaderKeywords() const { return m_Keywords; }
     /// The pass in the variant of these keywords, as Shader::Compile.
-    std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
+    /// @param globalKeywords  that are on for all materials, sorted
+    std::shared_ptr<const ShaderProgram>
+    Compile(int passIndex, std::span<const std::string> globalKeywords = {}) const;
 
     /// The queue filtering and sorting go by: the shader's unless set here.
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }

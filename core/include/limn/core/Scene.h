@@ -2,6 +2,7 @@
 
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
+#include <limn/core/Light.h>
 #include <limn/core/Material.h>
 #include <limn/core/MaterialList.h>
 #include <limn/core/Mesh.h>
@@ -77,6 +78,7 @@ public:
     ~Scene() = default;
 
     DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
+    std::vector<Light> additionalLights;        ///< besides the main one
     Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f}; ///< sRGB; the same from all sides
 
     /// A new object at the end of the list; the reference holds as long as the scene.

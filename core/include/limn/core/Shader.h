@@ -115,7 +115,8 @@ public:
     /// The keywords that Compile sets: of each set the first that is `enabled`, else its default;
     /// sorted. Without `enabled`, by the initial keywords.
     /// @throws ContractError naming the shader, if there is no such pass
-    std::vector<std::string> keywords(int passIndex, std::span<const std::string> enabled) const;
+    std::vector<std::string> keywords(int passIndex, std::span<const std::string> enabled,
+                                      std::span<const std::string> globalKeywords = {}) const;
     std::vector<std::string> keywords(int passIndex) const
     {
         return keywords(passIndex, m_InitialKeywords);
@@ -127,14 +128,27 @@ public:
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
     std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
-    std::shared_ptr<const ShaderProgram> Compile(int passIndex,
-                                                 std::span<const std::string> enabled) const;
+    std::shared_ptr<const ShaderProgram>
+    Compile(int passIndex, std::span<const std::string> enabled,
+            std::span<const std::string> globalKeywords = {}) const;
+    /// By the initial keywords and those that are on for all; the same ones as the last time cost
+    /// no search for the variant.
+    std::shared_ptr<const ShaderProgram>
+    CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const;
 
 private:
     /// One variant of one pass.
     struct Variant
     {
         std::mutex mutex; ///< held while it is compiled
+        std::shared_ptr<const ShaderProgram> compiled;
+    };
+
+    /// The variant that global keywords chose last.
+    struct LastGlobal
+    {
+        std::mutex mutex;
+        std::vector<std::string> keywords;
         std::shared_ptr<const ShaderProgram> compiled;
     };
 
@@ -151,8 +165,9 @@ private:
     std::vector<ShaderTagId> m_LightModes;                  ///< by pass
     std::vector<std::optional<FullScreenTag>> m_FullScreen; ///< by pass
     int m_RenderQueue = 2000;
-    mutable std::vector<Variant> m_Initial; ///< by pass
-    mutable std::mutex m_Mutex;             ///< guards the map, not what is in it
+    mutable std::vector<Variant> m_Initial;       ///< by pass
+    mutable std::vector<LastGlobal> m_LastGlobal; ///< by pass
+    mutable std::mutex m_Mutex;                   ///< guards the map, not what is in it
     mutable std::map<std::pair<int, std::vector<std::string>>, Variant> m_Others;
 };
 

@@ -17,7 +17,10 @@ std::vector<std::string> InitialKeywords(const ShaderLabDocument& document);
 /// The variant of a program for a material: of each keyword set the first keyword that is enabled,
 /// else the set's default. Sorted, each once, without "" and without the keywords of a
 /// dynamic_branch, which make no variants. Made for ShaderCompiler::Compile.
+/// @param enabled        by the material
+/// @param globalKeywords enabled for all, which only sets look at that are not local ones
 std::vector<std::string> SelectVariant(const PassProgram& program,
-                                       std::span<const std::string> enabled);
+                                       std::span<const std::string> enabled,
+                                       std::span<const std::string> globalKeywords = {});
 
 } // namespace limn

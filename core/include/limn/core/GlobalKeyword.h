@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limn/core/ShaderId.h>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// A keyword that a command buffer switches for all materials at once. A keyword set that a shader
+/// declares with `_local` does not look at it. Unity: UnityEngine.Rendering.GlobalKeyword (2022.3).
+class GlobalKeyword
+{
+public:
+    explicit GlobalKeyword(std::string_view name) : m_Id(std::string(k_Prefix).append(name)) {}
+    static GlobalKeyword Create(std::string_view name) { return GlobalKeyword(name); }
+
+    std::string_view name() const { return std::string_view(m_Id.name()).substr(k_Prefix.size()); }
+    /// Under which a frame's globals keep 1 while it is on: no shader has a property of this name.
+    ShaderPropertyId id() const { return m_Id; }
+
+    bool operator==(const GlobalKeyword&) const = default;
+
+private:
+    static constexpr std::string_view k_Prefix = "keyword ";
+
+    ShaderPropertyId m_Id;
+};
+
+} // namespace limn

@@ -1,0 +1,194 @@
+#include "features/color_edges/PictureRun.h"
+
+#include <glm/trigonometric.hpp>
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+namespace
+{
+
+constexpr int k_WallWidth = 40;
+constexpr int k_WallHeight = 24;
+
+/// A wall seen from in front, a pixel a metre: its middle is at (0, 0, 10).
+class AdditionalLightsGpu : public GpuTest
+{
+protected:
+    AdditionalLightsGpu()
+        : m_Wall(k_WallWidth, k_WallHeight),
+          m_Run(m_Wall.scene, m_Wall.camera, k_WallWidth, k_WallHeight)
+    {
+        const auto shader = FindBuiltinShader("Universal Render Pipeline/Lit", Compiler());
+        const auto material = std::make_shared<Material>(shader);
+        material->SetVector(ShaderPropertyId("_BaseColor"), {0.6f, 0.3f, 0.9f, 1.0f});
+        material->SetFloat(ShaderPropertyId("_Smoothness"), 0.0f); // no highlight
+        m_Wall.Add({0, 0}, {k_WallWidth, k_WallHeight}, 10, material);
+        m_Wall.scene.mainLight.intensity = 0.2f;
+    }
+
+    std::vector<Light>& lights() { return m_Wall.scene.additionalLights; }
+
+    /// The wall's picture against the one without lights and what they add to it in double.
+    void ExpectLitByFormula()
+    {
+        std::vector<Light> all = std::exchange(lights(), {});
+        const Field dark = m_Run.Color(nullptr);
+        lights() = all;
+        const Field picture = m_Run.Color(nullptr);
+        double most = 0.0;
+        for (int y = 0; y < k_WallHeight; ++y)
+        {
+            for (int x = 0; x < k_WallWidth; ++x)
+            {
+                const glm::dvec3 place(x + 0.5 - k_WallWidth / 2.0, k_WallHeight / 2.0 - y - 0.5,
+                                       10.0);
+                glm::dvec3 added(0.0);
+                for (const Light& light : all)
+                {
+                    added += Received(light, place) * glm::dvec3(0.6, 0.3, 0.9);
+                }
+                for (int channel = 0; channel < 3; ++channel)
+                {
+                    const double wanted = dark.At(x, y, channel) + added[channel];
+                    ASSERT_NEAR(picture.At(x, y, channel), wanted, 2e-3 * wanted + 1e-4)
+                        << x << ", " << y << ", channel " << channel;
+                }
+                most = std::max(most, added.x);
+            }
+        }
+        EXPECT_GT(most, 0.05) << "nothing is lit";
+    }
+
+    /// Karis 2013: the inverse square, to 0 at the range; a spot's cone squared; Lambert.
+    static glm::dvec3 Received(const Light& light, const glm::dvec3& place)
+    {
+        const glm::dvec3 normal(0, 0, -1);
+        const glm::dvec3 forward(light.transform.forward());
+        const glm::dvec3 away = glm::dvec3(light.transform.localPosition) - place;
+        const bool isDirectional = light.type == LightType::Directional;
+        const double distance = glm::length(away);
+        const glm::dvec3 toLight = isDirectional ? -forward : away / distance;
+        double strength =
+            static_cast<double>(light.intensity) * std::max(glm::dot(normal, toLight), 0.0);
+        if (!isDirectional)
+        {
+            const double part = distance / static_cast<double>(light.range);
+            const double window = std::clamp(1.0 - std::pow(part, 4), 0.0, 1.0);
+            strength *= window * window / (distance * distance);
+        }
+        if (light.type == LightType::Spot)
+        {
+            const double outer = std::cos(glm::radians(static_cast<double>(light.spotAngle)) / 2);
+            const double inner =
+                std::cos(glm::radians(static_cast<double>(light.innerSpotAngle)) / 2);
+            const double cone =
+                std::clamp((glm::dot(-toLight, forward) - outer) / (inner - outer), 0.0, 1.0);
+            strength *= cone * cone;
+        }
+        const Color color = light.color.linear();
+        return strength * glm::dvec3(color.r, color.g, color.b);
+    }
+
+    FlatScene m_Wall;
+    PictureRun m_Run;
+};
+
+Light Spot(const glm::vec3& position, const glm::vec3& degrees)
+{
+    Light light;
+    light.type = LightType::Spot;
+    light.transform.localPosition = position;
+    light.transform.localRotation = EulerToRotation(degrees);
+    light.intensity = 40.0f;
+    light.range = 30.0f;
+    light.spotAngle = 70.0f;
+    light.innerSpotAngle = 25.0f;
+    return light;
+}
+
+TEST_F(AdditionalLightsGpu, FadesWithTheDistanceUpToTheRange)
+{
+    Light light;
+    light.transform.localPosition = {-6.0f, 2.0f, 7.0f};
+    light.color = {1.0f, 0.7f, 0.4f, 1.0f};
+    light.intensity = 5.0f;
+    light.range = 9.0f;
+    lights() = {light};
+    ExpectLitByFormula();
+}
+
+TEST_F(AdditionalLightsGpu, FadesToTheBorderOfASpot)
+{
+    lights() = {Spot({4.0f, 1.0f, 0.0f}, {20.0f, -15.0f, 0.0f})};
+    ExpectLitByFormula();
+}
+
+TEST_F(AdditionalLightsGpu, AddsUp)
+{
+    Light sun;
+    sun.type = LightType::Directional;
+    sun.transform.localRotation = EulerToRotation({30.0f, 20.0f, 0.0f});
+    sun.intensity = 0.3f;
+    Light bulb;
+    bulb.transform.localPosition = {10.0f, -5.0f, 8.0f};
+    Light behindTheWall = bulb;
+    behindTheWall.transform.localPosition.z = 12.0f;
+    lights() = {sun, bulb, Spot({-8.0f, 0.0f, 2.0f}, {0.0f, 0.0f, 0.0f}), behindTheWall};
+    ExpectLitByFormula();
+}
+
+TEST_F(AdditionalLightsGpu, LightsTheWallFromOutsideOfThePicture)
+{
+    Light light;
+    light.transform.localPosition = {24.0f, 0.0f, 8.0f}; // 4 m to the right of it
+    light.intensity = 20.0f;
+    lights() = {light};
+    ExpectLitByFormula();
+}
+
+/// The names of what draws in a frame with `count` lights look at.
+std::size_t LightsOf(const RenderResult& result)
+{
+    for (const DrawSetup& setup : result.frame->setups)
+    {
+        for (const UniformBuffer& buffer : setup.program->layout.buffers)
+        {
+            if (buffer.name == "AdditionalLights")
+            {
+                return buffer.members.size();
+            }
+        }
+    }
+    return 0;
+}
+
+TEST_F(AdditionalLightsGpu, CostNothingWhereNoneReachesIntoThePicture)
+{
+    m_Run.Render(nullptr, true);
+    EXPECT_EQ(LightsOf(m_Run.result()), 0u);
+    Light light;
+    lights() = {light};
+    m_Run.Render(nullptr, true);
+    EXPECT_GT(LightsOf(m_Run.result()), 0u);
+    lights()[0].transform.localPosition = {0.0f, 23.0f, 10.0f}; // 11 m above it, 10 m range
+    m_Run.Render(nullptr, true);
+    EXPECT_EQ(LightsOf(m_Run.result()), 0u);
+}
+
+TEST_F(AdditionalLightsGpu, SaysThatTheyAreTooMany)
+{
+    Light light;
+    light.transform.localPosition = {0.0f, 0.0f, 5.0f};
+    light.intensity = 0.1f;
+    lights().assign(33, light);
+    m_Run.Render(nullptr);
+    EXPECT_THAT(m_Run.result().report.notes,
+                testing::Contains("33 lights reach into the picture, of which the first 32 are "
+                                  "drawn: shaders have no room for more"));
+    lights().pop_back();
+    ExpectLitByFormula();
+}
+
+} // namespace
+} // namespace limn::test
