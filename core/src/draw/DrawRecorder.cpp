@@ -53,6 +53,18 @@ float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
     return tag.reach.value_or(-1.0f);
 }
 
+/// @throws DrawError if lines are drawn and the shader's geometry function takes triangles
+void ExpectTopology(const DrawSetup& setup, const Material& material)
+{
+    if (setup.state.topology != MeshTopology::Triangles &&
+        setup.program->layout.geometryInput != GeometryInput::None)
+    {
+        throw DrawError("material '" + material.name() +
+                        "': the geometry function of its shader takes triangles, but lines are "
+                        "drawn");
+    }
+}
+
 } // namespace
 
 bool isInstanceable(const ShaderProgram& program)
@@ -272,11 +284,15 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     draw.subMesh = recorded.subMesh;
     draw.vertexCount = recorded.vertexCount;
     draw.firstInstance = static_cast<std::uint32_t>(m_Frame.instances.size());
-    m_Frame.instances.push_back(static_cast<std::uint32_t>(m_Frame.perDraw.size()));
+    draw.instanceCount = recorded.instanceCount;
+    m_Frame.instances.insert(m_Frame.instances.end(), recorded.instanceCount,
+                             static_cast<std::uint32_t>(m_Frame.perDraw.size()));
     m_Frame.perDraw.push_back(perDraw);
     const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
     // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
     // Unity's render textures, which are upside down: counter-clockwise is the front there.
+    setup.state.topology = recorded.topology;
+    ExpectTopology(setup, *recorded.material);
     setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored != (recorded.mesh == nullptr));
     draw.setup = Add(std::move(setup));
     if (!MergeIntoLast(draw))
@@ -362,6 +378,7 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& state) const
 {
     return (!recorded.mesh || recorded.isBlit) && !m_State.scissor &&
+           recorded.topology == MeshTopology::Triangles &&
            (!m_State.invertsCulling || state.cull == CullMode::Off);
 }
 

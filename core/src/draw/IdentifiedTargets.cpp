@@ -299,7 +299,33 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& comman
     return m_Result;
 }
 
+const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
+{
+    m_Result.Clear();
+    const TexturePointer source = Find(command.source, "BlitTexture");
+    if (!source)
+    {
+        throw ContractError("BlitTexture: the source is None");
+    }
+    DrawCopy(source, command.scaleBias, command.isBilinear ? k_BilinearPass : k_NearestPass,
+             "BlitTexture");
+    return m_Result;
+}
+
 void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
+                                 std::string_view call)
+{
+    if (source == dest.rt())
+    {
+        throw ContractError(std::string(call) + ": '" + source->name() +
+                            "' is both source and destination");
+    }
+    m_Result.SetRenderTarget(dest);
+    DrawCopy(source, {1.0f, 1.0f, 0.0f, 0.0f}, pass, call);
+}
+
+/// Onto what is bound.
+void IdentifiedTargets::DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
                                  std::string_view call)
 {
     const std::shared_ptr<const Material>& material = Camera(call).copy;
@@ -308,15 +334,9 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& d
         throw ContractError(std::string(call) +
                             ": copying needs a shader, and the renderer has no shaderCompiler()");
     }
-    if (source == dest.rt())
-    {
-        throw ContractError(std::string(call) + ": '" + source->name() +
-                            "' is both source and destination");
-    }
-    m_Result.SetRenderTarget(dest);
     MaterialPropertyBlock properties;
     properties.SetTexture(_BlitTexture, source);
-    properties.SetVector(_BlitScaleBias, {1.0f, 1.0f, 0.0f, 0.0f});
+    properties.SetVector(_BlitScaleBias, scaleBias);
     m_Result.DrawProcedural(glm::mat4(1.0f), material, pass, 3, properties);
 }
 

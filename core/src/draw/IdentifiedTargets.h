@@ -29,6 +29,7 @@ public:
     const CommandBuffer& Resolve(const SetIdentifiedTargetCommand& command);
     const CommandBuffer& Resolve(const SetGlobalIdentifierCommand& command);
     const CommandBuffer& Resolve(const IdentifiedBlitCommand& command);
+    const CommandBuffer& Resolve(const CopyDrawCommand& command);
     const CommandBuffer& Resolve(const CopyTextureCommand& command);
 
 private:
@@ -48,6 +49,8 @@ private:
     RTHandle FindTarget(const RenderTargetIdentifier& identifier, std::string_view call) const;
     RTHandle DepthBeside(const RenderTargetIdentifier& color) const;
     void DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
+                  std::string_view call);
+    void DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
                   std::string_view call);
     void BindAgain();
 

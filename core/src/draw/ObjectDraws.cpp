@@ -63,8 +63,11 @@ public:
     PassList& operator=(const PassList&) = delete;
 
     /// Adds the passes that a renderer of this material draws.
-    void AddOf(const std::shared_ptr<const Material>& material, std::vector<std::uint32_t>& passes)
+    /// @param properties  of the renderer; null = none
+    void AddOf(const std::shared_ptr<const Material>& material,
+               const MaterialPropertyBlock* properties, std::vector<std::uint32_t>& passes)
     {
+        m_Properties = properties;
         if (m_Drawing.overrideMaterial)
         {
             passes.push_back(Add(m_Drawing.overrideMaterial, m_Drawing.overrideMaterialPassIndex));
@@ -97,14 +100,15 @@ public:
 private:
     std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass)
     {
-        Known& known = m_Index.known[{material.get(), shaderPass}];
+        Known& known = m_Index.known[{material.get(), m_Properties, shaderPass}];
         if (known.call != m_Index.call)
         {
             known = {m_Index.call, static_cast<std::uint32_t>(m_Passes.size())};
-            m_Passes.push_back({material,
-                                shaderPass,
-                                m_Recorder.LookUp(*material, shaderPass, nullptr, m_StateBlock),
-                                {}});
+            m_Passes.push_back(
+                {material,
+                 shaderPass,
+                 m_Recorder.LookUp(*material, shaderPass, m_Properties, m_StateBlock),
+                 {}});
         }
         return known.index;
     }
@@ -114,12 +118,21 @@ private:
         std::uint64_t call = 0; ///< the last that had it
         std::uint32_t index = 0;
     };
-    using Key = std::pair<const Material*, int>;
+    struct Key
+    {
+        const Material* material = nullptr;
+        const MaterialPropertyBlock* properties = nullptr;
+        int shaderPass = 0;
+
+        bool operator==(const Key&) const = default;
+    };
     struct HashKey
     {
         std::size_t operator()(const Key& key) const
         {
-            return std::hash<const void*>()(key.first) * 31 + static_cast<std::size_t>(key.second);
+            const std::hash<const void*> hash;
+            return (hash(key.material) * 31 + hash(key.properties)) * 31 +
+                   static_cast<std::size_t>(key.shaderPass);
         }
     };
     /// Of all calls: an earlier one's entries are there for their memory only.
@@ -143,6 +156,7 @@ private:
     const DrawingSettings& m_Drawing;
     const RenderStateBlock& m_StateBlock;
     DrawRecorder& m_Recorder;
+    const MaterialPropertyBlock* m_Properties = nullptr; ///< of what is added
     std::vector<ObjectPass>& m_Passes = Emptied<ObjectPass>();
     Index& m_Index = NextCall();
 };
@@ -399,7 +413,8 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
         if (std::exchange(isKnown[run.rowClass], std::uint8_t{1}) == 0)
         {
             passesOf[run.rowClass].clear();
-            passes.AddOf(table.classes()[run.rowClass].material, passesOf[run.rowClass]);
+            const RendererTable::RowClass& rowClass = table.classes()[run.rowClass];
+            passes.AddOf(rowClass.material, rowClass.properties.get(), passesOf[run.rowClass]);
         }
     }
     std::vector<std::uint32_t>& commutes = Emptied<std::uint32_t>();

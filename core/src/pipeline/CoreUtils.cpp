@@ -9,6 +9,15 @@ namespace
 const ShaderPropertyId _BlitTexture{"_BlitTexture"};
 const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 constexpr int k_TriangleVertices = 3;
+constexpr glm::vec4 k_WholeTexture(1.0f, 1.0f, 0.0f, 0.0f);
+
+void ExpectSource(const RTHandle& source)
+{
+    if (!source)
+    {
+        throw ContractError("BlitTexture: the source is an empty handle");
+    }
+}
 
 } // namespace
 
@@ -87,29 +96,75 @@ void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandl
                             "' is both source and destination");
     }
     CoreUtils::SetRenderTarget(cmd, destination);
-    BlitTexture(cmd, source, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f), std::move(material), passIndex);
+    BlitTexture(cmd, source, k_WholeTexture, std::move(material), passIndex);
+}
+
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       float mipLevel, bool bilinear)
+{
+    CoreUtils::SetRenderTarget(cmd, destination);
+    BlitTexture(cmd, source, k_WholeTexture, mipLevel, bilinear);
+}
+
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       const ViewportRect& destViewport, float mipLevel, bool bilinear)
+{
+    CoreUtils::SetRenderTarget(cmd, destination);
+    cmd.SetViewport(destViewport);
+    BlitTexture(cmd, source, k_WholeTexture, mipLevel, bilinear);
 }
 
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
-    if (!source)
+    ExpectSource(source);
+    if (!source.rt())
     {
-        throw ContractError("BlitTexture: the source is an empty handle");
+        BlitTexture(cmd, source.nameID(), scaleBias, std::move(material), passIndex);
+        return;
     }
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
-    if (source.rt())
-    {
-        properties.SetTexture(_BlitTexture, source.rt());
-    }
-    else
-    {
-        cmd.SetGlobalTexture(_BlitTexture, source.nameID());
-    }
+    properties.SetTexture(_BlitTexture, source.rt());
     properties.SetVector(_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
                        properties);
     properties.Clear();
+}
+
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex)
+{
+    cmd.SetGlobalTexture(_BlitTexture, std::move(source));
+    BlitTexture(cmd, scaleBias, std::move(material), passIndex);
+}
+
+void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex)
+{
+    MaterialPropertyBlock properties;
+    properties.SetVector(_BlitScaleBias, scaleBias);
+    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
+                       properties);
+}
+
+void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                 float mipLevel, bool bilinear)
+{
+    ExpectSource(source);
+    if (mipLevel != 0.0f)
+    {
+        throw ContractError("BlitTexture: mip level " + std::to_string(mipLevel) +
+                            "; textures have level 0 only");
+    }
+    cmd.DrawCopy(source, scaleBias, bilinear);
+}
+
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
+                 RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
+                 int passIndex)
+{
+    cmd.SetRenderTarget(std::move(destination));
+    BlitTexture(cmd, std::move(source), k_WholeTexture, std::move(material), passIndex);
 }
 
 } // namespace Blitter

@@ -10,7 +10,9 @@ namespace limn
 void ClassOrder::Update(const RendererTable& table)
 {
     std::vector<StateId> ids;
-    std::map<std::tuple<const Material*, std::uint32_t, bool, bool>, std::uint32_t> known;
+    std::map<std::tuple<const Material*, const MaterialPropertyBlock*, std::uint32_t, bool, bool>,
+             std::uint32_t>
+        known;
     std::map<std::tuple<const Material*, int, std::uint32_t>, std::uint32_t> knownLooks;
     firsts.clear();
     looks.clear();
@@ -19,8 +21,9 @@ void ClassOrder::Update(const RendererTable& table)
     {
         const Material* material = own.material.get();
         ids.push_back(StateOf(material, table.meshParts()[own.meshPart].mesh.get()));
-        const auto first = known.try_emplace({material, own.meshPart, own.isMirrored, own.isAgain},
-                                             static_cast<std::uint32_t>(firsts.size()));
+        const auto first = known.try_emplace(
+            {material, own.properties.get(), own.meshPart, own.isMirrored, own.isAgain},
+            static_cast<std::uint32_t>(firsts.size()));
         const auto look = knownLooks.try_emplace({material, own.layer, own.renderingLayerMask.bits},
                                                  static_cast<std::uint32_t>(classOfLook.size()));
         if (look.second)

@@ -72,6 +72,10 @@ std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
         {
             hash.AddPointer(material.get());
         }
+        if (renderer.properties)
+        {
+            hash.AddPointer(renderer.properties.get()); // rows keep it: no other is in its place
+        }
     }
     return hash.value();
 }
@@ -136,38 +140,13 @@ std::uint32_t Put(std::vector<Value>& values, std::vector<std::uint32_t>& free, 
 
 } // namespace
 
-std::vector<std::uint32_t> SpareRows::Take(std::size_t size)
-{
-    std::vector<std::uint32_t> rows;
-    {
-        const std::scoped_lock lock(m_Mutex);
-        if (!m_Lists.empty())
-        {
-            rows.swap(m_Lists.back());
-            m_Lists.pop_back();
-        }
-    }
-    rows.resize(size);
-    return rows;
-}
-
-void SpareRows::Give(std::vector<std::uint32_t> rows) noexcept
-{
-    const std::scoped_lock lock(m_Mutex);
-    if (rows.capacity() > 0 && m_Lists.size() < k_Most)
-    {
-        m_Lists.reserve(k_Most);
-        m_Lists.push_back(std::move(rows));
-    }
-}
-
 RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 {
     const std::uint32_t bits = (rowClass.isMirrored ? 1u : 0u) | (rowClass.isAgain ? 2u : 0u) |
                                (rowClass.isActive ? 4u : 0u) | (rowClass.isFirst ? 8u : 0u) |
                                std::uint32_t{rowClass.materialIndex} << 4;
-    return {rowClass.material.get(), rowClass.layer, rowClass.renderingLayerMask.bits,
-            rowClass.meshPart, bits};
+    return {rowClass.material.get(),          rowClass.properties.get(), rowClass.layer,
+            rowClass.renderingLayerMask.bits, rowClass.meshPart,         bits};
 }
 
 FilterItem RendererTable::RowClass::item() const
@@ -367,6 +346,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     RowClass rowClass;
     rowClass.material =
         slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
+    rowClass.properties = renderer.properties;
     rowClass.layer = source.layer;
     rowClass.renderingLayerMask = renderer.renderingLayerMask;
     rowClass.materialIndex = static_cast<std::uint16_t>(slot);

@@ -47,7 +47,8 @@ public:
     /// rows.
     struct RowClass
     {
-        std::shared_ptr<const Material> material; ///< null: it draws nothing
+        std::shared_ptr<const Material> material;                ///< null: it draws nothing
+        std::shared_ptr<const MaterialPropertyBlock> properties; ///< of the renderer; null = none
         int layer = 0;
         RenderingLayerMask renderingLayerMask;
         std::uint32_t meshPart = 0;
@@ -151,7 +152,8 @@ private:
     std::vector<RowClass> m_Classes;
     std::vector<MeshPart> m_MeshParts;
     using PartKey = std::tuple<const Mesh*, int>;
-    using ClassKey = std::tuple<const Material*, int, std::uint32_t, std::uint32_t, std::uint32_t>;
+    using ClassKey = std::tuple<const Material*, const MaterialPropertyBlock*, int, std::uint32_t,
+                                std::uint32_t, std::uint32_t>;
     static ClassKey KeyOf(const RowClass& rowClass);
     std::map<ClassKey, std::uint32_t> m_ClassIndex;
     std::map<PartKey, std::uint32_t> m_PartIndex;

@@ -218,6 +218,18 @@ TEST_F(ConfiguredTargets, AreAtMostEightColorsWithEmptyOnesBehindThem)
     EXPECT_EQ(m_Pass.colorAttachmentHandle(), RTHandle());
 }
 
+// The pattern of URP 8 to 12: Setup(renderer.cameraColorTarget) in AddRenderPasses.
+TEST_F(ConfiguredTargets, MayBeTheRenderersBeforeThereAreAny)
+{
+    m_Pass.ConfigureTarget(m_Harness.renderer.cameraColorTarget());
+    const CompiledFrame frame = Render();
+    ASSERT_EQ(frame.passes.size(), 1u);
+    EXPECT_THAT(ColorsOf(frame.passes[0]), ElementsAre(m_Color.rt()));
+    EXPECT_EQ(frame.passes[0].depth->texture, m_Depth.rt());
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { m_Harness.renderer.cameraDepthTarget(); }),
+                HasSubstr("cameraDepthTargetHandle exists only while"));
+}
+
 TEST_F(ConfiguredTargets, CannotBeNoIdentifierNorANameOfNothing)
 {
     EXPECT_EQ(test::ThrownMessage<ContractError>(

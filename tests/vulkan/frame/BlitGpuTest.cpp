@@ -120,6 +120,28 @@ TEST_F(BlitGpu, GivesTheTexelSizeOfTheSource)
     ExpectNoValidationMessages();
 }
 
+TEST_F(BlitGpu, CopiesAPartOfATextureIntoAPartOfATarget)
+{
+    const RTHandle wide(MakeTarget(8, 5));
+    cmd.Blit(other, wide, BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)"));
+    cmd.SetRenderTarget(dest);
+    cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
+    cmd.SetViewport({2, 0, 4, 5});
+    Blitter::BlitTexture(cmd, wide, {0.5f, 1.0f, 0.5f, 0.0f}, 0, false); // the right half
+    const Image image = Draw(dest);
+    for (int y = 0; y < 5; ++y)
+    {
+        for (int x = 0; x < 7; ++x)
+        {
+            const bool isIn = x >= 2 && x < 6;
+            EXPECT_EQ(Texel8(image, x, y),
+                      (isIn ? Rgba8{20 * (x - 2 + 4), 20 * y, 255, 102} : Rgba8{}))
+                << x << ", " << y;
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
 // Texel centre x of 14 lies at (x + 0.5) / 2 of the 7, whose centres lie at k + 0.5.
 TEST_F(BlitGpu, ScalesWithoutAMaterialByTheSourcesFilter)
 {

@@ -4,6 +4,7 @@
 #include <limn/core/GlobalKeyword.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
+#include <limn/core/PipelineState.h>
 #include <limn/core/RenderTargetIdentifier.h>
 #include <optional>
 #include <span>
@@ -27,6 +28,8 @@ struct RecordedDraw
     int shaderPass = 0;
     std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
     RenderingLayerMask renderingLayers{1};
+    std::uint32_t instanceCount = 1; ///< procedural
+    MeshTopology topology = MeshTopology::Triangles;
     bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
 
     static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
@@ -93,6 +96,14 @@ struct IdentifiedBlitCommand
     int pass = -1;
 };
 
+/// Onto what is bound.
+struct CopyDrawCommand
+{
+    RenderTargetIdentifier source;
+    glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
+    bool isBilinear = false; ///< else the nearest texel
+};
+
 struct CopyTextureCommand
 {
     RenderTargetIdentifier source;
@@ -122,7 +133,7 @@ using RecordedCommand =
                  EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
                  SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
                  SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
-                 IdentifiedBlitCommand, CopyTextureCommand, SetScissorCommand,
+                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
                  SetInvertCullingCommand, SetGlobalDepthBiasCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
@@ -143,6 +154,13 @@ public:
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
                          RenderTargetIdentifier depth);
+    /// @throws ContractError for RenderBufferLoadAction::Clear: ClearRenderTarget says to what
+    void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
+                         RenderBufferStoreAction storeAction);
+    void SetRenderTarget(RenderTargetIdentifier color, RenderBufferLoadAction colorLoadAction,
+                         RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
+                         RenderBufferLoadAction depthLoadAction,
+                         RenderBufferStoreAction depthStoreAction);
     /// What CameraTarget stands for in all that follows. Renderers that change it say so.
     void SetCameraColor(RTHandle color);
 
@@ -229,6 +247,12 @@ public:
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
+    /// @param instanceCount  SV_InstanceID is 0, 1 ... of them; 0 = nothing is drawn
+    /// @throws ContractError also for Quads and Points, and for a negative count
+    /// @source Unity: CommandBuffer.DrawProcedural (2022.3)
+    void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
+                        int shaderPass, MeshTopology topology, int vertexCount,
+                        int instanceCount = 1, const MaterialPropertyBlock& properties = {});
 
     /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
     /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
@@ -247,6 +271,8 @@ public:
               std::shared_ptr<const Material> material, int pass = -1);
     /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
+    /// Blitter::BlitTexture without a material.
+    void DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias, bool bilinear);
     /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
     /// what no sampler can tell apart may be written otherwise.
     /// @throws ContractError  when executed: unless both have one size and colour format and one

@@ -68,9 +68,43 @@ namespace Blitter
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        std::shared_ptr<const Material> material, int passIndex);
 
-/// The same on the target that is bound already.
+/// What is loaded and stored is worked out.
+inline void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source,
+                              const RTHandle& destination, RenderBufferLoadAction,
+                              RenderBufferStoreAction, std::shared_ptr<const Material> material,
+                              int passIndex)
+{
+    BlitCameraTexture(cmd, source, destination, std::move(material), passIndex);
+}
+/// A plain copy.
+/// @param mipLevel  0, the only one that textures have
+/// @param bilinear  else the nearest texel
+/// @throws ContractError if a handle is empty or the mip level another one; when executed, if both
+///         are the same texture or no camera is rendered
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       float mipLevel = 0.0f, bool bilinear = false);
+/// The same over a part of the destination.
+void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
+                       const ViewportRect& destViewport, float mipLevel = 0.0f,
+                       bool bilinear = false);
+
+// The same on the target that is bound already, with other texture coordinates: scale in x and y,
+// offset in z and w.
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
+/// The source is global as _BlitTexture from then on, as in Unity.
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex);
+/// Without a source: _BlitTexture is what it is.
+void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
+                 std::shared_ptr<const Material> material, int passIndex);
+/// A plain copy, as BlitCameraTexture's.
+void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                 float mipLevel, bool bilinear);
+/// Binds `destination` first; scale 1, offset 0.
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
+                 RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
+                 int passIndex);
 
 } // namespace Blitter
 

@@ -6,6 +6,16 @@
 namespace limn
 {
 
+/// What vertices make up, values Unity's. Unity: UnityEngine.MeshTopology (2022.3).
+enum class MeshTopology
+{
+    Triangles = 0,
+    Quads = 2, ///< refused: no device draws them
+    Lines = 3,
+    LineStrip = 4,
+    Points = 5 ///< refused: shaders here give points no size
+};
+
 /// A pass's RenderState with every `[_Property]` replaced by the material's value: what a draw
 /// really uses. Depth compares are Unity's (nearer = Less); the device turns them for reversed Z.
 struct PipelineState
@@ -26,6 +36,7 @@ struct PipelineState
     int stencilWriteMask = 255;
     StencilFace stencilFront;
     StencilFace stencilBack;
+    MeshTopology topology = MeshTopology::Triangles; ///< of the draw, not of the pass
 
     bool operator==(const PipelineState&) const = default;
 };

@@ -18,6 +18,26 @@ enum class BuiltinRenderTextureType
     CameraTarget = 2
 };
 
+// What a target is bound with; limn works out by itself what has to be loaded and stored, from what
+// is read later, and keeps no less than is asked for.
+
+/// Unity: UnityEngine.Rendering.RenderBufferLoadAction (2022.3).
+enum class RenderBufferLoadAction
+{
+    Load = 0,
+    Clear = 1,
+    DontCare = 2
+};
+
+/// Unity: UnityEngine.Rendering.RenderBufferStoreAction (2022.3).
+enum class RenderBufferStoreAction
+{
+    Store = 0,
+    Resolve = 1,
+    StoreAndResolve = 2,
+    DontCare = 3
+};
+
 /// What a command buffer draws into or reads, looked up when the buffer is executed: a texture, a
 /// name given by CommandBuffer::GetTemporaryRT or SetGlobalTexture, or one of the built-in ones.
 /// Unity: UnityEngine.Rendering.RenderTargetIdentifier (2022.3).

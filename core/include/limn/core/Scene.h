@@ -25,6 +25,24 @@ struct MeshRenderer
     MaterialList sharedMaterials;
     RenderingLayerMask renderingLayerMask{1}; ///< a new renderer is in rendering layer 0 only
     bool enabled = true;
+    /// What SetPropertyBlock was given; null = none.
+    std::shared_ptr<const MaterialPropertyBlock> properties = nullptr;
+
+    /// Values that win over those of its materials, and of what overrides these. Renderers of
+    /// different blocks are separate draws.
+    /// @param block  copied; an empty one takes the renderer's away
+    /// @source Unity: Renderer.SetPropertyBlock (2022.3)
+    void SetPropertyBlock(const MaterialPropertyBlock& block)
+    {
+        properties =
+            block.isEmpty() ? nullptr : std::make_shared<const MaterialPropertyBlock>(block);
+    }
+    /// A copy; an empty one where the renderer has none. Unity: Renderer.GetPropertyBlock.
+    void GetPropertyBlock(MaterialPropertyBlock& block) const
+    {
+        block = properties ? *properties : MaterialPropertyBlock();
+    }
+    bool HasPropertyBlock() const { return properties != nullptr; }
 };
 
 /// Unity: UnityEngine.GameObject (2022.3).

@@ -76,6 +76,11 @@ public:
     /// reads it: in AddRenderPasses or earlier.
     void ConfigureInput(ScriptableRenderPassInput passInput) { m_Input = passInput; }
     void ResetTarget();
+    // What is stored is worked out from what is read later: no less than is asked for.
+    void ConfigureColorStoreAction(RenderBufferStoreAction, std::uint32_t /*attachmentIndex*/ = 0)
+    {
+    }
+    void ConfigureDepthStoreAction(RenderBufferStoreAction) {}
 
     /// cmd.Blit, the source as _MainTex; the pass's ConfigureClear clears the colour first.
     /// @param material  null = a plain copy, whatever `passIndex` is

@@ -47,6 +47,16 @@ public:
     const RTHandle& cameraColorTargetHandle() const;
     const RTHandle& cameraDepthTargetHandle() const;
 
+    /// The camera's colour with its depth, by an identifier that may be asked for at any time, in
+    /// AddRenderPasses as well: what it is when a command is executed.
+    /// @source Unity: ScriptableRenderer.cameraColorTarget (URP 8 to 14)
+    RenderTargetIdentifier cameraColorTarget() const
+    {
+        return BuiltinRenderTextureType::CameraTarget;
+    }
+    /// @throws ContractError outside rendering, as cameraDepthTargetHandle does
+    RenderTargetIdentifier cameraDepthTarget() const { return cameraDepthTargetHandle().nameID(); }
+
     /// Steps 8 to 10 of a camera: features add passes, everything runs, the queue is empty again.
     /// If something throws, passes that were set up are cleaned up and the queue is empty as well.
     void RenderCamera(ScriptableRenderContext& context, RenderingData& renderingData);

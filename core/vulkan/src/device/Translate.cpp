@@ -210,6 +210,13 @@ VkConservativeRasterizationModeEXT ToVkConservative(bool conservative)
                         : VK_CONSERVATIVE_RASTERIZATION_MODE_DISABLED_EXT;
 }
 
+VkPrimitiveTopology ToVkTopology(MeshTopology topology)
+{
+    return topology == MeshTopology::Lines       ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST
+           : topology == MeshTopology::LineStrip ? VK_PRIMITIVE_TOPOLOGY_LINE_STRIP
+                                                 : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+}
+
 VkCullModeFlags ToVkCullMode(CullMode mode)
 {
     switch (mode)

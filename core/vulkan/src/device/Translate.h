@@ -35,6 +35,8 @@ VkLogicOp ToVkLogicOp(BlendOp op);
 VkConservativeRasterizationModeEXT ToVkConservative(bool conservative);
 
 VkCullModeFlags ToVkCullMode(CullMode mode);
+/// @pre the device draws it
+VkPrimitiveTopology ToVkTopology(MeshTopology topology);
 
 /// Clockwise as seen on screen is front. The viewport's negative height turns the picture over
 /// before Vulkan looks at the winding, so "clockwise" means the same to both.

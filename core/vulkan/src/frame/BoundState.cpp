@@ -87,9 +87,9 @@ void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& stat
 void BoundState::SetFixed(const FixedState& state)
 {
     const FixedState* known = m_Fixed ? &*m_Fixed : nullptr;
-    if (known == nullptr)
+    if (Changes(known, state, &FixedState::topology))
     {
-        vkCmdSetPrimitiveTopology(m_Commands, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
+        vkCmdSetPrimitiveTopology(m_Commands, state.topology);
     }
     if (Changes(known, state, &FixedState::cullMode))
     {

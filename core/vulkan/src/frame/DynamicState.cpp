@@ -143,6 +143,8 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
     key.alphaToMask = state.alphaToMask;
     key.depthClamp = !state.zClip;
     key.conservative = state.conservative;
+    key.topology = state.topology == MeshTopology::Triangles ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
+                                                             : VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
     key.logicOp = isLogical(op) ? std::optional(ToVkLogicOp(op)) : std::nullopt;
     // The command that sets a blend equation knows the plain operations only.
     key.dynamicBlend = capabilities.dynamicBlend && !isAdvanced(op);
@@ -160,6 +162,7 @@ FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats
                         bool usesReversedZBuffer)
 {
     FixedState result;
+    result.topology = ToVkTopology(state.topology);
     result.cullMode = ToVkCullMode(state.cull);
     result.frontFace = ToVkFrontFace(state.frontFaceFlipped);
     result.depthTest =

@@ -13,6 +13,7 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
 /// The fixed state that is no part of the pipeline, blending apart, as Vulkan's commands take it.
 struct FixedState
 {
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkCullModeFlags cullMode = VK_CULL_MODE_NONE;
     VkFrontFace frontFace = VK_FRONT_FACE_CLOCKWISE;
     bool depthTest = false;

@@ -69,7 +69,8 @@ struct PipelineParts
     VkPipelineRenderingCreateInfo rendering{};
 };
 
-void DescribeVertices(PipelineParts& parts, const ProgramObjects& pass)
+void DescribeVertices(PipelineParts& parts, const ProgramObjects& pass,
+                      VkPrimitiveTopology topology)
 {
     for (std::uint32_t i = 0; i < pass.fetches.size(); ++i)
     {
@@ -85,7 +86,7 @@ void DescribeVertices(PipelineParts& parts, const ProgramObjects& pass)
         static_cast<std::uint32_t>(parts.attributes.size());
     parts.vertexInput.pVertexAttributeDescriptions = parts.attributes.data();
     parts.assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    parts.assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    parts.assembly.topology = topology;
 }
 
 void DescribeRasterization(PipelineParts& parts, const PipelineKey& key)
@@ -160,7 +161,7 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
         parts.stages.push_back(Stage(VK_SHADER_STAGE_GEOMETRY_BIT, pass.geometry.get()));
     }
     parts.dynamicStates = DynamicStates(key.dynamicBlend, !pass.fetches.empty());
-    DescribeVertices(parts, pass);
+    DescribeVertices(parts, pass, key.topology);
     DescribeRasterization(parts, key);
     DescribeTargets(parts, key, colorOutputs);
     parts.dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;

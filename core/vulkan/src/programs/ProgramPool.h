@@ -28,6 +28,8 @@ struct PipelineKey
     bool alphaToMask = false;
     bool depthClamp = false;
     bool conservative = false;
+    /// One of its class: which of them is dynamic.
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     std::optional<VkLogicOp> logicOp;
     bool dynamicBlend = false;
     std::array<RenderTargetBlendState, 8> blend; ///< as made where blending is dynamic

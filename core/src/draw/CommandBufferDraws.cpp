@@ -1,0 +1,273 @@
+#include <glm/ext/matrix_clip_space.hpp>
+#include <limn/core/CommandBuffer.h>
+#include <limn/core/Scene.h>
+
+#include "material/RequireFinite.h"
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_AllPasses = -1;
+
+void ExpectMaterial(const std::shared_ptr<const Material>& material)
+{
+    if (!material)
+    {
+        throw ContractError("a draw needs a material, but it is null");
+    }
+}
+
+void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
+                    const glm::mat4& matrix)
+{
+    ExpectMaterial(material);
+    if (shaderPass < 0 || shaderPass >= material->passCount())
+    {
+        throw ContractError("material '" + material->name() + "': shader '" +
+                            material->shader()->name() + "' has no pass " +
+                            std::to_string(shaderPass) + "; it has " +
+                            std::to_string(material->passCount()));
+    }
+    if (!isFinite(matrix))
+    {
+        throw ContractError("material '" + material->name() +
+                            "': the matrix of the draw is not finite");
+    }
+}
+
+void ExpectSubMesh(const Mesh& mesh, int subMesh)
+{
+    if (subMesh < 0 || subMesh >= mesh.subMeshCount())
+    {
+        throw ContractError("mesh '" + mesh.name() + "' has no sub-mesh " +
+                            std::to_string(subMesh) + "; it has " +
+                            std::to_string(mesh.subMeshCount()));
+    }
+}
+
+/// 0...1 in x and y, seen from the front; row 0 of a texture is the top of the picture.
+const std::shared_ptr<const Mesh>& BlitQuad()
+{
+    static const auto quad = []
+    {
+        MeshData data;
+        data.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}};
+        data.uv = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+        data.triangles = {0, 1, 2, 0, 2, 3};
+        return std::make_shared<const Mesh>("Blit Quad", std::move(data));
+    }();
+    return quad;
+}
+
+/// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
+/// @param properties  gets it: what a draw brings along wins over what is global
+void SetBlitMatrices(MaterialPropertyBlock& properties)
+{
+    static const ShaderPropertyId unity_MatrixV{"unity_MatrixV"};
+    static const ShaderPropertyId glstate_matrix_projection{"glstate_matrix_projection"};
+    static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
+    static const ShaderPropertyId limn_Origin{"limn_Origin"};
+    // Near and far are given the other way round, which is reversed Z.
+    static const glm::mat4 projection = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
+    properties.SetMatrix(unity_MatrixV, glm::mat4(1.0f));
+    properties.SetMatrix(glstate_matrix_projection, projection);
+    properties.SetMatrix(unity_MatrixVP, projection);
+    properties.SetVector(limn_Origin, glm::vec4(0.0f)); // positions are the world's
+}
+
+} // namespace
+
+void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
+                             std::shared_ptr<const Material> material, int subMesh, int shaderPass,
+                             const MaterialPropertyBlock& properties)
+{
+    ExpectDrawable(material, shaderPass, matrix);
+    if (!mesh)
+    {
+        throw ContractError("DrawMesh needs a mesh, but it is null");
+    }
+    ExpectSubMesh(*mesh, subMesh);
+    m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, glm::dmat4(matrix),
+                                         std::move(material), shaderPass, Keep(properties)});
+}
+
+void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                      const std::shared_ptr<const Material>& material,
+                                      int shaderPass, std::span<const glm::mat4> matrices,
+                                      const MaterialPropertyBlock& properties)
+{
+    constexpr std::size_t k_Most = 1023; // Unity's
+    if (matrices.size() > k_Most)
+    {
+        throw ContractError("DrawMeshInstanced: " + std::to_string(matrices.size()) +
+                            " matrices; at most " + std::to_string(k_Most));
+    }
+    ExpectMaterial(material);
+    const bool isEach = shaderPass == k_AllPasses;
+    const int end = isEach ? material->passCount() : shaderPass + 1;
+    for (int pass = isEach ? 0 : shaderPass; pass < end; ++pass)
+    {
+        for (const glm::mat4& matrix : matrices)
+        {
+            DrawMesh(mesh, matrix, material, submeshIndex, pass, properties);
+        }
+    }
+}
+
+void CommandBuffer::DrawRenderer(const GameObject& object,
+                                 const std::shared_ptr<const Material>& material, int submeshIndex,
+                                 int shaderPass, const MaterialPropertyBlock& properties)
+{
+    if (!object.renderer)
+    {
+        throw ContractError("DrawRenderer: the object '" + object.name + "' has no renderer");
+    }
+    if (!object.renderer->mesh)
+    {
+        return;
+    }
+    ExpectSubMesh(*object.renderer->mesh, submeshIndex);
+    RecordedDraw draw;
+    draw.mesh = object.renderer->mesh;
+    draw.subMesh = submeshIndex;
+    draw.matrix = object.transform.worldMatrix();
+    draw.material = material;
+    draw.shaderPass = shaderPass;
+    draw.renderingLayers = object.renderer->renderingLayerMask;
+    if (!object.renderer->properties)
+    {
+        DrawPasses(std::move(draw), properties);
+        return;
+    }
+    MaterialPropertyBlock both = *object.renderer->properties;
+    both.SetAll(properties);
+    DrawPasses(std::move(draw), both);
+}
+
+void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
+                         const std::shared_ptr<const Material>& material, int pass)
+{
+    if (!source || !dest)
+    {
+        throw ContractError(std::string("Blit: the ") + (source ? "destination" : "source") +
+                            " is an empty handle");
+    }
+    if (!source.rt() || !dest.rt())
+    {
+        Blit(source.nameID(), dest.nameID(), material, pass);
+        return;
+    }
+    DrawBlit(source.rt(), dest, material, pass);
+}
+
+void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
+                             const std::shared_ptr<const Material>& material, int pass)
+{
+    static const ShaderPropertyId _MainTex{"_MainTex"};
+    if (source == dest.rt())
+    {
+        throw ContractError("Blit: '" + source->name() + "' is both source and destination");
+    }
+    RecordedDraw draw;
+    draw.mesh = BlitQuad();
+    draw.material = material;
+    draw.shaderPass = pass;
+    draw.isBlit = true;
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+    SetRenderTarget(dest);
+    static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
+    if (source)
+    {
+        properties.SetTexture(_MainTex, source);
+    }
+    SetBlitMatrices(properties);
+    DrawPasses(std::move(draw), properties);
+    properties.Clear();
+}
+
+/// Of the draw's material, the pass that it names or each.
+void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
+{
+    ExpectMaterial(draw.material);
+    const bool isEach = draw.shaderPass == k_AllPasses;
+    const int first = isEach ? 0 : draw.shaderPass;
+    const int end = isEach ? draw.material->passCount() : first + 1;
+    for (draw.shaderPass = first; draw.shaderPass < end; ++draw.shaderPass)
+    {
+        ExpectDrawable(draw.material, draw.shaderPass, glm::mat4(draw.matrix));
+        draw.properties = Keep(properties);
+        m_Commands.emplace_back(draw);
+    }
+}
+
+void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
+                                   std::shared_ptr<const Material> material, int shaderPass,
+                                   int vertexCount, const MaterialPropertyBlock& properties)
+{
+    DrawProcedural(matrix, std::move(material), shaderPass, MeshTopology::Triangles, vertexCount, 1,
+                   properties);
+}
+
+void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
+                                   std::shared_ptr<const Material> material, int shaderPass,
+                                   MeshTopology topology, int vertexCount, int instanceCount,
+                                   const MaterialPropertyBlock& properties)
+{
+    ExpectDrawable(material, shaderPass, matrix);
+    const auto expectCount = [](const char* what, int count)
+    {
+        if (count < 0)
+        {
+            throw ContractError(std::string("DrawProcedural: the ") + what + " count " +
+                                std::to_string(count) + " is negative");
+        }
+    };
+    expectCount("vertex", vertexCount);
+    expectCount("instance", instanceCount);
+    if (topology == MeshTopology::Quads || topology == MeshTopology::Points)
+    {
+        throw ContractError(std::string("DrawProcedural: limn draws no ") +
+                            (topology == MeshTopology::Quads ? "Quads" : "Points") +
+                            "; it draws Triangles, Lines and LineStrip");
+    }
+    if (instanceCount == 0)
+    {
+        return;
+    }
+    RecordedDraw draw{nullptr,
+                      0,
+                      static_cast<std::uint32_t>(vertexCount),
+                      glm::dmat4(matrix),
+                      std::move(material),
+                      shaderPass,
+                      Keep(properties)};
+    draw.instanceCount = static_cast<std::uint32_t>(instanceCount);
+    draw.topology = topology;
+    m_Commands.emplace_back(std::move(draw));
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
+                         std::shared_ptr<const Material> material, int pass)
+{
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+    m_Commands.emplace_back(
+        IdentifiedBlitCommand{std::move(source), std::move(dest), std::move(material), pass});
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+{
+    m_Commands.emplace_back(IdentifiedBlitCommand{std::move(source), std::move(dest), nullptr, 0});
+}
+
+} // namespace limn
