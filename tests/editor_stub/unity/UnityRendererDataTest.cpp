@@ -171,9 +171,9 @@ TEST(UnityRendererData, IsASceneFilesRenderer)
     folder.assets.AddRootsAround(k_Project + "/Assets/Settings/UniversalRenderer.asset");
     const SceneAsset asset = folder.LoadWithCamera("renderer: {rendererData: " + k_Project +
                                                    "/Assets/Settings/UniversalRenderer.asset}\n");
-    EXPECT_EQ((std::vector<std::string>{"ScreenSpaceOutlineRenderFeature",
-                                        "PostProcessRendererFeature"}),
-              asset.renderer.featureTypes);
+    EXPECT_EQ(
+        (std::vector<std::string>{"ScreenSpaceOutlineRenderFeature", "PostProcessRendererFeature"}),
+        asset.renderer.featureTypes);
     EXPECT_EQ(4u, asset.notes.size());
 }
 

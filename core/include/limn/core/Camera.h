@@ -47,8 +47,8 @@ struct Camera
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
     CameraType cameraType = CameraType::Game;
-    /// What features ask before they add effects. limn has no effects of its own, so it is on,
-    /// where a camera of Unity's begins without. Unity: UniversalAdditionalCameraData.
+    /// What features ask before they add effects. There are none unless a feature brings them, so
+    /// it is on, where a camera of Unity's begins without. Unity: UniversalAdditionalCameraData.
     bool renderPostProcessing = true;
     bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
     bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
