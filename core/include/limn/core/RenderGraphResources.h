@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/Color.h>
 #include <limn/core/DrawingSettings.h>
 #include <limn/core/FilteringSettings.h>
 #include <limn/core/RTHandle.h>
