@@ -111,7 +111,7 @@ void PostProcessPass::SetupBloom(const Bloom* bloom, const glm::ivec2& picture)
         glm::max(bloom->downscale.value() == BloomDownscaleMode::Half ? picture / 2 : picture / 4,
                  glm::ivec2(1));
     const auto longest = static_cast<unsigned>(std::max(m_BloomSize.x, m_BloomSize.y));
-    const int halvings = std::bit_width(longest) - 2; // down to 2 or 3 texels
+    const int halvings = static_cast<int>(std::bit_width(longest)) - 2; // down to 2 or 3 texels
     m_BloomMipCount =
         static_cast<std::size_t>(std::clamp(halvings, 1, bloom->maxIterations.value()));
 
