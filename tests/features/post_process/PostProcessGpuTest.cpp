@@ -126,7 +126,8 @@ class PostProcessGradingGpu : public PostProcessGpu, public testing::WithParamIn
 TEST_P(PostProcessGradingGpu, IsWhatTheFormulasSayInDouble)
 {
     const FlatScene flat = Patches();
-    const auto [grading, tonemapping] = GetParam();
+    const ColorGradingMode grading = GetParam().grading;
+    const TonemappingMode tonemapping = GetParam().tonemapping;
     Run run(flat, grading);
     const Field base = run.Color(&Nothing());
     const std::vector<Adjustments> looks = {{},
@@ -217,7 +218,8 @@ class PostProcessBloomGpu : public PostProcessGpu, public testing::WithParamInte
 
 TEST_P(PostProcessBloomGpu, IsWhatTheFormulasSayInDouble)
 {
-    const auto& [name, size, look] = GetParam();
+    const glm::ivec2 size = GetParam().size;
+    const BloomLook& look = GetParam().look;
     FlatScene flat(size.x, size.y);
     const glm::vec2 middle = flat.size * 0.5f;
     flat.Add({0, 0}, middle, 6, Plain({0.05f, 0.1f, 0.2f}));
