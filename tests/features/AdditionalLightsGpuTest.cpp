@@ -51,6 +51,7 @@ protected:
                 for (int channel = 0; channel < 3; ++channel)
                 {
                     const double wanted = dark.At(x, y, channel) + added[channel];
+                    // Two roundings to halves, of 2^-11 each, and what lies between.
                     ASSERT_NEAR(picture.At(x, y, channel), wanted, 2e-3 * wanted + 1e-4)
                         << x << ", " << y << ", channel " << channel;
                 }
@@ -147,7 +148,7 @@ TEST_F(AdditionalLightsGpu, LightsTheWallFromOutsideOfThePicture)
     ExpectLitByFormula();
 }
 
-/// The names of what draws in a frame with `count` lights look at.
+/// How many uniforms of lights what is drawn in a frame has.
 std::size_t LightsOf(const RenderResult& result)
 {
     for (const DrawSetup& setup : result.frame->setups)

@@ -47,11 +47,6 @@ const Component* FindActive(const VolumeStackPointer& stack)
     return component != nullptr && component->active && component->IsActive() ? component : nullptr;
 }
 
-void SetKeyword(Material& material, const char* keyword, bool isOn)
-{
-    isOn ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
-}
-
 glm::vec3 Channels(const Color& color)
 {
     return glm::vec3(color.vector());
@@ -98,13 +93,13 @@ void PostProcessPass::Setup(const ActiveEffects& effects, ColorGradingMode gradi
 void PostProcessPass::SetupBloom(const Bloom* bloom, const glm::ivec2& picture)
 {
     const bool isHighQuality = bloom != nullptr && bloom->highQualityFiltering.value();
-    SetKeyword(*m_UberMaterial, "_BLOOM_LQ", bloom != nullptr && !isHighQuality);
-    SetKeyword(*m_UberMaterial, "_BLOOM_HQ", isHighQuality);
-    SetKeyword(*m_BloomMaterial, "_BLOOM_HQ", isHighQuality);
-    SetKeyword(*m_UberMaterial, "_BLOOM_DIRT", false);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_BLOOM_LQ", bloom != nullptr && !isHighQuality);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_BLOOM_HQ", isHighQuality);
+    CoreUtils::SetKeyword(*m_BloomMaterial, "_BLOOM_HQ", isHighQuality);
     m_BloomMipCount = 0;
     if (bloom == nullptr)
     {
+        m_UberMaterial->DisableKeyword("_BLOOM_DIRT");
         return;
     }
     m_BloomSize =
@@ -127,7 +122,9 @@ void PostProcessPass::SetupBloom(const Bloom* bloom, const glm::ivec2& picture)
 void PostProcessPass::SetupDirt(const Bloom& bloom, const glm::ivec2& picture)
 {
     const std::shared_ptr<const Texture>& dirt = bloom.dirtTexture.value().asset;
-    if (!dirt || bloom.dirtIntensity.value() <= 0.0f)
+    const bool isSeen = dirt && bloom.dirtIntensity.value() > 0.0f;
+    CoreUtils::SetKeyword(*m_UberMaterial, "_BLOOM_DIRT", isSeen);
+    if (!isSeen)
     {
         return;
     }
@@ -136,14 +133,13 @@ void PostProcessPass::SetupDirt(const Bloom& bloom, const glm::ivec2& picture)
     const float ratio = texture.x / texture.y * static_cast<float>(picture.y) /
                         static_cast<float>(picture.x); // of the dirt's shape to the picture's
     const glm::vec2 scale(std::min(1.0f / ratio, 1.0f), std::min(ratio, 1.0f));
-    m_UberMaterial->EnableKeyword("_BLOOM_DIRT");
     m_UberMaterial->SetTexture(_LensDirt_Texture, dirt);
     m_UberMaterial->SetVector(_LensDirt_Params, glm::vec4(scale, 0.5f * (1.0f - scale)));
 }
 
 void PostProcessPass::SetupVignette(const Vignette* vignette, const glm::ivec2& picture)
 {
-    SetKeyword(*m_UberMaterial, "_VIGNETTE", vignette != nullptr);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_VIGNETTE", vignette != nullptr);
     if (vignette == nullptr)
     {
         return;
@@ -163,11 +159,11 @@ void PostProcessPass::SetupGrading(const ActiveEffects& effects, bool isHdr)
 {
     const TonemappingMode mode =
         effects.tonemapping ? effects.tonemapping->mode.value() : TonemappingMode::None;
-    SetKeyword(*m_UberMaterial, "_TONEMAP_NEUTRAL", mode == TonemappingMode::Neutral);
-    SetKeyword(*m_UberMaterial, "_TONEMAP_ACES", mode == TonemappingMode::ACES);
-    SetKeyword(*m_UberMaterial, "_HDR_GRADING", isHdr);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_TONEMAP_NEUTRAL", mode == TonemappingMode::Neutral);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_TONEMAP_ACES", mode == TonemappingMode::ACES);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_HDR_GRADING", isHdr);
     const ColorAdjustments* adjustments = effects.colorAdjustments;
-    SetKeyword(*m_UberMaterial, "_COLOR_ADJUSTMENTS", adjustments != nullptr);
+    CoreUtils::SetKeyword(*m_UberMaterial, "_COLOR_ADJUSTMENTS", adjustments != nullptr);
     m_UberMaterial->SetFloat(_PostExposure,
                              adjustments ? std::exp2(adjustments->postExposure.value()) : 1.0f);
     if (adjustments == nullptr)

@@ -14,12 +14,11 @@
 namespace limn::test
 {
 
-/// A global volume with one component, blended.
-template <typename Component>
-class BlendedComponent
+/// A profile in a global volume, blended.
+class BlendedProfile
 {
 public:
-    BlendedComponent()
+    BlendedProfile()
     {
         RegisterVolumeComponents(m_Registry);
         m_Manager = std::make_unique<VolumeManager>(m_Registry);
@@ -27,13 +26,10 @@ public:
         m_Manager->Register(&m_Volume);
     }
 
-    /// @param set  overrides what differs from the defaults, beside m_Enable
-    const VolumeStack& With(const std::function<void(Component&)>& set)
+    const VolumeStack& With(const std::function<void(VolumeProfile&)>& fill)
     {
         auto profile = std::make_shared<VolumeProfile>();
-        auto& component = profile->template Add<Component>();
-        component.m_Enable.Override(true);
-        set(component);
+        fill(*profile);
         m_Volume.sharedProfile = std::move(profile);
         m_Manager->Update(*m_Stack, glm::vec3(0.0f), LayerMask::FromIndex(0));
         return *m_Stack;
@@ -44,6 +40,27 @@ private:
     std::unique_ptr<VolumeManager> m_Manager;
     std::unique_ptr<VolumeStack> m_Stack;
     Volume m_Volume;
+};
+
+/// The same with one component.
+template <typename Component>
+class BlendedComponent
+{
+public:
+    /// @param set  overrides what differs from the defaults, beside m_Enable
+    const VolumeStack& With(const std::function<void(Component&)>& set)
+    {
+        return m_Profile.With(
+            [&](VolumeProfile& profile)
+            {
+                auto& component = profile.template Add<Component>();
+                component.m_Enable.Override(true);
+                set(component);
+            });
+    }
+
+private:
+    BlendedProfile m_Profile;
 };
 
 /// A material of one linear colour, whatever the light, of any size.
