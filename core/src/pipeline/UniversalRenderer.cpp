@@ -1,4 +1,5 @@
 #include "pipeline/CameraTextures.h"
+#include "pipeline/DrawSkyboxPass.h"
 
 #include <limits>
 #include <limn/core/BuiltinShaders.h>
@@ -35,6 +36,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
       m_OpaquePass(std::make_unique<DrawObjectsPass>(
           "Draw Opaque Objects", RenderPassEvent::BeforeRenderingOpaques, ForwardShaderTags(),
           RenderQueueRange::opaque, SortingCriteria::CommonOpaque)),
+      m_SkyboxPass(std::make_unique<DrawSkyboxPass>()),
       m_TransparentPass(std::make_unique<DrawObjectsPass>(
           "Draw Transparent Objects", RenderPassEvent::BeforeRenderingTransparents,
           ForwardShaderTags(), RenderQueueRange::transparent, SortingCriteria::CommonTransparent))
@@ -67,6 +69,10 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
     m_TransparentPass->SetLayerMask(transparentLayerMask);
     m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
     EnqueuePass(*m_OpaquePass);
+    if (DrawSkyboxPass::HasSky(renderingData))
+    {
+        EnqueuePass(*m_SkyboxPass);
+    }
     EnqueuePass(*m_TransparentPass);
     EnqueuePass(*m_FinalBlitPass);
 }

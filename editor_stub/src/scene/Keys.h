@@ -103,6 +103,7 @@ inline constexpr SceneKey k_Scene[] = {
     {"light", Light, "The main one, infinitely far away"},
     {"lights", Lights, "Those besides the main one"},
     {"ambientLight", Color},
+    {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
     {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
     {"renderer", Renderer},
     {"volumes", Volumes},

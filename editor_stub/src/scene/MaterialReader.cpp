@@ -2,6 +2,9 @@
 
 #include "scene/Loader.h"
 
+#include <algorithm>
+#include <limn/shaderlab/InitialKeywords.h>
+
 namespace limn
 {
 
@@ -64,6 +67,37 @@ void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& 
     }
 }
 
+/// What Unity's inspector does with a value that is changed there: Toggle and KeywordEnum choose
+/// keywords.
+void SetKeywordsOfValues(Material& material)
+{
+    const Shader& shader = *material.shader();
+    std::vector<ShaderProperty> properties = shader.document().properties;
+    for (ShaderProperty& property : properties)
+    {
+        const ShaderPropertyId id(property.name);
+        if (material.HasFloat(id))
+        {
+            property.defaultValue[0] = material.GetFloat(id);
+        }
+    }
+    const std::vector<std::string> wanted = InitialKeywords(properties);
+    for (const std::string& keyword : shader.initialKeywords())
+    {
+        if (std::ranges::find(wanted, keyword) == wanted.end())
+        {
+            material.DisableKeyword(keyword);
+        }
+    }
+    for (const std::string& keyword : wanted)
+    {
+        if (!material.IsKeywordEnabled(keyword))
+        {
+            material.EnableKeyword(keyword);
+        }
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const Material> ReadMaterial(const std::string& name, const YamlNode& node,
@@ -89,6 +123,7 @@ std::shared_ptr<const Material> ReadMaterial(const std::string& name, const Yaml
     {
         ReadProperty(property, map, *material, sources);
     }
+    SetKeywordsOfValues(*material);
     map.Finish();
     return material;
 }

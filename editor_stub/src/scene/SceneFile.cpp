@@ -97,6 +97,10 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     map.Read("ambientLight", asset.scene.ambientLight);
     ReadPart(map, "plugins", loader, ReadPlugins);     // whose shaders materials may name
     ReadPart(map, "materials", loader, ReadMaterials); // which features may name
+    if (const YamlNode* node = map.Find("skybox"))
+    {
+        asset.scene.skybox = ReadMaterialName(*node, "skybox", loader);
+    }
     ReadPart(map, "renderer", loader, ReadRenderer);
     ReadPart(map, "volumes", loader, ReadVolumes);
     ReadPart(map, "objects", loader, ReadObjects);

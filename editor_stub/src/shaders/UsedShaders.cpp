@@ -16,6 +16,14 @@ namespace
 
 using ShaderPasses = std::map<std::shared_ptr<const Shader>, std::set<int>>;
 
+void AddAllPasses(const std::shared_ptr<const Shader>& shader, ShaderPasses& passes)
+{
+    for (int pass = 0; shader && pass < shader->passCount(); ++pass)
+    {
+        passes[shader].insert(pass);
+    }
+}
+
 /// Finds the shaders among a feature's settings.
 class ShaderFinder final : public Inspector
 {
@@ -35,19 +43,15 @@ public:
     }
 
 private:
-    void Add(const std::shared_ptr<const Shader>& shader)
-    {
-        for (int pass = 0; shader && pass < shader->passCount(); ++pass)
-        {
-            m_Passes[shader].insert(pass);
-        }
-    }
+    void Add(const std::shared_ptr<const Shader>& shader) { AddAllPasses(shader, m_Passes); }
 
     ShaderPasses& m_Passes;
 };
 
-void AddObjectShaders(const Scene& scene, ShaderPasses& passes)
+/// Of objects and of the sky.
+void AddSceneShaders(const Scene& scene, ShaderPasses& passes)
 {
+    AddAllPasses(scene.skybox ? scene.skybox->shader() : nullptr, passes);
     for (const auto& object : scene.objects())
     {
         if (!object->activeSelf || !object->renderer)
@@ -138,6 +142,22 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
 {
     const std::shared_ptr<const Shader> magenta = MakeErrorShader(compiler);
     std::map<const Material*, std::shared_ptr<const Material>> replaced;
+    const auto replace = [&](std::shared_ptr<const Material>& material)
+    {
+        if (!material || broken.count(material->shader()) == 0)
+        {
+            return;
+        }
+        std::shared_ptr<const Material>& replacement = replaced[material.get()];
+        if (!replacement)
+        {
+            auto made = std::make_shared<Material>(magenta, material->name());
+            made->SetRenderQueue(material->renderQueue());
+            replacement = std::move(made);
+        }
+        material = replacement;
+    };
+    replace(scene.skybox);
     for (const auto& object : scene.objects())
     {
         if (!object->renderer)
@@ -146,18 +166,7 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
         }
         for (std::shared_ptr<const Material>& material : object->renderer->sharedMaterials)
         {
-            if (broken.count(material->shader()) == 0)
-            {
-                continue;
-            }
-            std::shared_ptr<const Material>& replacement = replaced[material.get()];
-            if (!replacement)
-            {
-                auto made = std::make_shared<Material>(magenta, material->name());
-                made->SetRenderQueue(material->renderQueue());
-                replacement = std::move(made);
-            }
-            material = replacement;
+            replace(material);
         }
     }
 }
@@ -167,7 +176,7 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
 void CompileUsedShaders(const SceneAsset& asset)
 {
     ShaderPasses passes = FeatureShaders(asset);
-    AddObjectShaders(asset.scene, passes);
+    AddSceneShaders(asset.scene, passes);
     const ShaderProblems problems = CompileAll(passes);
     if (!problems.empty())
     {
@@ -180,7 +189,7 @@ std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
 {
     const ShaderPasses ofFeatures = FeatureShaders(asset);
     ShaderPasses passes = ofFeatures;
-    AddObjectShaders(asset.scene, passes);
+    AddSceneShaders(asset.scene, passes);
     const ShaderProblems problems = CompileAll(passes);
     const bool hasFeature =
         std::any_of(problems.begin(), problems.end(),

@@ -83,8 +83,13 @@ std::vector<std::string> WithoutEmpty(std::set<std::string> keywords)
 
 std::vector<std::string> InitialKeywords(const ShaderLabDocument& document)
 {
+    return InitialKeywords(document.properties);
+}
+
+std::vector<std::string> InitialKeywords(std::span<const ShaderProperty> properties)
+{
     std::set<std::string> keywords;
-    for (const ShaderProperty& property : document.properties)
+    for (const ShaderProperty& property : properties)
     {
         for (const ShaderAttribute& attribute : property.attributes)
         {

@@ -47,6 +47,17 @@ protected:
     TemporaryFolder m_Folder;
 };
 
+TEST_F(ExplainCommand, ShowsTheSkyboxWhereItIsDrawn)
+{
+    const char* const sky = "size: [64, 64]\n"
+                            "skybox: sky\n"
+                            "materials: {sky: {shader: Skybox/Procedural}}\n";
+    EXPECT_THAT(Explain({}, std::string("camera: {clearFlags: Skybox}\n") + sky).out,
+                HasSubstr("  350  Draw Skybox\n"));
+    EXPECT_THAT(Explain({}, std::string("camera: {clearFlags: SolidColor}\n") + sky).out,
+                testing::Not(HasSubstr("Skybox")));
+}
+
 TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
 {
     const CommandRun run = Explain();

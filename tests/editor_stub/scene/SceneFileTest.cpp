@@ -170,6 +170,24 @@ TEST(SceneFile, TheLightShinesAlongItsForwardDirection)
     EXPECT_EQ((Color{0.5f, 0.5f, 0.5f, 1.0f}), asset.scene.ambientLight);
 }
 
+TEST(SceneFile, TheSkyboxIsOneOfTheMaterials)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.Load("camera: {clearFlags: Skybox}\n"
+                                         "skybox: evening\n"
+                                         "materials:\n"
+                                         "  evening: {shader: Skybox/Procedural, _SunDisk: 1}\n");
+    EXPECT_EQ(CameraClearFlags::Skybox, asset.camera.clearFlags);
+    ASSERT_NE(nullptr, asset.scene.skybox);
+    EXPECT_EQ("Skybox/Procedural", asset.scene.skybox->shader()->name());
+    EXPECT_THAT(asset.scene.skybox->shaderKeywords(), testing::ElementsAre("_SUNDISK_SIMPLE"));
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
+                                  "skybox: morning\n"
+                                  "materials: {evening: {shader: Skybox/Procedural}}\n"),
+                testing::ElementsAre("2:9: skybox: unknown material 'morning' (known: "
+                                     "evening)"));
+}
+
 TEST(SceneFile, AChildStandsInItsParentsSpace)
 {
     SceneFolder folder;

@@ -9,7 +9,7 @@ namespace limn
 {
 
 /// limn's own shaders: "Universal Render Pipeline/Lit", "Universal Render Pipeline/Unlit",
-/// "Hidden/Universal/CoreBlit".
+/// "Skybox/Procedural", "Skybox/Cubemap", "Skybox/6 Sided", "Hidden/Universal/CoreBlit".
 const ShaderDatabase& BuiltinShaders();
 
 /// One of BuiltinShaders(); null for any other name.

@@ -9,7 +9,9 @@
 namespace limn
 {
 
-/// Unity: UnityEngine.CameraClearFlags. There is no skybox: Skybox and Depth clear like SolidColor.
+/// What there is where a camera sees no object: the scene's skybox, or the background colour, as
+/// with Depth and with Skybox in a scene without. The background colour is there before the skybox,
+/// too (Unity leaves that undefined). Unity: UnityEngine.CameraClearFlags.
 enum class CameraClearFlags
 {
     Skybox = 1,

@@ -80,6 +80,11 @@ public:
     DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
     std::vector<Light> additionalLights;        ///< besides the main one
     Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f}; ///< sRGB; the same from all sides
+    /// What cameras with CameraClearFlags::Skybox see behind all objects; null = none. Its first
+    /// pass draws a ball around the camera whose POSITION is the direction in world axes; that of a
+    /// shader with six passes draws the cube's sides +Z -Z +X -X +Y -Y, one each, with TEXCOORD0
+    /// from bottom left to top right as seen from inside. Unity: RenderSettings.skybox.
+    std::shared_ptr<const Material> skybox;
 
     /// A new object at the end of the list; the reference holds as long as the scene.
     GameObject& Add(std::string name);

@@ -10,12 +10,14 @@ namespace limn
 class BlitPass;
 class CameraTextures;
 class DrawObjectsPass;
+class DrawSkyboxPass;
 class RenderGraph;
 class TextureHandle;
 
-/// URP's forward renderer in small: opaque objects (event 250), transparent objects (450), final
-/// copy to the output (1001); and before them what makes the camera's depth, normals and opaque
-/// colour, in frames that draw with a shader that reads these.
+/// URP's forward renderer in small: opaque objects (event 250), the skybox if the camera shows one
+/// (350), transparent objects (450), final copy to the output (1001); and before them what makes
+/// the camera's depth, normals and opaque colour, in frames that draw with a shader that reads
+/// these.
 /// Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
@@ -56,6 +58,7 @@ private:
     std::size_t m_Current = 0;        ///< of them, what cameraColorTargetHandle gives
     RTHandle m_Depth;
     std::unique_ptr<DrawObjectsPass> m_OpaquePass;
+    std::unique_ptr<DrawSkyboxPass> m_SkyboxPass;
     std::unique_ptr<DrawObjectsPass> m_TransparentPass;
     std::unique_ptr<BlitPass> m_FinalBlitPass;
     std::unique_ptr<CameraTextures> m_CameraTextures;

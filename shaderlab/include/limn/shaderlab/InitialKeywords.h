@@ -13,6 +13,8 @@ namespace limn
 /// Toggle, MaterialToggle, ToggleOff and KeywordEnum; sorted, each once. Whether a program knows
 /// them does not matter. Unity: MaterialPropertyDrawer.Apply (2022.3).
 std::vector<std::string> InitialKeywords(const ShaderLabDocument& document);
+/// The same for properties whose values, as in a material, stand where their defaults are.
+std::vector<std::string> InitialKeywords(std::span<const ShaderProperty> properties);
 
 /// The variant of a program for a material: of each keyword set the first keyword that is enabled,
 /// else the set's default. Sorted, each once, without "" and without the keywords of a
