@@ -296,9 +296,9 @@ void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
     m_Commands.emplace_back(SetViewProjectionCommand{view, gpuProjection, setInverseMatrices});
 }
 
-void CommandBuffer::BeginSample(std::string_view name)
+void CommandBuffer::BeginSample(std::string_view sample)
 {
-    m_Commands.emplace_back(BeginSampleCommand{SampleName(name)});
+    m_Commands.emplace_back(BeginSampleCommand{SampleName(sample)});
 }
 
 void CommandBuffer::EndSample()
@@ -306,7 +306,7 @@ void CommandBuffer::EndSample()
     m_Commands.emplace_back(EndSampleCommand{});
 }
 
-void CommandBuffer::EndSample(std::string_view name)
+void CommandBuffer::EndSample(std::string_view sample)
 {
     int ended = 0;
     for (auto command = m_Commands.rbegin(); command != m_Commands.rend(); ++command)
@@ -315,9 +315,9 @@ void CommandBuffer::EndSample(std::string_view name)
         const auto* begin = std::get_if<BeginSampleCommand>(&*command);
         if (begin != nullptr && --ended < 0)
         {
-            if (begin->name != name)
+            if (begin->name != sample)
             {
-                throw ContractError("EndSample: '" + std::string(name) + "' is not what ends, '" +
+                throw ContractError("EndSample: '" + std::string(sample) + "' is not what ends, '" +
                                     begin->name.name() + "' is");
             }
             break;
@@ -360,6 +360,7 @@ void Recycle::operator()(CommandBuffer* buffer) const noexcept
     if (free.size() < free.capacity())
     {
         owned->Clear();
+        owned->name.clear();
         free.push_back(std::move(owned));
     }
 }
@@ -374,6 +375,13 @@ Pooled Get()
     }
     Pooled buffer(free.back().release());
     free.pop_back();
+    return buffer;
+}
+
+Pooled Get(std::string_view name)
+{
+    Pooled buffer = Get();
+    buffer->name = name;
     return buffer;
 }
 

@@ -1,5 +1,6 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <limn/core/CommandBuffer.h>
+#include <limn/core/RendererList.h>
 #include <limn/core/Scene.h>
 
 #include "material/RequireFinite.h"
@@ -137,12 +138,13 @@ void CommandBuffer::DrawRenderer(const GameObject& object,
     draw.material = material;
     draw.shaderPass = shaderPass;
     draw.renderingLayers = object.renderer->renderingLayerMask;
-    if (!object.renderer->properties)
+    const auto& own = object.renderer->PropertiesOf(static_cast<std::size_t>(submeshIndex));
+    if (!own)
     {
         DrawPasses(std::move(draw), properties);
         return;
     }
-    MaterialPropertyBlock both = *object.renderer->properties;
+    MaterialPropertyBlock both = *own;
     both.SetAll(properties);
     DrawPasses(std::move(draw), both);
 }
@@ -205,6 +207,15 @@ void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& p
         draw.properties = Keep(properties);
         m_Commands.emplace_back(draw);
     }
+}
+
+void CommandBuffer::DrawRendererList(const RendererList& rendererList)
+{
+    if (!rendererList.isValid())
+    {
+        throw ContractError("DrawRendererList: the list is empty; CreateRendererList makes one");
+    }
+    m_Commands.push_back(DrawRendererListCommand{rendererList.params()});
 }
 
 void CommandBuffer::DrawProcedural(const glm::mat4& matrix,

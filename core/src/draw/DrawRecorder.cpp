@@ -159,10 +159,22 @@ void DrawRecorder::TakeShaderGlobals()
             const auto taken = m_ShaderGlobals.find(id);
             if (now == nullptr || (taken != m_ShaderGlobals.end() && *now == taken->second))
             {
-                SetGlobal({id, value});
+                Take(id, value);
                 m_ShaderGlobals[id] = value;
             }
         });
+}
+
+void DrawRecorder::Take(ShaderPropertyId id, const ShaderPropertyValue& value)
+{
+    if (const std::optional<GlobalKeyword> keyword = GlobalKeyword::OfId(id))
+    {
+        SetKeyword({*keyword, value == ShaderPropertyValue(1)});
+    }
+    else
+    {
+        SetGlobal({id, value});
+    }
 }
 
 DrawRecorder::Place DrawRecorder::MarkPlace()

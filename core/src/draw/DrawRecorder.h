@@ -70,6 +70,7 @@ public:
     bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
 
 private:
+    void Take(ShaderPropertyId id, const ShaderPropertyValue& value);
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
     bool MayCover(const RecordedDraw& recorded, const PipelineState& state) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limn/core/Culling.h>
+#include <limn/core/Material.h>
 #include <limn/core/Shader.h>
 #include <numeric>
 
@@ -48,7 +49,8 @@ FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,
     }
     for (const ShaderTagId tag : drawing.shaderTagIds)
     {
-        if (item.shader->FindPassByLightMode(tag) >= 0)
+        if ((item.material != nullptr ? item.material->FindEnabledPassByLightMode(tag)
+                                      : item.shader->FindPassByLightMode(tag)) >= 0)
         {
             return FilterVerdict::Drawn;
         }

@@ -81,7 +81,7 @@ public:
         }
         for (const ShaderTagId tag : m_Drawing.shaderTagIds)
         {
-            const int pass = material->shader()->FindPassByLightMode(tag);
+            const int pass = material->FindEnabledPassByLightMode(tag);
             if (pass >= 0 && m_Drawing.fallbackMaterial &&
                 !Compiles(*material, pass, m_Recorder.keywords()))
             {

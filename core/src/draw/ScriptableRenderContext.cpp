@@ -24,6 +24,22 @@ FrameCommands Emptied(FrameCommands frame)
     return frame;
 }
 
+/// Whether each sample that begins in the buffer ends in it, and the other way round.
+bool HasWholeSamples(const CommandBuffer& commandBuffer)
+{
+    int open = 0;
+    for (const RecordedCommand& command : commandBuffer.commands())
+    {
+        open += std::holds_alternative<BeginSampleCommand>(command) ? 1 : 0;
+        open -= std::holds_alternative<EndSampleCommand>(command) ? 1 : 0;
+        if (open < 0)
+        {
+            return false;
+        }
+    }
+    return open == 0 && !commandBuffer.commands().empty();
+}
+
 } // namespace
 
 ScriptableRenderContext::ScriptableRenderContext()
@@ -65,6 +81,20 @@ void ScriptableRenderContext::EndCamera()
 ScriptableRenderContext::~ScriptableRenderContext() = default;
 
 void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandBuffer)
+{
+    const bool isSample = !commandBuffer.name.empty() && HasWholeSamples(commandBuffer);
+    if (isSample)
+    {
+        m_Frame.commands.emplace_back(BeginSampleCommand{SampleName(commandBuffer.name)});
+    }
+    Run(commandBuffer);
+    if (isSample)
+    {
+        m_Frame.commands.emplace_back(EndSampleCommand{});
+    }
+}
+
+void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
 {
     m_Recorder->TakeShaderGlobals();
     for (const RecordedCommand& command : commandBuffer.commands())
@@ -110,6 +140,11 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
                     m_Recorder->commonState().depthBias = c.bias;
                     m_Recorder->commonState().slopeDepthBias = c.slopeBias;
                 }
+                else if constexpr (std::is_same_v<Command, DrawRendererListCommand>)
+                {
+                    DrawRenderers(*c.list->cullingResults, c.list->drawSettings,
+                                  c.list->filteringSettings, c.list->stateBlock);
+                }
                 else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
                 {
                     m_Identified->SetCameraColor(c);
@@ -143,6 +178,16 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
         const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
         DrawObjects(judged.drawn, runs, drawingSettings, stateBlock, *m_Recorder);
     }
+}
+
+RendererList ScriptableRenderContext::CreateRendererList(const RendererListParams& param) const
+{
+    return RendererList(param);
+}
+
+RendererList ScriptableRenderContext::CreateRendererList(const RendererListDesc& desc) const
+{
+    return RendererList(desc.ToParams());
 }
 
 ScriptableRenderContext::Place ScriptableRenderContext::MarkPlace()

@@ -185,6 +185,7 @@ MeshData GltfCollector::TakeMesh()
         const std::size_t added = part.vertices.size();
         Append(all.colors, before, part.colors, added, glm::vec4(1.0f));
         Append(all.uv, before, part.uv, added, glm::vec2(0.0f));
+        Append(all.uv2, before, part.uv2, added, glm::vec4(0.0f));
         all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
         all.normals.insert(all.normals.end(), part.normals.begin(), part.normals.end());
         if (allHaveTangents)

@@ -38,6 +38,17 @@ std::vector<Vector> ReadAttribute(const tinygltf::Model& model,
     return result;
 }
 
+std::vector<glm::vec2> ReadCoordinates(const tinygltf::Model& model,
+                                       const tinygltf::Primitive& primitive, const char* name)
+{
+    auto coordinates = ReadAttribute<glm::vec2>(model, primitive, name, 2);
+    for (glm::vec2& uv : coordinates)
+    {
+        uv.y = 1.0f - uv.y; // glTF counts v from the top of the picture, a mesh from the bottom
+    }
+    return coordinates;
+}
+
 /// The index list of a strip or fan written out as separate triangles, each as its first one is
 /// oriented.
 std::vector<std::uint32_t> ToTriangleList(const std::vector<std::uint32_t>& indices, int mode)
@@ -125,6 +136,7 @@ void MakeFlat(MeshData& part)
     part.vertices = Gather(part.vertices, part.triangles);
     part.colors = Gather(part.colors, part.triangles);
     part.uv = Gather(part.uv, part.triangles);
+    part.uv2 = Gather(part.uv2, part.triangles);
     part.tangents.clear();
     std::iota(part.triangles.begin(), part.triangles.end(), 0u);
     for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3)
@@ -158,15 +170,16 @@ MeshData ReadGltfPrimitive(const tinygltf::Model& model, const tinygltf::Primiti
     part.normals = ReadAttribute<glm::vec3>(model, primitive, "NORMAL", 3);
     part.tangents = ReadAttribute<glm::vec4>(model, primitive, "TANGENT", 4);
     part.colors = ReadAttribute<glm::vec4>(model, primitive, "COLOR_0", 3);
-    part.uv = ReadAttribute<glm::vec2>(model, primitive, "TEXCOORD_0", 2);
+    part.uv = ReadCoordinates(model, primitive, "TEXCOORD_0");
+    for (const glm::vec2& uv : ReadCoordinates(model, primitive, "TEXCOORD_1"))
+    {
+        part.uv2.emplace_back(uv, 0.0f, 0.0f);
+    }
     RequireLength("NORMAL", part.normals.size(), part.vertices.size());
     RequireLength("TANGENT", part.tangents.size(), part.vertices.size());
     RequireLength("COLOR_0", part.colors.size(), part.vertices.size());
     RequireLength("TEXCOORD_0", part.uv.size(), part.vertices.size());
-    for (glm::vec2& uv : part.uv)
-    {
-        uv.y = 1.0f - uv.y; // glTF counts v from the top of the picture, a mesh from the bottom
-    }
+    RequireLength("TEXCOORD_1", part.uv2.size(), part.vertices.size());
     part.triangles = ReadTriangles(model, primitive, part.vertices.size());
     if (part.normals.empty())
     {

@@ -179,6 +179,11 @@ RendererListHandle RenderGraph::CreateRendererList(const RendererListParams& des
     return {m_State->rendererLists.size() - 1, m_State->frame};
 }
 
+RendererListHandle RenderGraph::CreateRendererList(const RendererListDesc& desc)
+{
+    return CreateRendererList(desc.ToParams());
+}
+
 RenderGraphPass& RenderGraph::AddPass(std::string_view name)
 {
     RenderGraphPass& pass = m_State->passes.emplace_back();
@@ -208,6 +213,7 @@ void RenderGraph::AddBlitPass(const RenderGraphUtils::BlitMaterialParameters& bl
                  blitParameters.material, blitParameters.shaderPass};
     builder.UseTexture(blitParameters.source);
     builder.SetRenderAttachment(blitParameters.destination, 0);
+    builder.UseAllGlobalTextures(true); // nobody else can declare what its material samples
     builder.SetRenderFunc(
         [](BlitData& data, RasterGraphContext& context)
         {

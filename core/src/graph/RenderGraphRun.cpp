@@ -186,6 +186,11 @@ void RenderGraphRun::Flush()
     {
         const auto* global = std::get_if<SetGlobalCommand>(&command);
         const auto* identified = std::get_if<SetGlobalIdentifierCommand>(&command);
+        if (const auto* keyword = std::get_if<SetKeywordCommand>(&command))
+        {
+            ExpectGlobalsAllowed("switches the keyword '" + std::string(keyword->keyword.name()) +
+                                 "'");
+        }
         if (global != nullptr || identified != nullptr)
         {
             const ShaderPropertyId id = global != nullptr ? global->id : identified->id;
@@ -345,6 +350,8 @@ void RenderGraphRun::Finish()
         m_Cmd->SetGlobalTexture(global.id, global.texture);
     }
     m_Cmd->DisableScissorRect();
+    m_Cmd->SetInvertCulling(false);
+    m_Cmd->SetGlobalDepthBias(0.0f, 0.0f);
     m_Cmd->EndSample();
     m_Context.ExecuteCommandBuffer(*m_Cmd);
 }

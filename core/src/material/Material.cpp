@@ -5,6 +5,7 @@
 #include "scene/UniqueId.h"
 #include <limn/core/Material.h>
 #include <limn/core/RenderQueueRange.h>
+#include <limn/shaderlab/Case.h>
 
 namespace limn
 {
@@ -288,6 +289,7 @@ void Material::CopyPropertiesFromMaterial(const Material& mat)
     m_Values.SetAll(mat.m_Values);
     m_RenderQueue = mat.m_RenderQueue;
     m_Keywords = mat.m_Keywords;
+    m_DisabledPasses = mat.m_DisabledPasses;
     KeywordsChanged();
 }
 
@@ -330,6 +332,27 @@ Material::Compile(int passIndex, std::span<const std::string> globalKeywords) co
     }
     return globalKeywords.empty() ? m_Shader->Compile(passIndex)
                                   : m_Shader->CompileWithGlobals(passIndex, globalKeywords);
+}
+
+void Material::SetShaderPassEnabled(std::string_view passName, bool enabled)
+{
+    const std::string name = ToLower(passName);
+    std::erase(m_DisabledPasses, name);
+    if (!enabled)
+    {
+        m_DisabledPasses.push_back(name);
+    }
+    ++m_Version;
+}
+
+bool Material::GetShaderPassEnabled(std::string_view passName) const
+{
+    return std::ranges::find(m_DisabledPasses, ToLower(passName)) == m_DisabledPasses.end();
+}
+
+bool Material::isEnabled(int pass) const
+{
+    return GetShaderPassEnabled(m_Shader->passLightMode(pass));
 }
 
 void Material::SetRenderQueue(int queue)

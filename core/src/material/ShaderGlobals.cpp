@@ -43,6 +43,13 @@ void ShaderGlobals::ForEach(
     }
 }
 
+bool Shader::IsKeywordEnabled(std::string_view keyword)
+{
+    const std::lock_guard lock(Globals().mutex);
+    const auto found = Globals().values.find(GlobalKeyword(keyword).id());
+    return found != Globals().values.end() && found->second == ShaderPropertyValue(1);
+}
+
 void Shader::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id, "global ");

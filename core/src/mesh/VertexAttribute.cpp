@@ -25,6 +25,12 @@ const std::array<VertexAttribute, k_VertexAttributeCount>& VertexAttributes()
         {"TANGENT", "tangents", 4, {1, 0, 0, 1}, &ValuesOf<&MeshData::tangents>},
         {"COLOR", "colors", 4, {1, 1, 1, 1}, &ValuesOf<&MeshData::colors>},
         {"TEXCOORD0", "uv", 2, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv>},
+        {"TEXCOORD1", "uv2", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv2>},
+        {"TEXCOORD2", "uv3", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv3>},
+        {"TEXCOORD3", "uv4", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv4>},
+        {"TEXCOORD4", "uv5", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv5>},
+        {"TEXCOORD5", "uv6", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv6>},
+        {"TEXCOORD6", "uv7", 4, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv7>},
         {"TEXCOORD7", "uv8", 3, {0, 0, 0, 0}, &ValuesOf<&MeshData::uv8>},
     }};
     return attributes;

@@ -60,6 +60,12 @@ void SetKeyword(Material& material, const std::string& keyword, bool state)
     state ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
 }
 
+void DrawRendererList(ScriptableRenderContext&, CommandBuffer& cmd,
+                      const RendererList& rendererList)
+{
+    cmd.DrawRendererList(rendererList);
+}
+
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader)
 {
     if (!shader)

@@ -56,18 +56,23 @@ std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,
                            CommandBuffer& cmd) noexcept
 {
     std::exception_ptr failure;
-    for (ScriptableRenderPass* pass : passes)
+    const auto call = [&](const char* function, auto method)
     {
-        try
+        for (ScriptableRenderPass* pass : passes)
         {
-            RunFeatureCode(*pass, pass->profilingSampler.name(), "OnCameraCleanup",
-                           [&] { pass->OnCameraCleanup(cmd); });
+            try
+            {
+                RunFeatureCode(*pass, pass->profilingSampler.name(), function,
+                               [&] { (pass->*method)(cmd); });
+            }
+            catch (...)
+            {
+                failure = failure ? failure : std::current_exception();
+            }
         }
-        catch (...)
-        {
-            failure = failure ? failure : std::current_exception();
-        }
-    }
+    };
+    call("OnCameraCleanup", &ScriptableRenderPass::FrameCleanup);
+    call("OnFinishCameraStackRendering", &ScriptableRenderPass::OnFinishCameraStackRendering);
     return failure;
 }
 

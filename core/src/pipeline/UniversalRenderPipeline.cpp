@@ -169,6 +169,7 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     RenderingData renderingData = MakeRenderingData(
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
+    RTHandles::SetReferenceSize(request.width, request.height);
     m_TemporaryTextures.BeginFrame();
     renderingData.temporaryTextures = &m_TemporaryTextures;
     NoteBeyondFloat(renderingData.cullResults, result.report);

@@ -76,6 +76,10 @@ std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
         {
             hash.AddPointer(renderer.properties.get()); // rows keep it: no other is in its place
         }
+        for (std::size_t slot = 0; slot < renderer.materialPropertyCount(); ++slot)
+        {
+            hash.AddPointer(renderer.PropertiesOf(slot).get());
+        }
     }
     return hash.value();
 }
@@ -151,7 +155,8 @@ RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 
 FilterItem RendererTable::RowClass::item() const
 {
-    return {material->renderQueue(), layer, renderingLayerMask, material->shader().get()};
+    return {material->renderQueue(), layer, renderingLayerMask, material->shader().get(),
+            material.get()};
 }
 
 RendererTable::RendererTable(std::shared_ptr<const GameObjects> objects)
@@ -346,7 +351,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     RowClass rowClass;
     rowClass.material =
         slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
-    rowClass.properties = renderer.properties;
+    rowClass.properties = renderer.PropertiesOf(slot);
     rowClass.layer = source.layer;
     rowClass.renderingLayerMask = renderer.renderingLayerMask;
     rowClass.materialIndex = static_cast<std::uint16_t>(slot);

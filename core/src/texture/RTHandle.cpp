@@ -1,3 +1,5 @@
+#include "texture/ScaledTexture.h"
+
 #include <limn/core/RenderTargetIdentifier.h>
 #include <limn/shaderlab/Diagnostic.h>
 
@@ -31,7 +33,17 @@ bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted
 
 RenderTargetIdentifier RTHandle::nameID() const
 {
-    return m_Identifier ? *m_Identifier : RenderTargetIdentifier(m_Texture);
+    return m_Identifier ? *m_Identifier : RenderTargetIdentifier(rt());
+}
+
+const std::shared_ptr<const RenderTexture>& RTHandle::ScaledToCamera() const
+{
+    return m_Scaled->texture();
+}
+
+glm::vec2 RTHandle::scaleFactor() const
+{
+    return m_Scaled ? m_Scaled->factor : glm::vec2(0.0f);
 }
 
 RTHandle RTHandles::Alloc(RenderTargetIdentifier texture)

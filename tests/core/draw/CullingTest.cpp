@@ -217,7 +217,8 @@ TEST_F(Culling, TellsFilteringWhatItNeedsOfEachItem)
     const RendererItem item = results.items.at(0);
     EXPECT_EQ(item.object, &object);
     EXPECT_EQ(item.material, material);
-    EXPECT_EQ(item.filter, (FilterItem{4000, 6, RenderingLayerMask(5), material->shader().get()}));
+    EXPECT_EQ(item.filter, (FilterItem{4000, 6, RenderingLayerMask(5), material->shader().get(),
+                                       material.get()}));
     EXPECT_EQ(item.boundsCenter, glm::dvec3(1, 2, 10));
     EXPECT_THAT(results.objects->Get(item.objectIndex).objectToWorld,
                 testing::ElementsAre(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 10, 1));

@@ -260,12 +260,13 @@ protected:
             {
                 const int index = static_cast<int>(i);
                 const int last = static_cast<int>(renderer.mesh->data().subMeshes.size()) - 1;
-                expected.push_back({&object,
-                                    material,
-                                    index,
-                                    std::min(index, last),
-                                    {material->renderQueue(), object.layer,
-                                     renderer.renderingLayerMask, material->shader().get()}});
+                expected.push_back(
+                    {&object,
+                     material,
+                     index,
+                     std::min(index, last),
+                     {material->renderQueue(), object.layer, renderer.renderingLayerMask,
+                      material->shader().get(), material}});
             }
         }
     }

@@ -197,6 +197,31 @@ TEST_F(RendererBlocks, HoldForDrawRendererBehindItsOwnBlock)
     EXPECT_THAT(Draw(), ElementsAre(Pair(5.0f, 1u), Pair(7.0f, 1u)));
 }
 
+TEST_F(RendererBlocks, OfOneMaterialTakeThePlaceOfTheRenderers)
+{
+    const auto second = std::make_shared<Material>(m_Material->shader());
+    second->SetFloat("_Tint", 2);
+    GameObject& cube = AddCube(0);
+    cube.renderer->sharedMaterials = {m_Material, second};
+    EXPECT_THAT(Draw(), ElementsAre(Pair(1.0f, 1u), Pair(2.0f, 1u)));
+    cube.renderer->SetPropertyBlock(Block(7), 1);
+    EXPECT_TRUE(cube.renderer->HasPropertyBlock());
+    EXPECT_THAT(Draw(), ElementsAre(Pair(1.0f, 1u), Pair(7.0f, 1u)));
+    cube.renderer->SetPropertyBlock(Block(5));
+    EXPECT_THAT(Draw(), ElementsAre(Pair(5.0f, 1u), Pair(7.0f, 1u)));
+    MaterialPropertyBlock block;
+    block.SetFloat("_Other", 3);
+    cube.renderer->SetPropertyBlock(block, 1); // and none of the renderer's _Tint
+    EXPECT_THAT(Draw(), ElementsAre(Pair(5.0f, 1u), Pair(2.0f, 1u)));
+    cube.renderer->SetPropertyBlock({}, 1);
+    cube.renderer->GetPropertyBlock(block, 1);
+    EXPECT_TRUE(block.isEmpty());
+    EXPECT_THAT(Draw(), ElementsAre(Pair(5.0f, 1u), Pair(5.0f, 1u)));
+    EXPECT_EQ(
+        test::ThrownMessage<ContractError>([&] { cube.renderer->SetPropertyBlock(Block(1), 2); }),
+        "SetPropertyBlock: there is no material 2; the renderer has 2");
+}
+
 // Many kinds of draws: each object keeps its own values, whatever is sorted or batched.
 TEST_F(RendererBlocks, StayWithTheirObjectsAmongMany)
 {

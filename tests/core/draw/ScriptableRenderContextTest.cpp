@@ -55,6 +55,39 @@ TEST_F(Contexts, AppendABufferAsOftenAsItIsExecuted)
     EXPECT_EQ(test::DrawsOf(m_Context.TakeCommands()).size(), 2u);
 }
 
+TEST_F(Contexts, MakeANamedBufferASampleUnlessItsOwnOnesCrossItsEnds)
+{
+    const auto samples = [this]
+    {
+        std::vector<std::string> names;
+        for (const FrameCommand& command : Execute().commands)
+        {
+            if (const auto* begin = std::get_if<BeginSampleCommand>(&command))
+            {
+                names.push_back(begin->name.name());
+            }
+            else if (std::holds_alternative<EndSampleCommand>(command))
+            {
+                names.emplace_back("end");
+            }
+        }
+        m_Context.Begin(m_Report, glm::dvec3(0.0));
+        return names;
+    };
+    const auto named = CommandBufferPool::Get("Blur");
+    EXPECT_EQ(named->name, "Blur");
+    m_Cmd.name = "Blur";
+    EXPECT_THAT(samples(), ElementsAre()) << "nothing is in it";
+    m_Cmd.BeginSample("Chain");
+    EXPECT_THAT(samples(), ElementsAre("Chain"));
+    m_Cmd.EndSample();
+    EXPECT_THAT(samples(), ElementsAre("Blur", "Chain", "end", "end"));
+    m_Cmd.Clear();
+    m_Cmd.EndSample();
+    m_Cmd.BeginSample("Next");
+    EXPECT_THAT(samples(), ElementsAre("end", "Next"));
+}
+
 TEST_F(Contexts, BindTheSameAgainInAFrameThatDrawsTheSame)
 {
     Triangle();

@@ -87,13 +87,14 @@ TEST(GltfMesh, ReadsEveryVertexAttribute)
     file.AddFloats("VEC2", {0, 0, 1, 0, 0.25f, 0.75f});
     file.AddFloats("VEC4", {1, 0, 0, 1, 0, 1, 0, 0.5f, 0, 0, 1, 0});
     const auto mesh = Load(file.Text(OnePrimitive(
-        R"("attributes": {"POSITION": 0, "NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3, "COLOR_0": 4})")));
+        R"("attributes": {"POSITION": 0, "NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3, "COLOR_0": 4, "TEXCOORD_1": 3})")));
     const MeshData& data = mesh->data();
     ExpectNear(data.normals.at(0), {-0.6f, 0, 0.8f});
     ExpectNear(glm::vec3(data.tangents.at(0)), {-0.8f, 0, -0.6f});
     EXPECT_EQ(data.tangents.at(0).w, -1.0f);
     EXPECT_EQ(data.tangents.at(2).w, 1.0f);
     EXPECT_EQ(data.uv, (std::vector<glm::vec2>{{0, 1}, {1, 1}, {0.25f, 0.25f}}));
+    EXPECT_EQ(data.uv2, (std::vector<glm::vec4>{{0, 1, 0, 0}, {1, 1, 0, 0}, {0.25f, 0.25f, 0, 0}}));
     EXPECT_EQ(data.colors, (std::vector<glm::vec4>{{1, 0, 0, 1}, {0, 1, 0, 0.5f}, {0, 0, 1, 0}}));
 }
 
@@ -273,12 +274,15 @@ TEST(GltfMesh, FillsWhatOnePrimitiveLacks)
     file.AddFloats("VEC4", {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
     const auto mesh = Load(
         file.Text(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 2}}, )"
-                  R"({"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}], )"
+                  R"({"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 1}}]}], )"
                   R"("nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])"));
     const MeshData& data = mesh->data();
     ASSERT_EQ(data.uv.size(), 6u);
     EXPECT_EQ(data.uv[2], glm::vec2(0, 0));
     EXPECT_EQ(data.uv[3], glm::vec2(0.5f, 0.5f));
+    ASSERT_EQ(data.uv2.size(), 6u);
+    EXPECT_EQ(data.uv2[2], glm::vec4(0.0f));
+    EXPECT_EQ(data.uv2[3], glm::vec4(0.5f, 0.5f, 0, 0));
     ASSERT_EQ(data.colors.size(), 6u);
     EXPECT_EQ(data.colors[2], glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(data.colors[3], glm::vec4(1, 1, 1, 1));

@@ -125,6 +125,32 @@ TEST_F(RenderGraphMismatch, NamesOneOfTheCamerasTexturesAsWell)
               "it");
 }
 
+TEST_F(RenderGraphMismatch, IsNoneWhereABlitSamplesWhatIsGlobal)
+{
+    const auto material = std::make_shared<const Material>(test::ShaderWithProgram(
+        "", "Texture2D _BlitTexture; Texture2D _Mask; SamplerState sampler_Mask;",
+        "_BlitTexture.Sample(sampler_Mask, 0.5) + _Mask.Sample(sampler_Mask, 0.5)"));
+    EXPECT_THAT(NotesOf(
+                    [material](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                        const TextureHandle source = WrittenMask(graph);
+                        AddRaster(
+                            graph, "Global",
+                            [&](auto& builder)
+                            {
+                                builder.SetRenderAttachment(mask, 0);
+                                builder.SetGlobalTextureAfterPass(mask, "_Mask");
+                            },
+                            [](RasterCommandBuffer& cmd) { Draw(cmd); });
+                        graph.AddBlitPass(
+                            {source, frameData.Get<UniversalResourceData>().activeColorTexture(),
+                             material, 0},
+                            "Blit");
+                    }),
+                IsEmpty());
+}
+
 TEST_F(RenderGraphMismatch, LeavesTexturesAloneThatTheGraphDoesNotKnow)
 {
     const RTHandle own(test::Target("Own"));
@@ -220,6 +246,19 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatANativeCommandBufferSetsWithoutLeave
                           });
                   }),
               "pass 'Chain' sets the global '_Count', yet declares no "
+              "AllowGlobalStateModification(true)");
+}
+
+TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
+{
+    const auto wet = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
+    {
+        Sample(cmd, mask);
+        cmd.EnableShaderKeyword("WET");
+    };
+    EXPECT_EQ(ErrorOf(Blur(
+                  [](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); }, wet)),
+              "pass 'Blur' switches the keyword 'WET', yet declares no "
               "AllowGlobalStateModification(true)");
 }
 

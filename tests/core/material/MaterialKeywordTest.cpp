@@ -188,6 +188,29 @@ TEST_F(GlobalKeywords, EndWithTheFrame)
     EXPECT_THAT(Results(), ElementsAre("_Off"));
 }
 
+TEST_F(GlobalKeywords, OfTheShaderClassLastUntilTheyAreSwitchedOff)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    Draw(material);
+    Shader::EnableKeyword("TINT_ON");
+    EXPECT_TRUE(Shader::IsKeywordEnabled("TINT_ON"));
+    EXPECT_THAT(Results(), ElementsAre("_On"));
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    m_Cmd.DisableShaderKeyword("TINT_ON"); // to the frame's end
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_On", "_Off"));
+    EXPECT_TRUE(Shader::IsKeywordEnabled("TINT_ON"));
+    m_Cmd.Clear();
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_On"));
+    Shader::DisableKeyword(GlobalKeyword("TINT_ON"));
+    EXPECT_FALSE(Shader::IsKeywordEnabled("TINT_ON"));
+    EXPECT_FALSE(Shader::IsKeywordEnabled("TINT_NEVER"));
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    EXPECT_THAT(Results(), ElementsAre("_Off"));
+}
+
 TEST_F(GlobalKeywords, AreThoseOfAnEarlierPlaceThere)
 {
     const auto material = std::make_shared<Material>(KeywordShader(""));

@@ -12,7 +12,13 @@ TEST(VertexAttributes, NameEveryArrayOfAMeshOnce)
     data.tangents = {{10, 11, 12, 13}};
     data.colors = {{14, 15, 16, 17}};
     data.uv = {{18, 19}};
-    data.uv8 = {{20, 21, 22}};
+    data.uv2 = {{20, 21, 22, 23}};
+    data.uv3 = {{24, 25, 26, 27}};
+    data.uv4 = {{28, 29, 30, 31}};
+    data.uv5 = {{32, 33, 34, 35}};
+    data.uv6 = {{36, 37, 38, 39}};
+    data.uv7 = {{40, 41, 42, 43}};
+    data.uv8 = {{44, 45, 46}};
     std::vector<float> all;
     for (const VertexAttribute& attribute : VertexAttributes())
     {
@@ -21,7 +27,7 @@ TEST(VertexAttributes, NameEveryArrayOfAMeshOnce)
         all.insert(all.end(), values.begin(), values.end());
     }
     std::vector<float> expected;
-    for (int i = 1; i <= 22; ++i)
+    for (int i = 1; i <= 46; ++i)
     {
         expected.push_back(static_cast<float>(i));
     }

@@ -304,6 +304,25 @@ TEST_F(ScriptableRendererOrder, CleansUpThePassesWhoseSetupWasCalledAfterOneHasT
                                    "first.OnCameraCleanup", "failing.OnCameraCleanup"));
 }
 
+/// Cleans up as URP 8 had it, and behind the camera's stack.
+class OldCleanupPass final : public LoggingPass
+{
+public:
+    using LoggingPass::LoggingPass;
+    void FrameCleanup(CommandBuffer&) override { Write("FrameCleanup"); }
+    void OnFinishCameraStackRendering(CommandBuffer&) override { Write("OnFinish"); }
+};
+
+TEST_F(ScriptableRendererOrder, EndsPassesUnderTheNamesOfAllVersions)
+{
+    OldCleanupPass old("old", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    LoggingPass last("last", RenderPassEvent::AfterRenderingOpaques, m_Log);
+    m_Harness.AddFeature("f", m_Log, {&old, &last});
+    m_Harness.Render();
+    const std::vector<std::string> ends(m_Log.end() - 3, m_Log.end());
+    EXPECT_THAT(ends, ElementsAre("old.FrameCleanup", "last.OnCameraCleanup", "old.OnFinish"));
+}
+
 TEST_F(ScriptableRendererOrder, CleansUpThePassesBehindOneThatCannot)
 {
     FailingSetupPass failing("failing", RenderPassEvent::AfterRenderingOpaques, m_Log);

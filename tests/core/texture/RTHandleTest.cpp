@@ -172,5 +172,66 @@ TEST(ReAllocateIfNeeded, KeepsTheTextureWhenTheDescriptorIsWrong)
     EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
 }
 
+glm::ivec2 SizeOf(const RTHandle& handle)
+{
+    return {handle.rt()->width(), handle.rt()->height()};
+}
+
+TEST(ScaledHandles, FollowTheCamerasSize)
+{
+    RTHandles::SetReferenceSize(640, 480);
+    const RTHandle half = RTHandles::Alloc(glm::vec2(0.5f, 0.25f), k_Mask, FilterMode::Bilinear,
+                                           TextureWrapMode::Clamp, "_Half");
+    const RTHandle eighth =
+        RTHandles::Alloc([](const glm::ivec2& size) { return size / 8; }, k_Mask);
+    EXPECT_TRUE(half && half.useScaling() && eighth.useScaling());
+    EXPECT_FALSE(MaskHandle().useScaling());
+    EXPECT_EQ(half.scaleFactor(), glm::vec2(0.5f, 0.25f));
+    EXPECT_EQ(SizeOf(half), glm::ivec2(320, 120));
+    EXPECT_EQ(SizeOf(eighth), glm::ivec2(80, 60));
+    const auto first = half.rt();
+    EXPECT_EQ(half.rt(), first);
+    EXPECT_EQ(first->name(), "_Half");
+    EXPECT_EQ(first->graphicsFormat(), k_Mask.graphicsFormat);
+    EXPECT_EQ(first->sampler().wrapModeU, TextureWrapMode::Clamp);
+    RTHandles::SetReferenceSize(3, 3);
+    EXPECT_EQ(SizeOf(half), glm::ivec2(2, 1)) << "1.5 and 0.75 are rounded";
+    EXPECT_EQ(SizeOf(eighth), glm::ivec2(1, 1)) << "never less than a texel";
+    RTHandles::SetReferenceSize(640, 480);
+    EXPECT_EQ(SizeOf(half), glm::ivec2(320, 120));
+    EXPECT_EQ(RTHandle(half), half);
+}
+
+TEST(ScaledHandles, AreReallocatedWhereTheyHaveToBeOnly)
+{
+    RTHandles::SetReferenceSize(64, 32);
+    RTHandle handle;
+    const auto reallocate = [&](float scale, const RenderTextureDescriptor& descriptor)
+    {
+        return ReAllocateIfNeeded(handle, glm::vec2(scale), descriptor, FilterMode::Bilinear,
+                                  TextureWrapMode::Clamp, "_Mask");
+    };
+    EXPECT_TRUE(reallocate(0.5f, k_Mask));
+    EXPECT_FALSE(reallocate(0.5f, k_Mask));
+    EXPECT_TRUE(reallocate(1.0f, k_Mask));
+    EXPECT_TRUE(reallocate(1.0f, {1, 1, GraphicsFormat::R8G8B8A8_UNorm}));
+    EXPECT_FALSE(reallocate(1.0f, {7, 7, GraphicsFormat::R8G8B8A8_UNorm}))
+        << "the descriptor's size does not count";
+    EXPECT_EQ(SizeOf(handle), glm::ivec2(64, 32));
+}
+
+TEST(ScaledHandles, AreRefusedWithoutASize)
+{
+    EXPECT_EQ(
+        test::ThrownMessage<ContractError>([] { RTHandles::Alloc(glm::vec2(1.0f, 0.0f), k_Mask); }),
+        "RTHandles::Alloc '': the scale factor is 1.000000, 0.000000; both must be greater "
+        "than 0");
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
+              "RTHandles::Alloc '': the scale function is empty");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([] { RTHandles::SetReferenceSize(0, 1); }),
+              "SetReferenceSize: 0x1; both must be greater than 0");
+}
+
 } // namespace
 } // namespace limn

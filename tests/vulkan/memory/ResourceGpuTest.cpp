@@ -49,6 +49,8 @@ MeshPtr FullMesh()
     data.tangents.assign(4, {0.0f, 0.0f, 1.0f, -1.0f});
     data.colors.assign(4, {0.25f, 0.5f, 0.75f, 1.0f});
     data.uv.assign(4, {0.125f, 0.375f});
+    data.uv2.assign(4, {1, 2, 3, 4});
+    data.uv7.assign(4, {5, 6, 7, 8});
     return std::make_shared<Mesh>("full", std::move(data));
 }
 
@@ -132,6 +134,9 @@ TEST_F(Resources, GiveMeshAttributesToTheVertexFunction)
     EXPECT_EQ((Float4{0.25f, 0.5f, 0.75f, 1}), ReadAttribute("float4", "COLOR", "v", FullMesh()));
     EXPECT_EQ((Float4{0.125f, 0.375f, 8, 9}),
               ReadAttribute("float2", "TEXCOORD0", "float4(v, 8, 9)", FullMesh()));
+    EXPECT_EQ((Float4{1, 2, 3, 4}), ReadAttribute("float4", "TEXCOORD1", "v", FullMesh()));
+    EXPECT_EQ((Float4{5, 6, 0, 0}),
+              ReadAttribute("float2", "TEXCOORD6", "float4(v, 0, 0)", FullMesh()));
 }
 
 TEST_F(Resources, FillComponentsThatTheMeshLacks)

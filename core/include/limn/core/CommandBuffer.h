@@ -8,6 +8,7 @@
 #include <limn/core/RenderTargetIdentifier.h>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -16,6 +17,8 @@ namespace limn
 {
 
 struct GameObject;
+class RendererList;
+struct RendererListParams;
 
 /// A draw as recorded: the material is looked at when the buffer is executed.
 struct RecordedDraw
@@ -128,19 +131,28 @@ struct SetGlobalDepthBiasCommand
     float slopeBias = 0.0f;
 };
 
+struct DrawRendererListCommand
+{
+    std::shared_ptr<const RendererListParams> list; ///< never null
+};
+
 using RecordedCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
                  EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
                  SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
                  SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
                  IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
-                 SetInvertCullingCommand, SetGlobalDepthBiasCommand>;
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
 class CommandBuffer
 {
 public:
+    /// Where it is not empty, what the buffer does is a sample of this name, as long as the samples
+    /// that it begins end in it as well.
+    std::string name;
+
     /// @param color  a depth texture here, with `depth` empty, is the depth
     /// @param depth  empty: the colour has no depth beside it
     /// @throws ContractError if both are empty, there are more than 8 colours, a format is of the
@@ -242,6 +254,10 @@ public:
     void DrawRenderer(const GameObject& object, const std::shared_ptr<const Material>& material,
                       int submeshIndex = 0, int shaderPass = -1,
                       const MaterialPropertyBlock& properties = {});
+    /// What ScriptableRenderContext::DrawRenderers would draw, at this place.
+    /// @throws ContractError for an empty list; when executed, as DrawRenderers does
+    /// @source Unity: CommandBuffer.DrawRendererList (2022.3)
+    void DrawRendererList(const RendererList& rendererList);
     /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in
     /// clip space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
@@ -328,13 +344,19 @@ public:
     void SetKeyword(const GlobalKeyword& keyword, bool value);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
-    void EnableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), true); }
-    void DisableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), false); }
+    void EnableShaderKeyword(std::string_view keyword)
+    {
+        SetKeyword(GlobalKeyword(keyword), true);
+    }
+    void DisableShaderKeyword(std::string_view keyword)
+    {
+        SetKeyword(GlobalKeyword(keyword), false);
+    }
 
-    void BeginSample(std::string_view name);
+    void BeginSample(std::string_view sample);
     void EndSample();
     /// @throws ContractError if the innermost sample that this buffer has open has another name
-    void EndSample(std::string_view name);
+    void EndSample(std::string_view sample);
 
     /// Forgets what was recorded, and keeps the memory.
     void Clear();
@@ -370,6 +392,7 @@ struct Recycle
 using Pooled = std::unique_ptr<CommandBuffer, Recycle>;
 
 Pooled Get();
+Pooled Get(std::string_view name);
 /// Gives `buffer` back before its scope ends; it is null afterwards.
 inline void Release(Pooled& buffer)
 {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <limn/core/CommandBuffer.h>
+#include <utility>
 
 namespace limn
 {
+
+class ScriptableRenderContext;
 
 /// Unity: UnityEngine.Rendering.CoreUtils (core 14).
 namespace CoreUtils
@@ -30,6 +33,17 @@ void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material
 /// Switches a keyword for all draws that follow, or a material's.
 void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state);
 void SetKeyword(Material& material, const std::string& keyword, bool state);
+
+/// For lines of C# that go over as they are. @throws ContractError for an empty list
+void DrawRendererList(ScriptableRenderContext& renderContext, CommandBuffer& cmd,
+                      const RendererList& rendererList);
+
+/// Unity: CoreUtils.Swap.
+template <typename T>
+void Swap(T& a, T& b)
+{
+    std::swap(a, b);
+}
 
 /// Lets go of a material or texture, which is gone when nothing else holds it. C++ does the same
 /// where the member ends; this is for lines of C# that go over as they are.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/ShaderId.h>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,14 @@ public:
     std::string_view name() const { return std::string_view(m_Id.name()).substr(k_Prefix.size()); }
     /// Under which a frame's globals keep 1 while it is on: no shader has a property of this name.
     ShaderPropertyId id() const { return m_Id; }
+
+    /// The keyword that is kept under this; nothing for a property's.
+    static std::optional<GlobalKeyword> OfId(ShaderPropertyId id)
+    {
+        const std::string_view name = id.name();
+        return name.starts_with(k_Prefix) ? std::optional(Create(name.substr(k_Prefix.size())))
+                                          : std::nullopt;
+    }
 
     bool operator==(const GlobalKeyword&) const = default;
 

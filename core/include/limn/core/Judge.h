@@ -8,6 +8,7 @@
 namespace limn
 {
 
+class Material;
 class Shader;
 
 /// Why a renderer is drawn or not by one DrawRenderers call. The rules are tried in this order and
@@ -18,7 +19,7 @@ enum class FilterVerdict
     QueueOutOfRange,        ///< material's render queue outside FilteringSettings::renderQueueRange
     LayerMaskMiss,          ///< game object's layer not in layerMask
     RenderingLayerMaskMiss, ///< no common bit with renderingLayerMask
-    NoMatchingPass          ///< the shader has no pass of any of the LightMode tags
+    NoMatchingPass          ///< no pass of any of the LightMode tags, or those are off
 };
 inline constexpr int k_FilterVerdictCount = 5;
 
@@ -32,6 +33,7 @@ struct FilterItem
     int layer = 0;                            ///< the game object's, 0...31
     RenderingLayerMask renderingLayerMask{1}; ///< the renderer's
     const Shader* shader = nullptr;           ///< the material's; never null when judged
+    const Material* material = nullptr;       ///< may switch passes off; null = it does not
 
     bool operator==(const FilterItem&) const = default;
 };

@@ -104,6 +104,19 @@ public:
     std::shared_ptr<const ShaderProgram>
     Compile(int passIndex, std::span<const std::string> globalKeywords = {}) const;
 
+    /// Whether renderers of this material are drawn with passes of this LightMode, as if its shader
+    /// had none otherwise. Only DrawRenderers and renderer lists look at it.
+    /// @param passName  a LightMode, in any case; one that the shader does not have does nothing
+    /// @source Unity: Material.SetShaderPassEnabled (2022.3)
+    void SetShaderPassEnabled(std::string_view passName, bool enabled);
+    bool GetShaderPassEnabled(std::string_view passName) const;
+    /// The shader's first pass of this LightMode, or -1 where it has none or that is switched off.
+    int FindEnabledPassByLightMode(ShaderTagId lightMode) const
+    {
+        const int pass = m_Shader->FindPassByLightMode(lightMode);
+        return m_DisabledPasses.empty() || pass < 0 || isEnabled(pass) ? pass : -1;
+    }
+
     /// The queue filtering and sorting go by: the shader's unless set here.
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }
     /// @param queue  0...5000, or -1 for the shader's
@@ -117,6 +130,7 @@ private:
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
     void SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value);
     void KeywordsChanged();
+    bool isEnabled(int pass) const;
     glm::vec4 ScaleOffset(ShaderPropertyId texture) const;
     [[noreturn]] void FailGet(ShaderPropertyId id, const char* kind) const;
 
@@ -124,7 +138,8 @@ private:
     std::string m_Name;
     std::shared_ptr<const Shader> m_Shader;
     MaterialPropertyBlock m_Values;
-    std::vector<std::string> m_Keywords; ///< sorted
+    std::vector<std::string> m_Keywords;       ///< sorted
+    std::vector<std::string> m_DisabledPasses; ///< LightModes in lower case
     bool m_HasInitialKeywords = true;
     int m_RenderQueue = -1;
     std::uint64_t m_Version = 0;

@@ -41,6 +41,13 @@ struct MeshData
     std::vector<glm::vec4> tangents; ///< xyz unit length, towards larger u
     std::vector<glm::vec4> colors;   ///< linear RGBA
     std::vector<glm::vec2> uv;       ///< v = 0 at the bottom of the picture, as in Unity
+    // More channels, read as TEXCOORD1 to TEXCOORD6: up to four numbers each, whatever they mean.
+    std::vector<glm::vec4> uv2;
+    std::vector<glm::vec4> uv3;
+    std::vector<glm::vec4> uv4;
+    std::vector<glm::vec4> uv5;
+    std::vector<glm::vec4> uv6;
+    std::vector<glm::vec4> uv7;
     /// A spare channel, read as TEXCOORD7. Unity: mesh.SetUVs(7, ...), called uv8.
     /// BakeOutlineNormals fills it.
     std::vector<glm::vec3> uv8;

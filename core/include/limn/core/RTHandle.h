@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <glm/vec2.hpp>
 #include <limn/core/RenderTexture.h>
 #include <memory>
 #include <string>
@@ -10,6 +12,7 @@ namespace limn
 {
 
 class RenderTargetIdentifier;
+class ScaledTexture;
 
 /// A shared reference to a render texture, or a name that stands for one when a command buffer is
 /// executed, or none. Copies refer to the same texture, which lives as long as some handle to it;
@@ -29,10 +32,24 @@ public:
     {
     }
 
-    explicit operator bool() const { return m_Texture != nullptr || m_Identifier != nullptr; }
+    /// Whose size follows the camera's: RTHandles::Alloc with a scale.
+    explicit RTHandle(std::shared_ptr<ScaledTexture> texture) : m_Scaled(std::move(texture)) {}
 
-    /// The texture; null for an empty handle and for one that wraps an identifier.
-    const std::shared_ptr<const RenderTexture>& rt() const { return m_Texture; }
+    explicit operator bool() const
+    {
+        return m_Texture != nullptr || m_Identifier != nullptr || m_Scaled != nullptr;
+    }
+
+    /// The texture; null for an empty handle and for one that wraps an identifier. One whose size
+    /// follows the camera's is made anew here when that has changed.
+    const std::shared_ptr<const RenderTexture>& rt() const
+    {
+        return m_Scaled ? ScaledToCamera() : m_Texture;
+    }
+    /// Whether its size follows the camera's.
+    bool useScaling() const { return m_Scaled != nullptr; }
+    /// The factor of that; 0 for one that does not, or by a function (Unity: 1 then).
+    glm::vec2 scaleFactor() const;
     /// What stands for it in a command buffer; none for an empty handle.
     RenderTargetIdentifier nameID() const;
 
@@ -42,7 +59,10 @@ public:
     bool operator==(const RTHandle&) const = default;
 
 private:
+    const std::shared_ptr<const RenderTexture>& ScaledToCamera() const;
+
     std::shared_ptr<const RenderTexture> m_Texture;
+    std::shared_ptr<ScaledTexture> m_Scaled;                    ///< null = it does not follow
     std::shared_ptr<const RenderTargetIdentifier> m_Identifier; ///< null = it wraps none
 };
 
@@ -53,6 +73,26 @@ namespace RTHandles
 /// @throws ContractError as RenderTexture does, for a size below 1 among others
 RTHandle Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
+
+/// The size of a texture from that of the camera, texels. Unity: ScaleFunc (core 14).
+using ScaleFunc = std::function<glm::ivec2(const glm::ivec2& size)>;
+
+/// A texture as large as the camera times `scaleFactor`, rounded, and at least 1x1; the
+/// descriptor's size does not matter. When the camera's changes, it becomes another one of
+/// undefined contents. (Unity: it never shrinks, and shaders have to look up the part in use.) A
+/// handle of this kind is for one thread.
+/// @throws ContractError as RenderTexture does; for a factor that is not positive
+/// @source Unity: RTHandles.Alloc(Vector2, RenderTextureDescriptor, ...) (core 14)
+RTHandle Alloc(const glm::vec2& scaleFactor, const RenderTextureDescriptor& descriptor,
+               FilterMode filterMode = FilterMode::Point,
+               TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
+/// The same by a function. @throws ContractError if it is empty
+RTHandle Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& descriptor,
+               FilterMode filterMode = FilterMode::Point,
+               TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
+/// What those follow, texels; the pipeline says so for each camera that it renders. Of this thread.
+/// @throws ContractError unless both are positive
+void SetReferenceSize(int width, int height);
 
 } // namespace RTHandles
 
@@ -66,6 +106,13 @@ namespace RenderingUtils
 /// @throws ContractError as RenderTexture does; the handle then keeps what it has
 /// @source Unity: RenderingUtils.ReAllocateIfNeeded (URP 14)
 bool ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
+                        FilterMode filterMode = FilterMode::Point,
+                        TextureWrapMode wrapMode = TextureWrapMode::Repeat,
+                        std::string_view name = {});
+/// The same for one whose size follows the camera's.
+/// @source Unity: RenderingUtils.ReAllocateIfNeeded(ref RTHandle, Vector2, ...) (URP 14)
+bool ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
+                        const RenderTextureDescriptor& descriptor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
                         std::string_view name = {});

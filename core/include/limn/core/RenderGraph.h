@@ -65,6 +65,7 @@ public:
     /// @throws ContractError if there is no texture, or it is one of an earlier frame
     TextureDesc GetTextureDesc(const TextureHandle& texture) const;
     RendererListHandle CreateRendererList(const RendererListParams& desc);
+    RendererListHandle CreateRendererList(const RendererListDesc& desc);
 
     /// @param passData  becomes the pass's data, made anew, which the render function is given
     template <typename PassData>
@@ -89,7 +90,7 @@ public:
     }
 
     /// Draws the source through the material over the whole destination, whose contents stay where
-    /// it blends.
+    /// it blends. The material may sample whatever is global.
     /// @throws ContractError if the material is null
     void AddBlitPass(const RenderGraphUtils::BlitMaterialParameters& blitParameters,
                      std::string_view passName = "BlitMaterial");

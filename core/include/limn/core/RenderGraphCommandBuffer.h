@@ -53,9 +53,14 @@ public:
         m_Native.ClearRenderTarget(clearDepth, clearColor, backgroundColor, depth);
     }
     void SetViewport(const ViewportRect& pixelRect) { m_Native.SetViewport(pixelRect); }
-    // Ends with the pass.
+    // These end with the pass.
     void EnableScissorRect(const ViewportRect& scissor) { m_Native.EnableScissorRect(scissor); }
     void DisableScissorRect() { m_Native.DisableScissorRect(); }
+    void SetInvertCulling(bool invertCulling) { m_Native.SetInvertCulling(invertCulling); }
+    void SetGlobalDepthBias(float bias, float slopeBias)
+    {
+        m_Native.SetGlobalDepthBias(bias, slopeBias);
+    }
 
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
@@ -82,6 +87,13 @@ public:
                         const MaterialPropertyBlock& properties = {})
     {
         m_Native.DrawProcedural(matrix, std::move(material), shaderPass, vertexCount, properties);
+    }
+    void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
+                        int shaderPass, MeshTopology topology, int vertexCount,
+                        int instanceCount = 1, const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawProcedural(matrix, std::move(material), shaderPass, topology, vertexCount,
+                                instanceCount, properties);
     }
     /// @throws ContractError if the pass did not UseRendererList of it
     void DrawRendererList(const RendererListHandle& rendererList);
@@ -120,6 +132,12 @@ public:
     }
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
+    void SetKeyword(const GlobalKeyword& keyword, bool value)
+    {
+        m_Native.SetKeyword(keyword, value);
+    }
+    void EnableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), true); }
+    void DisableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), false); }
 
     void BeginSample(std::string_view name) { m_Native.BeginSample(name); }
     void EndSample() { m_Native.EndSample(); }
@@ -160,6 +178,10 @@ public:
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth)
     {
         native().SetRenderTarget(colors, depth);
+    }
+    void CopyTexture(const RTHandle& source, const RTHandle& dest)
+    {
+        native().CopyTexture(RenderTargetIdentifier(source), RenderTargetIdentifier(dest));
     }
 
 private:

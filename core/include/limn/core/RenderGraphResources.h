@@ -1,17 +1,14 @@
 #pragma once
 
 #include <limn/core/Color.h>
-#include <limn/core/DrawingSettings.h>
-#include <limn/core/FilteringSettings.h>
 #include <limn/core/RTHandle.h>
-#include <limn/core/RenderStateBlock.h>
+#include <limn/core/RendererList.h>
 #include <optional>
 
 namespace limn
 {
 
 class RenderGraph;
-struct CullingResults;
 
 /// What a pass does with a texture; bit flags, values Unity's.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.AccessFlags (core 17).
@@ -108,25 +105,6 @@ private:
 
     RTHandle m_Texture;
     std::uint64_t m_Frame = 0;
-};
-
-/// What a list of renderers holds and how they are drawn.
-/// Unity: UnityEngine.Rendering.RendererListParams (2023.1), with one state block for all.
-struct RendererListParams
-{
-    /// @param results  must outlive the camera's frame, as those of the frame data do
-    RendererListParams(const CullingResults& results, DrawingSettings drawing,
-                       FilteringSettings filtering)
-        : cullingResults(&results),
-          drawSettings(std::move(drawing)),
-          filteringSettings(std::move(filtering))
-    {
-    }
-
-    const CullingResults* cullingResults; ///< never null
-    DrawingSettings drawSettings;
-    FilteringSettings filteringSettings;
-    RenderStateBlock stateBlock{RenderStateMask::Nothing};
 };
 
 /// A list of a camera's render graph, or none: until the camera is done.

@@ -58,6 +58,13 @@ struct DepthState
     bool writeEnabled = true;
     CompareFunction compareFunction = CompareFunction::Less;
 
+    static const DepthState defaultValue;
+
+    constexpr DepthState() = default;
+    constexpr DepthState(bool write, CompareFunction compare)
+        : writeEnabled(write), compareFunction(compare)
+    {
+    }
     bool operator==(const DepthState&) const = default;
 };
 
@@ -71,6 +78,8 @@ struct StencilState
     StencilFace front;
     StencilFace back;
 
+    static const StencilState defaultValue;
+
     /// These set both faces, as Unity's do.
     void SetCompareFunction(CompareFunction value) { front.compare = back.compare = value; }
     void SetPassOperation(StencilOp value) { front.pass = back.pass = value; }
@@ -79,6 +88,9 @@ struct StencilState
 
     bool operator==(const StencilState&) const = default;
 };
+
+inline constexpr DepthState DepthState::defaultValue{};
+inline constexpr StencilState StencilState::defaultValue{};
 
 /// State that a DrawRenderers call puts in place of the shader passes' own. Each group in `mask`
 /// is replaced wholesale: Depth replaces ZWrite and ZTest, Stencil the reference, both masks and

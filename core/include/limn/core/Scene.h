@@ -27,6 +27,9 @@ struct MeshRenderer
     bool enabled = true;
     /// What SetPropertyBlock was given; null = none.
     std::shared_ptr<const MaterialPropertyBlock> properties = nullptr;
+    /// What it was given for single materials, by index; null = none at all.
+    std::shared_ptr<const std::vector<std::shared_ptr<const MaterialPropertyBlock>>>
+        materialProperties = nullptr;
 
     /// Values that win over those of its materials, and of what overrides these. Renderers of
     /// different blocks are separate draws.
@@ -42,7 +45,25 @@ struct MeshRenderer
     {
         block = properties ? *properties : MaterialPropertyBlock();
     }
-    bool HasPropertyBlock() const { return properties != nullptr; }
+    /// For one of its materials, which does not look at the block of the whole renderer then.
+    /// @param block  an empty one takes the material's away
+    /// @throws ContractError if there is no such material
+    void SetPropertyBlock(const MaterialPropertyBlock& block, int materialIndex);
+    /// What was set for this material; an empty one where there is none.
+    void GetPropertyBlock(MaterialPropertyBlock& block, int materialIndex) const;
+    /// Of the renderer, or of any material.
+    bool HasPropertyBlock() const { return properties != nullptr || materialProperties != nullptr; }
+
+    std::size_t materialPropertyCount() const
+    {
+        return materialProperties ? materialProperties->size() : 0;
+    }
+    /// What draws with this material take; null = none.
+    const std::shared_ptr<const MaterialPropertyBlock>& PropertiesOf(std::size_t material) const
+    {
+        const bool isOwn = material < materialPropertyCount() && (*materialProperties)[material];
+        return isOwn ? (*materialProperties)[material] : properties;
+    }
 };
 
 /// Unity: UnityEngine.GameObject (2022.3).

@@ -4,7 +4,7 @@
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/Culling.h>
 #include <limn/core/RenderReport.h>
-#include <limn/core/RenderStateBlock.h>
+#include <limn/core/RendererList.h>
 
 namespace limn
 {
@@ -74,6 +74,11 @@ public:
                        const FilteringSettings& filteringSettings,
                        const RenderStateBlock& stateBlock = RenderStateBlock());
 
+    /// For CommandBuffer::DrawRendererList in this camera's frame. Nothing is worked out before it
+    /// is drawn. Unity: ScriptableRenderContext.CreateRendererList (2022.3).
+    RendererList CreateRendererList(const RendererListParams& param) const;
+    RendererList CreateRendererList(const RendererListDesc& desc) const;
+
     /// Whose calls these are, for the report.
     void SetPassName(std::string_view name) { m_PassName = name; }
 
@@ -97,6 +102,8 @@ public:
     FrameCommands TakeCommands();
 
 private:
+    void Run(const CommandBuffer& commandBuffer);
+
     friend class RenderGraphRun; // looks at what a pass recorded
 
     RenderReport* m_Report = nullptr;

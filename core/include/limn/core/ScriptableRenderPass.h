@@ -39,12 +39,17 @@ public:
                            const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
-    /// The pass's work as Unity 6 has it, for a pass that does not override Execute: what is added
-    /// to the graph runs when this returns.
+    /// The pass's work as Unity 6 has it: what is added to the graph runs when this returns. A pass
+    /// that overrides Execute, too, runs that one, as in Unity's compatibility mode.
     /// Unity: ScriptableRenderPass.RecordRenderGraph (URP 17).
     virtual void RecordRenderGraph(RenderGraph& renderGraph, ContextContainer& frameData);
     /// Once for each OnCameraSetup, after all passes have executed or one of them has thrown.
     virtual void OnCameraCleanup(CommandBuffer& cmd);
+    /// What URP 7 to 9 call OnCameraCleanup, which this calls: override one of them.
+    virtual void FrameCleanup(CommandBuffer& cmd) { OnCameraCleanup(cmd); }
+    /// Behind the last camera of a stack, where this pass was enqueued; every camera is a stack of
+    /// its own.
+    virtual void OnFinishCameraStackRendering(CommandBuffer& /*cmd*/) {}
 
     ScriptableRenderPassInput input() const { return m_Input; }
     bool overrideCameraTarget() const { return m_OverrideCameraTarget; }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limn/core/FullScreenTag.h>
+#include <limn/core/GlobalKeyword.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/ShaderId.h>
 #include <limn/shaderlab/ShaderCompiler.h>
@@ -77,6 +78,26 @@ public:
         SetGlobal(id, std::move(value));
     }
     static void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
+
+    /// For all materials of the process: as CommandBuffer::EnableShaderKeyword, which comes before
+    /// it in the frame.
+    /// @source Unity: Shader.EnableKeyword and its like (2022.3)
+    static void EnableKeyword(std::string_view keyword)
+    {
+        SetKeyword(GlobalKeyword(keyword), true);
+    }
+    static void DisableKeyword(std::string_view keyword)
+    {
+        SetKeyword(GlobalKeyword(keyword), false);
+    }
+    static void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
+    static void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
+    static void SetKeyword(const GlobalKeyword& keyword, bool value)
+    {
+        SetGlobal(keyword.id(), value ? 1 : 0);
+    }
+    /// What EnableKeyword and DisableKeyword said last; command buffers do not change it.
+    static bool IsKeywordEnabled(std::string_view keyword);
 
     std::uint64_t id() const { return m_Id; } ///< unique in the process
     const std::string& name() const { return m_Document.name; }

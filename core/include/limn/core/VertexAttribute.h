@@ -19,7 +19,7 @@ struct VertexAttribute
     std::span<const float> (*values)(const MeshData& data);
 };
 
-inline constexpr std::size_t k_VertexAttributeCount = 6;
+inline constexpr std::size_t k_VertexAttributeCount = 12;
 
 /// All arrays of MeshData but the indices.
 const std::array<VertexAttribute, k_VertexAttributeCount>& VertexAttributes();

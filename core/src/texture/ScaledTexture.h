@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limn/core/RTHandle.h>
+
+namespace limn
+{
+
+/// A texture whose size is worked out from the camera's.
+class ScaledTexture
+{
+public:
+    /// @throws ContractError as RenderTexture does, of the size for the camera now
+    ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDescriptor& descriptor,
+                  const SamplerState& sampler, std::string name);
+
+    /// Of the size for the camera now.
+    const std::shared_ptr<const RenderTexture>& texture();
+
+    glm::vec2 factor{0.0f}; ///< that it was made with; 0 for one of a function
+
+private:
+    RTHandles::ScaleFunc m_Scale;
+    RenderTextureDescriptor m_Descriptor;
+    SamplerState m_Sampler;
+    std::string m_Name;
+    glm::ivec2 m_CameraSize{0}; ///< that m_Texture was made for
+    std::shared_ptr<const RenderTexture> m_Texture;
+};
+
+} // namespace limn

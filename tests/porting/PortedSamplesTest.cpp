@@ -1,0 +1,51 @@
+#include "PortedScene.h"
+
+#include "features/render_graph/CompiledText.h"
+#include <gmock/gmock.h>
+#include <limn/core/RecordingDevice.h>
+
+namespace limn::test
+{
+namespace
+{
+
+class PortedSamples : public testing::TestWithParam<PortedSample>
+{
+};
+
+} // namespace
+
+TEST_P(PortedSamples, CompileToNoMoreInTheNewStyleThanInTheOld)
+{
+    RecordingDevice oldDevice;
+    RecordingDevice newDevice;
+    PortedScene oldStyle(GetParam(), oldDevice, false);
+    PortedScene newStyle(GetParam(), newDevice, true);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+        const RenderResult expected = oldStyle.Render();
+        const RenderResult actual = newStyle.Render();
+        EXPECT_LE(PassesOf(actual).size(), PassesOf(expected).size())
+            << testing::PrintToString(PassesOf(actual))
+            << testing::PrintToString(PassesOf(expected));
+        EXPECT_LE(TextureCount(actual), TextureCount(expected));
+        EXPECT_THAT(expected.report.notes, testing::IsEmpty());
+        EXPECT_THAT(actual.report.notes, testing::IsEmpty());
+    }
+}
+
+TEST_P(PortedSamples, CostNothingWhereTheyAreNotActive)
+{
+    RecordingDevice device;
+    PortedScene scene(GetParam(), device, false);
+    const std::size_t with = scene.Render().frame->passes.size();
+    scene.SetActive(false);
+    scene.Render();
+    EXPECT_LE(scene.Render().frame->passes.size(), 1u);
+    EXPECT_GE(with, 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, PortedSamples, testing::ValuesIn(k_PortedSamples),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+} // namespace limn::test

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "CachedCompiler.h"
+#include "Paths.h"
+
+#include <limn/core/UniversalRenderPipeline.h>
+#include <limn/editor_stub/SceneFile.h>
+#include <limn/features/Features.h>
+#include <limn/features/Plugin.h>
+#include <limn/volume/VolumeManager.h>
+#include <memory>
+#include <string>
+
+#include "blurred_glass/BlurredGlassFeature.h"
+#include "blurred_glass/BlurredGlassUnity6Feature.h"
+#include "height_fog/HeightFogFeature.h"
+#include "height_fog/HeightFogUnity6Feature.h"
+#include "xray/XRayFeature.h"
+#include "xray/XRayUnity6Feature.h"
+
+namespace limn::test
+{
+
+/// A feature of samples/porting in the style of its time and in Unity 6's.
+struct PortedSample
+{
+    const char* name;    ///< of its folder and scene
+    const char* feature; ///< the type that its scene names
+    void (*registerOld)(FeatureRegistry&, const char* as);
+    void (*registerNew)(FeatureRegistry&, const char* as);
+};
+
+template <typename Feature>
+void RegisterAs(FeatureRegistry& features, const char* as)
+{
+    features.Register<Feature>(as);
+}
+
+inline constexpr PortedSample k_PortedSamples[] = {
+    {"blurred_glass", "BlurredGlassFeature", &RegisterAs<porting::BlurredGlassFeature>,
+     &RegisterAs<porting::BlurredGlassUnity6Feature>},
+    {"height_fog", "HeightFogFeature", &RegisterAs<porting::HeightFogFeature>,
+     &RegisterAs<porting::HeightFogUnity6Feature>},
+    {"xray", "XRayFeature", &RegisterAs<porting::XRayFeature>,
+     &RegisterAs<porting::XRayUnity6Feature>},
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const PortedSample& sample)
+{
+    return stream << sample.name;
+}
+
+/// A sample's scene, drawn by the feature in one style or the other.
+class PortedScene
+{
+public:
+    PortedScene(const PortedSample& sample, GraphicsDevice& device, bool isNew) : m_Pipeline(device)
+    {
+        FeatureRegistry others; // a scene names one type, whichever style that is
+        AddPlugin(limn_plugin, others, m_Assets.volumeComponents());
+        (isNew ? sample.registerNew : sample.registerOld)(m_Assets.features(), sample.feature);
+        const std::string folder = std::string("samples/porting/") + sample.name + "/";
+        m_Scene = LoadScene(SourcePath(folder + sample.name + ".scene.yaml"), m_Assets);
+        m_Renderer = std::make_unique<UniversalRenderer>(m_Assets.compiler());
+        for (auto& feature : m_Scene.renderer.features)
+        {
+            m_Renderer->AddFeature(std::move(feature));
+        }
+        m_Volumes = std::make_unique<VolumeManager>(m_Assets.volumeComponents());
+        m_Stack = std::make_unique<VolumeStack>(m_Volumes->CreateStack());
+        for (const Volume& volume : m_Scene.volumes)
+        {
+            m_Volumes->Register(&volume);
+        }
+    }
+
+    RenderResult Render()
+    {
+        m_Volumes->Update(*m_Stack, m_Scene.camera.transform.position(),
+                          m_Scene.camera.volumeLayerMask);
+        RenderRequest request;
+        request.scene = &m_Scene.scene;
+        request.camera = &m_Scene.camera;
+        request.width = 96;
+        request.height = 54;
+        request.volumeStack = m_Stack.get();
+        return m_Pipeline.RenderSingleCamera(*m_Renderer, request);
+    }
+    void SetActive(bool isActive) { m_Renderer->rendererFeatures().at(0)->SetActive(isActive); }
+    SceneAsset& asset() { return m_Scene; }
+
+private:
+    AssetContext m_Assets{CachedCompiler()};
+    SceneAsset m_Scene;
+    UniversalRenderPipeline m_Pipeline;
+    std::unique_ptr<UniversalRenderer> m_Renderer;
+    std::unique_ptr<VolumeManager> m_Volumes;
+    std::unique_ptr<VolumeStack> m_Stack;
+};
+
+} // namespace limn::test
