@@ -14,6 +14,7 @@ Shader "Universal Render Pipeline/Lit"
         _DstBlendAlpha ("Destination factor of alpha", Float) = 0
         _ZWrite ("Depth write", Float) = 1
         _Cull ("Culled faces", Float) = 2
+        [ToggleOff(_RECEIVE_SHADOWS_OFF)] _ReceiveShadows ("Shows shadows", Float) = 1
     }
     SubShader
     {
@@ -31,6 +32,9 @@ Shader "Universal Render Pipeline/Lit"
             #pragma vertex LitVertex
             #pragma fragment LitFragment
             #pragma multi_compile _ _ADDITIONAL_LIGHTS
+            #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE
+            #pragma multi_compile_fragment _ _SHADOWS_SOFT
+            #pragma shader_feature_local _RECEIVE_SHADOWS_OFF
 
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -60,6 +64,9 @@ Shader "Universal Render Pipeline/Lit"
             #ifdef _ADDITIONAL_LIGHTS
                 float3 positionWS : TEXCOORD3;
             #endif
+            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
+                float3 position : TEXCOORD4; // relative to limn_Origin
+            #endif
             };
 
             Varyings LitVertex(Attributes input)
@@ -71,6 +78,9 @@ Shader "Universal Render Pipeline/Lit"
                 output.viewDirWS = limn_ObjectToWorldSpaceViewDir(input.positionOS.xyz);
             #ifdef _ADDITIONAL_LIGHTS
                 output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
+            #endif
+            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
+                output.position = limn_ObjectToRelative(input.positionOS.xyz);
             #endif
                 return output;
             }
@@ -91,9 +101,18 @@ Shader "Universal Render Pipeline/Lit"
 
                 half wrapped = dot(normal, light.direction) * 0.5 + 0.5;
                 half3 ambient = SampleSH(normal) * (0.75 + 0.25 * normal.y);
-                half3 color = albedo.rgb * (light.color * wrapped * wrapped + ambient);
+                half3 lambert = light.color * wrapped * wrapped;
+                half3 shining = light.color;
+            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
+                half shadow = MainLightRealtimeShadow(limn_RelativeToShadowCoord(input.position));
+                half lit = lerp(shadow, 1.0, limn_ShadowFade(input.viewDirWS));
+                // No darker than where the surface turns away: half-Lambert goes on beyond that.
+                lambert = lerp(min(lambert, light.color * 0.25), lambert, lit);
+                shining *= lit;
+            #endif
+                half3 color = albedo.rgb * (lambert + ambient);
 
-                color += light.color * Highlight(normal, light.direction, view) + _EmissionColor.rgb;
+                color += shining * Highlight(normal, light.direction, view) + _EmissionColor.rgb;
             #ifdef _ADDITIONAL_LIGHTS
                 for (int i = 0; i < GetAdditionalLightsCount(); i++)
                 {

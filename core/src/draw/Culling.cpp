@@ -73,10 +73,24 @@ void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, 
 std::uint8_t KindOf(const RendererTable::RowClass& rowClass, const Camera& camera)
 {
     const bool inMask = LayerMask::FromIndex(rowClass.layer).Intersects(camera.cullingMask);
-    const bool draws = inMask && rowClass.isActive && rowClass.material != nullptr;
+    const bool draws = inMask && rowClass.isActive && rowClass.material != nullptr &&
+                       rowClass.shadowCastingMode != ShadowCastingMode::ShadowsOnly;
     const bool counts = rowClass.isActive && rowClass.isFirst;
     return static_cast<std::uint8_t>((inMask ? k_InCullingMask : 0) | (draws ? k_Draws : 0) |
                                      (counts ? k_Counts : 0));
+}
+
+std::uint8_t KindOfCaster(const RendererTable::RowClass& rowClass, const Camera& camera,
+                          bool twoSided)
+{
+    static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
+    const ShadowCastingMode mode = rowClass.shadowCastingMode;
+    const bool draws = rowClass.isActive && rowClass.material != nullptr &&
+                       mode != ShadowCastingMode::Off &&
+                       (mode == ShadowCastingMode::TwoSided) == twoSided &&
+                       LayerMask::FromIndex(rowClass.layer).Intersects(camera.cullingMask) &&
+                       rowClass.material->FindEnabledPassByLightMode(k_ShadowCaster) >= 0;
+    return draws ? k_Draws : 0;
 }
 
 /// @param kinds    by class
@@ -107,6 +121,46 @@ void CullRows(const RendererTable& table, const std::array<glm::vec4, 6>& planes
         }
     }
     result.visible = visible;
+}
+
+/// @param kindOf  gives a class's kind
+template <typename Function>
+CullingResults CullTable(const std::shared_ptr<const RendererTable>& table,
+                         const std::array<glm::vec4, 6>& planes, const Function& kindOf)
+{
+    static thread_local std::vector<std::uint8_t> kinds; // by class
+    kinds.clear();
+    for (const RendererTable::RowClass& rowClass : table->classes())
+    {
+        kinds.push_back(kindOf(rowClass));
+    }
+    static thread_local std::vector<PartOfCulling> parts;
+    parts.assign(PartsOf(table->rowCount()), PartOfCulling());
+    std::vector<std::uint32_t> visible = table->spareRows().Take(table->rowCount());
+    ForEachPart(
+        table->rowCount(), parts.size(),
+        [&, kindsOf = kinds.data(), results = parts.data()](std::size_t part, std::size_t begin,
+                                                            std::size_t end)
+        { CullRows(*table, planes, kindsOf, begin, end, visible.data() + begin, results[part]); });
+
+    CullingResults results;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+        // Each part has written where it begins.
+        const PartOfCulling& part = parts[i];
+        const auto begin =
+            visible.begin() + static_cast<std::ptrdiff_t>(table->rowCount() * i / parts.size());
+        std::copy_n(begin, part.visible, visible.begin() + static_cast<std::ptrdiff_t>(count));
+        count += part.visible;
+        results.rendererCount += part.renderers;
+        results.outsideFrustum += part.outsideFrustum;
+        results.outsideCullingMask += part.outsideCullingMask;
+    }
+    visible.resize(count);
+    results.items = RendererItems(table, std::move(visible));
+    results.objects = table;
+    return results;
 }
 
 } // namespace
@@ -158,38 +212,9 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, cons
                                                 RelativeTo(origin, camera.viewMatrix())),
                                       margin);
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
-    static thread_local std::vector<std::uint8_t> kinds; // by class
-    kinds.clear();
-    for (const RendererTable::RowClass& rowClass : table->classes())
-    {
-        kinds.push_back(KindOf(rowClass, camera));
-    }
-    static thread_local std::vector<PartOfCulling> parts;
-    parts.assign(PartsOf(table->rowCount()), PartOfCulling());
-    std::vector<std::uint32_t> visible = table->spareRows().Take(table->rowCount());
-    ForEachPart(
-        table->rowCount(), parts.size(),
-        [&, kindOf = kinds.data(), results = parts.data()](std::size_t part, std::size_t begin,
-                                                           std::size_t end)
-        { CullRows(*table, planes, kindOf, begin, end, visible.data() + begin, results[part]); });
-
-    CullingResults results;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-        // Each part has written where it begins.
-        const PartOfCulling& part = parts[i];
-        const auto begin =
-            visible.begin() + static_cast<std::ptrdiff_t>(table->rowCount() * i / parts.size());
-        std::copy_n(begin, part.visible, visible.begin() + static_cast<std::ptrdiff_t>(count));
-        count += part.visible;
-        results.rendererCount += part.renderers;
-        results.outsideFrustum += part.outsideFrustum;
-        results.outsideCullingMask += part.outsideCullingMask;
-    }
-    visible.resize(count);
-    results.items = RendererItems(table, std::move(visible));
-    results.objects = table;
+    CullingResults results = CullTable(table, planes,
+                                       [&](const RendererTable::RowClass& rowClass)
+                                       { return KindOf(rowClass, camera); });
     for (const std::uint32_t index : table->beyondFloat())
     {
         const GameObject& object = table->object(index);
@@ -200,6 +225,24 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, cons
         }
     }
     return results;
+}
+
+CullingResults CullShadowCasters(const CullingResults& seen, const Camera& camera,
+                                 const glm::dmat4& lightViewProjection, bool twoSided)
+{
+    const std::shared_ptr<const RendererTable>& table = seen.items.table();
+    const auto kindOf = [&](const RendererTable::RowClass& rowClass)
+    {
+        return KindOfCaster(rowClass, camera, twoSided);
+    };
+    if (!table || std::ranges::none_of(table->classes(), kindOf))
+    {
+        return {};
+    }
+    auto planes =
+        FrustumPlanes(glm::mat4(RelativeTo(table->origin(), lightViewProjection)), glm::vec2(0.0f));
+    planes[5] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f); // no near plane
+    return CullTable(table, planes, kindOf);
 }
 
 } // namespace limn

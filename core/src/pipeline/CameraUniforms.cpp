@@ -88,13 +88,18 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
     Matrix(cmd, unity_CameraToWorld, Inverse(worldToCamera));
     Matrix(cmd, unity_CameraProjection, projection);
     Matrix(cmd, unity_CameraInvProjection, Inverse(glm::dmat4(projection)));
-    const glm::dvec3 origin = data.camera->renderOrigin();
-    Vector(cmd, limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
-    const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
-    Vector(cmd, limn_CameraPos, glm::vec4(position - origin, 0.0f));
+    SetOriginUniforms(cmd, *data.camera);
 }
 
 } // namespace
+
+void SetOriginUniforms(CommandBuffer& cmd, const Camera& camera)
+{
+    const glm::dvec3 origin = camera.renderOrigin();
+    Vector(cmd, limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
+    const glm::dvec3 position(camera.transform.worldMatrix()[3]);
+    Vector(cmd, limn_CameraPos, glm::vec4(position - origin, 0.0f));
+}
 
 void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                                   const glm::mat4& gpuProjectionMatrix,

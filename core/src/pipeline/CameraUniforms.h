@@ -10,6 +10,9 @@ namespace limn
 /// @source Unity: ScriptableRenderer.SetPerCameraShaderVariables (URP 14)
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
+/// What RelativeSpaces.hlsl is relative to, as a part of the above.
+void SetOriginUniforms(CommandBuffer& cmd, const Camera& camera);
+
 /// _Time and its relatives, rounded to float last. @param seconds  since the beginning
 void SetTimeUniforms(CommandBuffer& cmd, double seconds);
 

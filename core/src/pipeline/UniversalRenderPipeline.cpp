@@ -170,6 +170,7 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
         request, renderer,
         CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
     RTHandles::SetReferenceSize(request.width, request.height);
+    renderingData.shadowSettings = shadows;
     m_TemporaryTextures.BeginFrame();
     renderingData.temporaryTextures = &m_TemporaryTextures;
     NoteBeyondFloat(renderingData.cullResults, result.report);

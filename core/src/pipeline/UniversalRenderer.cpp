@@ -1,5 +1,6 @@
 #include "pipeline/CameraTextures.h"
 #include "pipeline/DrawSkyboxPass.h"
+#include "pipeline/MainLightShadowCasterPass.h"
 
 #include <limits>
 #include <limn/core/BuiltinShaders.h>
@@ -33,6 +34,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
     : m_Compiler(std::move(compiler)),
       m_CopyMaterial(CoreUtils::CreateEngineMaterial(
           FindBuiltinShader("Hidden/Universal/CoreBlit", m_Compiler))),
+      m_MainLightShadowCasterPass(std::make_unique<MainLightShadowCasterPass>()),
       m_OpaquePass(std::make_unique<DrawObjectsPass>(
           "Draw Opaque Objects", RenderPassEvent::BeforeRenderingOpaques, ForwardShaderTags(),
           RenderQueueRange::opaque, SortingCriteria::CommonOpaque)),
@@ -68,6 +70,10 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
     m_OpaquePass->SetLayerMask(opaqueLayerMask);
     m_TransparentPass->SetLayerMask(transparentLayerMask);
     m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
+    if (m_MainLightShadowCasterPass->Setup(renderingData))
+    {
+        EnqueuePass(*m_MainLightShadowCasterPass);
+    }
     EnqueuePass(*m_OpaquePass);
     if (DrawSkyboxPass::HasSky(renderingData))
     {

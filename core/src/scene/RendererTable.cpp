@@ -66,7 +66,8 @@ std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
     {
         const MeshRenderer& renderer = *object.renderer;
         hash.AddPointer(renderer.mesh.get());
-        hash.Add(std::uint64_t{renderer.renderingLayerMask.bits} << 1 |
+        hash.Add(static_cast<std::uint64_t>(renderer.shadowCastingMode) << 33 |
+                 std::uint64_t{renderer.renderingLayerMask.bits} << 1 |
                  static_cast<std::uint64_t>(renderer.enabled));
         for (const auto& material : renderer.sharedMaterials)
         {
@@ -148,7 +149,8 @@ RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
 {
     const std::uint32_t bits = (rowClass.isMirrored ? 1u : 0u) | (rowClass.isAgain ? 2u : 0u) |
                                (rowClass.isActive ? 4u : 0u) | (rowClass.isFirst ? 8u : 0u) |
-                               std::uint32_t{rowClass.materialIndex} << 4;
+                               static_cast<std::uint32_t>(rowClass.shadowCastingMode) << 4 |
+                               std::uint32_t{rowClass.materialIndex} << 6;
     return {rowClass.material.get(),          rowClass.properties.get(), rowClass.layer,
             rowClass.renderingLayerMask.bits, rowClass.meshPart,         bits};
 }
@@ -355,6 +357,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     rowClass.layer = source.layer;
     rowClass.renderingLayerMask = renderer.renderingLayerMask;
     rowClass.materialIndex = static_cast<std::uint16_t>(slot);
+    rowClass.shadowCastingMode = renderer.shadowCastingMode;
     rowClass.isActive = source.activeSelf && renderer.enabled;
     rowClass.isFirst = isFirst;
     rowClass.isMirrored = glm::determinant(glm::dmat3(world.axes)) < 0.0;

@@ -56,8 +56,9 @@ public:
         bool isActive = false;           ///< the object is, and its renderer enabled
         bool isFirst = false;            ///< among the rows of its renderer
         bool isMirrored = false;         ///< the transform turns triangles over
-        bool isAgain = false;            ///< another row of its renderer draws the sub-mesh too
-        std::uint32_t uses = 0;          ///< rows that have it; 0 = free
+        ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
+        bool isAgain = false;   ///< another row of its renderer draws the sub-mesh too
+        std::uint32_t uses = 0; ///< rows that have it; 0 = free
 
         /// @pre there is a material
         FilterItem item() const;

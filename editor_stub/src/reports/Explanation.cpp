@@ -47,9 +47,20 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
     {
         return object.renderer->mesh ? "no material" : "no mesh";
     }
+    if (object.renderer->shadowCastingMode == ShadowCastingMode::ShadowsOnly)
+    {
+        return "it throws shadows only";
+    }
     return camera.cullingMask.Intersects(LayerMask::FromIndex(object.layer))
                ? "outside the camera's frustum"
                : "its layer is not in the camera's culling mask";
+}
+
+bool IsOfShadows(const DrawRenderersReport& draw)
+{
+    static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
+    return std::ranges::find(draw.drawing.shaderTagIds, k_ShadowCaster) !=
+           draw.drawing.shaderTagIds.end();
 }
 
 using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<RendererItem>>;
@@ -78,6 +89,10 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
     {
         for (const DrawRenderersReport& draw : report.draws)
         {
+            if (IsOfShadows(draw) && object.renderer->shadowCastingMode == ShadowCastingMode::Off)
+            {
+                continue;
+            }
             explained.draws.push_back({draw.pass.name(), item.material->name(),
                                        Judge(item.filter, draw.filtering, draw.drawing)});
         }

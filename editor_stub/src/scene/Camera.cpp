@@ -56,6 +56,26 @@ void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics
     }
 }
 
+void ReadLightShadows(SceneMapReader& map, DirectionalLight& light, AssetDiagnostics& diagnostics)
+{
+    if (const YamlNode* node = map.Find("shadows"))
+    {
+        const auto value = ReadEnum(*node, k_LightShadows, map.SubjectOf("shadows"), diagnostics);
+        light.shadows = value ? static_cast<LightShadows>(*value) : light.shadows;
+    }
+    map.Read("shadowStrength", light.shadowStrength);
+    if (const YamlNode* node = map.Find("softShadowQuality"))
+    {
+        const auto value = ReadEnum(*node, k_LightShadowQualities,
+                                    map.SubjectOf("softShadowQuality"), diagnostics);
+        light.softShadowQuality =
+            value ? static_cast<SoftShadowQuality>(*value) : light.softShadowQuality;
+    }
+    map.Read("usePipelineSettings", light.usePipelineSettings);
+    map.Read("shadowBias", light.shadowBias);
+    map.Read("shadowNormalBias", light.shadowNormalBias);
+}
+
 } // namespace
 
 void ReadCamera(const YamlNode& node, SceneLoader& loader)
@@ -104,6 +124,7 @@ void ReadLight(const YamlNode& node, SceneLoader& loader)
     }
     map.Read("color", light.color);
     map.Read("intensity", light.intensity);
+    ReadLightShadows(map, light, loader.diagnostics);
     map.Finish();
 }
 

@@ -23,6 +23,13 @@ inline constexpr EnumEntry k_MsaaQualities[] = {
 /// Unity: UnityEngine.LightType.
 inline constexpr EnumEntry k_LightTypes[] = {{"Spot", 0}, {"Directional", 1}, {"Point", 2}};
 
+/// Unity: UnityEngine.LightShadows, SoftShadowQuality and ShadowCastingMode.
+inline constexpr EnumEntry k_LightShadows[] = {{"None", 0}, {"Hard", 1}, {"Soft", 2}};
+inline constexpr EnumEntry k_LightShadowQualities[] = {
+    {"UsePipelineSettings", 0}, {"Low", 1}, {"Medium", 2}, {"High", 3}};
+inline constexpr EnumEntry k_ShadowCastingModes[] = {
+    {"Off", 0}, {"On", 1}, {"TwoSided", 2}, {"ShadowsOnly", 3}};
+
 /// What stands behind a key.
 enum class SceneValue
 {
@@ -47,6 +54,10 @@ enum class SceneValue
     Light,
     LightType,
     Lights,
+    LightShadows,
+    LightShadowQuality,
+    ShadowCastingMode,
+    Shadows,
     Renderer,
     Features,
     Volumes,
@@ -96,11 +107,13 @@ inline constexpr SceneKey k_Scale{"scale", Scale};
 inline constexpr SceneKey k_Scene[] = {
     {"size", Size, "Width and height in pixels"},
     {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
-    {"renderPipelineAsset", Text, "Unity's, for its m_MSAA in place of msaaSampleCount"},
+    {"renderPipelineAsset", Text,
+     "Unity's, for its m_MSAA and shadows in place of msaaSampleCount and shadows"},
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),
     {"light", Light, "The main one, infinitely far away"},
+    {"shadows", Shadows, "Those of the main light, if it throws any"},
     {"lights", Lights, "Those besides the main one"},
     {"ambientLight", Color},
     {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
@@ -130,7 +143,15 @@ inline constexpr SceneKey k_Camera[] = {
     {"volumeTrigger", Vector}};
 
 inline constexpr SceneKey k_Light[] = {
-    k_Rotation, {"color", Color}, {"intensity", Number, "", {0.0, 1e6}}};
+    k_Rotation,
+    {"color", Color},
+    {"intensity", Number, "", {0.0, 1e6}},
+    {"shadows", LightShadows},
+    {"shadowStrength", Number, "The share of its light that shadows take", {0.0, 1.0}},
+    {"softShadowQuality", LightShadowQuality},
+    {"usePipelineSettings", Bool, "For the biases, in place of those that follow"},
+    {"shadowBias", Number, "Texels of the shadow map, along the light", {0.0, 10.0}},
+    {"shadowNormalBias", Number, "Texels of the shadow map, along the normal", {0.0, 10.0}}};
 
 inline constexpr SceneKey k_AdditionalLight[] = {
     {"type", LightType},
@@ -182,6 +203,7 @@ inline constexpr SceneKey k_Object[] = {
     {"renderingLayerMask", Layers},
     {"material", Text},
     {"materials", Texts},
+    {"shadowCastingMode", ShadowCastingMode},
     {"bakeOutlineNormals", Bool, "Gives the mesh what TranslucentOutlineHull goes by"},
     k_Position,
     k_Rotation,

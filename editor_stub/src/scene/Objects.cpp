@@ -1,4 +1,5 @@
 #include "scene/Loader.h"
+#include "scene/ReadEnum.h"
 
 #include <algorithm>
 #include <limn/core/OutlineNormals.h>
@@ -21,6 +22,7 @@ struct Inherited
     Materials materials;
     bool isOneMaterial = true; ///< one for all sub-meshes, from `material`
     bool bakeOutlineNormals = false;
+    ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
 };
 
 void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
@@ -58,6 +60,7 @@ MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& set
 {
     MeshRenderer renderer;
     renderer.renderingLayerMask = settings.renderingLayerMask;
+    renderer.shadowCastingMode = settings.shadowCastingMode;
     renderer.sharedMaterials = settings.materials;
     if (renderer.sharedMaterials.empty())
     {
@@ -116,6 +119,13 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     ReadLayersOf(map, settings, loader);
     ReadMaterialNames(map, settings, loader);
     map.Read("bakeOutlineNormals", settings.bakeOutlineNormals);
+    if (const YamlNode* mode = map.Find("shadowCastingMode"))
+    {
+        const auto value = ReadEnum(*mode, k_ShadowCastingModes, map.SubjectOf("shadowCastingMode"),
+                                    loader.diagnostics);
+        settings.shadowCastingMode =
+            value ? static_cast<ShadowCastingMode>(*value) : settings.shadowCastingMode;
+    }
     object.activeSelf = settings.active;
     object.layer = settings.layer;
     object.transform.parent = settings.parent;

@@ -1,5 +1,6 @@
 #include "scene/Loader.h"
 #include "scene/ReadEnum.h"
+#include "scene/ShadowKeys.h"
 #include "unity/RenderPipelineAsset.h"
 
 #include <algorithm>
@@ -27,29 +28,44 @@ void ReadSize(const YamlNode& node, SceneLoader& loader)
         ReadInt(node.items()[1], "size[1]", loader.diagnostics, k_PictureSizes).value_or(1);
 }
 
-void ReadSamples(SceneMapReader& map, SceneLoader& loader)
+void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
 {
+    SceneAsset& asset = loader.asset;
+    AssetDiagnostics& diagnostics = loader.diagnostics;
     const YamlNode* count = map.Find("msaaSampleCount");
+    const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
-    if (count && pipeline)
+    for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
+                                     std::pair(shadows, "shadows: they come")})
     {
-        loader.diagnostics.Error(count->location(),
-                                 "msaaSampleCount: the count comes from renderPipelineAsset "
-                                 "already; keep one of them");
+        if (node && pipeline)
+        {
+            diagnostics.Error(node->location(), std::string(what) + " from renderPipelineAsset "
+                                                                    "already; keep one of them");
+            return;
+        }
     }
-    else if (count)
+    if (count)
     {
-        loader.asset.msaaSampleCount =
-            ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", loader.diagnostics).value_or(1);
+        asset.msaaSampleCount =
+            ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", diagnostics).value_or(1);
     }
-    else if (pipeline)
+    if (shadows)
+    {
+        YamlMapReader settings(*shadows, "shadows", diagnostics);
+        ReadShadowSettings(settings, asset.shadows, diagnostics);
+        settings.Finish();
+    }
+    if (pipeline)
     {
         const auto load = [&loader](const std::filesystem::path& path)
         {
-            return LoadUnityMsaaSampleCount(path, loader.references.assets());
+            return LoadUnityRenderPipeline(path, loader.references.assets());
         };
-        loader.asset.msaaSampleCount =
+        const UnityRenderPipeline loaded =
             loader.references.Read(*pipeline, "renderPipelineAsset", load);
+        asset.msaaSampleCount = loaded.msaaSampleCount;
+        asset.shadows = loaded.shadows;
     }
 }
 
@@ -82,7 +98,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
     SceneAsset& asset = loader.asset;
     ReadPart(map, "size", loader, ReadSize);
-    ReadSamples(map, loader);
+    ReadPipeline(map, loader);
     if (const YamlNode* node = map.Find("layers"))
     {
         ReadLayerNames(*node, "layers", asset.layers, loader.diagnostics);

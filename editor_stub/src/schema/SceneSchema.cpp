@@ -1,6 +1,6 @@
 #include "schema/Schemas.h"
 
-#include "scene/Keys.h"
+#include "scene/ShadowKeys.h"
 
 #include <limn/core/PrimitiveMesh.h>
 
@@ -54,6 +54,51 @@ Json ColliderTypeSchema()
     }
     return {{"enum", std::move(types)}};
 }
+
+/// Adds one setting after the other.
+class ShadowSchema
+{
+public:
+    void operator()(std::string_view name, const bool&, ValueRange, std::string_view text)
+    {
+        Add(name, BoolSchema(), text);
+    }
+    void operator()(std::string_view name, const int&, ValueRange range, std::string_view text)
+    {
+        Add(name, IntegerSchema(range), text);
+    }
+    void operator()(std::string_view name, const float&, ValueRange range, std::string_view text)
+    {
+        Add(name, NumberSchema(range), text);
+    }
+    void operator()(std::string_view name, const glm::vec2&, ValueRange range,
+                    std::string_view text)
+    {
+        Add(name, VectorSchema(2, range), text);
+    }
+    void operator()(std::string_view name, const glm::vec3&, ValueRange range,
+                    std::string_view text)
+    {
+        Add(name, VectorSchema(3, range), text);
+    }
+    void operator()(std::string_view name, const SoftShadowQuality&, ValueRange,
+                    std::string_view text)
+    {
+        Add(name, EnumSchema(k_SoftShadowQualities), text);
+    }
+
+    Json map = MapSchema(Json::object());
+
+private:
+    void Add(std::string_view name, Json value, std::string_view text)
+    {
+        if (!text.empty())
+        {
+            value["description"] = std::string(text);
+        }
+        AddProperty(map, name, value);
+    }
+};
 
 /// Makes the schema of a map from its keys.
 class SceneSchemaWriter
@@ -126,6 +171,14 @@ private:
             return EnumSchema(k_LightTypes);
         case SceneValue::Lights:
             return ListSchema(Map(scene_keys::k_AdditionalLight));
+        case SceneValue::LightShadows:
+            return EnumSchema(k_LightShadows);
+        case SceneValue::LightShadowQuality:
+            return EnumSchema(k_LightShadowQualities);
+        case SceneValue::ShadowCastingMode:
+            return EnumSchema(k_ShadowCastingModes);
+        case SceneValue::Shadows:
+            return Shadows();
         case SceneValue::Renderer:
             return Renderer();
         case SceneValue::Features:
@@ -147,6 +200,14 @@ private:
         Json schema = Map(scene_keys::k_Camera);
         schema["type"] = {"object", "null"};
         return schema;
+    }
+
+    static Json Shadows()
+    {
+        ShadowSettings settings;
+        ShadowSchema schema;
+        VisitShadowSettings(settings, schema);
+        return schema.map;
     }
 
     Json Renderer() const

@@ -2,13 +2,14 @@
 
 #include "scene/Keys.h"
 #include "scene/ReadEnum.h"
+#include "scene/ShadowKeys.h"
 
 #include <limn/volume/UnityAsset.h>
 
 namespace limn
 {
 
-int LoadUnityMsaaSampleCount(const std::filesystem::path& path, AssetContext& assets)
+UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, AssetContext& assets)
 {
     assets.Reach(path);
     const AssetContext::RootsFor roots(assets, path);
@@ -22,8 +23,13 @@ int LoadUnityMsaaSampleCount(const std::filesystem::path& path, AssetContext& as
     AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<int> count =
         ReadEnum(*root->fields.Find("m_MSAA"), k_MsaaQualities, "m_MSAA", diagnostics);
+    UnityRenderPipeline pipeline;
+    pipeline.msaaSampleCount = count.value_or(1);
+    pipeline.shadows.softShadowsSupported = false;       // Unity's default
+    YamlMapReader fields(root->fields, "", diagnostics); // it has many more
+    ReadShadowSettings(fields, pipeline.shadows, diagnostics);
     diagnostics.ThrowIfErrors();
-    return count.value_or(1);
+    return pipeline;
 }
 
 } // namespace limn

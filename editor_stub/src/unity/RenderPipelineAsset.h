@@ -1,13 +1,21 @@
 #pragma once
 
+#include <limn/core/ShadowSettings.h>
 #include <limn/editor_stub/AssetContext.h>
 
 namespace limn
 {
 
-/// The m_MSAA of a render pipeline asset as Unity saves it: 1, 2, 4 or 8 samples a pixel.
+/// What limn takes from a render pipeline asset as Unity saves it.
 /// Unity: UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14).
-/// @throws AssetError if the file is no such asset, or the number none of these
-int LoadUnityMsaaSampleCount(const std::filesystem::path& path, AssetContext& assets);
+struct UnityRenderPipeline
+{
+    int msaaSampleCount = 1; ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
+    ShadowSettings shadows;  ///< m_ShadowDistance and its like; what it lacks is Unity's default
+};
+
+/// @throws AssetError if the file is no such asset, or a value is none that Unity saves
+UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path,
+                                            AssetContext& assets);
 
 } // namespace limn

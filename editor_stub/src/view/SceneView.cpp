@@ -112,6 +112,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.compile.isLast = isLast;
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+    pipeline.shadows = m_Asset.shadows;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }
 

@@ -47,6 +47,22 @@ protected:
     TemporaryFolder m_Folder;
 };
 
+TEST_F(ExplainCommand, ShowsTheShadowMapAndWhoThrowsShadowsOnly)
+{
+    const std::string objects = "size: [64, 64]\n"
+                                "shadows: {mainLightShadowmapResolution: 256}\n"
+                                "objects:\n"
+                                "  - {name: Floor, mesh: Plane, position: [0, -1, 0]}\n"
+                                "  - {name: Roof, mesh: Cube, shadowCastingMode: ShadowsOnly}\n";
+    const CommandRun run =
+        Explain({}, "camera: {position: [0, 0, -5]}\nlight: {shadows: Soft}\n" + objects);
+    EXPECT_THAT(run.out, HasSubstr("  50   MainLightShadow: 2 of 2 drawn"));
+    EXPECT_THAT(run.out, HasSubstr("_MainLightShadowmapTexture 256x256 D32_SFloat"));
+    EXPECT_THAT(run.out, HasSubstr("1 object of 2 not drawn, it throws shadows only: Roof\n"));
+    EXPECT_THAT(Explain({}, "camera: {position: [0, 0, -5]}\n" + objects).out,
+                testing::Not(HasSubstr("MainLightShadow")));
+}
+
 TEST_F(ExplainCommand, ShowsTheSkyboxWhereItIsDrawn)
 {
     const char* const sky = "size: [64, 64]\n"

@@ -109,6 +109,15 @@ struct CullingResults
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect,
                     const glm::vec2& margin = glm::vec2(0.0f));
 
+/// The renderers of active objects in the camera's culling mask that may throw a shadow into a box
+/// of light: it begins nowhere, so that it holds whatever is on the light's side of it. Those that
+/// throw none, or have no pass of LightMode ShadowCaster, are not among them.
+/// @param seen                 what the camera sees of the scene
+/// @param lightViewProjection  world to clip space of the light; depth is from 1 near to 0 far
+/// @param twoSided             those of ShadowCastingMode::TwoSided, else the others
+CullingResults CullShadowCasters(const CullingResults& seen, const Camera& camera,
+                                 const glm::dmat4& lightViewProjection, bool twoSided);
+
 /// What a DrawRenderers call makes of items.
 struct JudgedItems
 {

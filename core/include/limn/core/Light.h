@@ -15,6 +15,14 @@ enum class LightType
     Point = 2
 };
 
+/// How a light's shadows end: at once, or softly. Unity: UnityEngine.LightShadows.
+enum class LightShadows
+{
+    None = 0,
+    Hard = 1,
+    Soft = 2
+};
+
 /// A light besides the main one, without shadows. Unity: UnityEngine.Light (2022.3).
 struct Light
 {

@@ -83,7 +83,8 @@ struct RenderingData
     CullingResults cullResults;
     /// What is rendered, for whoever has to cull it once more; null where no pipeline renders.
     const Scene* scene = nullptr;
-    double time = 0.0; ///< seconds, what _Time shows rounded to float
+    ShadowSettings shadowSettings; ///< of the pipeline. Unity: RenderingData.shadowData
+    double time = 0.0;             ///< seconds, what _Time shows rounded to float
     /// The blended volumes, where a feature reads its component. (Unity:
     /// VolumeManager.instance.stack; limn has no singletons.)
     VolumeStackPointer volumeStack;

@@ -6,6 +6,7 @@
 #include <limn/core/Material.h>
 #include <limn/core/MaterialList.h>
 #include <limn/core/Mesh.h>
+#include <limn/core/ShadowSettings.h>
 #include <limn/core/Transform.h>
 #include <memory>
 #include <optional>
@@ -16,6 +17,16 @@ namespace limn
 {
 
 class RendererTable;
+
+/// Whether an object throws a shadow: not at all, the faces that a camera would see, all of its
+/// faces, or a shadow while it is not seen itself. Unity: UnityEngine.Rendering.ShadowCastingMode.
+enum class ShadowCastingMode
+{
+    Off = 0,
+    On = 1,
+    TwoSided = 2,
+    ShadowsOnly = 3
+};
 
 /// Draws a mesh, sub-mesh i with material i. More materials than sub-meshes: the last sub-mesh is
 /// drawn once for each further one. Unity: UnityEngine.MeshRenderer with its MeshFilter (2022.3).
@@ -30,6 +41,8 @@ struct MeshRenderer
     /// What it was given for single materials, by index; null = none at all.
     std::shared_ptr<const std::vector<std::shared_ptr<const MaterialPropertyBlock>>>
         materialProperties = nullptr;
+    /// With the pass of LightMode ShadowCaster that its materials' shaders have.
+    ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
 
     /// Values that win over those of its materials, and of what overrides these. Renderers of
     /// different blocks are separate draws.
@@ -86,6 +99,14 @@ struct DirectionalLight
     float intensity = 1.0f;                 ///< multiplies the linear colour
     /// What it lights, where a shader has _LIGHT_LAYERS on.
     RenderingLayerMask renderingLayerMask{1};
+
+    LightShadows shadows = LightShadows::None;
+    float shadowStrength = 1.0f; ///< 0...1: the share of its light that shadows take
+    SoftShadowQuality softShadowQuality = SoftShadowQuality::UsePipelineSettings;
+    /// The biases are the pipeline's, not those that follow. Unity: UniversalAdditionalLightData.
+    bool usePipelineSettings = true;
+    float shadowBias = 0.05f;      ///< texels of the shadow map, along the light
+    float shadowNormalBias = 0.4f; ///< texels, along the normal
 };
 
 /// What there is to draw. Objects keep their address, so that transforms can be parents. One that

@@ -52,6 +52,9 @@ public:
     /// UniversalRenderPipelineAsset.msaaSampleCount.
     int msaaSampleCount = 1;
 
+    /// Of the main light, where it throws any. Unity: UniversalRenderPipelineAsset.
+    ShadowSettings shadows;
+
     /// Culls, lets the renderer record, compiles the frame and starts it on the device.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);

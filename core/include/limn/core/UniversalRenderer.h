@@ -11,13 +11,14 @@ class BlitPass;
 class CameraTextures;
 class DrawObjectsPass;
 class DrawSkyboxPass;
+class MainLightShadowCasterPass;
 class RenderGraph;
 class TextureHandle;
 
-/// URP's forward renderer in small: opaque objects (event 250), the skybox if the camera shows one
-/// (350), transparent objects (450), final copy to the output (1001); and before them what makes
-/// the camera's depth, normals and opaque colour, in frames that draw with a shader that reads
-/// these.
+/// URP's forward renderer in small: the main light's shadow map where something shows shadows
+/// (event 50), opaque objects (250), the skybox if the camera shows one (350), transparent objects
+/// (450), final copy to the output (1001); and before them what makes the camera's depth, normals
+/// and opaque colour, in frames that draw with a shader that reads these.
 /// Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
@@ -57,6 +58,7 @@ private:
     std::array<RTHandle, 2> m_Colors; ///< the second one is made when it is asked for
     std::size_t m_Current = 0;        ///< of them, what cameraColorTargetHandle gives
     RTHandle m_Depth;
+    std::unique_ptr<MainLightShadowCasterPass> m_MainLightShadowCasterPass;
     std::unique_ptr<DrawObjectsPass> m_OpaquePass;
     std::unique_ptr<DrawSkyboxPass> m_SkyboxPass;
     std::unique_ptr<DrawObjectsPass> m_TransparentPass;

@@ -37,6 +37,7 @@ SAMPLER_CMP(sampler_LinearClampCompare);
 #endif
 // The name of older versions.
 #define sampler_MainLightShadowmapTexture sampler_LinearClampCompare
+SAMPLER(limn_PointClamp);
 
 cbuffer LightShadows
 {
@@ -48,9 +49,13 @@ cbuffer LightShadows
     float4 _CascadeShadowSplitSphereRadii; // squared
     float4 _MainLightShadowOffset0;        // of four samples: xy, zw
     float4 _MainLightShadowOffset1;
-    float4 _MainLightShadowParams; // strength, soft or not, scale and bias of the fade by distance
+    float4 _MainLightShadowParams; // strength, how soft (0...3), scale and bias of the distance's fade
     float4 _MainLightShadowmapSize;
     float4 _ShadowBias; // x: towards the light, y: along the normal; metres, negative
+    // Far away from the world's origin, see RelativeSpaces.hlsl: where limn_Origin is in each shadow
+    // map, and the spheres' centres relative to it.
+    float4 limn_OriginToShadow[MAX_SHADOW_CASCADES + 1];
+    float4 limn_CascadeCenters[MAX_SHADOW_CASCADES];
 };
 
 struct ShadowSamplingData
@@ -109,39 +114,89 @@ float SampleShadowmap(float4 shadowCoord, Texture2D shadowMap, SamplerComparison
 
 // The same of the main light's map, without a comparison sampler: where nobody set a map, what
 // stands in for it is no depth texture.
+float4 limn_LitTexels(float4 stored, float depth)
+{
+#if defined(UNITY_REVERSED_Z)
+    return step(stored, depth);
+#else
+    return step(depth, stored);
+#endif
+}
+// How much of a tent over [-width, width], of area 1, lies left of x.
+float3 limn_TentLeftOf(float3 x, float width)
+{
+    float3 rest = 1.0 - saturate(abs(x) / width);
+    return 0.5 + sign(x) * (0.5 - 0.5 * rest * rest);
+}
+// The texels around a place, weighted by the part of a tent that lies over each. What is fetched at a
+// corner is texels (0, 1), (1, 1), (1, 0), (0, 0).
+float limn_TentLit(float2 uv, float depth, float width, int corners)
+{
+    float2 size;
+    _MainLightShadowmapTexture.GetDimensions(size.x, size.y);
+    float2 place = uv * size;
+    float2 first = floor(place - width);
+    float lit = 0.0;
+    for (int y = 0; y < corners; ++y)
+    {
+        for (int x = 0; x < corners; ++x)
+        {
+            float2 corner = first + 2.0 * float2(x, y) + 1.0;
+            float4 texels = limn_LitTexels(
+                _MainLightShadowmapTexture.Gather(limn_PointClamp, corner / size), depth);
+            float2 from = corner - place; // with 1 less and 1 more: the texels' borders
+            float3 across = limn_TentLeftOf(from.x + float3(-1.0, 0.0, 1.0), width);
+            float3 down = limn_TentLeftOf(from.y + float3(-1.0, 0.0, 1.0), width);
+            float2 columns = across.yz - across.xy;
+            float2 rows = down.yz - down.xy;
+            lit += dot(texels, columns.xyyx * rows.yyxx);
+        }
+    }
+    return lit;
+}
+// Bilinear.
 float limn_MainLightLit(float2 uv, float depth)
 {
     float2 size;
     _MainLightShadowmapTexture.GetDimensions(size.x, size.y);
-    float2 texel = uv * size - 0.5;
-    int2 low = (int2)clamp(floor(texel), 0.0, size - 1.0);
-    int2 high = (int2)clamp(floor(texel) + 1.0, 0.0, size - 1.0);
-    float4 stored = float4(_MainLightShadowmapTexture.Load(int3(low, 0)).r,
-                           _MainLightShadowmapTexture.Load(int3(high.x, low.y, 0)).r,
-                           _MainLightShadowmapTexture.Load(int3(low.x, high.y, 0)).r,
-                           _MainLightShadowmapTexture.Load(int3(high, 0)).r);
-#if defined(UNITY_REVERSED_Z)
-    float4 lit = step(stored, depth);
-#else
-    float4 lit = step(depth, stored);
-#endif
-    float2 part = frac(texel);
-    return lerp(lerp(lit.x, lit.y, part.x), lerp(lit.z, lit.w, part.x), part.y);
+    float2 place = uv * size + 0.5;
+    float2 corner = floor(place);
+    float4 texels =
+        limn_LitTexels(_MainLightShadowmapTexture.Gather(limn_PointClamp, corner / size), depth);
+    float2 high = place - corner;
+    float2 low = 1.0 - high;
+    return dot(texels, float4(low.x, high.x, high.x, low.x) * float4(high.y, high.y, low.y, low.y));
 }
+
 float limn_SampleMainLightShadowmap(float4 shadowCoord)
 {
-    float lit = limn_MainLightLit(shadowCoord.xy, shadowCoord.z);
+    float2 uv = shadowCoord.xy;
+    float z = shadowCoord.z;
+    float lit = 1.0;
 #ifdef _SHADOWS_SOFT
-    if (_MainLightShadowParams.y > 0.0)
+    if (_MainLightShadowParams.y > 2.5)
+    {
+        lit = limn_TentLit(uv, z, 3.5, 4);
+    }
+    else if (_MainLightShadowParams.y > 1.5)
+    {
+        lit = limn_TentLit(uv, z, 2.5, 3);
+    }
+    else if (_MainLightShadowParams.y > 0.5)
     {
         float4 a = shadowCoord.xyxy + _MainLightShadowOffset0;
         float4 b = shadowCoord.xyxy + _MainLightShadowOffset1;
-        float z = shadowCoord.z;
         lit = 0.25 * (limn_MainLightLit(a.xy, z) + limn_MainLightLit(a.zw, z) +
                       limn_MainLightLit(b.xy, z) + limn_MainLightLit(b.zw, z));
     }
+    else
 #endif
-    return BEYOND_SHADOW_FAR(shadowCoord) ? 1.0 : lerp(1.0, lit, _MainLightShadowParams.x);
+    {
+        lit = limn_MainLightLit(uv, z);
+    }
+    bool isOutside = any(abs(uv - 0.5) > 0.5);
+    return isOutside || BEYOND_SHADOW_FAR(shadowCoord) ? 1.0
+                                                       : lerp(1.0, lit, _MainLightShadowParams.x);
 }
 float SampleScreenSpaceShadowmap(float4 shadowCoord)
 {
@@ -149,27 +204,51 @@ float SampleScreenSpaceShadowmap(float4 shadowCoord)
     return _ScreenSpaceShadowmapTexture.SampleLevel(sampler_ScreenSpaceShadowmapTexture, uv, 0).x;
 }
 
-// The first sphere that holds the position; the number of cascades where none does.
-float ComputeCascadeIndex(float3 positionWS)
+// The first sphere that holds the position, relative to limn_Origin; the number of cascades where
+// none does.
+float limn_CascadeIndex(float3 position)
 {
-    float4 distances = float4(Length2(positionWS - _CascadeShadowSplitSpheres0.xyz),
-                              Length2(positionWS - _CascadeShadowSplitSpheres1.xyz),
-                              Length2(positionWS - _CascadeShadowSplitSpheres2.xyz),
-                              Length2(positionWS - _CascadeShadowSplitSpheres3.xyz));
+    float4 center0 = _CascadeShadowSplitSpheres0;
+    float4 center1 = _CascadeShadowSplitSpheres1;
+    float4 center2 = _CascadeShadowSplitSpheres2;
+    float4 center3 = _CascadeShadowSplitSpheres3;
+    if (limn_Origin.w != 0.0)
+    {
+        center0 = limn_CascadeCenters[0];
+        center1 = limn_CascadeCenters[1];
+        center2 = limn_CascadeCenters[2];
+        center3 = limn_CascadeCenters[3];
+    }
+    float4 distances = float4(Length2(position - center0.xyz), Length2(position - center1.xyz),
+                              Length2(position - center2.xyz), Length2(position - center3.xyz));
     bool4 inside = distances < _CascadeShadowSplitSphereRadii;
     return inside.x ? 0.0 : inside.y ? 1.0 : inside.z ? 2.0 : inside.w ? 3.0 : 4.0;
+}
+float ComputeCascadeIndex(float3 positionWS)
+{
+    return limn_CascadeIndex(positionWS - limn_Origin.xyz);
+}
+// Of a position relative to limn_Origin, in the shadow map.
+float4 limn_RelativeToShadowCoord(float3 position)
+{
+#ifdef _MAIN_LIGHT_SHADOWS_CASCADE
+    uint cascade = (uint)limn_CascadeIndex(position);
+#else
+    uint cascade = 0;
+#endif
+    float4x4 toShadow = _MainLightWorldToShadow[cascade];
+    if (limn_Origin.w != 0.0)
+    {
+        toShadow = limn_Moved(toShadow, limn_OriginToShadow[cascade]);
+    }
+    return float4(mul(toShadow, float4(position, 1.0)).xyz, 0.0);
 }
 float4 TransformWorldToShadowCoord(float3 positionWS)
 {
 #ifdef limn_ShadowsOfScreen
     return ComputeScreenPos(TransformWorldToHClip(positionWS));
-#elif defined(_MAIN_LIGHT_SHADOWS_CASCADE)
-    uint cascade = (uint)ComputeCascadeIndex(positionWS);
 #else
-    uint cascade = 0;
-#endif
-#ifndef limn_ShadowsOfScreen
-    return float4(mul(_MainLightWorldToShadow[cascade], float4(positionWS, 1.0)).xyz, 0.0);
+    return limn_RelativeToShadowCoord(positionWS - limn_Origin.xyz);
 #endif
 }
 float4 GetShadowCoord(VertexPositionInputs vertexInput)
@@ -204,10 +283,13 @@ float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS)
 }
 
 // 0 near the camera, 1 where shadows end.
+float limn_ShadowFade(float3 fromCamera)
+{
+    return saturate(Length2(fromCamera) * _MainLightShadowParams.z + _MainLightShadowParams.w);
+}
 float GetMainLightShadowFade(float3 positionWS)
 {
-    float distanceSqr = Length2(positionWS - _WorldSpaceCameraPos);
-    return saturate(distanceSqr * _MainLightShadowParams.z + _MainLightShadowParams.w);
+    return limn_ShadowFade(positionWS - _WorldSpaceCameraPos);
 }
 float ApplyShadowFade(float shadowAttenuation, float3 positionWS)
 {
@@ -239,7 +321,8 @@ float AdditionalLightShadow(int lightIndex, float3 positionWS, float3 lightDirec
     return AdditionalLightRealtimeShadow(lightIndex, positionWS, lightDirection);
 }
 
-// Moves what casts a shadow away from the light, so that it does not shadow itself.
+// Moves what casts a shadow away from the light, so that it does not shadow itself. A position may be
+// relative to anything.
 float3 ApplyShadowBias(float3 positionWS, float3 normalWS, float3 lightDirection)
 {
     float grazing = 1.0 - saturate(dot(lightDirection, normalWS));

@@ -26,15 +26,15 @@ struct Varyings
 
 float4 GetShadowPositionHClip(Attributes input)
 {
-    float3 positionWS = TransformObjectToWorld(input.positionOS.xyz);
     float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
+    float3 position = limn_ObjectToRelative(input.positionOS.xyz);
 #ifdef _CASTING_PUNCTUAL_LIGHT_SHADOW
-    float3 lightDirection = normalize(_LightPosition - positionWS);
+    float3 lightDirection = normalize(_LightPosition - TransformObjectToWorld(input.positionOS.xyz));
 #else
     float3 lightDirection = _LightDirection;
 #endif
     return ApplyShadowClamping(
-        TransformWorldToHClip(ApplyShadowBias(positionWS, normalWS, lightDirection)));
+        limn_RelativeToClip(ApplyShadowBias(position, normalWS, lightDirection)));
 }
 
 Varyings ShadowPassVertex(Attributes input)

@@ -1,0 +1,115 @@
+#include "SceneFolder.h"
+
+#include <gmock/gmock.h>
+
+namespace limn::test
+{
+namespace
+{
+
+TEST(ShadowFile, TheLightSaysHowItsShadowsAre)
+{
+    SceneFolder folder;
+    const DirectionalLight light = folder
+                                       .LoadWithCamera("light: {shadows: Soft, shadowStrength: "
+                                                       "0.5, softShadowQuality: High,\n"
+                                                       "  usePipelineSettings: false, "
+                                                       "shadowBias: 2, shadowNormalBias: 3}\n")
+                                       .scene.mainLight;
+    EXPECT_EQ(LightShadows::Soft, light.shadows);
+    EXPECT_EQ(0.5f, light.shadowStrength);
+    EXPECT_EQ(SoftShadowQuality::High, light.softShadowQuality);
+    EXPECT_FALSE(light.usePipelineSettings);
+    EXPECT_EQ(2.0f, light.shadowBias);
+    EXPECT_EQ(3.0f, light.shadowNormalBias);
+    EXPECT_EQ(LightShadows::None, folder.LoadWithCamera("").scene.mainLight.shadows);
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
+                                  "light: {shadows: Smooth, shadowStrength: 2}\n"),
+                testing::SizeIs(2));
+}
+
+TEST(ShadowFile, TheSceneSaysHowAllShadowsAreInEitherSpelling)
+{
+    SceneFolder folder;
+    const ShadowSettings settings = folder
+                                        .LoadWithCamera("shadows:\n"
+                                                        "  shadowDistance: 20\n"
+                                                        "  m_ShadowCascadeCount: 3\n"
+                                                        "  cascade3Split: [0.2, 0.5]\n"
+                                                        "  softShadowQuality: Low\n"
+                                                        "  mainLightShadowmapResolution: 512\n")
+                                        .shadows;
+    ShadowSettings wanted;
+    wanted.shadowDistance = 20.0f;
+    wanted.shadowCascadeCount = 3;
+    wanted.cascade3Split = {0.2f, 0.5f};
+    wanted.softShadowQuality = SoftShadowQuality::Low;
+    wanted.mainLightShadowmapResolution = 512;
+    EXPECT_EQ(wanted, settings);
+    EXPECT_THAT(
+        folder.ProblemsOf("camera: {}\n"
+                          "shadows: {shadowCascadeCount: 5, cascade4Split: [0.5, 0.4, "
+                          "0.9], distance: 3}\n"),
+        testing::ElementsAre(testing::HasSubstr("shadows.m_ShadowCascadeCount: 5"),
+                             testing::HasSubstr("shares between 0 and 1 are expected, each above"),
+                             testing::HasSubstr("unknown key 'distance'")));
+}
+
+TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)
+{
+    SceneFolder folder;
+    folder.Write("urp.asset", "%YAML 1.1\n"
+                              "%TAG !u! tag:unity3d.com,2011:\n"
+                              "--- !u!114 &11400000\n"
+                              "MonoBehaviour:\n"
+                              "  m_Name: URP-HighFidelity\n"
+                              "  m_MSAA: 4\n"
+                              "  m_MainLightShadowsSupported: 1\n"
+                              "  m_MainLightShadowmapResolution: 4096\n"
+                              "  m_ShadowDistance: 150\n"
+                              "  m_ShadowCascadeCount: 4\n"
+                              "  m_Cascade2Split: 0.25\n"
+                              "  m_Cascade3Split: {x: 0.1, y: 0.3}\n"
+                              "  m_Cascade4Split: {x: 0.067, y: 0.2, z: 0.467}\n"
+                              "  m_CascadeBorder: 0.1\n"
+                              "  m_ShadowDepthBias: 1\n"
+                              "  m_ShadowNormalBias: 0.5\n"
+                              "  m_SoftShadowsSupported: 1\n"
+                              "  m_SoftShadowQuality: 3\n");
+    ShadowSettings wanted;
+    wanted.mainLightShadowmapResolution = 4096;
+    wanted.shadowDistance = 150.0f;
+    wanted.shadowCascadeCount = 4;
+    wanted.cascadeBorder = 0.1f;
+    wanted.shadowNormalBias = 0.5f;
+    wanted.softShadowQuality = SoftShadowQuality::High;
+    const SceneAsset asset = folder.LoadWithCamera("renderPipelineAsset: urp.asset\n");
+    EXPECT_EQ(wanted, asset.shadows);
+    EXPECT_EQ(4, asset.msaaSampleCount);
+    EXPECT_THAT(folder.ProblemsOf("camera:\nshadows: {}\nrenderPipelineAsset: urp.asset\n"),
+                testing::ElementsAre("2:10: shadows: they come from renderPipelineAsset already; "
+                                     "keep one of them"));
+}
+
+TEST(ShadowFile, AnObjectSaysWhetherItThrowsOneAndItsChildrenFollow)
+{
+    SceneFolder folder;
+    SceneAsset asset =
+        folder.LoadWithCamera("objects:\n"
+                              "  - {name: A, mesh: cube}\n"
+                              "  - name: B\n"
+                              "    shadowCastingMode: ShadowsOnly\n"
+                              "    children:\n"
+                              "      - {name: C, mesh: cube}\n"
+                              "      - {name: D, mesh: cube, shadowCastingMode: TwoSided}\n");
+    const auto modeOf = [&](const char* name)
+    {
+        return asset.scene.Find(name)->renderer->shadowCastingMode;
+    };
+    EXPECT_EQ(ShadowCastingMode::On, modeOf("A"));
+    EXPECT_EQ(ShadowCastingMode::ShadowsOnly, modeOf("C"));
+    EXPECT_EQ(ShadowCastingMode::TwoSided, modeOf("D"));
+}
+
+} // namespace
+} // namespace limn::test
