@@ -40,3 +40,20 @@ ctest --test-dir "$folder/paint/build" --output-on-failure
 "$limn" render "$folder/paint/Paint.scene.yaml" --plugin "$folder/paint/build/Paint.so" \
     --device software --no-cache -o "$folder/paint.png" >/dev/null
 python3 "$(dirname "$0")/check_picture.py" "$folder/paint.png"
+
+# What `limn port` writes of C# builds without a warning and draws a frame.
+ported=$folder/ported
+mkdir "$ported"
+echo 'cmake_minimum_required(VERSION 3.24)
+project(ported LANGUAGES C CXX)
+enable_testing()' > "$ported/CMakeLists.txt"
+for csharp in "$(dirname "$0")"/../editor_stub/data/port/*.cs; do
+    name=$(basename "$csharp" .cs)
+    "$limn" port "$csharp" -o "$ported/$name" -q >/dev/null 2>&1
+    echo "add_subdirectory($name)" >> "$ported/CMakeLists.txt"
+done
+cmake -S "$ported" -B "$ported/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" \
+    -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror" >/dev/null
+cmake --build "$ported/build" >/dev/null
+ctest --test-dir "$ported/build" --output-on-failure

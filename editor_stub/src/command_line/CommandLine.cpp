@@ -356,6 +356,22 @@ void AddNew(CLI::App& app, CommandLine& line)
     OnceParsed(verb, line, [&line](Console& console) { return RunNew(line.newFeature, console); });
 }
 
+void AddPort(CLI::App& app, CommandLine& line)
+{
+    CLI::App* verb = app.add_subcommand(
+        "port", "Begin the C++ of a render feature of Unity's, and say what limn has of what it "
+                "uses");
+    verb->add_option("files", line.port.files, "Its C#: feature, passes, volume component")
+        ->type_name("FILE.cs")
+        ->required();
+    verb->add_option("-o,--output", line.port.folder, "A new or empty folder")
+        ->type_name("DIR")
+        ->required()
+        ->check([](const std::string& text)
+                { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
+    OnceParsed(verb, line, [&line](Console& console) { return RunPort(line.port, console); });
+}
+
 void AddDoctor(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
@@ -437,6 +453,7 @@ void AddEverything(CLI::App& app, CommandLine& line)
     AddSchema(app, line);
     AddShader(app, line);
     AddNew(app, line);
+    AddPort(app, line);
     AddDoctor(app, line);
     AddCompletion(app, line);
     AddHelp(app, line);

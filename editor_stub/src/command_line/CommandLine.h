@@ -4,6 +4,7 @@
 #include "commands/ExplainCommand.h"
 #include "commands/InspectCommand.h"
 #include "commands/NewCommand.h"
+#include "commands/PortCommand.h"
 #include "commands/RenderCommand.h"
 #include "commands/ReportCommand.h"
 #include "commands/SetCommand.h"
@@ -31,6 +32,7 @@ struct CommandLine
     SetOptions set;
     ReportCommandOptions report;
     NewOptions newFeature;
+    PortOptions port;
     std::string newKind;
     std::string newStyle;
     std::string schemaKind;

@@ -1,9 +1,8 @@
 #include "commands/NewCommand.h"
 
+#include "commands/FeatureFolder.h"
+
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
 #include <limn/shaderlab/EmbeddedFile.h>
@@ -67,19 +66,6 @@ std::string FileName(const EmbeddedFile& file, const std::string& name)
     return result.starts_with("Name") ? name + result.substr(4) : result;
 }
 
-void Write(const std::filesystem::path& path, const std::string& text)
-{
-    errno = 0;
-    std::ofstream stream(path, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-    {
-        throw AssetError(path.generic_string(), {},
-                         std::string("cannot be written: ") + std::strerror(errno));
-    }
-}
-
 } // namespace
 
 int RunNew(const NewOptions& options, Console& console)
@@ -90,23 +76,11 @@ int RunNew(const NewOptions& options, Console& console)
         console.Error(problem);
         return static_cast<int>(ExitCode::WrongUsage);
     }
-    const std::filesystem::path folder = options.folder;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
-    {
-        throw AssetError(options.folder, {}, "cannot be made: " + error.message());
-    }
-    if (!std::filesystem::is_empty(folder))
-    {
-        throw AssetError(options.folder, {},
-                         "holds files already, none of which is written over; name a new folder");
-    }
+    MakeFeatureFolder(options.folder);
     for (const EmbeddedFile& file : embedded::FeatureTemplate())
     {
-        const std::filesystem::path path = folder / FileName(file, options.name);
-        Write(path, Named(std::string(file.text), "@NAME@", options.name));
-        console.Result(path.generic_string());
+        WriteFeatureFile(options.folder, FileName(file, options.name),
+                         Named(std::string(file.text), "@NAME@", options.name), console);
     }
     return static_cast<int>(ExitCode::Done);
 }

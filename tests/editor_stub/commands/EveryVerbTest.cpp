@@ -44,6 +44,7 @@ const Verb k_Verbs[] = {
      "feature, NAME and -o DIR are missing",
      {},
      {"feature", "A", "-o", "d", "x"}},
+    {"port", "port FILE.cs ... -o DIR", "FILE.cs and -o DIR are missing", {}, {}},
     {"doctor", "doctor", "", {}, {"x"}},
     {"completion", "completion bash|zsh|fish", "bash|zsh|fish is missing", {"bash"}, {"bash", "x"}},
     {"help", "help [VERB]", "", {"set"}, {"set", "x"}},
@@ -185,7 +186,8 @@ TEST_F(EveryVerb, NamesTheFileThatIsNotThere)
                               {"inspect", "no.scene.yaml"},
                               {"explain", "no.scene.yaml"},
                               {"set", "no.scene.yaml", "A.b=1"},
-                              {"shader", "no.scene.yaml"}})
+                              {"shader", "no.scene.yaml"},
+                              {"port", "no.scene.yaml", "-o", "d"}})
     {
         const CommandRun run = RunCommand(args);
         EXPECT_EQ(1, run.exitCode) << args[0];

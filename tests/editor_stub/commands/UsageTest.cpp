@@ -83,7 +83,7 @@ TEST(Usage, HelpNamesEveryVerbAndTheExitCodes)
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
     for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader",
-                             "new", "doctor", "completion", "help", "version"})
+                             "new", "port", "doctor", "completion", "help", "version"})
     {
         EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(verb) + " "));
     }
@@ -147,10 +147,11 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
 {
     ExpectWrongUsage({"rendr", "s"},
                      "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
-    ExpectWrongUsage({"-v", "frobnicate"},
-                     "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
-                     "report, set, schema, shader, new, doctor, completion, help, version)\n" +
-                         k_LimnUsage);
+    ExpectWrongUsage(
+        {"-v", "frobnicate"},
+        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
+        "report, set, schema, shader, new, port, doctor, completion, help, version)\n" +
+            k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},
                      "error: unknown verb 'rendr'; did you mean 'render'?\n"
                      "usage: limn help [VERB] [OPTIONS]; see 'limn help help'\n");

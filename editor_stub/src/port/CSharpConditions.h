@@ -1,0 +1,49 @@
+#pragma once
+
+#include "port/CSharpTokens.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// The #if, #elif, #else, #endif, #define and #undef of a C# file, line by line.
+class CSharpConditions
+{
+public:
+    /// @param file  for messages; must outlive this
+    explicit CSharpConditions(const std::string& file) : m_File(file) {}
+
+    /// Takes a directive in; others than those above mean nothing.
+    /// @param line  from the # on
+    /// @throws AssetError if it stands where it cannot, or its condition is none
+    void Take(std::string_view line, const SourceLocation& location);
+    /// @throws AssetError if an #if has no #endif
+    void Finish() const;
+
+    /// Whether what follows counts.
+    bool isTaken() const { return m_Open.empty() || m_Open.back().isTaken; }
+    const std::vector<CSharpCondition>& answered() const { return m_Answered; }
+
+private:
+    struct Branch
+    {
+        SourceLocation location;
+        bool isOuterTaken = true;
+        bool wasTaken = false; ///< an earlier branch of it
+        bool isTaken = false;
+    };
+
+    bool Answer(std::string_view condition, const SourceLocation& location);
+    [[noreturn]] void Fail(const SourceLocation& location, const std::string& message) const;
+
+    const std::string& m_File;
+    std::set<std::string, std::less<>> m_Defined;
+    std::set<std::string, std::less<>> m_Undefined;
+    std::vector<Branch> m_Open;
+    std::vector<CSharpCondition> m_Answered;
+};
+
+} // namespace limn

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "port/CSharpTokens.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+using CSharpWords = std::span<const CSharpToken>; ///< of a CSharpFile; a part has no End
+
+/// [Range(0, 1)]
+struct CSharpAttribute
+{
+    std::string name; ///< without "Attribute" and namespaces
+    CSharpWords arguments;
+};
+
+struct CSharpField
+{
+    std::vector<CSharpAttribute> attributes;
+    bool isPublic = false;
+    bool isStatic = false; ///< const as well
+    bool isConst = false;
+    bool isReadonly = false;
+    std::string type; ///< without spaces, '?' and namespaces: "List<ShaderTagId>"
+    std::string name;
+    SourceLocation location; ///< of the name
+    CSharpWords value;       ///< what it begins with; empty where it is not said
+
+    const CSharpAttribute* Find(std::string_view attribute) const;
+};
+
+struct CSharpParameter
+{
+    std::string type;
+    std::string name;
+};
+
+/// A method, a constructor or a property.
+struct CSharpMethod
+{
+    std::string name;
+    std::string type; ///< what it returns; "" for a constructor
+    bool isOverride = false;
+    bool isProtected = false;
+    bool isStatic = false;
+    bool isProperty = false;
+    bool isExpression = false; ///< => instead of { }
+    std::vector<CSharpParameter> parameters;
+    SourceLocation location; ///< of the name
+    CSharpWords base;        ///< the arguments of `: base(...)`
+    CSharpWords body;        ///< without the braces, or without => and ;
+
+    bool isConstructor() const { return type.empty(); }
+};
+
+struct CSharpEnumerator
+{
+    std::string name;
+    CSharpWords value;
+};
+
+struct CSharpClass
+{
+    std::string keyword; ///< class, struct, interface, enum, record
+    std::string name;
+    std::vector<std::string> bases;
+    bool isStatic = false;
+    bool isGeneric = false;
+    SourceLocation location; ///< of the name
+    CSharpWords words;       ///< all of it, from its keyword to its }
+    std::vector<CSharpField> fields;
+    std::vector<CSharpMethod> methods;
+    std::vector<CSharpClass> classes;
+    std::vector<CSharpEnumerator> enumerators;
+
+    bool Derives(std::string_view base) const;
+    const CSharpField* FindField(std::string_view field) const;
+    const CSharpMethod* FindMethod(std::string_view method) const;
+};
+
+/// A C# file as far as a render feature needs it.
+struct CSharpFile
+{
+    std::string path;
+    std::string text;
+    CSharpTokens tokens; ///< of text
+    std::vector<CSharpClass> classes;
+
+    CSharpFile() = default;
+    CSharpFile(const CSharpFile&) = delete;
+    CSharpFile& operator=(const CSharpFile&) = delete;
+    ~CSharpFile() = default;
+};
+
+/// Reads the classes of a file with their members; bodies stay words.
+/// @param file  its path and text are there already
+/// @throws AssetError with line and column if it is no C#
+void ParseCSharp(CSharpFile& file);
+
+/// The text of the words, as the file has it.
+std::string_view TextOf(const CSharpFile& file, CSharpWords words);
+
+/// A type without namespaces, '?' and spaces at `at`, which then stands behind it; "" if there is
+/// none.
+std::string ReadCSharpType(const CSharpToken*& at);
+
+/// The "<A, B>" at `at`, without spaces, which then stands behind it; "" if the < there is no
+/// bracket.
+std::string ReadCSharpGenerics(const CSharpToken*& at);
+
+/// Of "List<int>[]" "List".
+std::string_view PlainTypeName(std::string_view type);
+
+} // namespace limn

@@ -1,0 +1,150 @@
+#include "port/CSharpFile.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string_view WithoutNamespace(std::string_view name)
+{
+    for (const std::string_view space :
+         {"UnityEngine.Experimental.Rendering.", "UnityEngine.Rendering.Universal.",
+          "UnityEngine.Rendering.RenderGraphModule.", "UnityEngine.Rendering.", "UnityEngine.",
+          "System.Collections.Generic.", "System."})
+    {
+        if (name.starts_with(space))
+        {
+            return name.substr(space.size());
+        }
+    }
+    return name;
+}
+
+/// Name, Name.Name, Name<A, B>.
+std::string ReadTypeName(const CSharpToken*& at)
+{
+    std::string name;
+    while (at->isName())
+    {
+        name += (at++)->text;
+        if (at->Is("<"))
+        {
+            name += ReadCSharpGenerics(at);
+        }
+        if (!(at->Is(".") || at->Is("::")) || !at[1].isName())
+        {
+            break;
+        }
+        ++at;
+        name += '.';
+    }
+    return std::string(WithoutNamespace(name));
+}
+
+} // namespace
+
+std::string ReadCSharpGenerics(const CSharpToken*& at)
+{
+    const CSharpToken* inner = at + 1;
+    std::string text = "<";
+    while (!inner->Is(">"))
+    {
+        const std::string type = ReadCSharpType(inner);
+        if (type.empty() && !inner->Is(","))
+        {
+            return {};
+        }
+        text += type;
+        if (inner->Is(","))
+        {
+            text += (inner++)->text;
+        }
+        else if (!inner->Is(">"))
+        {
+            return {};
+        }
+    }
+    at = inner + 1;
+    return text + ">";
+}
+
+std::string ReadCSharpType(const CSharpToken*& at)
+{
+    std::string type;
+    if (at->Is("(") && at->match > 0) // (int a, int b)
+    {
+        type = "(...)";
+        at += at->match + 1;
+    }
+    else
+    {
+        type = ReadTypeName(at);
+    }
+    while (!type.empty())
+    {
+        if (at->Is("?") && !at[1].Is("."))
+        {
+            ++at;
+        }
+        else if (at->Is("[") && (at[1].Is("]") || at[1].Is(",")))
+        {
+            type += at[1].Is("]") ? "[]" : "[,]";
+            at += at->match + 1;
+        }
+        else if (at->Is("*"))
+        {
+            type += '*';
+            ++at;
+        }
+        else
+        {
+            break;
+        }
+    }
+    return type;
+}
+
+std::string_view PlainTypeName(std::string_view type)
+{
+    return type.substr(0, type.find_first_of("<["));
+}
+
+const CSharpAttribute* CSharpField::Find(std::string_view attribute) const
+{
+    const auto found = std::ranges::find(attributes, attribute, &CSharpAttribute::name);
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+bool CSharpClass::Derives(std::string_view base) const
+{
+    return std::ranges::any_of(bases,
+                               [&](const std::string& one) { return PlainTypeName(one) == base; });
+}
+
+const CSharpField* CSharpClass::FindField(std::string_view field) const
+{
+    const auto found = std::ranges::find(fields, field, &CSharpField::name);
+    return found == fields.end() ? nullptr : &*found;
+}
+
+const CSharpMethod* CSharpClass::FindMethod(std::string_view method) const
+{
+    const auto found = std::ranges::find(methods, method, &CSharpMethod::name);
+    return found == methods.end() ? nullptr : &*found;
+}
+
+std::string_view TextOf(const CSharpFile& file, CSharpWords words)
+{
+    if (words.empty())
+    {
+        return {};
+    }
+    const CSharpToken& last = words.back();
+    const std::size_t begin = words.front().offset;
+    return std::string_view(file.text).substr(begin, last.offset + last.text.size() - begin);
+}
+
+} // namespace limn

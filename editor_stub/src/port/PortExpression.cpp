@@ -1,0 +1,500 @@
+#include "port/PortExpression.h"
+
+#include <algorithm>
+#include <limn/core/Inspector.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using Result = std::optional<PortValue>;
+
+bool IsNumber(const std::string& type)
+{
+    return type == "int" || type == "float" || type == "uint";
+}
+
+/// How tightly an operator binds; 0 = it is none that is known.
+int Strength(std::string_view word)
+{
+    static const std::map<std::string_view, int> strengths = {
+        {"||", 1}, {"&&", 2}, {"|", 3}, {"==", 4}, {"!=", 4}, {"<", 5}, {">", 5},
+        {"<=", 5}, {">=", 5}, {"+", 6}, {"-", 6},  {"*", 7},  {"/", 7}};
+    const auto found = strengths.find(word);
+    return found == strengths.end() ? 0 : found->second;
+}
+
+class Translator
+{
+public:
+    Translator(const PortModel& model, const PortScope& scope, CSharpWords words)
+        : m_Model(model), m_Scope(scope), m_At(words.data()), m_End(m_At + words.size())
+    {
+    }
+
+    Result Run(const std::string& wanted)
+    {
+        Result value = ReadAny(wanted);
+        return value && m_At == m_End ? Convert(*value, wanted) : std::nullopt;
+    }
+
+private:
+    bool Next(std::string_view word)
+    {
+        if (m_At == m_End || !m_At->Is(word))
+        {
+            return false;
+        }
+        ++m_At;
+        return true;
+    }
+
+    Result ReadAny(const std::string& wanted)
+    {
+        if (m_At < m_End && m_At->Is("{"))
+        {
+            return ReadElements(wanted);
+        }
+        return ReadBinary(1, wanted);
+    }
+
+    Result Convert(PortValue value, const std::string& wanted) const
+    {
+        const CSharpClass* own = wanted.empty() ? nullptr : m_Model.Find(wanted);
+        if (wanted.empty() || value.type == wanted || (own && own == m_Model.Find(value.type)))
+        {
+            return value;
+        }
+        if (wanted == "float" && value.type == "int" && value.isLiteral)
+        {
+            return PortValue{value.cpp + ".0f", "float", true};
+        }
+        if (wanted == "float" && value.type == "int")
+        {
+            return PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
+        }
+        if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
+        {
+            return PortValue{value.cpp + "u", "uint", true};
+        }
+        if (wanted == "LayerMask" && value.type == "int" && value.isLiteral)
+        {
+            const bool isAll = value.cpp == "-1" || value.cpp == "~0";
+            if (isAll || value.cpp == "0")
+            {
+                return PortValue{isAll ? "LayerMask::Everything()" : "LayerMask::Nothing()",
+                                 wanted};
+            }
+        }
+        if (value.type == "null")
+        {
+            return PortValue{"{}", wanted};
+        }
+        return std::nullopt;
+    }
+
+    Result ReadBinary(int least, const std::string& wanted)
+    {
+        Result left = ReadUnary(wanted);
+        while (left && m_At < m_End)
+        {
+            const std::string word(m_At->text);
+            const int strength = Strength(word);
+            if (strength < least || strength == 0)
+            {
+                break;
+            }
+            ++m_At;
+            const Result right = ReadBinary(strength + 1, "");
+            left = right ? Combine(*left, word, *right) : std::nullopt;
+        }
+        return left;
+    }
+
+    Result Combine(PortValue left, const std::string& word, PortValue right) const
+    {
+        if (left.type == "float" || right.type == "float")
+        {
+            if (!IsNumber(left.type) || !IsNumber(right.type))
+            {
+                return std::nullopt;
+            }
+            const Result a = Convert(left, "float");
+            const Result b = Convert(right, "float");
+            if (!a || !b)
+            {
+                return std::nullopt;
+            }
+            left = *a;
+            right = *b;
+        }
+        const bool isEvent =
+            left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
+        const bool isFlags = word == "|" && left.type == right.type &&
+                             (left.type == "SortingCriteria" || left.type == "int" ||
+                              left.type == "ScriptableRenderPassInput");
+        const bool isLogic =
+            (word == "&&" || word == "||") && left.type == "bool" && right.type == "bool";
+        const bool isComparison = Strength(word) == 4 || Strength(word) == 5;
+        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && left.type == right.type;
+        if (!isEvent && !isFlags && !isLogic && !isSum &&
+            !(isComparison && left.type == right.type && left.type != "null"))
+        {
+            return std::nullopt;
+        }
+        return PortValue{"(" + left.cpp + " " + word + " " + right.cpp + ")",
+                         isComparison ? "bool" : left.type};
+    }
+
+    Result ReadUnary(const std::string& wanted)
+    {
+        if (m_At == m_End || ++m_Depth > 200)
+        {
+            return std::nullopt;
+        }
+        if (Next("-") || Next("~") || Next("!"))
+        {
+            const std::string word(m_At[-1].text);
+            Result value = ReadUnary("");
+            const bool isGood =
+                value && (word == "!" ? value->type == "bool"
+                                      : IsNumber(value->type) && value->type != "uint");
+            if (!isGood || (word == "~" && value->type != "int"))
+            {
+                return std::nullopt;
+            }
+            value->cpp = word + value->cpp;
+            return value;
+        }
+        if (m_At->Is("(") && m_At[1].isName() && m_At + 2 < m_End && m_At[2].Is(")") &&
+            (m_At[1].Is("int") || m_At[1].Is("float")))
+        {
+            const std::string type(m_At[1].text);
+            m_At += 3;
+            const Result value = ReadUnary("");
+            return value && IsNumber(value->type)
+                       ? Result(PortValue{"static_cast<" + type + ">(" + value->cpp + ")", type})
+                       : std::nullopt;
+        }
+        if (m_At->Is("("))
+        {
+            ++m_At;
+            Result value = ReadBinary(1, wanted);
+            return Next(")") ? value : std::nullopt;
+        }
+        return ReadPrimary(wanted);
+    }
+
+    Result ReadPrimary(const std::string& wanted)
+    {
+        const CSharpToken& word = *m_At;
+        if (word.kind == CSharpTokenKind::Number)
+        {
+            return ReadNumber();
+        }
+        if (word.kind == CSharpTokenKind::String)
+        {
+            const auto text = PlainText({m_At, 1});
+            ++m_At;
+            return text ? Result(PortValue{"\"" + *text + "\"", "string"}) : std::nullopt;
+        }
+        if (Next("true") || Next("false"))
+        {
+            return PortValue{std::string(word.text), "bool"};
+        }
+        if (Next("null") || Next("default"))
+        {
+            return PortValue{"{}", "null"};
+        }
+        if (Next("new"))
+        {
+            return ReadNew(wanted);
+        }
+        if (word.Is("nameof") && m_At + 3 < m_End && m_At[2].isName() && m_At[3].Is(")"))
+        {
+            m_At += 4;
+            return PortValue{"\"" + std::string(m_At[-2].text) + "\"", "string"};
+        }
+        return word.isName() ? ReadChain() : std::nullopt;
+    }
+
+    Result ReadNumber()
+    {
+        std::string text((m_At++)->text);
+        std::erase(text, '_');
+        const bool isHex = text.starts_with("0x") || text.starts_with("0X");
+        const char last = text.back();
+        if (text.starts_with("0b") || text.starts_with("0B"))
+        {
+            return std::nullopt;
+        }
+        if (!isHex && (last == 'f' || last == 'F'))
+        {
+            text.pop_back();
+            const bool isWhole = text.find_first_of(".eE") == std::string::npos;
+            return PortValue{text + (isWhole ? ".0f" : "f"), "float", true};
+        }
+        const bool isInt = text.find_first_not_of("0123456789") == std::string::npos || isHex;
+        const bool isOctal = text.size() > 1 && text[0] == '0' && !isHex; // in C++ only
+        const bool hasSuffix = text.find_first_of("uUlL") != std::string::npos;
+        return isInt && !isOctal && !hasSuffix && text.size() < 10
+                   ? Result(PortValue{text, "int", true})
+                   : std::nullopt;
+    }
+
+    /// Behind `new`.
+    Result ReadNew(const std::string& wanted)
+    {
+        const CSharpToken* at = m_At;
+        std::string type = at < m_End && !at->Is("(") ? ReadCSharpType(at) : "";
+        m_At = at;
+        if (m_At < m_End && m_At->Is("[") && m_At->match > 0) // new T[3]
+        {
+            return std::nullopt;
+        }
+        type = type.empty() || type == "[]" ? wanted : type;
+        std::vector<CSharpWords> arguments;
+        if (m_At < m_End && m_At->Is("("))
+        {
+            arguments = SplitArguments({m_At + 1, m_At + m_At->match});
+            m_At += m_At->match + 1;
+        }
+        if (m_At < m_End && m_At->Is("{"))
+        {
+            return arguments.empty() ? ReadElements(type) : std::nullopt;
+        }
+        return Construct(type, arguments);
+    }
+
+    Result Construct(const std::string& type, const std::vector<CSharpWords>& arguments)
+    {
+        static const std::map<std::string, std::pair<std::size_t, std::size_t>> counts = {
+            {"Color", {3, 4}}, {"Vector2", {2, 2}}, {"Vector3", {3, 3}}, {"Vector4", {4, 4}}};
+        const auto cpp = m_Model.CppType(type);
+        if (!cpp)
+        {
+            return std::nullopt;
+        }
+        if (arguments.empty())
+        {
+            return type == "ProfilingSampler" ? std::nullopt : Result(PortValue{*cpp + "{}", type});
+        }
+        const auto count = counts.find(type);
+        const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
+        const bool isKnown = count != counts.end() ? arguments.size() >= count->second.first &&
+                                                         arguments.size() <= count->second.second
+                                                   : isNamed && arguments.size() == 1;
+        if (!isKnown)
+        {
+            return std::nullopt;
+        }
+        std::string text = *cpp + (type == "Color" ? "{" : "(");
+        for (const CSharpWords& argument : arguments)
+        {
+            const Result value =
+                Translate(m_Model, m_Scope, argument, isNamed ? "string" : "float");
+            if (!value)
+            {
+                return std::nullopt;
+            }
+            text += (&argument == arguments.data() ? "" : ", ") + value->cpp;
+        }
+        return PortValue{text + (type == "Color" ? "}" : ")"), type};
+    }
+
+    /// {a, b}
+    Result ReadElements(const std::string& type)
+    {
+        const bool isArray = type.ends_with("[]");
+        const bool isList = type.starts_with("List<");
+        const auto elements = SplitArguments({m_At + 1, m_At + m_At->match});
+        m_At += m_At->match + 1;
+        if (!isArray && !isList)
+        {
+            return std::nullopt;
+        }
+        const std::string element = type.substr(isList ? 5 : 0, type.size() - (isList ? 6 : 2));
+        std::string text = "{";
+        for (const CSharpWords& words : elements)
+        {
+            const Result value = Translate(m_Model, m_Scope, words, element);
+            if (!value)
+            {
+                return std::nullopt;
+            }
+            text += (text.size() == 1 ? "" : ", ") + value->cpp;
+        }
+        return PortValue{text + "}", type};
+    }
+
+    /// a.b.c
+    Result ReadChain()
+    {
+        std::vector<std::string> names;
+        do
+        {
+            if (m_At == m_End || !m_At->isName())
+            {
+                return std::nullopt;
+            }
+            names.emplace_back((m_At++)->text);
+        } while (Next("."));
+        if (names.front() == "this" && names.size() > 1)
+        {
+            names.erase(names.begin());
+            names.front().insert(0, "this."); // not the parameter of this name
+        }
+        const auto found = m_Scope.find(names.front());
+        return found == m_Scope.end() ? StaticValue(names) : MemberValue(found->second, names);
+    }
+
+    Result MemberValue(PortValue value, const std::vector<std::string>& names) const
+    {
+        for (std::size_t i = 1; i < names.size(); ++i)
+        {
+            const CSharpClass* own = m_Model.Find(value.type);
+            const CSharpField* field = own ? own->FindField(names[i]) : nullptr;
+            if (names[i] == "value" && PlainTypeName(value.type).ends_with("Parameter"))
+            {
+                value = {value.cpp + ".value()", ParameterValue(value.type)};
+            }
+            else if (field && m_Model.RoleOf(*own) == PortRole::Data && !field->isStatic &&
+                     m_Model.CppType(field->type))
+            {
+                value = {value.cpp + "." + m_Model.CppName(field->name), field->type};
+            }
+            else
+            {
+                return std::nullopt;
+            }
+        }
+        return value;
+    }
+
+    /// What a volume parameter of this type holds.
+    std::string ParameterValue(const std::string& type) const
+    {
+        const std::string plain(PlainTypeName(type));
+        for (const auto& [part, value] : {std::pair("Float", "float"), std::pair("Int", "int"),
+                                          std::pair("Bool", "bool"), std::pair("Color", "Color")})
+        {
+            if (plain.ends_with(std::string(part) + "Parameter"))
+            {
+                return value;
+            }
+        }
+        const CSharpClass* own = m_Model.Find(type);
+        const std::string base = own && !own->bases.empty() ? own->bases.front() : type;
+        const std::size_t open = base.find('<');
+        return open == std::string::npos ? "?" : base.substr(open + 1, base.size() - open - 2);
+    }
+
+    /// Color.white, RenderPassEvent.AfterRendering, Settings.Mode.On
+    Result StaticValue(const std::vector<std::string>& names) const
+    {
+        if (names.size() < 2)
+        {
+            return std::nullopt;
+        }
+        const std::string& type = names[names.size() - 2];
+        const std::string& member = names.back();
+        if (const CSharpClass* own = m_Model.Find(type))
+        {
+            const bool isMember = std::ranges::any_of(own->enumerators, [&](const auto& entry)
+                                                      { return entry.name == member; });
+            const auto cpp = isMember ? m_Model.CppType(type) : std::nullopt;
+            return cpp ? Result(PortValue{*cpp + "::" + m_Model.CppName(member), own->name})
+                       : std::nullopt;
+        }
+        const PortEntry* entry = m_Model.table().Find(type, member);
+        const bool isSame = entry && entry->verdict == PortVerdict::Same &&
+                            m_Model.CppType(type) == type && entry->result.empty();
+        return isSame ? Result(PortValue{type + "::" + member, type}) : std::nullopt;
+    }
+
+    const PortModel& m_Model;
+    const PortScope& m_Scope;
+    const CSharpToken* m_At;
+    const CSharpToken* m_End;
+    int m_Depth = 0;
+};
+
+} // namespace
+
+std::vector<CSharpWords> SplitArguments(CSharpWords words)
+{
+    std::vector<CSharpWords> parts;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < words.size();)
+    {
+        if (words[i].Is(","))
+        {
+            parts.push_back(words.subspan(begin, i - begin));
+            begin = i + 1;
+        }
+        i += words[i].match > 0 ? static_cast<std::size_t>(words[i].match) + 1 : 1;
+    }
+    if (begin < words.size())
+    {
+        parts.push_back(words.subspan(begin));
+    }
+    return parts;
+}
+
+std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
+{
+    for (std::size_t i = 0; i < words.size() && words.front().Is("new"); ++i)
+    {
+        if (words[i].Is("("))
+        {
+            return SplitArguments(
+                words.subspan(i + 1, static_cast<std::size_t>(words[i].match) - 1));
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> PlainText(CSharpWords words)
+{
+    if (words.size() != 1 || words[0].kind != CSharpTokenKind::String)
+    {
+        return std::nullopt;
+    }
+    const std::string_view text = words[0].text;
+    const bool isPlain = text.size() >= 2 && text[0] == '"' && !text.starts_with("\"\"\"");
+    const std::string_view inner = isPlain ? text.substr(1, text.size() - 2) : "\\";
+    for (std::size_t at = inner.find('\\'); at < inner.size(); at = inner.find('\\', at + 2))
+    {
+        if (at + 1 >= inner.size() ||
+            std::string_view("\\\"nt").find(inner[at + 1]) == std::string_view::npos)
+        {
+            return std::nullopt;
+        }
+    }
+    return std::string(inner);
+}
+
+std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
+                                   CSharpWords words, const std::string& wanted)
+{
+    return words.empty() ? std::nullopt : Translator(model, scope, words).Run(wanted);
+}
+
+std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words)
+{
+    const auto value = Translate(model, {}, words, "");
+    if (!value || (value->type != "int" && value->type != "float"))
+    {
+        return std::nullopt;
+    }
+    std::string text = value->cpp;
+    if (text.ends_with("f"))
+    {
+        text.pop_back();
+    }
+    return text;
+}
+
+} // namespace limn

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "port/PortModel.h"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace limn
+{
+
+/// A value in C++.
+struct PortValue
+{
+    std::string cpp;
+    std::string type;       ///< of C#
+    bool isLiteral = false; ///< a number
+};
+
+/// The names that stand for something where an expression stands.
+using PortScope = std::map<std::string, PortValue>;
+
+/// The expression in C++, of the type that is wanted ("" = any); nothing where a part of it is not
+/// known to mean the same: defaults, arguments and conditions of a few words.
+std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
+                                   CSharpWords words, const std::string& wanted);
+
+/// The number of an attribute's argument; nothing for anything else.
+std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words);
+
+/// The text of a plain string word; nothing for any other.
+std::optional<std::string> PlainText(CSharpWords words);
+
+/// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.
+std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
+
+/// Cuts words at the commas outside of brackets.
+std::vector<CSharpWords> SplitArguments(CSharpWords words);
+
+} // namespace limn

@@ -1,0 +1,224 @@
+#include "port/PortedCode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// A parameter of URP's that limn has with the same constructor.
+bool IsShippedParameter(const PortModel& model, std::string_view type)
+{
+    const PortEntry* entry = model.table().Find(type);
+    return entry && type.ends_with("Parameter") && type != "VolumeParameter" &&
+           !type.starts_with("Animation") && !type.starts_with("Object") &&
+           type.find("Texture") == std::string_view::npos && !type.starts_with("Enum") &&
+           !type.starts_with("Material");
+}
+
+/// What the arguments of a parameter's constructor are, in order; nothing for others.
+std::vector<std::string> ArgumentTypes(const std::string& type)
+{
+    std::string value = "float";
+    for (const auto& [part, name] :
+         {std::pair("Int", "int"), std::pair("Bool", "bool"), std::pair("Color", "Color"),
+          std::pair("Vector2", "Vector2"), std::pair("Vector3", "Vector3"),
+          std::pair("Vector4", "Vector4"), std::pair("LayerMask", "LayerMask"),
+          std::pair("FloatRange", "Vector2")})
+    {
+        if (type.ends_with(std::string(part) + "Parameter"))
+        {
+            value = name;
+        }
+    }
+    const bool isBetween =
+        type.find("Clamped") != std::string::npos || type.find("FloatRange") != std::string::npos;
+    const bool isLimited =
+        type.find("Min") != std::string::npos || type.find("Max") != std::string::npos;
+    std::vector<std::string> types{value};
+    types.insert(types.end(),
+                 isBetween   ? 2
+                 : isLimited ? 1
+                             : 0,
+                 value == "Vector2" ? "float" : value);
+    if (value == "Color")
+    {
+        types.insert(types.end(), {"bool", "bool", "bool"});
+    }
+    types.push_back("bool");
+    return types;
+}
+
+/// The arguments in C++; nothing if one of them is not known.
+std::optional<std::string> Arguments(const PortModel& model, const PortScope& scope,
+                                     const std::vector<CSharpWords>& arguments,
+                                     std::vector<std::string> types)
+{
+    if (types.size() == 5 && arguments.size() == 2) // a colour and whether it is overridden
+    {
+        types.resize(1);
+        types.emplace_back("bool");
+    }
+    std::string text;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        CSharpWords words = arguments[i];
+        const bool isNamed = words.size() > 2 && words[0].isName() && words[1].Is(":");
+        const bool isLastName = isNamed && words[0].Is("overrideState") && i + 1 == types.size();
+        words = isLastName ? words.subspan(2) : words;
+        const auto value = i < types.size() && (!isNamed || isLastName)
+                               ? Translate(model, scope, words, types[i])
+                               : std::nullopt;
+        if (!value)
+        {
+            return std::nullopt;
+        }
+        text += ", " + value->cpp;
+    }
+    return text;
+}
+
+std::string TooltipText(const CSharpField& field)
+{
+    const CSharpAttribute* found = field.Find("Tooltip");
+    const auto text = found ? PlainText(found->arguments) : std::nullopt;
+    return text ? ", {.tooltip = \"" + *text + "\"}" : "";
+}
+
+/// "EnumParameter<Mode> mode{this, "mode", Mode::Off, {{"Off", Mode::Off}}};"; "" if it is none.
+std::string EnumParameterText(const PortModel& model, const PortScope& scope,
+                              const CSharpField& field, const std::vector<CSharpWords>& arguments)
+{
+    const CSharpClass* own = model.Find(field.type);
+    std::string base = field.type;
+    if (own && model.RoleOf(*own) == PortRole::Parameter && !own->bases.empty())
+    {
+        base = own->bases.front();
+    }
+    const std::size_t open = base.find('<');
+    const CSharpClass* type = open == std::string::npos
+                                  ? nullptr
+                                  : model.Find(base.substr(open + 1, base.size() - open - 2));
+    if (!type || model.RoleOf(*type) != PortRole::Enum || !model.isDeclared(*type))
+    {
+        return "";
+    }
+    const auto value =
+        arguments.empty() ? std::nullopt : Translate(model, scope, arguments[0], type->name);
+    const auto isOn = arguments.size() == 2 ? Translate(model, scope, arguments[1], "bool")
+                                            : std::optional(PortValue{"", "bool"});
+    if (!value || !isOn || arguments.size() > 2)
+    {
+        return "";
+    }
+    const std::string cpp = model.QualifiedName(*type);
+    std::string names;
+    for (const CSharpEnumerator& entry : type->enumerators)
+    {
+        names += (names.empty() ? "{\"" : ", {\"") + entry.name + "\", " + cpp +
+                 "::" + model.CppName(entry.name) + "}";
+    }
+    return "EnumParameter<" + cpp + "> " + model.CppName(field.name) + "{this, \"" + field.name +
+           "\", " + value->cpp + ", {" + names + "}" + (isOn->cpp.empty() ? "" : ", " + isOn->cpp) +
+           TooltipText(field) + "};";
+}
+
+void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField& field,
+                    PortScope& scope)
+{
+    const PortModel& model = code.model();
+    const std::string place = model.Place(one, field.location);
+    const std::string csharp = field.type + " " + field.name + " = " +
+                               std::string(TextOf(model.FileOf(one), field.value)) + ";";
+    const bool isWhole = !field.value.empty() && field.value.back().Is(")");
+    const auto arguments = isWhole ? NewArguments(field.value) : std::nullopt;
+    std::string line;
+    if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
+    {
+        const auto text = Arguments(model, scope, *arguments, ArgumentTypes(field.type));
+        line = text ? field.type + " " + model.CppName(field.name) + "{this, \"" + field.name +
+                          "\"" + *text + TooltipText(field) + "};"
+                    : "";
+    }
+    else if (arguments)
+    {
+        line = EnumParameterText(model, scope, field, *arguments);
+    }
+    code.Done({"parameter", one.name + "." + field.name, csharp.substr(0, csharp.size() - 1), place,
+               !line.empty()});
+    if (line.empty())
+    {
+        code.Todo("a parameter", place, csharp);
+        return;
+    }
+    code.Line(line);
+    scope[field.name] = {model.CppName(field.name), field.type};
+}
+
+/// IsActive and IsTileCompatible.
+void WriteQuestion(PortedCode& code, const CSharpClass& one, const std::string& name,
+                   const PortScope& scope)
+{
+    const PortModel& model = code.model();
+    const CSharpMethod* method = one.FindMethod(name);
+    CSharpWords words = method ? method->body : CSharpWords();
+    if (method && !method->isExpression && !words.empty() && words.front().Is("return"))
+    {
+        words = words.subspan(1, words.size() - 2); // return ...;
+    }
+    const auto value = Translate(model, scope, words, "bool");
+    code.Open("bool " + name + "() const override");
+    if (method && !value)
+    {
+        code.Todo("port", model.Place(one, method->location), BodyText(model.FileOf(one), *method));
+    }
+    code.Line("return " + (value ? value->cpp : "false") + ";");
+    code.Close();
+}
+
+} // namespace
+
+void WriteComponent(PortedCode& code, const CSharpClass& one)
+{
+    const PortContext context(code.model(), one);
+    PortModel& model = code.model();
+    const bool isPostProcess = one.Derives("IPostProcessComponent");
+    code.Line("/// What volumes set. C#: " + model.Place(one, one.location) + ".");
+    code.Open("class " + one.name + " final : public VolumeComponent" +
+              (isPostProcess ? ", public IPostProcessComponent" : ""));
+    code.Label("public:");
+    std::vector<const CSharpClass*> nested;
+    for (const CSharpClass& inner : one.classes)
+    {
+        nested.push_back(&inner);
+    }
+    WriteTypes(code, nested);
+    PortScope scope;
+    for (const CSharpField& field : one.fields)
+    {
+        const bool isParameter = PlainTypeName(field.type).ends_with("Parameter");
+        isParameter ? WriteParameter(code, one, field, scope) : WriteField(code, one, field, scope);
+    }
+    if (isPostProcess)
+    {
+        scope["active"] = {"active", "bool"};
+        code.Line();
+        WriteQuestion(code, one, "IsActive", scope);
+        WriteQuestion(code, one, "IsTileCompatible", scope);
+    }
+    for (const CSharpMethod& method : one.methods)
+    {
+        if (!isPostProcess || (method.name != "IsActive" && method.name != "IsTileCompatible"))
+        {
+            code.Line();
+            code.Todo(method.name, model.Place(one, method.location),
+                      BodyText(model.FileOf(one), method));
+        }
+    }
+    code.Close("};");
+    model.Declare(one);
+}
+
+} // namespace limn

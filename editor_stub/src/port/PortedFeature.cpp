@@ -1,0 +1,310 @@
+#include "port/PortedCode.h"
+
+#include <algorithm>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+namespace
+{
+
+const CSharpClass* PassOf(const PortModel& model, const CSharpField& field)
+{
+    const CSharpClass* own = model.Find(field.type);
+    const bool isOne = own && model.RoleOf(*own) == PortRole::Pass &&
+                       PlainTypeName(field.type).size() == field.type.size();
+    return isOne && !model.isLeftOut(*own) ? own : nullptr;
+}
+
+/// Whether the pass has a constructor of these parameters in C++.
+const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pass,
+                                  std::size_t arguments)
+{
+    const auto found = std::ranges::find_if(pass.methods,
+                                            [&](const CSharpMethod& method)
+                                            {
+                                                return method.isConstructor() && !method.isStatic &&
+                                                       method.parameters.size() == arguments &&
+                                                       SignatureOf(model, pass, method);
+                                            });
+    return found == pass.methods.end() ? nullptr : &*found;
+}
+
+/// "std::make_unique<P>(a, b)" of `new P(a, b)`; "" where that is not known.
+std::string MakePass(const PortModel& model, const CSharpClass& pass, const PortScope& scope,
+                     CSharpWords words)
+{
+    const auto found = NewArguments(words);
+    if (!found)
+    {
+        return "";
+    }
+    const std::vector<CSharpWords>& arguments = *found;
+    const CSharpMethod* constructor = ConstructorOf(model, pass, arguments.size());
+    const bool hasNone = std::ranges::none_of(pass.methods, [](const CSharpMethod& method)
+                                              { return method.isConstructor(); });
+    if (!constructor && !(hasNone && arguments.empty()))
+    {
+        return "";
+    }
+    std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        const auto value = Translate(model, scope, arguments[i], constructor->parameters[i].type);
+        if (!value)
+        {
+            return "";
+        }
+        text += (i == 0 ? "" : ", ") + value->cpp;
+    }
+    return text + ")";
+}
+
+/// The event of `new P() { renderPassEvent = X }`.
+CSharpWords InitializedEvent(CSharpWords words)
+{
+    for (std::size_t i = 0; i + 3 < words.size(); ++i)
+    {
+        if (words[i].Is("{") && words[i + 1].Is("renderPassEvent") && words[i + 2].Is("="))
+        {
+            const auto end = i + static_cast<std::size_t>(words[i].match);
+            const CSharpWords rest = words.subspan(i + 3, end - i - 3);
+            return SplitArguments(rest).front();
+        }
+    }
+    return {};
+}
+
+class CreateWriter
+{
+public:
+    CreateWriter(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+        : m_Code(code), m_Model(code.model()), m_One(one), m_Scope(ScopeOf(m_Model, one, method))
+    {
+        m_Scope["name"] = {"name", "string"};
+    }
+
+    void Write(const PortedAssignment& assignment)
+    {
+        CSharpWords target = assignment.target;
+        if (target.size() >= 3 && target[0].Is("this"))
+        {
+            target = target.subspan(2);
+        }
+        const bool isEvent = target.size() == 3 && target[2].Is("renderPassEvent");
+        const bool isName = target.size() == 3 && target[2].Is("profilingSampler");
+        const CSharpField* field = m_One.FindField(std::string(target[0].text));
+        const CSharpClass* pass = field ? PassOf(m_Model, *field) : nullptr;
+        if (pass && target.size() == 1)
+        {
+            WriteMaking(*field, *pass, assignment.value);
+        }
+        else if (pass && (isEvent || isName))
+        {
+            WriteMember(*field, std::string(target[2].text), assignment.value);
+        }
+    }
+
+private:
+    void WriteMaking(const CSharpField& field, const CSharpClass& pass, CSharpWords value)
+    {
+        const std::string making = MakePass(m_Model, pass, m_Scope, value);
+        const std::string name = m_Model.CppName(field.name);
+        m_Code.Done({"made in Create", m_One.name + "." + field.name, Text(value),
+                     m_Model.Place(m_One, value.empty() ? field.location : value[0].location),
+                     !making.empty()});
+        if (making.empty())
+        {
+            m_Code.Line("// TODO: make '" + name + "', which is nothing so far");
+            return;
+        }
+        m_Code.Line(name + " = " + making + ";");
+        m_Made.insert(field.name);
+        const CSharpWords event = InitializedEvent(value);
+        if (!event.empty())
+        {
+            WriteMember(field, "renderPassEvent", event);
+        }
+    }
+
+    void WriteMember(const CSharpField& field, const std::string& member, CSharpWords value)
+    {
+        const bool isEvent = member == "renderPassEvent";
+        const auto translated = m_Made.contains(field.name)
+                                    ? Translate(m_Model, m_Scope, value,
+                                                isEvent ? "RenderPassEvent" : "ProfilingSampler")
+                                    : std::nullopt;
+        m_Code.Done({isEvent ? "event" : "name of a pass", field.type + "." + member, Text(value),
+                     m_Model.Place(m_One, value.front().location), translated.has_value()});
+        m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member + " = " +
+                                     translated->cpp + ";"
+                               : "// TODO: " + field.name + "'s " + member);
+    }
+
+    std::string Text(CSharpWords words) const
+    {
+        return std::string(TextOf(m_Model.FileOf(m_One), words));
+    }
+
+    PortedCode& m_Code;
+    const PortModel& m_Model;
+    const CSharpClass& m_One;
+    PortScope m_Scope;
+    std::set<std::string> m_Made;
+};
+
+/// The fields of passes that a body hands to EnqueuePass.
+std::vector<const CSharpField*> EnqueuedIn(const PortModel& model, const CSharpClass& one,
+                                           const CSharpMethod& method)
+{
+    std::vector<const CSharpField*> fields;
+    for (std::size_t i = 0; i + 2 < method.body.size(); ++i)
+    {
+        const bool isCall = method.body[i].Is("EnqueuePass") && method.body[i + 1].Is("(");
+        const std::size_t at = i + 2 + (method.body[i + 2].Is("this") ? 2 : 0);
+        const CSharpField* field =
+            isCall && at < method.body.size() ? one.FindField(method.body[at].text) : nullptr;
+        if (field && PassOf(model, *field) && std::ranges::find(fields, field) == fields.end())
+        {
+            fields.push_back(field);
+        }
+    }
+    return fields;
+}
+
+void WriteEnqueuing(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+{
+    for (const CSharpField* field : EnqueuedIn(code.model(), one, method))
+    {
+        const std::string name = code.model().CppName(field->name);
+        const std::string renderer = code.model().CppName(method.parameters[0].name);
+        const std::string data = code.model().CppName(method.parameters[1].name);
+        code.Open("if (" + name + ")");
+        code.Line(renderer + ".EnqueuePass(*" + name + ");");
+        code.Close();
+        code.Open("else");
+        code.Line(data + ".report->notes.push_back(name + \": '" + field->name +
+                  "' is not drawn, Create does not make it\");");
+        code.Close();
+    }
+}
+
+bool HasOwn(const CSharpClass& one, const PortModel& model, const char* name)
+{
+    const CSharpMethod* method = one.FindMethod(name);
+    return method && SignatureOf(model, one, *method);
+}
+
+} // namespace
+
+bool isPassOf(const PortModel& model, const CSharpField& field)
+{
+    return PassOf(model, field) != nullptr;
+}
+
+std::string RegisteredName(const CSharpClass& one)
+{
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFeatures(features, components);
+    const bool isTaken =
+        components.Find(one.name) != nullptr || features.Create(one.name) != nullptr;
+    return one.name + (isTaken ? "Port" : "");
+}
+
+void WriteFeature(PortedCode& code, const CSharpClass& one)
+{
+    const PortContext context(code.model(), one);
+    PortModel& model = code.model();
+    code.Line("/// C#: " + model.Place(one, one.location) + ".");
+    code.Open("class " + one.name + " final : public ScriptableRendererFeature");
+    code.Label("public:");
+    std::vector<const CSharpClass*> nested;
+    for (const CSharpClass& inner : one.classes)
+    {
+        nested.push_back(&inner);
+        if (model.RoleOf(inner) == PortRole::Pass)
+        {
+            code.Line("class " + inner.name + ";");
+        }
+    }
+    WriteTypes(code, nested);
+    PortScope scope;
+    for (const CSharpField& field : one.fields)
+    {
+        if (const CSharpClass* pass = PassOf(model, field))
+        {
+            code.Line("std::unique_ptr<" + model.QualifiedName(*pass) + "> " +
+                      model.CppName(field.name) + ";");
+        }
+        else
+        {
+            WriteField(code, one, field, scope);
+        }
+    }
+    code.Line();
+    code.Line(one.name + "();");
+    code.Line("~" + one.name + "() override;");
+    code.Line();
+    if (!HasOwn(one, model, "Create"))
+    {
+        code.Line("void Create() override {} // TODO: the C# has none");
+    }
+    if (!HasOwn(one, model, "AddRenderPasses"))
+    {
+        code.Line("void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}");
+    }
+    for (const CSharpMethod& method : one.methods)
+    {
+        const auto signature = SignatureOf(model, one, method);
+        if (signature && !method.isConstructor())
+        {
+            code.Line(signature->Text() + ";");
+        }
+    }
+    WriteDescription(code, one);
+    code.Close("};");
+    model.Declare(one);
+}
+
+void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
+{
+    const PortContext context(code.model(), one);
+    const PortModel& model = code.model();
+    code.Line(one.name + "::" + one.name + "() = default;");
+    code.Line(one.name + "::~" + one.name + "() = default;");
+    for (const CSharpMethod& method : one.methods)
+    {
+        const std::string place = model.Place(one, method.location);
+        const auto signature = SignatureOf(model, one, method);
+        code.Line();
+        if (!signature || method.isConstructor())
+        {
+            code.Todo(method.name, place, BodyText(model.FileOf(one), method));
+            continue;
+        }
+        code.Open(signature->Text(one.name + "::"));
+        code.Todo("port", place, BodyText(model.FileOf(one), method));
+        if (signature->isOverride && method.name == "Create")
+        {
+            CreateWriter writer(code, one, method);
+            for (const PortedAssignment& assignment : AssignmentsOf(method.body))
+            {
+                writer.Write(assignment);
+            }
+        }
+        else if (signature->isOverride)
+        {
+            WriteEnqueuing(code, one, method);
+        }
+        else if (signature->result != "void")
+        {
+            code.Line("return {};");
+        }
+        code.Close();
+    }
+    code.Line();
+}
+
+} // namespace limn

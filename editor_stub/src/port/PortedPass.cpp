@@ -1,0 +1,297 @@
+#include "port/PortedCode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Of methods that limn calls: what Unity 2022.3 and 6 hand over, in C++.
+struct KnownMethod
+{
+    std::string_view name;
+    std::string_view cppName;
+    std::vector<std::string> parameters;
+};
+
+const std::vector<KnownMethod>& MethodsOf(PortRole role)
+{
+    static const std::vector<KnownMethod> feature = {
+        {"Create", "Create", {}},
+        {"AddRenderPasses", "AddRenderPasses", {"ScriptableRenderer&", "RenderingData&"}},
+        {"SetupRenderPasses",
+         "SetupRenderPasses",
+         {"ScriptableRenderer&", "const RenderingData&"}}};
+    static const std::vector<KnownMethod> pass = {
+        {"OnCameraSetup", "OnCameraSetup", {"CommandBuffer&", "RenderingData&"}},
+        {"Configure", "Configure", {"CommandBuffer&", "const RenderTextureDescriptor&"}},
+        {"Execute", "Execute", {"ScriptableRenderContext&", "RenderingData&"}},
+        {"RecordRenderGraph", "RecordRenderGraph", {"RenderGraph&", "ContextContainer&"}},
+        {"OnCameraCleanup", "OnCameraCleanup", {"CommandBuffer&"}},
+        {"FrameCleanup", "FrameCleanup", {"CommandBuffer&"}},
+        {"OnFinishCameraStackRendering", "OnFinishCameraStackRendering", {"CommandBuffer&"}}};
+    return role == PortRole::Feature ? feature : pass;
+}
+
+/// Names that a parameter would hide.
+std::string ParameterName(const PortModel& model, const CSharpClass& one, const std::string& name)
+{
+    const bool isHiding = one.FindField(name) || name == "renderPassEvent" ||
+                          name == "profilingSampler" || name == "name";
+    const std::string cpp = model.CppName(name);
+    return isHiding && cpp == name ? name + "_" : cpp;
+}
+
+/// Whether it is the older half of a pass that has both: limn would run that one alone.
+bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
+{
+    const bool isOld =
+        method.name == "Execute" || method.name == "OnCameraSetup" || method.name == "Configure";
+    return isOld && method.isOverride && one.FindMethod("RecordRenderGraph");
+}
+
+/// What an assignment in a constructor is in C++; "" where that is not known.
+std::string AssignmentText(const PortModel& model, const PortScope& scope,
+                           const PortedAssignment& assignment)
+{
+    CSharpWords target = assignment.target;
+    std::string name(target.back().text);
+    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
+    if (!(target.size() == 1 || isThis) || !target.back().isName())
+    {
+        return "";
+    }
+    if (name == "renderPassEvent" || name == "profilingSampler")
+    {
+        const bool isEvent = name == "renderPassEvent";
+        const auto value = Translate(model, scope, assignment.value,
+                                     isEvent ? "RenderPassEvent" : "ProfilingSampler");
+        return value ? name + " = " + value->cpp + ";" : "";
+    }
+    const auto field = scope.find("this." + name);
+    const auto value = field == scope.end()
+                           ? std::nullopt
+                           : Translate(model, scope, assignment.value, field->second.type);
+    return value ? field->second.cpp + " = " + value->cpp + ";" : "";
+}
+
+/// Notes events and names of the pass that an assignment sets.
+void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
+{
+    const std::string name(assignment.target.back().text);
+    if (name == "renderPassEvent" || name == "profilingSampler")
+    {
+        code.Done({name == "renderPassEvent" ? "event" : "name of a pass", one.name + "." + name,
+                   std::string(TextOf(code.model().FileOf(one), assignment.value)),
+                   code.model().Place(one, assignment.target.front().location), isDone});
+    }
+}
+
+void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+{
+    const PortModel& model = code.model();
+    const auto signature = SignatureOf(model, one, method);
+    const std::string place = model.Place(one, method.location);
+    if (!signature)
+    {
+        code.Todo("a constructor; limn has no such parameters", place,
+                  BodyText(model.FileOf(one), method));
+        return;
+    }
+    const bool isConversion = method.parameters.size() == 1;
+    code.Open((isConversion ? "explicit " : "") + signature->Text());
+    code.Todo("port", place, BodyText(model.FileOf(one), method));
+    const PortScope scope = ScopeOf(model, one, method);
+    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
+    {
+        const std::string line = AssignmentText(model, scope, assignment);
+        Note(code, one, assignment, !line.empty());
+        if (!line.empty())
+        {
+            code.Line(line);
+        }
+    }
+    code.Close();
+}
+
+/// Notes what renderGraph.AddRasterRenderPass<T>("name", ...) and its like add.
+void NoteGraphPasses(PortedCode& code, const CSharpClass& one, CSharpWords body)
+{
+    const PortModel& model = code.model();
+    for (std::size_t i = 0; i < body.size(); ++i)
+    {
+        if (!body[i].Is("AddRasterRenderPass") && !body[i].Is("AddUnsafePass") &&
+            !body[i].Is("AddComputePass"))
+        {
+            continue;
+        }
+        std::size_t open = i;
+        while (open < body.size() && !body[open].Is("("))
+        {
+            ++open;
+        }
+        const auto length = open < body.size() ? static_cast<std::size_t>(body[open].match) : 1;
+        const auto arguments =
+            SplitArguments(body.subspan(std::min(open + 1, body.size()), length - 1));
+        code.Done({"graph pass", one.name + "." + std::string(body[i].text),
+                   arguments.empty() ? "" : std::string(TextOf(model.FileOf(one), arguments[0])),
+                   model.Place(one, body[i].location), false});
+    }
+}
+
+void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+{
+    const PortModel& model = code.model();
+    const std::string place = model.Place(one, method.location);
+    const std::string_view body = BodyText(model.FileOf(one), method);
+    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
+    {
+        Note(code, one, assignment, false);
+    }
+    NoteGraphPasses(code, one, method.body);
+    const auto signature = SignatureOf(model, one, method);
+    if (!signature || IsCompatibilityMethod(one, method))
+    {
+        const bool isOld = IsCompatibilityMethod(one, method);
+        code.Todo(method.name + (isOld ? ": Unity 6's compatibility mode; where it is there, limn "
+                                         "runs it and not RecordRenderGraph"
+                                       : ""),
+                  place, body);
+        return;
+    }
+    code.Open((method.isStatic ? "static " : "") + signature->Text());
+    code.Todo("port", place, body);
+    if (signature->result != "void")
+    {
+        code.Line("return {};");
+    }
+    code.Close();
+}
+
+bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
+{
+    return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
+}
+
+} // namespace
+
+std::string PortedSignature::Text(const std::string& owner) const
+{
+    std::string text = result.empty() ? "" : result + " ";
+    text += owner + name + parameters;
+    return isOverride && owner.empty() ? text + " override" : text;
+}
+
+std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
+                                           const CSharpMethod& method)
+{
+    const PortContext context(model, one);
+    PortedSignature signature{"void", model.CppName(method.name), "(", false};
+    std::vector<std::string> types;
+    if (method.isOverride)
+    {
+        const auto& known = MethodsOf(model.RoleOf(one));
+        const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
+        if (found == known.end() || found->parameters.size() != method.parameters.size() ||
+            HasTwins(one, method))
+        {
+            return std::nullopt;
+        }
+        signature.name = found->cppName;
+        signature.isOverride = true;
+        types = found->parameters;
+    }
+    else
+    {
+        const auto result =
+            method.type == "void" ? std::optional<std::string>("void") : model.CppType(method.type);
+        const bool isDispose = method.name == "Dispose"; // a destructor's work
+        if (method.isProperty || isDispose || (!method.isConstructor() && !result))
+        {
+            return std::nullopt;
+        }
+        signature.result = method.isConstructor() ? "" : *result;
+        signature.name = method.isConstructor() ? one.name : signature.name;
+        for (const CSharpParameter& parameter : method.parameters)
+        {
+            const auto type = model.CppParameter(parameter.type);
+            if (!type)
+            {
+                return std::nullopt;
+            }
+            types.push_back(*type);
+        }
+    }
+    for (std::size_t i = 0; i < types.size(); ++i)
+    {
+        signature.parameters += (i == 0 ? "[[maybe_unused]] " : ", [[maybe_unused]] ") + types[i] +
+                                " " + ParameterName(model, one, method.parameters[i].name);
+    }
+    signature.parameters += ")";
+    return signature;
+}
+
+PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method)
+{
+    PortScope scope;
+    for (const CSharpField& field : one.fields)
+    {
+        if (model.CppType(field.type) && !(field.isStatic && field.type == "int" && !field.isConst))
+        {
+            const PortValue value{model.CppName(field.name), model.ValueType(one, field)};
+            scope[field.name] = value;
+            scope["this." + field.name] = value;
+        }
+    }
+    for (const CSharpParameter& parameter : method.parameters)
+    {
+        scope[parameter.name] = {ParameterName(model, one, parameter.name), parameter.type};
+    }
+    return scope;
+}
+
+void WritePass(PortedCode& code, const CSharpClass& one)
+{
+    const PortContext context(code.model(), one);
+    const PortModel& model = code.model();
+    const std::string place = model.Place(one, one.location);
+    code.Done({"pass", one.name, "", place, true});
+    code.Line("/// C#: " + place + ".");
+    code.Open("class " + model.QualifiedName(one) + " final : public ScriptableRenderPass");
+    code.Label("public:");
+    if (!one.Derives("ScriptableRenderPass"))
+    {
+        code.Line("// TODO " + place + ": what '" + one.bases.front() + "' has goes in here, too");
+    }
+    std::vector<const CSharpClass*> nested;
+    for (const CSharpClass& inner : one.classes)
+    {
+        nested.push_back(&inner);
+    }
+    WriteTypes(code, nested);
+    PortScope scope;
+    for (const CSharpField& field : one.fields)
+    {
+        WriteField(code, one, field, scope);
+    }
+    std::set<std::string> signatures;
+    for (const CSharpMethod& method : one.methods)
+    {
+        code.Line();
+        const auto signature = SignatureOf(model, one, method);
+        if (signature && !signatures.insert(signature->name + signature->parameters).second)
+        {
+            code.Todo(method.name + ", a second one of these parameters",
+                      model.Place(one, method.location), BodyText(model.FileOf(one), method));
+            continue;
+        }
+        method.isConstructor() && !method.isStatic ? WriteConstructor(code, one, method)
+                                                   : WriteMethod(code, one, method);
+    }
+    code.Close("};");
+    code.Line();
+}
+
+} // namespace limn

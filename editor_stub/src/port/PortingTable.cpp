@@ -1,0 +1,185 @@
+#include "port/PortingTable.h"
+
+#include <algorithm>
+#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/EmbeddedFile.h>
+#include <span>
+
+namespace limn
+{
+
+namespace embedded
+{
+std::span<const EmbeddedFile> PortingTableText();
+}
+
+namespace
+{
+
+constexpr PortVerdict k_Verdicts[] = {PortVerdict::Same, PortVerdict::Differs, PortVerdict::Refused,
+                                      PortVerdict::Missing};
+
+[[noreturn]] void Fail(int line, const std::string& message)
+{
+    throw ContractError("porting.txt:" + std::to_string(line) + ": " + message);
+}
+
+std::vector<std::string> Split(std::string_view text, char separator)
+{
+    std::vector<std::string> parts;
+    while (!text.empty())
+    {
+        const std::size_t end = std::min(text.find(separator), text.size());
+        if (end > 0)
+        {
+            parts.emplace_back(text.substr(0, end));
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return parts;
+}
+
+/// "{A,B}.{c,d}>T" → A.c>T, A.d>T, B.c>T, B.d>T; what stands inside may have its own >T.
+std::vector<std::string> Expand(const std::string& key)
+{
+    const std::size_t open = key.find('{');
+    if (open == std::string::npos)
+    {
+        return {key};
+    }
+    const std::size_t close = key.find('}', open);
+    std::vector<std::string> keys;
+    for (const std::string& part :
+         Split(std::string_view(key).substr(open + 1, close - open - 1), ','))
+    {
+        for (std::string& expanded : Expand(key.substr(0, open) + part + key.substr(close + 1)))
+        {
+            keys.push_back(std::move(expanded));
+        }
+    }
+    return keys;
+}
+
+/// "| a | b |" → "a → b"
+std::string RowWords(std::string_view row)
+{
+    const std::size_t middle = row.find(" | ");
+    return std::string(row.substr(2, middle - 2)) + " → " +
+           std::string(row.substr(middle + 3, row.size() - middle - 5));
+}
+
+} // namespace
+
+const char* ToString(PortVerdict verdict)
+{
+    switch (verdict)
+    {
+    case PortVerdict::Same:
+        return "same";
+    case PortVerdict::Differs:
+        return "differs";
+    case PortVerdict::Refused:
+        return "refused";
+    case PortVerdict::Missing:
+        return "missing";
+    }
+    return "";
+}
+
+PortingTable::PortingTable(std::string_view text)
+{
+    std::string rowWords;
+    int number = 0;
+    while (!text.empty())
+    {
+        ++number;
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.empty())
+        {
+            rowWords.clear();
+        }
+        else if (line.front() == '|')
+        {
+            if (line.find(" | ") == std::string_view::npos || !line.ends_with(" |"))
+            {
+                Fail(number, "'| Unity | limn |' is expected");
+            }
+            m_Rows.emplace_back(line);
+            rowWords = RowWords(line);
+        }
+        else if (line.front() != '#')
+        {
+            ReadVerdict(line, rowWords, number);
+        }
+    }
+}
+
+void PortingTable::ReadVerdict(std::string_view line, const std::string& rowWords, int number)
+{
+    const std::size_t colon = line.find(" : ");
+    const bool hasWords = colon != std::string_view::npos;
+    const std::vector<std::string> words = Split(line.substr(0, colon), ' ');
+    const auto* verdict =
+        std::ranges::find(k_Verdicts, words.front(), [](PortVerdict one) { return ToString(one); });
+    if (verdict == std::end(k_Verdicts) || words.size() < 2)
+    {
+        Fail(number, "same, differs, refused or missing, and a name are expected");
+    }
+    PortEntry entry;
+    entry.verdict = *verdict;
+    entry.words = hasWords                        ? std::string(line.substr(colon + 3))
+                  : *verdict == PortVerdict::Same ? ""
+                                                  : rowWords;
+    if (entry.words.empty() && *verdict == PortVerdict::Differs)
+    {
+        Fail(number, "how it differs is expected behind ' : '");
+    }
+    for (std::size_t i = 1; i < words.size(); ++i)
+    {
+        for (const std::string& key : Expand(words[i]))
+        {
+            Add(key, entry, number);
+        }
+    }
+}
+
+void PortingTable::Add(const std::string& key, const PortEntry& entry, int number)
+{
+    const std::size_t arrow = key.find('>');
+    PortEntry& added = m_Entries[key.substr(0, arrow)];
+    if (!added.words.empty() || added.verdict != PortVerdict::Same || !added.result.empty())
+    {
+        Fail(number, "'" + key + "' is said twice");
+    }
+    added = entry;
+    added.result = arrow == std::string::npos ? "" : key.substr(arrow + 1);
+}
+
+const PortEntry* PortingTable::Find(std::string_view key) const
+{
+    const auto found = m_Entries.find(key);
+    return found == m_Entries.end() ? nullptr : &found->second;
+}
+
+const PortEntry* PortingTable::Find(std::string_view type, std::string_view member) const
+{
+    const PortEntry* entry = Find(std::string(type) + "." + std::string(member));
+    return entry ? entry : Find(std::string(type) + ".*");
+}
+
+bool PortingTable::HasType(std::string_view type) const
+{
+    const auto member = m_Entries.lower_bound(std::string(type) + ".");
+    return Find(type) ||
+           (member != m_Entries.end() && member->first.starts_with(std::string(type) + "."));
+}
+
+const PortingTable& UnityPortingTable()
+{
+    static const PortingTable table(embedded::PortingTableText().front().text);
+    return table;
+}
+
+} // namespace limn

@@ -1,0 +1,189 @@
+#include "port/PortingTable.h"
+#include "Paths.h"
+#include "TemporaryFolder.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <limn/shaderlab/Diagnostic.h>
+#include <regex>
+#include <set>
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// The words of limn's classes and enums, read off the public headers.
+class HeaderWords
+{
+public:
+    HeaderWords()
+    {
+        for (const char* folder : {"core/include/limn/core", "volume/include/limn/volume",
+                                   "shaderlab/include/limn/shaderlab"})
+        {
+            for (const auto& entry : std::filesystem::directory_iterator(SourcePath(folder)))
+            {
+                Read(std::regex_replace(ReadText(entry.path()), std::regex("//[^\n]*"), ""));
+            }
+        }
+    }
+
+    bool Has(const std::string& type, const std::string& member) const
+    {
+        const auto found = m_Words.find(type);
+        if (found == m_Words.end())
+        {
+            return false;
+        }
+        const auto [begin, end] = m_Bases.equal_range(type);
+        return member.empty() || member == "*" || found->second.contains(member) ||
+               std::any_of(begin, end, [&](const auto& base) { return Has(base.second, member); });
+    }
+
+private:
+    void Read(const std::string& text)
+    {
+        static const std::regex k_Class(
+            R"(\b(class|struct|namespace|enum class)\s+(\w+)([^;{}()=]*)\{)");
+        static const std::regex k_Word(R"(\w+)");
+        static const std::regex k_Base(R"(public\s+(\w+::)*(\w+))");
+        static const std::regex k_Alias(R"(\busing\s+(\w+)\s*=)");
+        using Iterator = std::sregex_iterator;
+        for (Iterator match(text.begin(), text.end(), k_Class); match != Iterator(); ++match)
+        {
+            const auto begin = static_cast<std::size_t>(match->position() + match->length());
+            std::size_t end = begin;
+            for (int depth = 1; depth > 0 && end < text.size(); ++end)
+            {
+                depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+            }
+            const std::string body = text.substr(begin, end - begin);
+            std::set<std::string>& words = m_Words[(*match)[2]];
+            for (Iterator word(body.begin(), body.end(), k_Word); word != Iterator(); ++word)
+            {
+                words.insert(word->str());
+            }
+            const std::string bases = (*match)[3];
+            for (Iterator base(bases.begin(), bases.end(), k_Base); base != Iterator(); ++base)
+            {
+                m_Bases.emplace((*match)[2], (*base)[2]);
+            }
+        }
+        for (Iterator match(text.begin(), text.end(), k_Alias); match != Iterator(); ++match)
+        {
+            m_Words[(*match)[1]];
+        }
+    }
+
+    std::map<std::string, std::set<std::string>> m_Words;
+    std::multimap<std::string, std::string> m_Bases;
+};
+
+/// What limn calls a type of Unity's.
+std::string CppType(const std::string& type)
+{
+    return type == "IRasterRenderGraphBuilder"   ? "RasterRenderGraphBuilder"
+           : type == "IUnsafeRenderGraphBuilder" ? "UnsafeRenderGraphBuilder"
+           : type == "Renderer"                  ? "MeshRenderer"
+                                                 : type;
+}
+
+} // namespace
+
+TEST(PortingTable, IsTheOneOfTheReadme)
+{
+    const std::string path = SourcePath("README.md");
+    std::string readme = ReadText(path);
+    const std::string head = "| Unity, C# | limn, C++ |\n| --- | --- |\n";
+    const std::size_t begin = readme.find(head) + head.size();
+    const std::size_t end = readme.find("\n\n", begin) + 1;
+    std::string rows;
+    for (const std::string& row : UnityPortingTable().rows())
+    {
+        rows += row + "\n";
+    }
+    if (std::getenv("LIMN_UPDATE_GOLDEN") != nullptr && rows != readme.substr(begin, end - begin))
+    {
+        std::ofstream(path) << readme.replace(begin, end - begin, rows);
+        FAIL() << "wrote " << path;
+    }
+    EXPECT_EQ(rows, readme.substr(begin, end - begin))
+        << "rows belong into editor_stub/src/port/porting.txt; LIMN_UPDATE_GOLDEN=1 writes the "
+           "README's";
+}
+
+TEST(PortingTable, SaysSameOfWhatTheHeadersHaveAndMissingOfWhatTheyHaveNot)
+{
+    const HeaderWords headers;
+    int same = 0;
+    int missing = 0;
+    for (const auto& [key, entry] : UnityPortingTable().entries())
+    {
+        const std::string type = key.substr(0, key.find('.'));
+        const std::string member = key.size() > type.size() ? key.substr(type.size() + 1) : "";
+        if (entry.verdict == PortVerdict::Same)
+        {
+            ++same;
+            EXPECT_TRUE(headers.Has(CppType(type), member))
+                << key << " is the 'same' in porting.txt, and not in the headers";
+        }
+        else if (entry.verdict == PortVerdict::Missing && !member.empty() && member != "*")
+        {
+            ++missing;
+            EXPECT_FALSE(headers.Has(CppType(type), member))
+                << key
+                << " is 'missing' in porting.txt, and in the headers: is it the same, or "
+                   "does it differ?";
+        }
+    }
+    EXPECT_GT(same, 400);
+    EXPECT_GT(missing, 150);
+}
+
+TEST(PortingTable, ReadsKeysWordsAndResults)
+{
+    const PortingTable table("# a comment\n"
+                             "| `A.b` | `b()` |\n"
+                             "    differs A.b>C {D,E}.{f,g>H}\n"
+                             "    same A\n"
+                             "\n"
+                             "missing X.* : do without\n");
+    EXPECT_EQ((std::vector<std::string>{"| `A.b` | `b()` |"}), table.rows());
+    ASSERT_NE(nullptr, table.Find("A", "b"));
+    EXPECT_EQ("`A.b` → `b()`", table.Find("A", "b")->words);
+    EXPECT_EQ("C", table.Find("A", "b")->result);
+    EXPECT_EQ("H", table.Find("E", "g")->result);
+    EXPECT_EQ("", table.Find("D.f")->result);
+    EXPECT_EQ(PortVerdict::Same, table.Find("A")->verdict);
+    EXPECT_EQ("do without", table.Find("X", "anything")->words);
+    EXPECT_EQ(nullptr, table.Find("A", "c"));
+    EXPECT_TRUE(table.HasType("D"));
+    EXPECT_FALSE(table.HasType("H"));
+}
+
+TEST(PortingTable, RefusesWhatItCannotRead)
+{
+    for (const auto& [text, problem] :
+         {std::pair("same A\nsmae B\n", "porting.txt:2: same, differs, refused or missing, and a "
+                                        "name are expected"),
+          std::pair("differs A\n", "porting.txt:1: how it differs is expected behind ' : '"),
+          std::pair("missing A\n\nsame {A,B}\n", "porting.txt:3: 'A' is said twice"),
+          std::pair("| A |\n", "porting.txt:1: '| Unity | limn |' is expected")})
+    {
+        try
+        {
+            const PortingTable table(text);
+            ADD_FAILURE() << text;
+        }
+        catch (const ContractError& error)
+        {
+            EXPECT_EQ(std::string(problem), error.what());
+        }
+    }
+}
+
+} // namespace limn::test
