@@ -21,7 +21,7 @@ Shader "Hidden/Universal/CoreBlit"
 
             half4 CopyNearest(Varyings input) : SV_Target
             {
-                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0);
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, _BlitMipLevel);
             }
             ENDHLSL
         }
@@ -40,7 +40,7 @@ Shader "Hidden/Universal/CoreBlit"
 
             half4 CopyBilinear(Varyings input) : SV_Target
             {
-                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, 0);
+                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, _BlitMipLevel);
             }
             ENDHLSL
         }

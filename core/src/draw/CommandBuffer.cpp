@@ -244,9 +244,9 @@ void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color,
 }
 
 void CommandBuffer::DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias,
-                             bool bilinear)
+                             bool bilinear, float mipLevel)
 {
-    m_Commands.emplace_back(CopyDrawCommand{std::move(source), scaleBias, bilinear});
+    m_Commands.emplace_back(CopyDrawCommand{std::move(source), scaleBias, bilinear, mipLevel});
 }
 
 void CommandBuffer::SetCameraColor(RTHandle color)
@@ -294,6 +294,11 @@ void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
     RequireFinite(glm::mat4(view), ShaderPropertyId("unity_MatrixV"), "global ");
     RequireFinite(viewProjection, ShaderPropertyId("unity_MatrixVP"), "global ");
     m_Commands.emplace_back(SetViewProjectionCommand{view, gpuProjection, setInverseMatrices});
+}
+
+void CommandBuffer::GenerateMips(RenderTargetIdentifier rt)
+{
+    m_Commands.emplace_back(GenerateMipsCommand{std::move(rt)});
 }
 
 void CommandBuffer::BeginSample(std::string_view sample)

@@ -10,6 +10,7 @@ namespace
 
 const ShaderPropertyId _BlitTexture{"_BlitTexture"};
 const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
+const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 constexpr int k_NearestPass = 0; // of CameraTargets::copy
 constexpr int k_BilinearPass = 1;
 
@@ -307,9 +308,28 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
     {
         throw ContractError("BlitTexture: the source is None");
     }
+    if (!(command.mipLevel >= 0.0f && command.mipLevel < static_cast<float>(source->mipmapCount())))
+    {
+        throw ContractError("BlitTexture: mip level " + std::to_string(command.mipLevel) + " of '" +
+                            source->name() + "'; it has " + std::to_string(source->mipmapCount()));
+    }
     DrawCopy(source, command.scaleBias, command.isBilinear ? k_BilinearPass : k_NearestPass,
-             "BlitTexture");
+             "BlitTexture", command.mipLevel);
     return m_Result;
+}
+
+std::shared_ptr<const RenderTexture>
+IdentifiedTargets::Resolve(const GenerateMipsCommand& command) const
+{
+    const TexturePointer found = Find(command.texture, "GenerateMips");
+    auto texture = std::dynamic_pointer_cast<const RenderTexture>(found);
+    if (!texture || texture->mipmapCount() == 1)
+    {
+        throw ContractError("GenerateMips: '" + (found ? found->name() : "None") +
+                            "' is no render texture with mip levels; a descriptor with useMipMap "
+                            "makes one");
+    }
+    return texture;
 }
 
 void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
@@ -326,7 +346,7 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& d
 
 /// Onto what is bound.
 void IdentifiedTargets::DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
-                                 std::string_view call)
+                                 std::string_view call, float mipLevel)
 {
     const std::shared_ptr<const Material>& material = Camera(call).copy;
     if (!material)
@@ -337,6 +357,10 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const glm::vec4& 
     MaterialPropertyBlock properties;
     properties.SetTexture(_BlitTexture, source);
     properties.SetVector(_BlitScaleBias, scaleBias);
+    if (mipLevel != 0.0f)
+    {
+        properties.SetFloat(_BlitMipLevel, mipLevel);
+    }
     m_Result.DrawProcedural(glm::mat4(1.0f), material, pass, 3, properties);
 }
 

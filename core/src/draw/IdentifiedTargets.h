@@ -31,6 +31,7 @@ public:
     const CommandBuffer& Resolve(const IdentifiedBlitCommand& command);
     const CommandBuffer& Resolve(const CopyDrawCommand& command);
     const CommandBuffer& Resolve(const CopyTextureCommand& command);
+    std::shared_ptr<const RenderTexture> Resolve(const GenerateMipsCommand& command) const;
 
 private:
     struct Temporary
@@ -51,7 +52,7 @@ private:
     void DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
                   std::string_view call);
     void DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
-                  std::string_view call);
+                  std::string_view call, float mipLevel = 0.0f);
     void BindAgain();
 
     const FrameCommands& m_Frame;

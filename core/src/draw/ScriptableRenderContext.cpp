@@ -140,6 +140,10 @@ void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
                     m_Recorder->commonState().depthBias = c.bias;
                     m_Recorder->commonState().slopeDepthBias = c.slopeBias;
                 }
+                else if constexpr (std::is_same_v<Command, GenerateMipsCommand>)
+                {
+                    GenerateMips(*m_Identified->Resolve(c));
+                }
                 else if constexpr (std::is_same_v<Command, DrawRendererListCommand>)
                 {
                     DrawRenderers(*c.list->cullingResults, c.list->drawSettings,
@@ -177,6 +181,28 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
         m_Recorder->TakeShaderGlobals();
         const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
         DrawObjects(judged.drawn, runs, drawingSettings, stateBlock, *m_Recorder);
+    }
+}
+
+/// When the node that drew into it last ends: whoever samples it comes behind that.
+void ScriptableRenderContext::GenerateMips(const RenderTexture& texture)
+{
+    const auto isDrawn = [&](FrameCommand& command)
+    {
+        const auto* target = std::get_if<SetRenderTargetCommand>(&command);
+        return target != nullptr && std::ranges::any_of(target->colors, [&](const auto& color)
+                                                        { return color.get() == &texture; });
+    };
+    auto& commands = m_Frame.commands;
+    const auto last = std::find_if(commands.rbegin(), commands.rend(), isDrawn);
+    if (last != commands.rend())
+    {
+        std::get<SetRenderTargetCommand>(*last).generatesMips = true;
+    }
+    else
+    {
+        m_Report->notes.push_back("GenerateMips of '" + texture.name() +
+                                  "': nothing has drawn into it in this frame, so they stay");
     }
 }
 

@@ -44,6 +44,7 @@ TexturePtr CopiedBy(const FrameNode& node, const FrameTables& tables)
 bool SameShape(const RenderTexture& from, const RenderTexture& to)
 {
     return from.width() == to.width() && from.height() == to.height() && !HasSamples(to) &&
+           from.mipmapCount() == to.mipmapCount() &&
            (!HasSamples(from) || from.graphicsFormat() == to.graphicsFormat());
 }
 

@@ -143,7 +143,8 @@ private:
         for (const auto& texture : promise.zeroTextures)
         {
             const auto found = m_Regions.find(texture->id());
-            if (promise.reach >= 0.0f && found != m_Regions.end())
+            // Texels of a coarse mip level reach as far as they like.
+            if (promise.reach >= 0.0f && found != m_Regions.end() && texture->mipmapCount() == 1)
             {
                 const double x = (promise.reach + k_FilterReach) / texture->width();
                 const double y = (promise.reach + k_FilterReach) / texture->height();

@@ -161,7 +161,16 @@ private:
         Transition(texture, TextureUsage::ColorAttachment, barriers);
         StateOf(texture).isFilled = true;
         attachment.resolve = ResolveOf(m_Nodes[index], texture, barriers);
+        attachment.generatesMips = GeneratesMips(attachment, m_Nodes[index]);
         return attachment;
+    }
+
+    static bool GeneratesMips(const ColorAttachment& attachment, const FrameNode& node)
+    {
+        const RenderTexture& seen = attachment.resolve ? *attachment.resolve : *attachment.texture;
+        const bool isStored = attachment.resolve || attachment.store == StoreOp::Store;
+        return isStored && !(HasSamples(seen) && !attachment.resolve) && seen.mipmapCount() > 1 &&
+               (seen.descriptor().autoGenerateMips || node.targets.generatesMips);
     }
 
     DepthAttachment Depth(std::size_t index, const std::shared_ptr<const RenderTexture>& texture,

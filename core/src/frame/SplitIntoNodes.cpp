@@ -139,7 +139,9 @@ private:
             m_NodeViewport.reset();
             m_Started = false;
         }
-        m_Nodes.back().targets.isKept = m_Nodes.back().targets.isKept || m_Target->isKept;
+        SetRenderTargetCommand& targets = m_Nodes.back().targets;
+        targets.isKept = targets.isKept || m_Target->isKept;
+        targets.generatesMips = targets.generatesMips || m_Target->generatesMips;
         FlushPending();
         if (m_Viewport != m_NodeViewport)
         {

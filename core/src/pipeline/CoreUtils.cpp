@@ -157,12 +157,7 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
                  float mipLevel, bool bilinear)
 {
     ExpectSource(source);
-    if (mipLevel != 0.0f)
-    {
-        throw ContractError("BlitTexture: mip level " + std::to_string(mipLevel) +
-                            "; textures have level 0 only");
-    }
-    cmd.DrawCopy(source, scaleBias, bilinear);
+    cmd.DrawCopy(source, scaleBias, bilinear, mipLevel);
 }
 
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,

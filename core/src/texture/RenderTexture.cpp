@@ -27,12 +27,21 @@ GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& 
     }
 }
 
+TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
+{
+    TextureShape shape{TextureDimension::Tex2D, descriptor.width, descriptor.height};
+    if (descriptor.useMipMap)
+    {
+        shape.mipCount = descriptor.mipCount == 0 ? FullMipCount(shape) : descriptor.mipCount;
+    }
+    return shape;
+}
+
 } // namespace
 
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                              SamplerState sampler, bool transient)
-    : Texture(name, {TextureDimension::Tex2D, descriptor.width, descriptor.height},
-              FormatOf(name, descriptor), sampler),
+    : Texture(name, ShapeOf(descriptor), FormatOf(name, descriptor), sampler),
       m_Descriptor(descriptor),
       m_Transient(transient)
 {
@@ -41,6 +50,12 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
     {
         throw ContractError("texture '" + name + "': msaaSamples " + std::to_string(samples) +
                             "; it must be 1, 2, 4 or 8");
+    }
+    if (descriptor.useMipMap && IsDepthFormat(graphicsFormat()))
+    {
+        throw ContractError("texture '" + name +
+                            "': useMipMap of a depth texture; only a colour has "
+                            "mip levels");
     }
 }
 

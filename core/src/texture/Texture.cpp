@@ -2,6 +2,9 @@
 
 #include "scene/UniqueId.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limn/shaderlab/Diagnostic.h>
 #include <utility>
 
@@ -14,6 +17,12 @@ namespace
 std::string FaceSizeText(const TextureShape& shape)
 {
     return std::to_string(shape.width) + "x" + std::to_string(shape.height);
+}
+
+TextureShape WithMips(TextureShape shape, bool mipChain)
+{
+    shape.mipCount = mipChain ? FullMipCount(shape) : 1;
+    return shape;
 }
 
 /// A cube's six slices go without saying.
@@ -30,6 +39,13 @@ std::string SizeText(const TextureShape& shape)
 }
 
 } // namespace
+
+int FullMipCount(const TextureShape& shape)
+{
+    const int depth = shape.dimension == TextureDimension::Tex3D ? shape.slices : 1;
+    const int size = std::max({shape.width, shape.height, depth, 1});
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
+}
 
 const char* ToString(TextureDimension dimension)
 {
@@ -66,6 +82,19 @@ Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat for
     if (format == GraphicsFormat::None)
     {
         throw ContractError("texture '" + m_Name + "': format None; it needs a format");
+    }
+    if (shape.mipCount < 1 || shape.mipCount > FullMipCount(shape))
+    {
+        throw ContractError("texture '" + m_Name + "': " + std::to_string(shape.mipCount) +
+                            " mip levels; " + SizeText(shape) + " has 1 to " +
+                            std::to_string(FullMipCount(shape)));
+    }
+    if (sampler.anisoLevel < 1 || sampler.anisoLevel > 16 || !std::isfinite(sampler.mipMapBias))
+    {
+        throw ContractError("texture '" + m_Name + "': anisoLevel " +
+                            std::to_string(sampler.anisoLevel) + ", mipMapBias " +
+                            std::to_string(sampler.mipMapBias) +
+                            "; the first must be from 1 to 16, the second finite");
     }
 }
 
@@ -111,25 +140,30 @@ void TexelTexture::Append(std::vector<std::byte> texels, int slices, const std::
 }
 
 Texture2D::Texture2D(std::string name, int width, int height, GraphicsFormat format,
-                     std::vector<std::byte> texels, SamplerState sampler)
-    : TexelTexture(std::move(name), {TextureDimension::Tex2D, width, height}, format, sampler)
+                     std::vector<std::byte> texels, SamplerState sampler, bool mipChain)
+    : TexelTexture(std::move(name), WithMips({TextureDimension::Tex2D, width, height}, mipChain),
+                   format, sampler)
 {
     Append(std::move(texels));
 }
 
 Texture3D::Texture3D(std::string name, int width, int height, int depth, GraphicsFormat format,
-                     std::vector<std::byte> texels, SamplerState sampler)
-    : TexelTexture(std::move(name), {TextureDimension::Tex3D, width, height, depth}, format,
+                     std::vector<std::byte> texels, SamplerState sampler, bool mipChain)
+    : TexelTexture(std::move(name),
+                   WithMips({TextureDimension::Tex3D, width, height, depth}, mipChain), format,
                    sampler)
 {
     Append(std::move(texels), depth);
 }
 
 Texture2DArray::Texture2DArray(std::string name, int width, int height, GraphicsFormat format,
-                               std::vector<std::vector<std::byte>> elements, SamplerState sampler)
-    : TexelTexture(std::move(name),
-                   {TextureDimension::Tex2DArray, width, height, static_cast<int>(elements.size())},
-                   format, sampler)
+                               std::vector<std::vector<std::byte>> elements, SamplerState sampler,
+                               bool mipChain)
+    : TexelTexture(
+          std::move(name),
+          WithMips({TextureDimension::Tex2DArray, width, height, static_cast<int>(elements.size())},
+                   mipChain),
+          format, sampler)
 {
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
@@ -147,17 +181,20 @@ void TexelTexture::AppendFaces(CubemapFaces faces, const std::string& part)
 }
 
 Cubemap::Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
-                 SamplerState sampler)
-    : TexelTexture(std::move(name), {TextureDimension::Cube, width, width, 6}, format, sampler)
+                 SamplerState sampler, bool mipChain)
+    : TexelTexture(std::move(name), WithMips({TextureDimension::Cube, width, width, 6}, mipChain),
+                   format, sampler)
 {
     AppendFaces(std::move(faces));
 }
 
 CubemapArray::CubemapArray(std::string name, int width, GraphicsFormat format,
-                           std::vector<CubemapFaces> cubes, SamplerState sampler)
-    : TexelTexture(std::move(name),
-                   {TextureDimension::CubeArray, width, width, 6 * static_cast<int>(cubes.size())},
-                   format, sampler)
+                           std::vector<CubemapFaces> cubes, SamplerState sampler, bool mipChain)
+    : TexelTexture(
+          std::move(name),
+          WithMips({TextureDimension::CubeArray, width, width, 6 * static_cast<int>(cubes.size())},
+                   mipChain),
+          format, sampler)
 {
     for (std::size_t i = 0; i < cubes.size(); ++i)
     {

@@ -20,7 +20,7 @@ public:
         RenderPassEvent renderPassEvent = RenderPassEvent::AfterRenderingOpaques;
         LayerMask layerMask;
         std::shared_ptr<const Shader> shader;
-        Color color = {1.0f, 0.45f, 0.1f, 0.6f};
+        Color color = Color(1.0f, 0.45f, 0.1f, 0.6f);
         int stencilReference = 1;
     };
 

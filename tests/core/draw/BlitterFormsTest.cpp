@@ -84,11 +84,12 @@ TEST_F(BlitterForms, CopyIntoATextureOrAPartOfIt)
     EXPECT_EQ(ScaleBias(draws[1]), (std::vector<float>{1, 1, 0, 0}));
 }
 
-TEST_F(BlitterForms, HaveNoOtherMipLevel)
+TEST_F(BlitterForms, HaveNoMipLevelThatTheSourceHasNot)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { Blitter::BlitCameraTexture(m_Cmd, m_Source, m_Dest, 1.0f); }),
-              "BlitTexture: mip level 1.000000; textures have level 0 only");
+    Blitter::BlitCameraTexture(m_Cmd, m_Source, m_Dest, 1.0f);
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Execute(); }),
+              "BlitTexture: mip level 1.000000 of '" + m_Source.rt()->name() + "'; it has 1");
+    m_Cmd.Clear();
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] {
                       Blitter::BlitTexture(m_Cmd, RTHandle(), {1, 1, 0, 0}, 0, false);

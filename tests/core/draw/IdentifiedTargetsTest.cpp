@@ -284,4 +284,30 @@ TEST_F(IdentifiedTextures, AreBlittedByAPass)
     EXPECT_EQ(clear.color, Color::red);
 }
 
+TEST_F(IdentifiedTextures, HaveMipLevelsMadeOfWhatIsDrawnLast)
+{
+    RenderTextureDescriptor descriptor(16, 8, GraphicsFormat::R8_UNorm);
+    descriptor.useMipMap = true;
+    descriptor.autoGenerateMips = false;
+    m_Cmd.GetTemporaryRT("_Mips", descriptor, FilterMode::Trilinear);
+    m_Cmd.SetRenderTarget("_Mips");
+    m_Cmd.SetRenderTarget(m_Other);
+    m_Cmd.SetRenderTarget("_Mips");
+    m_Cmd.SetRenderTarget(m_Other);
+    m_Cmd.GenerateMips("_Mips");
+    const FrameCommands frame = Execute();
+    ASSERT_EQ(frame.commands.size(), 4u);
+    EXPECT_FALSE(TargetAt(frame, 0).generatesMips);
+    EXPECT_TRUE(TargetAt(frame, 2).generatesMips);
+    EXPECT_FALSE(TargetAt(frame, 3).generatesMips);
+    EXPECT_THAT(m_Report.notes, ElementsAre());
+    m_Cmd.GenerateMips("_Mips");
+    Execute();
+    EXPECT_THAT(m_Report.notes,
+                ElementsAre(testing::HasSubstr("nothing has drawn into it in this frame")));
+    m_Cmd.GenerateMips(m_Other);
+    EXPECT_EQ(ErrorOfExecution(), "GenerateMips: 'Other' is no render texture with mip levels; a "
+                                  "descriptor with useMipMap makes one");
+}
+
 } // namespace limn

@@ -209,5 +209,30 @@ TEST_F(FrameCompilerLoadStore, DoesNotKeepATextureAlive)
     EXPECT_TRUE(watched.expired());
 }
 
+TEST_F(FrameCompilerLoadStore, MakesMipLevelsWhereTheyAreStored)
+{
+    RenderTextureDescriptor descriptor(8, 4, GraphicsFormat::R8G8B8A8_UNorm);
+    descriptor.useMipMap = true;
+    const auto mipped = [&](bool automatic, bool isTransient)
+    {
+        descriptor.autoGenerateMips = automatic;
+        return std::make_shared<const RenderTexture>("Mips", descriptor, SamplerState(),
+                                                     isTransient);
+    };
+    const auto automatic = mipped(true, true);
+    m_Frame.Bind(automatic).Draw(1).Bind(m_A).Draw(2, {automatic}).Bind(automatic).Draw(3);
+    m_Frame.Bind(m_B).Draw(4, {m_A});
+    auto passes = Compile(m_Frame, {m_B}).passes;
+    EXPECT_TRUE(passes.at(0).colors[0].generatesMips);
+    EXPECT_FALSE(passes.at(1).colors[0].generatesMips) << "of one level";
+    for (std::size_t i = 2; i < passes.size(); ++i)
+    {
+        EXPECT_FALSE(passes[i].colors[0].generatesMips) << "nothing reads them";
+    }
+    const auto byHand = mipped(false, false);
+    m_Frame.Bind(byHand).Draw(1);
+    EXPECT_FALSE(Compile(m_Frame).passes.at(0).colors[0].generatesMips);
+}
+
 } // namespace
 } // namespace limn

@@ -94,5 +94,22 @@ TEST(RenderTexture, RejectsNoFormatAtAll)
               "texture '_Mask': format None; it needs a format");
 }
 
+TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
+{
+    RenderTextureDescriptor descriptor(20, 7, GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(RenderTexture("a", descriptor).mipmapCount(), 1);
+    descriptor.useMipMap = true;
+    EXPECT_EQ(RenderTexture("a", descriptor).mipmapCount(), 5) << "20, 10, 5, 2, 1";
+    descriptor.mipCount = 3;
+    EXPECT_EQ(RenderTexture("a", descriptor).mipmapCount(), 3);
+    descriptor.mipCount = 6;
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
+              "texture 'a': 6 mip levels; 20x7 has 1 to 5");
+    descriptor.depthBufferBits = 24;
+    descriptor.mipCount = 0;
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
+              "texture 'a': useMipMap of a depth texture; only a colour has mip levels");
+}
+
 } // namespace
 } // namespace limn

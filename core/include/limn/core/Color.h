@@ -18,6 +18,12 @@ struct Color
     float b = 0.0f;
     float a = 1.0f;
 
+    constexpr Color() = default;
+    constexpr Color(float red_, float green_, float blue_, float alpha = 1.0f)
+        : r(red_), g(green_), b(blue_), a(alpha)
+    {
+    }
+
     static const Color white;
     static const Color black;
     static const Color clear; ///< (0, 0, 0, 0)

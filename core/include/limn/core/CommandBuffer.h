@@ -105,12 +105,18 @@ struct CopyDrawCommand
     RenderTargetIdentifier source;
     glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
     bool isBilinear = false; ///< else the nearest texel
+    float mipLevel = 0.0f;
 };
 
 struct CopyTextureCommand
 {
     RenderTargetIdentifier source;
     RenderTargetIdentifier dest;
+};
+
+struct GenerateMipsCommand
+{
+    RenderTargetIdentifier texture;
 };
 
 // What holds for all draws that follow, whichever buffer they are of.
@@ -142,7 +148,8 @@ using RecordedCommand =
                  SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
                  SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
                  IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
-                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand>;
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
+                 GenerateMipsCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -288,13 +295,21 @@ public:
     /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
     /// Blitter::BlitTexture without a material.
-    void DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias, bool bilinear);
+    void DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias, bool bilinear,
+                  float mipLevel = 0.0f);
     /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
     /// what no sampler can tell apart may be written otherwise.
     /// @throws ContractError  when executed: unless both have one size and colour format and one
     ///         sample a texel
     /// @source Unity: CommandBuffer.CopyTexture (2022.3), which copies bits and depth, too
     void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest);
+
+    /// Makes the mip levels of a render texture behind the first, of what was drawn into it last;
+    /// for one with autoGenerateMips there is nothing to do. Where the frame has drawn nothing into
+    /// it, a sentence in the report says so.
+    /// @throws ContractError  when executed: unless it is a render texture with mip levels
+    /// @source Unity: CommandBuffer.GenerateMips (2022.3)
+    void GenerateMips(RenderTargetIdentifier rt);
 
     // Setting a global throws ContractError naming it if the value is not finite, or an array
     // without elements.
@@ -344,10 +359,7 @@ public:
     void SetKeyword(const GlobalKeyword& keyword, bool value);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
-    void EnableShaderKeyword(std::string_view keyword)
-    {
-        SetKeyword(GlobalKeyword(keyword), true);
-    }
+    void EnableShaderKeyword(std::string_view keyword) { SetKeyword(GlobalKeyword(keyword), true); }
     void DisableShaderKeyword(std::string_view keyword)
     {
         SetKeyword(GlobalKeyword(keyword), false);

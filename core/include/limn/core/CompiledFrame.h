@@ -39,6 +39,8 @@ struct ColorAttachment
     /// see, if it is the texture itself, or to another one of its format with one sample a texel.
     /// Null = nowhere; `load` and `store` are about the samples alone.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
+    /// The mip levels behind the first are made at the pass's end: of `resolve`, or else `texture`.
+    bool generatesMips = false;
 
     bool operator==(const ColorAttachment&) const = default;
 };

@@ -91,10 +91,10 @@ inline void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source,
     BlitCameraTexture(cmd, source, destination, std::move(material), passIndex);
 }
 /// A plain copy.
-/// @param mipLevel  0, the only one that textures have
+/// @param mipLevel  of the source; between two, what its filter makes of them
 /// @param bilinear  else the nearest texel
-/// @throws ContractError if a handle is empty or the mip level another one; when executed, if both
-///         are the same texture or no camera is rendered
+/// @throws ContractError if a handle is empty; when executed, if both are the same texture, the
+///         source has no such level, or no camera is rendered
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        float mipLevel = 0.0f, bool bilinear = false);
 /// The same over a part of the destination.

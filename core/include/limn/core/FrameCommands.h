@@ -170,6 +170,7 @@ struct SetRenderTargetCommand
         colors;                                 ///< may be empty with a depth
     std::shared_ptr<const RenderTexture> depth; ///< may be null
     bool isKept = false;                        ///< those draws are run whether anything reads them
+    bool generatesMips = false; ///< of colours with mip levels that do not make them themselves
 
     bool operator==(const SetRenderTargetCommand&) const = default;
 };

@@ -18,6 +18,12 @@ struct RenderTextureDescriptor
     /// 1, 2, 4 or 8 a texel. What draws left in several is resolved for whoever reads the texture:
     /// colour to the average, depth and stencil to the first sample.
     int msaaSamples = 1;
+    /// With mip levels, of a colour. They are undefined until they are generated.
+    bool useMipMap = false;
+    /// Each draw into the texture makes them anew, when the next target is bound; else
+    /// CommandBuffer::GenerateMips does.
+    bool autoGenerateMips = true;
+    int mipCount = 0; ///< of useMipMap: 0 = all down to 1x1
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)

@@ -103,6 +103,7 @@ public:
 
 private:
     void Run(const CommandBuffer& commandBuffer);
+    void GenerateMips(const RenderTexture& texture);
 
     friend class RenderGraphRun; // looks at what a pass recorded
 

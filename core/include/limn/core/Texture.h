@@ -20,6 +20,10 @@ struct SamplerState
     TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< of 3D textures
     bool comparison = false; ///< depth comparison: passes what is as near as the texel or nearer
     bool standardZ = false;  ///< of the comparison: 0 is near
+    /// Samples along the direction in which a surface is seen flat: 1 ... 16, 1 = one only. Where
+    /// the device cannot, one. Unity: Texture.anisoLevel.
+    int anisoLevel = 1;
+    float mipMapBias = 0.0f; ///< added to the mip level. Unity: Texture.mipMapBias
 
     bool operator==(const SamplerState&) const = default;
 };
@@ -32,7 +36,11 @@ struct TextureShape
     int width = 0;  ///< texels
     int height = 0; ///< texels
     int slices = 1;
+    int mipCount = 1; ///< levels, each half as wide and high as the one before, at least a texel
 };
+
+/// The levels down to 1x1 (and 1 slice of a 3D texture).
+int FullMipCount(const TextureShape& shape);
 
 /// As ShaderLab spells it: "2D", "3D", "Cube", "2DArray", "CubeArray".
 const char* ToString(TextureDimension dimension);
@@ -54,6 +62,7 @@ public:
     int width() const { return m_Shape.width; }
     int height() const { return m_Shape.height; }
     int slices() const { return m_Shape.slices; } ///< see TextureShape
+    int mipmapCount() const { return m_Shape.mipCount; }
     /// For messages: "256x256", "32x32x16 3D", "64x64 Cube", "64x64x8 2DArray", "64x64x12
     /// CubeArray"
     std::string DescribeSize() const;
@@ -82,7 +91,9 @@ private:
 /// in limn's left-handed axes, which is how Unity, Direct3D and Vulkan look a direction up.
 using CubemapFaces = std::array<std::vector<std::byte>, 6>;
 
-/// A texture whose texels come from the CPU.
+/// A texture whose texels come from the CPU: those of mip level 0. Where there are more, the device
+/// makes each from the one before when it uploads them, by its linear filter: of an even size the
+/// mean of 2x2 (sRGB is averaged in linear space).
 class TexelTexture : public Texture
 {
 public:
@@ -112,9 +123,10 @@ private:
 class Texture2D final : public TexelTexture
 {
 public:
-    /// @param texels  height rows of width texels in `format`, tightly packed
+    /// @param texels    height rows of width texels in `format`, tightly packed
+    /// @param mipChain  with all mip levels, else with one
     Texture2D(std::string name, int width, int height, GraphicsFormat format,
-              std::vector<std::byte> texels, SamplerState sampler = {});
+              std::vector<std::byte> texels, SamplerState sampler = {}, bool mipChain = false);
 };
 
 /// A volume; slice 0 is at w = 0. Unity: UnityEngine.Texture3D.
@@ -123,7 +135,7 @@ class Texture3D final : public TexelTexture
 public:
     /// @param texels  depth slices, each as a Texture2D's texels
     Texture3D(std::string name, int width, int height, int depth, GraphicsFormat format,
-              std::vector<std::byte> texels, SamplerState sampler = {});
+              std::vector<std::byte> texels, SamplerState sampler = {}, bool mipChain = false);
 };
 
 /// Pictures of one size that a shader chooses from by number. Unity: UnityEngine.Texture2DArray.
@@ -132,7 +144,8 @@ class Texture2DArray final : public TexelTexture
 public:
     /// @param elements  each as a Texture2D's texels
     Texture2DArray(std::string name, int width, int height, GraphicsFormat format,
-                   std::vector<std::vector<std::byte>> elements, SamplerState sampler = {});
+                   std::vector<std::vector<std::byte>> elements, SamplerState sampler = {},
+                   bool mipChain = false);
 };
 
 /// What is seen all around a point. Unity: UnityEngine.Cubemap.
@@ -141,7 +154,7 @@ class Cubemap final : public TexelTexture
 public:
     /// @param width  of a face, which is as high
     Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
-            SamplerState sampler = {});
+            SamplerState sampler = {}, bool mipChain = false);
 };
 
 /// Cubes of one size that a shader chooses from by number. Unity: UnityEngine.CubemapArray.
@@ -150,7 +163,7 @@ class CubemapArray final : public TexelTexture
 public:
     /// @param width  of a face, which is as high
     CubemapArray(std::string name, int width, GraphicsFormat format,
-                 std::vector<CubemapFaces> cubes, SamplerState sampler = {});
+                 std::vector<CubemapFaces> cubes, SamplerState sampler = {}, bool mipChain = false);
 };
 
 } // namespace limn

@@ -142,6 +142,7 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
         &VkPhysicalDeviceFeatures::geometryShader,     // SV_PrimitiveID in fragment functions
         &VkPhysicalDeviceFeatures::tessellationShader, // asked for by #pragma target 4.6 and 5.0
         &VkPhysicalDeviceFeatures::imageCubeArray,
+        &VkPhysicalDeviceFeatures::samplerAnisotropy,
         &VkPhysicalDeviceFeatures::sampleRateShading,
         &VkPhysicalDeviceFeatures::shaderClipDistance,
         &VkPhysicalDeviceFeatures::shaderCullDistance,

@@ -59,6 +59,7 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
     m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
     m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
+    m_Capabilities.anisotropy = wanted.core.features.samplerAnisotropy == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
     m_Capabilities.conservative = extensions.conservative;
     if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)

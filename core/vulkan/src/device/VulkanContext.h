@@ -15,6 +15,7 @@ struct DeviceCapabilities
     bool conservative = false;              ///< VK_EXT_conservative_rasterization
     std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
     bool mirrorOnce = false;
+    bool anisotropy = false;
     bool cubeArray = false;
     std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
     double nanosecondsPerTick = 1.0;

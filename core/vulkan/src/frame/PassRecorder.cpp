@@ -1,6 +1,7 @@
 #include "frame/PassRecorder.h"
 
 #include "frame/PassTargets.h"
+#include "resources/MipChain.h"
 
 namespace limn::vulkan
 {
@@ -38,9 +39,23 @@ void PassRecorder::Record()
         Run(EndSampleCommand{});
     }
     vkCmdEndRendering(m_Commands);
+    GenerateMips();
     if (!m_Pass.name.empty())
     {
         EndLabel();
+    }
+}
+
+void PassRecorder::GenerateMips() const
+{
+    const UsageScope drawn = ToUsageScope(TextureUsage::ColorAttachment);
+    for (const ColorAttachment& color : m_Pass.colors)
+    {
+        if (color.generatesMips)
+        {
+            const RenderTexture& texture = color.resolve ? *color.resolve : *color.texture;
+            RecordMips(m_Commands, m_Images.Find(texture)->readImage(), texture, drawn, drawn);
+        }
     }
 }
 

@@ -16,6 +16,7 @@ public:
     void Record();
 
 private:
+    void GenerateMips() const;
     void Run(const ClearCommand& clear);
     void Run(const SetViewportCommand& viewport);
     void Run(const DrawCommand& draw);

@@ -14,12 +14,16 @@ VkImageUsageFlags UsageFlags(const Texture& texture, std::uint32_t samples)
     const auto* target = dynamic_cast<const RenderTexture*>(&texture);
     if (target == nullptr)
     {
-        return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+               (texture.mipmapCount() > 1 ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : 0);
     }
     const VkImageUsageFlags attachment = IsDepthFormat(texture.graphicsFormat())
                                              ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
                                              : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    return samples == 1 ? attachment | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+    const VkImageUsageFlags made =
+        texture.mipmapCount() > 1 ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0; // from level to level
+    return samples == 1
+               ? attachment | made | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
            : target->isTransient() ? attachment | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT
                                    : attachment;
 }
@@ -92,7 +96,7 @@ VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
         texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
     info.format = ToVkFormat(texture.graphicsFormat());
     info.extent = Extent(texture);
-    info.mipLevels = 1;
+    info.mipLevels = samples == 1 ? static_cast<std::uint32_t>(texture.mipmapCount()) : 1;
     info.arrayLayers = LayerCount(texture);
     info.samples = static_cast<VkSampleCountFlagBits>(samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;

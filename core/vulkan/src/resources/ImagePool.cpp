@@ -3,6 +3,7 @@
 #include "device/Check.h"
 #include "device/Translate.h"
 #include "resources/ImageDescription.h"
+#include "resources/MipChain.h"
 #include <algorithm>
 #include <bit>
 
@@ -25,7 +26,8 @@ VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout befo
     barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.image.get();
-    barrier.subresourceRange = {image.aspects, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS};
+    barrier.subresourceRange = {image.aspects, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                VK_REMAINING_ARRAY_LAYERS};
     return barrier;
 }
 
@@ -167,8 +169,9 @@ TextureFootprint ImagePool::Footprint(const RenderTexture& texture)
         return {};
     }
     const auto key = (static_cast<std::uint64_t>(texture.graphicsFormat()) << 48U) |
-                     (static_cast<std::uint64_t>(texture.width()) << 24U) |
-                     static_cast<std::uint64_t>(texture.height());
+                     (static_cast<std::uint64_t>(texture.width()) << 26U) |
+                     (static_cast<std::uint64_t>(texture.height()) << 5U) |
+                     static_cast<std::uint64_t>(texture.mipmapCount());
     const auto [found, isNew] = m_Footprints.try_emplace(key);
     if (isNew)
     {
@@ -278,6 +281,9 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
     {
         return;
     }
+    constexpr UsageScope k_Copied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                  VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    const UsageScope read = ToUsageScope(TextureUsage::ShaderRead);
     std::vector<VkImageMemoryBarrier2> before;
     std::vector<VkImageMemoryBarrier2> after;
     for (const Upload& upload : m_Uploads)
@@ -286,15 +292,20 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
         before.back().dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
         before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        after.push_back(ScopeBarrier(*upload.image,
-                                     {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                                      VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                                     ToUsageScope(TextureUsage::ShaderRead)));
+        if (upload.texture->mipmapCount() == 1)
+        {
+            after.push_back(ScopeBarrier(*upload.image, k_Copied, read));
+        }
     }
     RecordBarriers(uploads.commands(), before);
     for (const Upload& upload : m_Uploads)
     {
         RecordCopy(uploads, *upload.image, *upload.texture);
+        if (upload.texture->mipmapCount() > 1)
+        {
+            RecordMips(uploads.commands(), upload.image->image.get(), *upload.texture, k_Copied,
+                       read);
+        }
     }
     RecordBarriers(uploads.commands(), after);
     m_Uploads.clear();
@@ -370,6 +381,10 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedT
         image.image = CreateImage(info, image.name, image.memory);
     }
     image.view = CreateView(image.image.get(), texture, image.aspects);
+    if (image.samples == 1)
+    {
+        image.mipView = CreateMipView(image.image.get(), texture, image.aspects);
+    }
     if (HasStencil(format) && image.samples == 1)
     {
         image.depthView = CreateView(image.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
@@ -383,6 +398,7 @@ void ImagePool::CreateResolved(PooledImage& image, const Texture& texture)
     ResolvedImage resolved;
     resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
     resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
+    resolved.mipView = CreateMipView(resolved.image.get(), texture, image.aspects);
     if (HasStencil(texture.graphicsFormat()))
     {
         resolved.depthView = CreateView(resolved.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
@@ -450,6 +466,7 @@ void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& tex
     }
     Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
     RequireFits(texture, can);
+    RequireMips(info, texture);
     if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
         throw ContractError(subject + "the device does not do " +
@@ -458,15 +475,38 @@ void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& tex
     }
 }
 
+/// Levels are made by blits.
+void ImagePool::RequireMips(const VkImageCreateInfo& info, const Texture& texture) const
+{
+    constexpr VkFormatFeatureFlags k_Needed = VK_FORMAT_FEATURE_BLIT_SRC_BIT |
+                                              VK_FORMAT_FEATURE_BLIT_DST_BIT |
+                                              VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    VkFormatProperties can{};
+    vkGetPhysicalDeviceFormatProperties(m_Context.physicalDevice(), info.format, &can);
+    if (info.mipLevels > 1 && (can.optimalTilingFeatures & k_Needed) != k_Needed)
+    {
+        throw ContractError("texture '" + texture.name() + "': the device makes no mip levels of " +
+                            limn::ToString(texture.graphicsFormat()));
+    }
+}
+
+UniqueImageView ImagePool::CreateMipView(VkImage image, const Texture& texture,
+                                         VkImageAspectFlags aspects) const
+{
+    const int count = texture.mipmapCount();
+    return count > 1 ? CreateView(image, texture, aspects, count) : UniqueImageView();
+}
+
 UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
-                                      VkImageAspectFlags aspects) const
+                                      VkImageAspectFlags aspects, int mipCount) const
 {
     VkImageViewCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     info.image = image;
     info.viewType = ViewType(texture.dimension());
     info.format = ToVkFormat(texture.graphicsFormat());
-    info.subresourceRange = {aspects, 0, 1, 0, LayerCount(texture)};
+    info.subresourceRange = {aspects, 0, static_cast<std::uint32_t>(mipCount), 0,
+                             LayerCount(texture)};
     VkImageView view = VK_NULL_HANDLE;
     Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView",
           texture.name());

@@ -17,6 +17,7 @@ struct ResolvedImage
     UniqueImage image;
     UniqueImageView view;
     UniqueImageView depthView;
+    UniqueImageView mipView;
 };
 
 /// What an image is used for, and what its samples are.
@@ -39,8 +40,9 @@ struct PooledImage
     std::shared_ptr<MemoryAllocation> shared; ///< null where it has its own
     std::uint64_t sharedOffset = 0;           ///< from the beginning of `shared`
     UniqueImage image;
-    UniqueImageView view;                  ///< all aspects, for attachments
+    UniqueImageView view;                  ///< all aspects of mip level 0, for attachments
     UniqueImageView depthView;             ///< the depth alone, where there is stencil too
+    UniqueImageView mipView;               ///< all mip levels, where there are several
     std::optional<ResolvedImage> resolved; ///< of several samples, once something reads them
     VkImageAspectFlags aspects = 0;
     std::uint32_t samples = 1; ///< a texel
@@ -56,7 +58,8 @@ struct PooledImage
     {
         const UniqueImageView& whole = resolved ? resolved->view : view;
         const UniqueImageView& depth = resolved ? resolved->depthView : depthView;
-        return depth ? depth.get() : whole.get();
+        const UniqueImageView& mips = resolved ? resolved->mipView : mipView;
+        return depth ? depth.get() : mips ? mips.get() : whole.get();
     }
 };
 
@@ -133,13 +136,17 @@ private:
     void Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const;
     void CreateResolved(PooledImage& image, const Texture& texture);
     void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
+    void RequireMips(const VkImageCreateInfo& info, const Texture& texture) const;
     UniqueImage CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
                             MemoryAllocation& memory) const;
     void Bind(const UniqueImage& image, const MemoryAllocation& memory, VkDeviceSize offset,
               const std::string& name) const;
-    UniqueImageView CreateView(VkImage image, const Texture& texture,
-                               VkImageAspectFlags aspects) const;
+    UniqueImageView CreateView(VkImage image, const Texture& texture, VkImageAspectFlags aspects,
+                               int mipCount = 1) const;
+    /// Null where there is one level only.
+    UniqueImageView CreateMipView(VkImage image, const Texture& texture,
+                                  VkImageAspectFlags aspects) const;
 
     const VulkanContext& m_Context;
     MemoryAllocator& m_Allocator;

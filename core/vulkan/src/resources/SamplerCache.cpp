@@ -1,6 +1,7 @@
 #include "resources/SamplerCache.h"
 
 #include "device/Check.h"
+#include <algorithm>
 
 namespace limn::vulkan
 {
@@ -8,11 +9,13 @@ namespace limn::vulkan
 namespace
 {
 
-int Pack(const SamplerState& state)
+SamplerKey Pack(const SamplerState& state)
 {
-    return static_cast<int>(state.filterMode) + 4 * static_cast<int>(state.wrapModeU) +
-           16 * static_cast<int>(state.wrapModeV) + 64 * static_cast<int>(state.wrapModeW) +
-           (state.comparison ? 256 : 0) + (state.standardZ ? 512 : 0);
+    const int bits = static_cast<int>(state.filterMode) + 4 * static_cast<int>(state.wrapModeU) +
+                     16 * static_cast<int>(state.wrapModeV) +
+                     64 * static_cast<int>(state.wrapModeW) + (state.comparison ? 256 : 0) +
+                     (state.standardZ ? 512 : 0) + 1024 * state.anisoLevel;
+    return {bits, state.mipMapBias};
 }
 
 VkSamplerAddressMode ToAddressMode(TextureWrapMode mode, bool mirrorOnce)
@@ -58,6 +61,16 @@ VkSampler SamplerCache::Get(const SamplerState& state)
                      : state.standardZ ? VK_COMPARE_OP_LESS_OR_EQUAL
                                        : VK_COMPARE_OP_GREATER_OR_EQUAL;
     info.maxLod = VK_LOD_CLAMP_NONE;
+    const VkPhysicalDeviceLimits& limits = m_Context.capabilities().limits;
+    info.mipLodBias =
+        std::clamp(state.mipMapBias, -limits.maxSamplerLodBias, limits.maxSamplerLodBias);
+    // As in Unity, whose point filter takes one texel whatever the level.
+    info.anisotropyEnable = m_Context.capabilities().anisotropy && state.anisoLevel > 1 &&
+                                    state.filterMode != FilterMode::Point
+                                ? VK_TRUE
+                                : VK_FALSE;
+    info.maxAnisotropy =
+        std::min(static_cast<float>(state.anisoLevel), limits.maxSamplerAnisotropy);
     VkSampler handle = VK_NULL_HANDLE;
     Check(vkCreateSampler(m_Context.device(), &info, nullptr, &handle), "vkCreateSampler");
     sampler = UniqueSampler{m_Context.device(), handle};

@@ -8,6 +8,9 @@
 namespace limn::vulkan
 {
 
+/// A state's fields, packed, and its bias.
+using SamplerKey = std::pair<int, float>;
+
 /// One sampler for each way of reading a texture; there are at most a few dozen.
 class SamplerCache
 {
@@ -18,7 +21,7 @@ public:
 
 private:
     const VulkanContext& m_Context;
-    std::map<int, UniqueSampler> m_Samplers; ///< by the state's fields packed
+    std::map<SamplerKey, UniqueSampler> m_Samplers;
 };
 
 } // namespace limn::vulkan
