@@ -31,15 +31,19 @@ cmake --build "$folder/build" >/dev/null
 
 # A feature written by `limn new` is built by whoever has limn installed, and drawn by it.
 limn=$folder/prefix/bin/limn
-"$limn" new feature Paint -o "$folder/paint" -q >/dev/null
-cmake -S "$folder/paint" -B "$folder/paint/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
-    -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" \
-    -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror" >/dev/null
-cmake --build "$folder/paint/build" >/dev/null
-ctest --test-dir "$folder/paint/build" --output-on-failure
-"$limn" render "$folder/paint/Paint.scene.yaml" --plugin "$folder/paint/build/Paint.so" \
-    --device software --no-cache -o "$folder/paint.png" >/dev/null
-python3 "$(dirname "$0")/check_picture.py" "$folder/paint.png"
+for style in urp14 unity6; do
+    paint=$folder/$style
+    "$limn" new feature Paint --style $style -o "$paint" -q >/dev/null
+    cmake -S "$paint" -B "$paint/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
+        -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" \
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror" >/dev/null
+    cmake --build "$paint/build" >/dev/null
+    ctest --test-dir "$paint/build" --output-on-failure
+    "$limn" render "$paint/Paint.scene.yaml" --plugin "$paint/build/Paint.so" \
+        --device software --no-cache -o "$paint.png" >/dev/null
+    python3 "$(dirname "$0")/check_picture.py" "$paint.png"
+done
+cmp "$folder/urp14.png" "$folder/unity6.png"
 
 # What `limn port` writes of C# builds without a warning and draws a frame.
 ported=$folder/ported

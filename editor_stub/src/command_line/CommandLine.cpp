@@ -350,9 +350,10 @@ void AddNew(CLI::App& app, CommandLine& line)
         ->required()
         ->check([](const std::string& text)
                 { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
-    verb->add_option("--style", line.newStyle, "Of the code: urp14, as in Unity 2022 (default)")
-        ->type_name("urp14")
-        ->check(CheckChoice("urp14"));
+    verb->add_option("--style", line.newFeature.style,
+                     "Of the code: urp14, as in Unity 2022 (default), or unity6: a render graph")
+        ->type_name("urp14|unity6")
+        ->check(CheckChoice("urp14|unity6"));
     OnceParsed(verb, line, [&line](Console& console) { return RunNew(line.newFeature, console); });
 }
 

@@ -34,7 +34,6 @@ struct CommandLine
     NewOptions newFeature;
     PortOptions port;
     std::string newKind;
-    std::string newStyle;
     std::string schemaKind;
     std::string doctorDevice;
     std::string helpVerb; ///< "": of limn itself

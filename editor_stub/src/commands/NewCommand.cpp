@@ -6,6 +6,7 @@
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
 #include <limn/shaderlab/EmbeddedFile.h>
+#include <map>
 
 namespace limn
 {
@@ -59,10 +60,29 @@ std::string Named(std::string text, std::string_view placeholder, const std::str
     return text;
 }
 
-/// "NameTest.cpp.in" → "DepthFogTest.cpp"
-std::string FileName(const EmbeddedFile& file, const std::string& name)
+/// The template's files by their names: those of the style, and those that all styles have.
+std::map<std::string_view, std::string_view> FilesOf(const std::string& style)
 {
-    std::string result(file.path.substr(0, file.path.size() - 3));
+    std::map<std::string_view, std::string_view> files;
+    for (const EmbeddedFile& file : embedded::FeatureTemplate())
+    {
+        const std::size_t slash = file.path.find('/');
+        if (slash == std::string_view::npos)
+        {
+            files.emplace(file.path, file.text);
+        }
+        else if (file.path.substr(0, slash) == style)
+        {
+            files[file.path.substr(slash + 1)] = file.text;
+        }
+    }
+    return files;
+}
+
+/// "NameTest.cpp.in" → "DepthFogTest.cpp"
+std::string FileName(std::string_view file, const std::string& name)
+{
+    std::string result(file.substr(0, file.size() - 3));
     return result.starts_with("Name") ? name + result.substr(4) : result;
 }
 
@@ -77,10 +97,10 @@ int RunNew(const NewOptions& options, Console& console)
         return static_cast<int>(ExitCode::WrongUsage);
     }
     MakeFeatureFolder(options.folder);
-    for (const EmbeddedFile& file : embedded::FeatureTemplate())
+    for (const auto& [file, text] : FilesOf(options.style))
     {
         WriteFeatureFile(options.folder, FileName(file, options.name),
-                         Named(std::string(file.text), "@NAME@", options.name), console);
+                         Named(std::string(text), "@NAME@", options.name), console);
     }
     return static_cast<int>(ExitCode::Done);
 }

@@ -12,6 +12,7 @@ struct NewOptions
 {
     std::string name;
     std::string folder; ///< made, if it is not there
+    std::string style;  ///< urp14 ("" as well): Execute; unity6: RecordRenderGraph
 };
 
 /// Writes the folder of a render feature that builds and draws at once: component, feature, pass,

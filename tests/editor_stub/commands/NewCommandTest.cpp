@@ -42,6 +42,24 @@ TEST(NewCommand, WritesAFeatureOfThatName)
     EXPECT_EQ(10, std::ranges::count(ReadText("a/fog/README.md"), '\n'));
 }
 
+TEST(NewCommand, WritesInTheStyleOfUnity6)
+{
+    const WorkingFolder working;
+    const CommandRun run =
+        RunCommand({"new", "feature", "DepthFog", "--style", "unity6", "-o", "fog"});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_EQ("", run.err);
+    EXPECT_EQ(8, std::ranges::distance(std::filesystem::directory_iterator("fog"),
+                                       std::filesystem::directory_iterator()));
+    const std::string source = ReadText("fog/DepthFogRendererFeature.cpp");
+    EXPECT_THAT(source,
+                testing::HasSubstr("AddRasterRenderPass<PassData>(\"DepthFog\", passData)"));
+    EXPECT_THAT(source, testing::Not(testing::HasSubstr("void Execute(")));
+    EXPECT_THAT(source, testing::Not(testing::HasSubstr("@")));
+    EXPECT_EQ(10, std::ranges::count(ReadText("fog/README.md"), '\n'));
+    EXPECT_EQ(2, RunCommand({"new", "feature", "A", "--style", "urp12", "-o", "a"}).exitCode);
+}
+
 TEST(NewCommand, WritesOverNothing)
 {
     const WorkingFolder working;
