@@ -148,8 +148,7 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
     key.logicOp = isLogical(op) ? std::optional(ToVkLogicOp(op)) : std::nullopt;
     // The command that sets a blend equation knows the plain operations only, and at least one
     // target.
-    key.dynamicBlend =
-        capabilities.dynamicBlend && !isAdvanced(op) && !formats.colors.empty();
+    key.dynamicBlend = capabilities.dynamicBlend && !isAdvanced(op) && !formats.colors.empty();
     if (!key.dynamicBlend)
     {
         for (std::size_t i = 0; i < formats.colors.size(); ++i)
