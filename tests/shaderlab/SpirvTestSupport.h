@@ -9,14 +9,16 @@
 namespace limn::test
 {
 
-/// What the validator of Khronos says for Vulkan 1.3, "" = valid.
+/// What the validator of Khronos says for Vulkan 1.3 with scalarBlockLayout, "" = valid.
 inline std::string ValidationMessages(const std::vector<std::uint32_t>& spirv)
 {
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
     std::string messages;
     tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&,
                                  const char* message) { messages.append(message).append("\n"); });
-    return tools.Validate(spirv) ? "" : "invalid: " + messages;
+    spvtools::ValidatorOptions options;
+    options.SetScalarBlockLayout(true);
+    return tools.Validate(spirv.data(), spirv.size(), options) ? "" : "invalid: " + messages;
 }
 
 /// SPIR-V as text with names in the place of numbers.

@@ -313,6 +313,25 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     }
 }
 
+void DrawRecorder::Dispatch(const RecordedDispatch& recorded)
+{
+    const ComputeShader& shader = *recorded.shader;
+    DispatchSetup setup;
+    setup.program = shader.Compile(recorded.kernel, keywords());
+    setup.shader = recorded.shader;
+    setup.kernel = recorded.kernel;
+    const PropertySources sources{&shader.kernelValues(recorded.kernel), nullptr, &m_Globals,
+                                  &shader, recorded.kernel};
+    setup.bindings = m_Resolver.Resolve(setup.program, sources, m_Frame.uniformData);
+    auto& setups = m_Frame.dispatchSetups;
+    if (setups.empty() || setups.back() != setup)
+    {
+        setups.push_back(std::move(setup));
+    }
+    m_Frame.commands.emplace_back(
+        DispatchCommand{static_cast<std::uint32_t>(setups.size() - 1), recorded.groups, false});
+}
+
 std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
                                                   const PerDrawData& perDraw) const
 {

@@ -42,6 +42,9 @@ public:
     /// @param properties  of the draw; null = none
     void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
+    /// Looks a dispatch up and appends it.
+    void Dispatch(const RecordedDispatch& recorded);
+
     Place MarkPlace();
     /// Runs `record` with what was global at that place.
     void WithGlobalsOf(const Place& place, const std::function<void()>& record);

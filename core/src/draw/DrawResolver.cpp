@@ -1,5 +1,6 @@
 #include "draw/DrawResolver.h"
 
+#include "draw/StorageSlots.h"
 #include "material/UniformWriter.h"
 
 #include <algorithm>
@@ -16,24 +17,7 @@ namespace
 
 std::string Subject(ShaderPropertyId id, const PropertySources& sources)
 {
-    return "material '" + sources.material->name() + "': property '" + id.name() + "'";
-}
-
-/// The texture that a property is set to; null where it is not.
-std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySources& sources)
-{
-    const ShaderPropertyValue* value = sources.Find(id);
-    if (value == nullptr)
-    {
-        return nullptr;
-    }
-    const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
-    if (texture == nullptr)
-    {
-        throw DrawError(Subject(id, sources) +
-                        " is a texture in the shader but is set to a number");
-    }
-    return *texture;
+    return sources.Subject() + ": property '" + id.name() + "'";
 }
 
 /// A sampler whose name says what it does: "sampler_LinearClamp", "my_point_repeat_sampler".
@@ -96,9 +80,28 @@ const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
     const ShaderPropertyValue* value = block != nullptr ? block->Find(id) : nullptr;
     if (value == nullptr)
     {
-        value = material->Find(id);
+        value = material != nullptr ? material->Find(id) : compute->values().Find(id);
     }
     return value != nullptr ? value : globals->Find(id);
+}
+
+bool PropertySources::HasBuffers() const
+{
+    return globals->hasBuffers() || (block != nullptr && block->hasBuffers()) ||
+           (material != nullptr ? material->hasBuffers() : compute->values().hasBuffers());
+}
+
+bool PropertySources::IsKeywordEnabled(std::string_view keyword) const
+{
+    return material != nullptr ? material->IsKeywordEnabled(keyword)
+                               : compute->IsKeywordEnabled(keyword);
+}
+
+std::string PropertySources::Subject() const
+{
+    return material != nullptr ? "material '" + material->name() + "'"
+                               : "compute shader '" + compute->name() + "', kernel '" +
+                                     compute->kernelName(kernel) + "'";
 }
 
 void DrawResolver::Begin(std::vector<std::string>& notes)
@@ -124,7 +127,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
 {
     m_HasResolved = true;
     const Material& material = *sources.material;
-    const ProgramIds& ids = IdsOf(pass, *material.shader());
+    const ProgramIds& ids = IdsOf(pass, material.shader()->name());
     if (sources.block != nullptr && !sources.block->isEmpty())
     {
         return Build(ids, sources, uniformData);
@@ -139,16 +142,24 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
     return m_Built[shared.built];
 }
 
+std::shared_ptr<const DrawBindings>
+DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
+                      const PropertySources& sources, std::vector<std::byte>& uniformData)
+{
+    m_HasResolved = true;
+    return Build(IdsOf(kernel, sources.compute->name()), sources, uniformData);
+}
+
 /// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
-void DrawResolver::Note(const std::string& message, const Shader& shader)
+void DrawResolver::Note(const std::string& message, const std::string& shader)
 {
     SharedNote& note =
         m_SharedNotes.try_emplace(message, SharedNote{m_Notes->size(), {}}).first->second;
-    if (std::ranges::find(note.shaders, shader.name()) != note.shaders.end())
+    if (std::ranges::find(note.shaders, shader) != note.shaders.end())
     {
         return;
     }
-    note.shaders.push_back(shader.name());
+    note.shaders.push_back(shader);
     m_Notes->resize(std::max(m_Notes->size(), note.index + 1));
     constexpr std::size_t k_Listed = 4;
     std::string others;
@@ -166,6 +177,7 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
     ids.pass = pass;
     for (const UniformBuffer& buffer : pass->layout.buffers)
     {
+        ids.buffers.emplace_back(buffer.name);
         auto& members = ids.members.emplace_back();
         for (const UniformMember& member : buffer.members)
         {
@@ -191,11 +203,19 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
         }
         ids.samplers.push_back(source);
     }
+    for (const StorageBufferBinding& buffer : pass->layout.storageBuffers)
+    {
+        ids.storageBuffers.emplace_back(buffer.name);
+    }
+    for (const StorageTextureBinding& texture : pass->layout.storageTextures)
+    {
+        ids.storageTextures.emplace_back(texture.name);
+    }
     return ids;
 }
 
 const DrawResolver::ProgramIds&
-DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader)
+DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader)
 {
     const auto [known, isNew] = m_Ids.try_emplace(pass.get());
     ProgramIds& ids = known->second;
@@ -221,26 +241,16 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
                                                         std::vector<std::byte>& uniformData)
 {
     const PropertyLayout& layout = ids.pass->layout;
-    RequireTriangles(layout, sources);
+    RequireTriangles(layout, sources); // of a kernel there is nothing to say
     m_Building.uniforms.clear();
     m_Building.textures.clear();
     m_Building.samplers.clear();
+    m_Building.buffers.clear();
+    m_Building.storageTextures.clear();
     m_Building.perDrawBinding.reset();
     AddUniforms(ids, sources, uniformData);
     AddTextures(ids, sources);
-    for (const StorageBufferBinding& buffer : layout.storageBuffers)
-    {
-        if (buffer.name == "limn_Instances")
-        {
-            continue; // the device's own
-        }
-        if (buffer.name != "limn_PerDraw")
-        {
-            throw DrawError("material '" + sources.material->name() + "': structured buffer '" +
-                            buffer.name + "' cannot be bound yet");
-        }
-        m_Building.perDrawBinding = buffer.binding;
-    }
+    AddStorage(ids, sources);
     m_Built.resize(std::max(m_Built.size(), m_BuiltCount + 1));
     std::shared_ptr<const DrawBindings>& built = m_Built[m_BuiltCount++];
     if (!built || *built != m_Building)
@@ -248,6 +258,8 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
         built = std::make_shared<const DrawBindings>(m_Building);
     }
     m_Building.textures.clear(); // they are not kept for longer than the frame has them
+    m_Building.buffers.clear();
+    m_Building.storageTextures.clear();
     return built;
 }
 
@@ -255,9 +267,18 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
                                std::vector<std::byte>& uniformData)
 {
     const PropertyLayout& layout = ids.pass->layout;
+    const bool hasBuffers = sources.HasBuffers();
     for (std::size_t b = 0; b < layout.buffers.size(); ++b)
     {
         const UniformBuffer& buffer = layout.buffers[b];
+        if (hasBuffers)
+        {
+            if (const BufferRange* range = FindBuffer(ids.buffers[b], sources))
+            {
+                m_Building.buffers.push_back(UniformSlot(buffer, *range, sources));
+                continue;
+            }
+        }
         const std::size_t offset =
             (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
         uniformData.resize(offset + buffer.size);
@@ -275,6 +296,29 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
         }
         m_Building.uniforms.push_back(
             {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
+    }
+}
+
+/// What somebody else made and the shader names.
+void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sources)
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    for (std::size_t i = 0; i < layout.storageBuffers.size(); ++i)
+    {
+        const StorageBufferBinding& buffer = layout.storageBuffers[i];
+        if (buffer.name == "limn_PerDraw")
+        {
+            m_Building.perDrawBinding = buffer.binding;
+        }
+        else if (buffer.name != "limn_Instances") // the device's own
+        {
+            m_Building.buffers.push_back(StorageSlot(buffer, ids.storageBuffers[i], sources));
+        }
+    }
+    for (std::size_t i = 0; i < layout.storageTextures.size(); ++i)
+    {
+        m_Building.storageTextures.push_back(
+            WritableSlot(layout.storageTextures[i], ids.storageTextures[i], sources));
     }
 }
 
@@ -301,7 +345,8 @@ void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sou
         const auto texture = source.state ? nullptr : FindTexture(source.texture, sources);
         SamplerState state = texture ? texture->sampler() : source.state.value_or(SamplerState());
         state.comparison = layout.samplers[i].comparison;
-        state.standardZ = !sources.material->shader()->usesReversedZBuffer();
+        state.standardZ =
+            sources.material != nullptr && !sources.material->shader()->usesReversedZBuffer();
         m_Building.samplers.push_back({layout.samplers[i].binding, state});
     }
 }
@@ -319,7 +364,8 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
     std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
     {
-        return DefaultOf(id, binding.dimension, sources);
+        return sources.material != nullptr ? DefaultOf(id, binding.dimension, sources)
+                                           : FailUnset<Texture>(id, "texture", sources);
     }
     if (texture->dimension() != binding.dimension)
     {

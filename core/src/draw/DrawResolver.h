@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iterator>
+#include <limn/core/ComputeShader.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Material.h>
 #include <map>
@@ -21,14 +22,20 @@ void EraseUnused(Map& map)
     }
 }
 
-/// Where a draw's property values come from, first to last.
+/// Where the property values of a draw or dispatch come from, first to last.
 struct PropertySources
 {
-    const MaterialPropertyBlock* block = nullptr;   ///< may be null
-    const Material* material = nullptr;             ///< never null
+    const MaterialPropertyBlock* block = nullptr;   ///< may be null; a kernel's own
+    const Material* material = nullptr;             ///< null = a dispatch's
     const MaterialPropertyBlock* globals = nullptr; ///< never null
+    const ComputeShader* compute = nullptr;         ///< null = a draw's
+    int kernel = 0;
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
+    bool HasBuffers() const; ///< else no value is one
+    bool IsKeywordEnabled(std::string_view keyword) const;
+    /// Whose they are, for messages: "material 'Paint'"
+    std::string Subject() const;
 };
 
 /// Turns property values into the bytes and slots a compiled pass binds. What it found out for one
@@ -52,6 +59,11 @@ public:
                                                 std::uint64_t globalsVersion,
                                                 std::vector<std::byte>& uniformData);
 
+    /// The bindings of a dispatch.
+    std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
+                                                const PropertySources& sources,
+                                                std::vector<std::byte>& uniformData);
+
     /// Whether a draw so far has the texture bound.
     bool HasBound(const Texture& texture) const
     {
@@ -71,18 +83,23 @@ private:
     {
         std::shared_ptr<const ShaderProgram> pass;          ///< keeps the key's address taken
         std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
+        std::vector<ShaderPropertyId> buffers;
         std::vector<ShaderPropertyId> textures;
         std::vector<SamplerSource> samplers;
+        std::vector<ShaderPropertyId> storageBuffers;
+        std::vector<ShaderPropertyId> storageTextures;
         bool isUsed = false; ///< in this frame
     };
     static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
-    void Note(const std::string& message, const Shader& shader);
-    const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const Shader& shader);
+    void Note(const std::string& message, const std::string& shader);
+    const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
+                            const std::string& shader);
     std::shared_ptr<const DrawBindings> Build(const ProgramIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
     void AddUniforms(const ProgramIds& ids, const PropertySources& sources,
                      std::vector<std::byte>& uniformData);
     void AddTextures(const ProgramIds& ids, const PropertySources& sources);
+    void AddStorage(const ProgramIds& ids, const PropertySources& sources);
     std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
                                              const PropertySources& sources);
     std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,

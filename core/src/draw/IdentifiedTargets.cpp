@@ -300,6 +300,14 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& comman
     return m_Result;
 }
 
+const CommandBuffer& IdentifiedTargets::Resolve(const SetComputeTextureCommand& command)
+{
+    m_Result.Clear();
+    m_Result.SetParam(command.shader, command.kernel, command.id,
+                      Find(command.texture, "SetComputeTextureParam"));
+    return m_Result;
+}
+
 const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
 {
     m_Result.Clear();

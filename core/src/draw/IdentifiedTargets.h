@@ -32,6 +32,7 @@ public:
     const CommandBuffer& Resolve(const CopyDrawCommand& command);
     const CommandBuffer& Resolve(const CopyTextureCommand& command);
     std::shared_ptr<const RenderTexture> Resolve(const GenerateMipsCommand& command) const;
+    const CommandBuffer& Resolve(const SetComputeTextureCommand& command);
 
 private:
     struct Temporary

@@ -17,6 +17,7 @@ FrameCommands Emptied(FrameCommands frame)
     frame.commands.clear();
     frame.uniformData.clear();
     frame.setups.clear();
+    frame.dispatchSetups.clear();
     frame.meshes.clear();
     frame.instances.clear();
     frame.perDraw.clear();
@@ -148,6 +149,18 @@ void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
                 {
                     DrawRenderers(*c.list->cullingResults, c.list->drawSettings,
                                   c.list->filteringSettings, c.list->stateBlock);
+                }
+                else if constexpr (std::is_same_v<Command, RecordedDispatch>)
+                {
+                    m_Recorder->Dispatch(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeParamCommand>)
+                {
+                    c.shader->Set(c.kernel, c.id, c.value);
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeKeywordCommand>)
+                {
+                    c.shader->SetKeyword(c.keyword, c.isOn);
                 }
                 else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
                 {

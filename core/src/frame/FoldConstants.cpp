@@ -206,6 +206,11 @@ private:
 
     void BeginWithWhatIsPending(FrameNode& node)
     {
+        for (const auto& target : node.writes)
+        {
+            WriteWhatIsPending(target); // a dispatch clears nothing
+            StateOf(target).constant.flags = ClearFlag::None;
+        }
         for (const auto& target : TargetsOf(node))
         {
             TextureState& state = StateOf(target);

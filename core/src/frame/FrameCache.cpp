@@ -28,6 +28,18 @@ bool AreSame(const TextureState& a, const TextureState& b)
            a.history == b.history && a.readers == b.readers;
 }
 
+bool AreSame(const BufferState& a, const BufferState& b)
+{
+    return !a.buffer.expired() && a.isWritten == b.isWritten && a.visible == b.visible &&
+           a.readers == b.readers;
+}
+
+bool AreSame(const DispatchSetup& a, const DispatchSetup& b)
+{
+    return a.program == b.program && a.shader == b.shader && a.kernel == b.kernel &&
+           AreSame(a.bindings, b.bindings);
+}
+
 /// Whether each has the same elements and nothing that has died since.
 bool AreSame(const TextureStates& now, const TextureStates& then)
 {
@@ -42,7 +54,14 @@ bool AreSame(const TextureStates& now, const TextureStates& then)
         return other != then.depthTwins.end() && !entry.second.original.expired() &&
                entry.second.texture == other->second.texture;
     };
+    const auto isSameBuffer = [&](const auto& entry)
+    {
+        const auto other = then.buffers.find(entry.first);
+        return other != then.buffers.end() && AreSame(entry.second, other->second);
+    };
     return now.textures.size() == then.textures.size() &&
+           now.buffers.size() == then.buffers.size() &&
+           std::ranges::all_of(now.buffers, isSameBuffer) &&
            now.depthTwins.size() == then.depthTwins.size() &&
            std::ranges::all_of(now.textures, isSame) &&
            std::ranges::all_of(now.depthTwins, isSameTwin);
@@ -53,6 +72,7 @@ void CopyStructure(const FrameCommands& from, FrameCommands& to)
 {
     to.commands = from.commands;
     to.setups = from.setups;
+    to.dispatchSetups = from.dispatchSetups;
     to.meshes = from.meshes;
 }
 
@@ -81,6 +101,9 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
            commands.perDraw.size() == m_Frame->perDraw.size() &&
            std::ranges::equal(commands.setups, m_Commands.setups,
                               [](const DrawSetup& a, const DrawSetup& b)
+                              { return AreSame(a, b); }) &&
+           std::ranges::equal(commands.dispatchSetups, m_Commands.dispatchSetups,
+                              [](const DispatchSetup& a, const DispatchSetup& b)
                               { return AreSame(a, b); }) &&
            AreSame(states, m_States);
 }

@@ -13,6 +13,8 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     frame.states = states;
     std::erase_if(frame.states.textures,
                   [](const auto& entry) { return entry.second.texture.expired(); });
+    std::erase_if(frame.states.buffers,
+                  [](const auto& entry) { return entry.second.buffer.expired(); });
     static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
     std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
     std::vector<std::uint64_t> overwritten;

@@ -25,6 +25,46 @@ void AddRead(std::vector<std::shared_ptr<const Texture>>& reads,
     }
 }
 
+void AddUse(std::vector<BufferUse>& uses, const BufferSlot& slot)
+{
+    const auto known = std::ranges::find(uses, slot.buffer, &BufferUse::buffer);
+    if (known == uses.end())
+    {
+        uses.push_back({slot.buffer, slot.stages, slot.isWritten});
+        return;
+    }
+    known->stages = known->stages | slot.stages;
+    known->isWritten = known->isWritten || slot.isWritten;
+}
+
+void AddBindings(FrameNode& node, const DrawBindings& bindings)
+{
+    for (const TextureSlot& slot : bindings.textures)
+    {
+        AddRead(node.reads, slot.texture);
+    }
+    for (const StorageTextureSlot& slot : bindings.storageTextures)
+    {
+        if (std::ranges::find(node.writes, slot.texture) == node.writes.end())
+        {
+            node.writes.push_back(slot.texture);
+        }
+    }
+    for (const BufferSlot& slot : bindings.buffers)
+    {
+        AddUse(node.buffers, slot);
+    }
+}
+
+const DrawBindings* BindingsOf(const PassCommand& command, const FrameTables& tables)
+{
+    const auto* draw = std::get_if<DrawCommand>(&command);
+    const auto* dispatch = std::get_if<DispatchCommand>(&command);
+    return draw       ? tables.Setup(*draw).bindings.get()
+           : dispatch ? tables.Setup(*dispatch).bindings.get()
+                      : nullptr;
+}
+
 } // namespace
 
 ClearFlag AspectsOf(const RenderTexture& texture)
@@ -71,7 +111,10 @@ bool HasDraws(const FrameNode& node)
 {
     return std::any_of(node.commands.begin(), node.commands.end(),
                        [](const PassCommand& command)
-                       { return std::holds_alternative<DrawCommand>(command); });
+                       {
+                           return std::holds_alternative<DrawCommand>(command) ||
+                                  std::holds_alternative<DispatchCommand>(command);
+                       });
 }
 
 bool Overwrites(const FrameNode& node, const RenderTexture& target)
@@ -104,24 +147,23 @@ std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& nod
             targets.push_back(resolve.to);
         }
     }
+    targets.insert(targets.end(), node.writes.begin(), node.writes.end());
     return targets;
 }
 
 void CollectReads(FrameNode& node, const FrameTables& tables)
 {
     node.reads.clear();
+    node.writes.clear();
+    node.buffers.clear();
     const DrawBindings* last = nullptr;
     for (const PassCommand& command : node.commands)
     {
-        const auto* draw = std::get_if<DrawCommand>(&command);
-        const DrawBindings* bindings = draw ? tables.Setup(*draw).bindings.get() : last;
-        if (bindings != last)
+        const DrawBindings* bindings = BindingsOf(command, tables);
+        if (bindings != nullptr && bindings != last)
         {
             last = bindings;
-            for (const TextureSlot& slot : bindings->textures)
-            {
-                AddRead(node.reads, slot.texture);
-            }
+            AddBindings(node, *bindings);
         }
     }
 }

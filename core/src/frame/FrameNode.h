@@ -16,7 +16,15 @@ struct SampleResolve
     std::shared_ptr<const RenderTexture> to; ///< see ColorAttachment::resolve
 };
 
-/// Commands on one set of targets, before load, store and barriers are decided.
+/// What a node does with a buffer.
+struct BufferUse
+{
+    std::shared_ptr<const GraphicsBuffer> buffer;
+    ShaderStage stages = ShaderStage::None;
+    bool isWritten = false;
+};
+
+/// Commands on one set of targets, or dispatches, before load, store and barriers are decided.
 struct FrameNode
 {
     std::string name;
@@ -29,6 +37,9 @@ struct FrameNode
     bool coversColor = false;
     std::vector<PassCommand> commands;
     std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
+    std::vector<std::shared_ptr<const RenderTexture>> writes; ///< by dispatches; no duplicates
+    std::vector<BufferUse> buffers;                           ///< of each one use
+    bool isCompute = false;                                   ///< it has dispatches, and no targets
     std::vector<SampleResolve> resolves;
     std::string whyLeftOut; ///< "" = it is not
     std::size_t place = 0;  ///< see CompiledRenderPass
@@ -40,15 +51,16 @@ bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
 bool HasSamples(const RenderTexture& texture);         ///< several a texel
 /// What a colour target is cleared to before the first draw; none = it is not.
 std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
-bool HasDraws(const FrameNode& node);
+bool HasDraws(const FrameNode& node); ///< or dispatches
 /// Whether each component that the format has is 0.
 bool IsZero(const Color& color, GraphicsFormat format);
 /// Whether a draw tests or writes depth or stencil where they are attached.
 bool UsesDepth(const PipelineState& state);
 /// Whether it does not matter what the target holds before the node.
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
+/// All that it draws into, resolves to or writes.
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
-/// Works FrameNode::reads out from the draws.
+/// Works FrameNode::reads, writes and buffers out from the draws and dispatches.
 void CollectReads(FrameNode& node, const FrameTables& tables);
 
 /// Changes what a node's draws are set up with, and nobody else's.
@@ -85,7 +97,8 @@ void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame);
 void EraseEmptySamples(FrameNode& node);
 
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
-/// or cleared, so binding alone makes no node and ends none. Samples left open end with the frame.
+/// or cleared, so binding alone makes no node and ends none. Each dispatch is a node. Samples left
+/// open end with the frame.
 /// @throws ContractError as CompileFrame
 std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands,
                                       const FrameTables& tables);

@@ -81,7 +81,8 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
         const bool isRead =
             node->targets.isKept ||
             std::any_of(targets.begin(), targets.end(),
-                        [&](const auto& target) { return read.contains(target->id()); });
+                        [&](const auto& target) { return read.contains(target->id()); }) ||
+            std::ranges::any_of(node->buffers, &BufferUse::isWritten); // it outlives the frame
         if (!isRead)
         {
             node->whyLeftOut = "nothing reads " + NamesOf(*node);
@@ -93,9 +94,10 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
             {
                 read.erase(target->id());
             }
-            else if (IsDepthFormat(target->graphicsFormat()))
+            else if (IsDepthFormat(target->graphicsFormat()) || node->isCompute)
             {
-                read.insert(target->id()); // it decides what of the colours is drawn
+                // It decides what of the colours is drawn; a kernel may read what it writes to.
+                read.insert(target->id());
             }
         }
         for (const auto& texture : node->reads)

@@ -57,7 +57,7 @@ public:
     {
         if (!IsPlain(node))
         {
-            for (const auto& target : node.targets.colors)
+            for (const auto& target : TargetsOf(node))
             {
                 m_Regions.erase(target->id());
             }

@@ -38,6 +38,10 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
         {
             return NextUse::Needs;
         }
+        if (std::any_of(node.writes.begin(), node.writes.end(), is))
+        {
+            return NextUse::Needs;
+        }
         const auto& colors = node.targets.colors;
         if (is(node.targets.depth) || std::any_of(colors.begin(), colors.end(), is))
         {
@@ -57,11 +61,11 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
 
 using Readers = std::unordered_map<std::uint64_t, ShaderStage>;
 
-void AddReaders(const DrawSetup& setup, Readers& readers)
+void AddReaders(const ShaderProgram& program, const DrawBindings& bindings, Readers& readers)
 {
-    for (const TextureSlot& slot : setup.bindings->textures)
+    for (const TextureSlot& slot : bindings.textures)
     {
-        for (const TextureBinding& binding : setup.program->layout.textures)
+        for (const TextureBinding& binding : program.layout.textures)
         {
             if (binding.binding == slot.binding)
             {
@@ -88,7 +92,15 @@ Readers FindReaders(const std::vector<FrameNode>& nodes, const FrameTables& tabl
                 const DrawSetup& setup = tables.Setup(*draw);
                 if (setup.program && setup.bindings)
                 {
-                    AddReaders(setup, readers);
+                    AddReaders(*setup.program, *setup.bindings, readers);
+                }
+            }
+            else if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+            {
+                const DispatchSetup& setup = tables.Setup(*dispatch);
+                if (setup.program)
+                {
+                    AddReaders(*setup.program, *setup.bindings, readers);
                 }
             }
         }
@@ -127,6 +139,15 @@ private:
         for (const auto& texture : node.reads)
         {
             Transition(texture, TextureUsage::ShaderRead, result.barriers);
+        }
+        for (const auto& texture : node.writes)
+        {
+            Transition(texture, TextureUsage::RandomWrite, result.barriers);
+            StateOf(texture).isFilled = true;
+        }
+        for (const BufferUse& use : node.buffers)
+        {
+            Transition(use, result.bufferBarriers);
         }
         for (const auto& texture : node.targets.colors)
         {
@@ -277,6 +298,29 @@ private:
         barriers.push_back({texture, state.usage, usage, readers});
         state.usage = usage;
         state.readers = readers;
+    }
+
+    void Transition(const BufferUse& use, std::vector<BufferBarrier>& barriers)
+    {
+        BufferState& state = m_Frame.states.buffers[use.buffer->id()];
+        state.buffer = use.buffer;
+        const ShaderStage writer = state.isWritten ? ShaderStage::Compute : ShaderStage::None;
+        if (use.isWritten)
+        {
+            const ShaderStage before = state.readers | writer;
+            if (before != ShaderStage::None)
+            {
+                barriers.push_back({use.buffer, before, state.isWritten, use.stages, true});
+            }
+            state = {use.buffer, true, ShaderStage::None, ShaderStage::None};
+            return;
+        }
+        if (state.isWritten && !HasAll(state.visible, use.stages))
+        {
+            barriers.push_back({use.buffer, writer, true, use.stages, false});
+            state.visible = state.visible | use.stages;
+        }
+        state.readers = state.readers | use.stages;
     }
 
     std::vector<FrameNode>& m_Nodes;

@@ -23,9 +23,22 @@ bool ReadsTargetOf(const FrameNode& reader, const FrameNode& node)
                               targets.end()) != reader.reads.end();
 }
 
+/// Whether one writes a buffer that the other uses.
+bool DisputesBuffer(const FrameNode& a, const FrameNode& b)
+{
+    return std::ranges::any_of(
+        a.buffers,
+        [&](const BufferUse& use)
+        {
+            const auto other = std::ranges::find(b.buffers, use.buffer, &BufferUse::buffer);
+            return other != b.buffers.end() && (use.isWritten || other->isWritten);
+        });
+}
+
 bool MayChangePlaces(const FrameNode& a, const FrameNode& b)
 {
-    return !SharesTarget(a, b) && !ReadsTargetOf(a, b) && !ReadsTargetOf(b, a);
+    return !SharesTarget(a, b) && !ReadsTargetOf(a, b) && !ReadsTargetOf(b, a) &&
+           !DisputesBuffer(a, b);
 }
 
 bool SamplesAreBalanced(const FrameNode& node)
@@ -104,6 +117,10 @@ bool DepthFits(const FrameNode& node, const FrameNode& next)
 /// Whether `next` can go on where `node` ends.
 bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
+    if (node.isCompute || next.isCompute)
+    {
+        return node.isCompute && next.isCompute && MayChangePlaces(node, next);
+    }
     return SameSize(AnyTarget(node), AnyTarget(next)) && ColorsFit(node, next, tables) &&
            DepthFits(node, next) && !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
 }

@@ -37,6 +37,23 @@ void ExpectOtherTextures(const FrameNode& node, const DrawBindings& bindings)
     }
 }
 
+/// @throws DrawError if the kernel samples what it writes to
+void ExpectOtherTextures(const DrawBindings& bindings)
+{
+    for (const TextureSlot& slot : bindings.textures)
+    {
+        for (const StorageTextureSlot& written : bindings.storageTextures)
+        {
+            if (slot.texture == written.texture)
+            {
+                throw DrawError("a dispatch samples '" + slot.texture->name() +
+                                "' while it may write to it; read it as the writable texture that "
+                                "it is, or write to another one");
+            }
+        }
+    }
+}
+
 class NodeSplitter
 {
 public:
@@ -99,6 +116,16 @@ private:
         m_Started = true;
     }
 
+    void Take(DispatchCommand& command)
+    {
+        ExpectOtherTextures(*m_Tables.Setup(command).bindings);
+        FrameNode& node = AddNode();
+        node.isCompute = true;
+        node.targets.isKept = command.isKept;
+        FlushPending();
+        node.commands.emplace_back(command);
+    }
+
     void Take(const BeginSampleCommand& command)
     {
         m_Samples.push_back(command.name.name());
@@ -132,12 +159,7 @@ private:
         }
         if (!IsOnTarget())
         {
-            FrameNode& node = m_Nodes.emplace_back();
-            node.name = m_Samples.empty() ? std::string() : m_Samples.back();
-            node.targets = *m_Target;
-            node.place = m_Nodes.size();
-            m_NodeViewport.reset();
-            m_Started = false;
+            AddNode().targets = *m_Target;
         }
         SetRenderTargetCommand& targets = m_Nodes.back().targets;
         targets.isKept = targets.isKept || m_Target->isKept;
@@ -152,10 +174,21 @@ private:
         return m_Nodes.back();
     }
 
+    FrameNode& AddNode()
+    {
+        FrameNode& node = m_Nodes.emplace_back();
+        node.name = m_Samples.empty() ? std::string() : m_Samples.back();
+        node.place = m_Nodes.size();
+        m_NodeViewport.reset();
+        m_Started = false;
+        return node;
+    }
+
     /// Whether the last node draws into what is bound.
     bool IsOnTarget() const
     {
-        return m_Target && !m_Nodes.empty() && m_Nodes.back().targets.colors == m_Target->colors &&
+        return m_Target && !m_Nodes.empty() && !m_Nodes.back().isCompute &&
+               m_Nodes.back().targets.colors == m_Target->colors &&
                m_Nodes.back().targets.depth == m_Target->depth;
     }
 

@@ -40,7 +40,8 @@ TextureDesc::TextureDesc(const RenderTextureDescriptor& descriptor)
       height(descriptor.height),
       format(descriptor.graphicsFormat),
       depthBufferBits(static_cast<DepthBits>(descriptor.depthBufferBits)),
-      msaaSamples(static_cast<MSAASamples>(descriptor.msaaSamples))
+      msaaSamples(static_cast<MSAASamples>(descriptor.msaaSamples)),
+      enableRandomWrite(descriptor.enableRandomWrite)
 {
 }
 
@@ -48,6 +49,7 @@ RenderTextureDescriptor TextureDesc::descriptor() const
 {
     RenderTextureDescriptor result(width, height, format, static_cast<int>(depthBufferBits));
     result.msaaSamples = static_cast<int>(msaaSamples);
+    result.enableRandomWrite = enableRandomWrite;
     return result;
 }
 
@@ -61,6 +63,13 @@ RenderGraphTexture* RenderGraphState::Find(const Texture& texture)
     const auto found = std::ranges::find_if(textures, [&](const RenderGraphTexture& candidate)
                                             { return candidate.texture.rt().get() == &texture; });
     return found == textures.end() ? nullptr : &*found;
+}
+
+RenderGraphBuffer* RenderGraphState::Find(const GraphicsBuffer& buffer)
+{
+    const auto found = std::ranges::find_if(buffers, [&](const RenderGraphBuffer& candidate)
+                                            { return candidate.buffer.get() == &buffer; });
+    return found == buffers.end() ? nullptr : &*found;
 }
 
 TextureHandle UniversalRenderer::CreateRenderGraphTexture(RenderGraph& renderGraph,
@@ -96,6 +105,49 @@ void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const std::string&
         throw ContractError(subject + " of '" + texture.rt()->name() +
                             "', a handle of an earlier frame; handles are for one camera's frame");
     }
+}
+
+void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const std::string& subject) const
+{
+    if (!buffer.IsValid())
+    {
+        throw ContractError(subject + " of an empty handle");
+    }
+    if (buffer.m_Frame != m_State->frame || m_State->Find(*buffer.buffer()) == nullptr)
+    {
+        throw ContractError(subject + " of '" + buffer.buffer()->name() +
+                            "', a handle of an earlier frame; handles are for one camera's frame");
+    }
+}
+
+BufferHandle RenderGraph::CreateBuffer(const BufferDesc& desc)
+{
+    auto& kept = m_State->keptBuffers;
+    auto place = std::ranges::find_if(kept, [&](const RenderGraphState::KeptBuffer& candidate)
+                                      { return !candidate.isTaken && candidate.desc == desc; });
+    if (place == kept.end())
+    {
+        auto buffer = std::make_shared<GraphicsBuffer>(desc.target, desc.count, desc.stride);
+        buffer->SetName(desc.name);
+        kept.push_back({desc, std::move(buffer)});
+        place = kept.end() - 1;
+    }
+    place->isTaken = true;
+    m_State->buffers.push_back({place->buffer, true, false});
+    return {place->buffer, m_State->frame};
+}
+
+BufferHandle RenderGraph::ImportBuffer(const std::shared_ptr<const GraphicsBuffer>& graphicsBuffer)
+{
+    if (!graphicsBuffer)
+    {
+        throw ContractError("ImportBuffer: there is no buffer");
+    }
+    if (m_State->Find(*graphicsBuffer) == nullptr)
+    {
+        m_State->buffers.push_back({graphicsBuffer, false, false});
+    }
+    return {graphicsBuffer, m_State->frame};
 }
 
 std::size_t RenderGraph::IndexOf(const RendererListHandle& list, const std::string& subject) const

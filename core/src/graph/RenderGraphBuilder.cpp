@@ -49,6 +49,13 @@ const RenderGraphPass::Use* RenderGraphPass::FindUse(const RTHandle& texture) co
     return use == uses.end() ? nullptr : &*use;
 }
 
+const RenderGraphPass::BufferUse* RenderGraphPass::FindUse(const GraphicsBuffer& buffer) const
+{
+    const auto use = std::ranges::find_if(buffers, [&](const BufferUse& candidate)
+                                          { return candidate.buffer.get() == &buffer; });
+    return use == buffers.end() ? nullptr : &*use;
+}
+
 bool RenderGraphPass::Declares(const RTHandle& texture, AccessFlags flags) const
 {
     const Use* use = FindUse(texture);
@@ -71,6 +78,19 @@ void BaseRenderGraphBuilder::UseTexture(const TextureHandle& input, AccessFlags 
 {
     ExpectUsable(input, Subject(m_Pass, "UseTexture"));
     AddUse(m_Pass, "UseTexture", {input, flags, false});
+}
+
+BufferHandle BaseRenderGraphBuilder::UseBuffer(const BufferHandle& input, AccessFlags flags)
+{
+    const std::string subject = Subject(m_Pass, "UseBuffer");
+    m_Graph.ExpectOfFrame(input, subject);
+    if (m_Pass.FindUse(*input.buffer()) != nullptr)
+    {
+        throw ContractError(subject + " of '" + input.buffer()->name() +
+                            "', which the pass uses already; say Read and Write at once");
+    }
+    m_Pass.buffers.push_back({input.buffer(), flags});
+    return input;
 }
 
 void BaseRenderGraphBuilder::UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags)
@@ -164,6 +184,11 @@ void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, Ac
 void BaseRenderGraphBuilder::SetFunction(std::function<void(RasterCommandBuffer&)> function)
 {
     m_Pass.raster = std::move(function);
+}
+
+void BaseRenderGraphBuilder::SetFunction(std::function<void(ComputeCommandBuffer&)> function)
+{
+    m_Pass.compute = std::move(function);
 }
 
 void BaseRenderGraphBuilder::SetFunction(std::function<void(UnsafeCommandBuffer&)> function)

@@ -110,6 +110,14 @@ void RenderGraphCamera::End()
     state.rendererLists.clear();
     state.passes.clear();
     state.copy = nullptr;
+    state.buffers.clear();
+    std::erase_if(state.keptBuffers,
+                  [](RenderGraphState::KeptBuffer& kept)
+                  {
+                      kept.idleFrames = kept.isTaken ? 0 : kept.idleFrames + 1;
+                      kept.isTaken = false;
+                      return kept.idleFrames > k_IdleFrames;
+                  });
     std::erase_if(state.kept,
                   [](RenderGraphState::Kept& kept)
                   {

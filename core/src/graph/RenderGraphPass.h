@@ -16,6 +16,11 @@ struct RenderGraphPass
         AccessFlags flags = AccessFlags::None;
         bool isAttachment = false;
     };
+    struct BufferUse
+    {
+        std::shared_ptr<const GraphicsBuffer> buffer;
+        AccessFlags flags = AccessFlags::None;
+    };
     struct GlobalUse
     {
         ShaderPropertyId id;
@@ -30,7 +35,9 @@ struct RenderGraphPass
     std::string name;
     std::function<void(RasterCommandBuffer&)> raster;
     std::function<void(UnsafeCommandBuffer&)> unsafe;
+    std::function<void(ComputeCommandBuffer&)> compute;
     std::vector<Use> uses;
+    std::vector<BufferUse> buffers;
     std::array<RTHandle, k_MostColors> colors;
     RTHandle depth;
     std::vector<GlobalUse> globalUses;
@@ -41,6 +48,7 @@ struct RenderGraphPass
     bool allowsGlobalState = false;
 
     const Use* FindUse(const RTHandle& texture) const;
+    const BufferUse* FindUse(const GraphicsBuffer& buffer) const;
     bool Declares(const RTHandle& texture, AccessFlags flags) const;
 };
 
@@ -55,7 +63,15 @@ struct RenderGraphTexture
     const RenderGraphPass* owner = nullptr; ///< of a transient one
 };
 
-/// Of one camera, but for the textures, which later frames get again.
+/// A buffer that a handle stands for.
+struct RenderGraphBuffer
+{
+    std::shared_ptr<const GraphicsBuffer> buffer;
+    bool isMade = false;    ///< by the graph
+    bool isWritten = false; ///< by a pass that has run
+};
+
+/// Of one camera, but for the textures and buffers, which later frames get again.
 struct RenderGraphState
 {
     struct Kept
@@ -65,15 +81,26 @@ struct RenderGraphState
         int idleFrames = 0; ///< since it was last taken
     };
 
+    struct KeptBuffer
+    {
+        BufferDesc desc;
+        std::shared_ptr<const GraphicsBuffer> buffer;
+        bool isTaken = false;
+        int idleFrames = 0; ///< since it was last taken
+    };
+
     std::uint64_t frame = 1; ///< of the handles that are given out
     std::vector<Kept> kept;
+    std::vector<KeptBuffer> keptBuffers;
     std::vector<RenderGraphTexture> textures;
+    std::vector<RenderGraphBuffer> buffers;
     std::deque<RendererListParams> rendererLists;
     std::deque<RenderGraphPass> passes; ///< of the camera so far
     std::size_t ran = 0;                ///< of them, these have run
     std::shared_ptr<const Material> copy;
 
     RenderGraphTexture* Find(const Texture& texture);
+    RenderGraphBuffer* Find(const GraphicsBuffer& buffer);
 };
 
 } // namespace limn

@@ -80,7 +80,7 @@ void RenderGraphRun::Run(RenderGraphPass& pass)
 
 void RenderGraphRun::ExpectRunnable() const
 {
-    if (!m_Pass->raster && !m_Pass->unsafe)
+    if (!m_Pass->raster && !m_Pass->unsafe && !m_Pass->compute)
     {
         throw ContractError(Subject() + " has no render function; SetRenderFunc gives it one");
     }
@@ -127,6 +127,16 @@ void RenderGraphRun::ExpectWritten() const
                                 "', which no pass before it writes");
         }
     }
+    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
+    {
+        RenderGraphBuffer& buffer = *m_State.Find(*use.buffer);
+        if (buffer.isMade && !buffer.isWritten && use.flags == AccessFlags::Read)
+        {
+            throw ContractError(Subject() + " reads buffer '" + use.buffer->name() +
+                                "', which no pass before it writes");
+        }
+        buffer.isWritten = buffer.isWritten || (use.flags & AccessFlags::Write);
+    }
 }
 
 /// What is written for the first time.
@@ -171,6 +181,11 @@ void RenderGraphRun::Record()
     {
         RasterCommandBuffer raster(*m_Cmd, *this);
         m_Pass->raster(raster);
+    }
+    else if (m_Pass->compute)
+    {
+        ComputeCommandBuffer compute(*m_Cmd, *this);
+        m_Pass->compute(compute);
     }
     else
     {
@@ -229,6 +244,7 @@ void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
 {
     m_Sampled.clear();
     m_Targets.clear();
+    m_Buffers.clear();
     const bool isKept = !m_Pass->allowsCulling || m_Pass->allowsGlobalState;
     const SetRenderTargetCommand* target = nullptr;
     const DrawBindings* last = nullptr;
@@ -239,6 +255,15 @@ void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
         {
             bound->isKept = isKept;
             target = bound;
+            continue;
+        }
+        if (auto* dispatch = std::get_if<DispatchCommand>(&commands[i]))
+        {
+            dispatch->isKept = isKept;
+            last = m_Context.m_Frame.Setup(*dispatch).bindings.get();
+            ExpectReads(*last);
+            ExpectWrites(*last);
+            ExpectBuffers(*last);
             continue;
         }
         const auto* draw = std::get_if<DrawCommand>(&commands[i]);
@@ -253,9 +278,11 @@ void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
         {
             last = bindings;
             ExpectReads(*bindings);
+            ExpectBuffers(*bindings);
         }
     }
     NoteUnused(last != nullptr);
+    NoteUnusedBuffers();
 }
 
 void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
@@ -286,6 +313,43 @@ void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
     };
     std::ranges::for_each(target->colors, expect);
     expect(target->depth);
+}
+
+void RenderGraphRun::ExpectWrites(const DrawBindings& bindings)
+{
+    for (const StorageTextureSlot& slot : bindings.storageTextures)
+    {
+        const RenderGraphTexture* known = m_State.Find(*slot.texture);
+        m_Targets.push_back(slot.texture.get());
+        if (known != nullptr && known->owner != m_Pass &&
+            !m_Pass->Declares(known->texture, AccessFlags::Write))
+        {
+            throw ContractError(Subject() + " declares no write of '" + slot.texture->name() +
+                                "', yet a kernel may write to it; UseTexture(…, "
+                                "AccessFlags::Write) declares it");
+        }
+    }
+}
+
+void RenderGraphRun::ExpectBuffers(const DrawBindings& bindings)
+{
+    for (const BufferSlot& slot : bindings.buffers)
+    {
+        m_Buffers.push_back(slot.buffer.get());
+        if (m_State.Find(*slot.buffer) == nullptr)
+        {
+            continue;
+        }
+        const RenderGraphPass::BufferUse* use = m_Pass->FindUse(*slot.buffer);
+        const AccessFlags wanted = slot.isWritten ? AccessFlags::Write : AccessFlags::Read;
+        if (use == nullptr || !(use->flags & wanted))
+        {
+            throw ContractError(Subject() + " declares no " + (slot.isWritten ? "write" : "read") +
+                                " of buffer '" + slot.buffer->name() + "', yet " +
+                                (slot.isWritten ? "a kernel may write to it" : "reads it") +
+                                "; UseBuffer declares it");
+        }
+    }
 }
 
 void RenderGraphRun::ExpectReads(const DrawBindings& bindings)
@@ -339,6 +403,18 @@ void RenderGraphRun::NoteUnused(bool draws)
         {
             notes.push_back(Subject() + " declares a write of '" + texture->name() +
                             "', yet draws nothing into it");
+        }
+    }
+}
+
+void RenderGraphRun::NoteUnusedBuffers()
+{
+    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
+    {
+        if (!Has(m_Buffers, use.buffer.get()))
+        {
+            m_Report.notes.push_back(Subject() + " declares a use of buffer '" +
+                                     use.buffer->name() + "', yet uses it nowhere");
         }
     }
 }

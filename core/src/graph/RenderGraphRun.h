@@ -42,6 +42,9 @@ private:
     void ExpectAsDeclared(std::size_t firstCommand);
     void ExpectTarget(const SetRenderTargetCommand* target);
     void ExpectReads(const DrawBindings& bindings);
+    void ExpectWrites(const DrawBindings& bindings);
+    void ExpectBuffers(const DrawBindings& bindings);
+    void NoteUnusedBuffers();
     void NoteUnused(bool draws);
     void Finish();
     std::string Subject() const { return "pass '" + m_Pass->name + "'"; }
@@ -56,7 +59,8 @@ private:
     CommandBuffer* m_Cmd = nullptr;
     std::vector<std::size_t> m_DrawnLists;
     std::vector<const Texture*> m_Sampled;
-    std::vector<const Texture*> m_Targets; ///< drawn into or cleared
+    std::vector<const Texture*> m_Targets;        ///< drawn into, cleared or written by kernels
+    std::vector<const GraphicsBuffer*> m_Buffers; ///< bound
 };
 
 } // namespace limn

@@ -17,6 +17,9 @@ struct AllFinite
     bool operator()(float number) const { return std::isfinite(number); }
     bool operator()(int) const { return true; }
     bool operator()(const std::shared_ptr<const Texture>&) const { return true; }
+    bool operator()(const BufferRange&) const { return true; }
+    bool operator()(const IntParams&) const { return true; }
+    bool operator()(const FloatParams& params) const { return (*this)(params.values); }
     bool operator()(const Color& color) const { return (*this)(color.vector()); }
     bool operator()(const glm::vec4& v) const
     {
@@ -40,6 +43,8 @@ struct HasNoElements
     {
         return array.empty();
     }
+    bool operator()(const FloatParams& params) const { return params.values.empty(); }
+    bool operator()(const IntParams& params) const { return params.values.empty(); }
     template <typename Other>
     bool operator()(const Other&) const
     {
@@ -85,6 +90,22 @@ void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::s
     }
 }
 
+BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size)
+{
+    constexpr int k_Alignment = 256; // the most that a device asks for
+    if (buffer &&
+        (offset < 0 || size < 0 || offset % k_Alignment != 0 ||
+         static_cast<std::size_t>(offset) + static_cast<std::size_t>(size) > buffer->size()))
+    {
+        throw ContractError("SetConstantBuffer: " + std::to_string(size) + " bytes at " +
+                            std::to_string(offset) + " of '" + buffer->name() + "', which has " +
+                            std::to_string(buffer->size()) +
+                            "; a part begins at a multiple of 256 and ends in the buffer");
+    }
+    return {std::move(buffer), static_cast<std::uint32_t>(offset),
+            static_cast<std::uint32_t>(size)};
+}
+
 void MaterialPropertyBlock::Set(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id);
@@ -106,6 +127,7 @@ void MaterialPropertyBlock::SetAll(const MaterialPropertyBlock& other)
 
 void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue value)
 {
+    m_HasBuffers = m_HasBuffers || std::holds_alternative<BufferRange>(value);
     const auto slot = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
     if (slot != m_Slots.end() && slot->id == id)
     {
@@ -138,6 +160,7 @@ void MaterialPropertyBlock::Clear()
 {
     m_Slots.clear();
     m_Values.clear();
+    m_HasBuffers = false;
 }
 
 } // namespace limn

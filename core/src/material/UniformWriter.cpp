@@ -91,6 +91,28 @@ void Write(const UniformMember& member, const std::vector<Element>& values, Byte
     }
 }
 
+/// As ComputeShader::SetFloats says; behind the uniform's end nothing is written.
+template <typename Number>
+void WriteConsecutive(const UniformMember& member, const std::vector<Number>& values, Bytes bytes)
+{
+    UniformMember component = member;
+    component.components = 1;
+    for (std::size_t i = 0; i < std::min(values.size(), bytes.size() / 4); ++i)
+    {
+        Write(component, values[i], bytes.subspan(i * 4));
+    }
+}
+
+void Write(const UniformMember& member, const FloatParams& params, Bytes bytes)
+{
+    WriteConsecutive(member, params.values, bytes);
+}
+
+void Write(const UniformMember& member, const IntParams& params, Bytes bytes)
+{
+    WriteConsecutive(member, params.values, bytes);
+}
+
 const char* KindOf(const ShaderPropertyValue& value)
 {
     static constexpr const char* k_Kinds[] = {"a number",
@@ -101,15 +123,18 @@ const char* KindOf(const ShaderPropertyValue& value)
                                               "an array of floats",
                                               "an array of vectors",
                                               "an array of matrices",
-                                              "a texture"};
+                                              "a texture",
+                                              "a buffer",
+                                              "floats",
+                                              "integers"};
     return k_Kinds[value.index()];
 }
 
 [[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw DrawError("material '" + sources.material->name() + "': property '" + member.name +
-                    "' is set to " + KindOf(value) + ", but the shader declares " +
+    throw DrawError(sources.Subject() + ": property '" + member.name + "' is set to " +
+                    KindOf(value) + ", but the shader declares " +
                     (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
@@ -125,7 +150,9 @@ void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
     std::visit(
         [&](const auto& v)
         {
-            if constexpr (std::is_same_v<decltype(v), const std::shared_ptr<const Texture>&>)
+            using Value = std::decay_t<decltype(v)>;
+            if constexpr (std::is_same_v<Value, std::shared_ptr<const Texture>> ||
+                          std::is_same_v<Value, BufferRange>)
             {
                 FailKind(member, value, sources);
             }
@@ -190,8 +217,7 @@ void WriteDynamicKeywords(const UniformBuffer& buffer, const PropertySources& so
     {
         const ShaderPropertyValue* forAll = sources.globals->Find(GlobalKeyword(member.name).id());
         const bool isOnForAll = forAll != nullptr && *forAll == ShaderPropertyValue(1);
-        const std::int32_t isOn =
-            isOnForAll || sources.material->IsKeywordEnabled(member.name) ? 1 : 0;
+        const std::int32_t isOn = isOnForAll || sources.IsKeywordEnabled(member.name) ? 1 : 0;
         std::memcpy(bytes.data() + member.offset, &isOn, sizeof(isOn));
     }
 }

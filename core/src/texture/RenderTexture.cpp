@@ -57,6 +57,16 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
                             "': useMipMap of a depth texture; only a colour has "
                             "mip levels");
     }
+    const GraphicsFormat format = graphicsFormat();
+    if (descriptor.enableRandomWrite &&
+        (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format) || mipmapCount() > 1))
+    {
+        throw ContractError("texture '" + this->name() + "': enableRandomWrite with " +
+                            std::to_string(samples) + " samples of " + ToString(format) + " and " +
+                            std::to_string(mipmapCount()) +
+                            " mip levels; kernels write to colours of one sample and level that "
+                            "are not sRGB");
+    }
 }
 
 } // namespace limn

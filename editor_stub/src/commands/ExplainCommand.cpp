@@ -88,15 +88,24 @@ Json ToJson(const ExplainedFrame& frame, const ExplainedPass& pass)
     {
         reads.push_back(frame.textures[texture].name);
     }
-    return {{"name", pass.name},
-            {"width", pass.width},
-            {"height", pass.height},
-            {"targets", targets},
-            {"samples", reads},
-            {"barriers", ToJson(frame, pass.barriers)},
-            {"drawsBeforeInstancing", pass.instances},
-            {"draws", pass.draws},
-            {"drawsInAPart", pass.limited}};
+    Json json = {{"name", pass.name},
+                 {"width", pass.width},
+                 {"height", pass.height},
+                 {"targets", targets},
+                 {"samples", reads},
+                 {"barriers", ToJson(frame, pass.barriers)},
+                 {"drawsBeforeInstancing", pass.instances},
+                 {"draws", pass.draws},
+                 {"drawsInAPart", pass.limited}};
+    if (pass.dispatches > 0)
+    {
+        json["dispatches"] = pass.dispatches;
+    }
+    if (pass.bufferBarriers > 0)
+    {
+        json["bufferBarriers"] = pass.bufferBarriers;
+    }
+    return json;
 }
 
 Json ToJson(const ExplainedFrame& frame)

@@ -22,8 +22,8 @@ std::uint64_t BytesOf(const Texture& texture)
 
 const char* NameOf(TextureUsage usage)
 {
-    constexpr std::array k_Names{"Undefined", "ColorAttachment", "DepthStencilAttachment",
-                                 "ShaderRead", "CopySource"};
+    constexpr std::array k_Names{"Undefined",  "ColorAttachment", "DepthStencilAttachment",
+                                 "ShaderRead", "CopySource",      "RandomWrite"};
     return k_Names.at(static_cast<std::size_t>(usage));
 }
 
@@ -85,6 +85,20 @@ private:
         }
     }
 
+    /// What dispatches may write: before it they may read it.
+    void ExplainWritten(const CompiledRenderPass& pass, ExplainedPass& result)
+    {
+        for (const TextureBarrier& barrier : pass.barriers)
+        {
+            if (barrier.after == TextureUsage::RandomWrite)
+            {
+                result.targets.push_back({Use(*barrier.texture, m_Result.passes.size()),
+                                          barrier.before == TextureUsage::Undefined ? "-" : "load",
+                                          "store"});
+            }
+        }
+    }
+
     void Explain(const CompiledRenderPass& pass)
     {
         const std::size_t number = m_Result.passes.size();
@@ -96,6 +110,7 @@ private:
         {
             result.barriers.push_back(Explain(barrier));
         }
+        result.bufferBarriers = static_cast<int>(pass.bufferBarriers.size());
         for (const ColorAttachment& color : pass.colors)
         {
             result.targets.push_back({Use(*color.texture, number), LoadText(color.load),
@@ -113,13 +128,13 @@ private:
                                       StoreText(depth, isStored)});
             UseResolve(depth.resolve, number);
         }
+        ExplainWritten(pass, result);
         AddCommands(pass, result);
         m_Result.passes.back() = std::move(result);
     }
 
     void AddCommands(const CompiledRenderPass& pass, ExplainedPass& result)
     {
-        const std::size_t number = m_Result.passes.size();
         std::vector<std::string> names{pass.name};
         for (const PassCommand& command : pass.commands)
         {
@@ -132,15 +147,12 @@ private:
                 ++result.draws;
                 result.instances += static_cast<int>(draw->instanceCount);
                 result.limited += draw->scissor ? 1 : 0;
-                for (const TextureSlot& slot : m_Tables.Setup(*draw).bindings->textures)
-                {
-                    const std::size_t texture = Use(*slot.texture, number);
-                    if (std::find(result.reads.begin(), result.reads.end(), texture) ==
-                        result.reads.end())
-                    {
-                        result.reads.push_back(texture);
-                    }
-                }
+                AddReads(*m_Tables.Setup(*draw).bindings, result);
+            }
+            if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+            {
+                ++result.dispatches;
+                AddReads(*m_Tables.Setup(*dispatch).bindings, result);
             }
         }
         for (std::size_t i = 0; i < names.size(); ++i)
@@ -149,6 +161,18 @@ private:
             if (!names[i].empty() && std::find(names.begin(), end, names[i]) == end)
             {
                 result.name += (result.name.empty() ? "" : " + ") + names[i];
+            }
+        }
+    }
+
+    void AddReads(const DrawBindings& bindings, ExplainedPass& result)
+    {
+        for (const TextureSlot& slot : bindings.textures)
+        {
+            const std::size_t texture = Use(*slot.texture, m_Result.passes.size());
+            if (std::find(result.reads.begin(), result.reads.end(), texture) == result.reads.end())
+            {
+                result.reads.push_back(texture);
             }
         }
     }
@@ -210,6 +234,11 @@ ExplainedFrame ExplainFrame(const CompiledFrame& frame)
 
 std::string DrawsText(const ExplainedPass& pass)
 {
+    if (pass.dispatches > 0)
+    {
+        return std::to_string(pass.dispatches) +
+               (pass.dispatches == 1 ? " dispatch" : " dispatches");
+    }
     const std::string before =
         pass.instances == pass.draws ? "" : std::to_string(pass.instances) + " → ";
     const std::string part = pass.limited == 0 ? ""

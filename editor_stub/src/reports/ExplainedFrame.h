@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// What a pass does with one texture that it draws into.
+/// What a pass does with one texture that it draws into, or that its kernels may write to.
 struct ExplainedAttachment
 {
     std::size_t texture = 0; ///< index into ExplainedFrame::textures
@@ -32,7 +32,9 @@ struct ExplainedPass
     std::vector<ExplainedBarrier> barriers;
     int instances = 0; ///< draws before instancing
     int draws = 0;
-    int limited = 0; ///< draws that reach a part of the targets only
+    int limited = 0;        ///< draws that reach a part of the targets only
+    int dispatches = 0;     ///< of kernels; then there are no draws, and no size
+    int bufferBarriers = 0; ///< beside `barriers`
 };
 
 /// A texture that passes draw into or sample.
@@ -61,7 +63,7 @@ struct ExplainedFrame
 
 ExplainedFrame ExplainFrame(const CompiledFrame& frame);
 
-/// "370 → 159 draws", or "2 draws, 1 of them in a part" of the targets.
+/// "370 → 159 draws", "2 draws, 1 of them in a part" of the targets, or "2 dispatches".
 std::string DrawsText(const ExplainedPass& pass);
 
 /// "3.5 MiB"

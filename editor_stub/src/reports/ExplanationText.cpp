@@ -244,13 +244,14 @@ std::string Objects(const std::vector<ExplainedObject>& objects, const std::stri
     return text;
 }
 
-/// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers"
+/// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers", or
+/// "2 Blur: 1 dispatch; _Result (load, store); samples _Mask; 2 barriers"
 std::string RunText(const ExplainedFrame& frame, std::size_t index)
 {
     const ExplainedPass& pass = frame.passes[index];
-    std::string text = std::to_string(index + 1) + " " + pass.name + ", " +
-                       std::to_string(pass.width) + "x" + std::to_string(pass.height) + ": " +
-                       DrawsText(pass);
+    const std::string size = ", " + std::to_string(pass.width) + "x" + std::to_string(pass.height);
+    std::string text = std::to_string(index + 1) + " " + pass.name +
+                       (pass.dispatches > 0 ? "" : size) + ": " + DrawsText(pass);
     for (const ExplainedAttachment& target : pass.targets)
     {
         text += (&target == &pass.targets.front() ? "; " : ", ") +
@@ -264,7 +265,9 @@ std::string RunText(const ExplainedFrame& frame, std::size_t index)
                        ? (sampled.empty() ? "; samples " : ", ") + frame.textures[texture].name
                        : "";
     }
-    return text + sampled + "; " + Several(pass.barriers.size(), "barrier");
+    const std::size_t barriers =
+        pass.barriers.size() + static_cast<std::size_t>(pass.bufferBarriers);
+    return text + sampled + "; " + Several(barriers, "barrier");
 }
 
 ReportLines RunLines(const ExplainedFrame& frame)

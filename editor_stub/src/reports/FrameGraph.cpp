@@ -97,13 +97,15 @@ private:
     {
         const ExplainedPass& pass = m_Frame.passes[index];
         const std::string node = "pass" + std::to_string(index + 1);
-        const std::string counts = pass.draws == 0 ? "only clears" : DrawsText(pass);
+        const bool isClear = pass.draws == 0 && pass.dispatches == 0;
+        const std::string counts = isClear ? "only clears" : DrawsText(pass);
+        const std::string size =
+            std::to_string(pass.width) + "×" + std::to_string(pass.height) + ", ";
         AddNode(node,
                 "shape=box, style=\"filled\", fillcolor=\"#2f6f9f\", color=\"#1f4f74\", "
                 "fontcolor=\"white\", group=passes",
                 "<B>" + std::to_string(index + 1) + "&nbsp;&nbsp;" + Wrap(pass.name) + "</B><BR/>" +
-                    Small(std::to_string(pass.width) + "×" + std::to_string(pass.height) + ", " +
-                          counts + FilesText(pass)));
+                    Small((pass.dispatches > 0 ? "" : size) + counts + FilesText(pass)));
         Follow(node);
         for (const std::size_t texture : pass.reads)
         {

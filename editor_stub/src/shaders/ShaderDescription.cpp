@@ -52,9 +52,10 @@ std::string LayoutText(const PropertyLayout& layout, const std::string& indent)
     }
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
-        text += Line(indent + "structured buffer " + buffer.name +
-                     Place(buffer.binding, buffer.stages) + ", " + std::to_string(buffer.stride) +
-                     " bytes an element");
+        const bool isOfBytes = buffer.stride == 0;
+        text += Line(indent + (isOfBytes ? "byte address buffer " : "structured buffer ") +
+                     buffer.name + Place(buffer.binding, buffer.stages) +
+                     (isOfBytes ? "" : ", " + std::to_string(buffer.stride) + " bytes an element"));
     }
     for (const TextureBinding& texture : layout.textures)
     {

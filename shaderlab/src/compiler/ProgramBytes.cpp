@@ -61,6 +61,16 @@ void TransferLayout(Stream& stream, Layout& layout)
                 {
                     TransferHead(stream, buffer);
                     stream.Value(buffer.stride);
+                    stream.Value(buffer.isWritten);
+                    stream.Value(buffer.isCounter);
+                });
+    stream.List(layout.storageTextures,
+                [&](auto& texture)
+                {
+                    TransferHead(stream, texture);
+                    stream.Value(texture.dimension);
+                    stream.Value(texture.type);
+                    stream.Value(texture.isRead);
                 });
     stream.List(layout.vertexInputs,
                 [&](auto& input)
@@ -86,6 +96,11 @@ void TransferPass(Stream& stream, Pass& pass)
     stream.List(pass.vertexSpirv, word);
     stream.List(pass.geometrySpirv, word);
     stream.List(pass.fragmentSpirv, word);
+    stream.List(pass.computeSpirv, word);
+    for (auto& size : pass.threadGroupSize)
+    {
+        stream.Value(size);
+    }
     TransferLayout(stream, pass.layout);
     stream.List(pass.diagnostics,
                 [&](auto& diagnostic)
@@ -133,6 +148,7 @@ void TransferSource(Stream& stream, Program& program)
     TransferPlaced(stream, program.vertex);
     TransferPlaced(stream, program.fragment);
     TransferPlaced(stream, program.geometry);
+    TransferPlaced(stream, program.kernel);
     stream.Value(program.target);
     stream.List(program.keywordSets,
                 [&](auto& set)

@@ -26,6 +26,7 @@ const EntryPoint& EntryOf(const PassProgram& program, ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? program.vertex
            : stage == ShaderStage::Geometry ? program.geometry
+           : stage == ShaderStage::Compute  ? program.kernel
                                             : program.fragment;
 }
 
@@ -33,6 +34,7 @@ std::string_view StageName(ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? "vertex"
            : stage == ShaderStage::Geometry ? "geometry"
+           : stage == ShaderStage::Compute  ? "kernel"
                                             : "fragment";
 }
 
@@ -53,8 +55,17 @@ std::vector<Diagnostic> MissingPragmaFiles(const PassProgram& program, IncludeRe
     return missing;
 }
 
+bool isKernel(const PassProgram& program)
+{
+    return !program.kernel.name.empty();
+}
+
 void RequireEntryPoints(const PassProgram& program, IncludeResolver& resolver)
 {
+    if (isKernel(program))
+    {
+        return;
+    }
     std::vector<Diagnostic> missing;
     for (const ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment})
     {
@@ -306,6 +317,38 @@ ShaderProgram Build(const PassProgram& program, std::span<const std::string> key
     return pass;
 }
 
+ShaderProgram BuildKernel(const PassProgram& program, std::span<const std::string> keywords,
+                          IncludeResolver& resolver)
+{
+    ShaderProgram kernel;
+    const HlslSource source(
+        PreprocessHlsl(program, ShaderStage::Compute, keywords, resolver, kernel.diagnostics).text);
+    RequireSound(source);
+    std::vector<std::string> standIns;
+    const std::string hlsl =
+        RewriteKernel(source, FindEntry(program, source, ShaderStage::Compute), &standIns);
+    for (std::string& standIn : standIns)
+    {
+        kernel.diagnostics.push_back({Severity::Note, program.file, {}, std::move(standIn)});
+    }
+    const bool halfIs16Bit = std::ranges::count(keywords, k_RealHalfMacro) > 0;
+    std::vector<Diagnostic> errors;
+    try
+    {
+        kernel.computeSpirv =
+            BuildSpirv(hlsl, ShaderStage::Compute, program.file, halfIs16Bit, kernel.diagnostics);
+    }
+    catch (const AssetError& error)
+    {
+        AddDiagnostics(errors, error, program, program.kernel);
+        throw AssetError(std::move(errors));
+    }
+    std::vector<std::string> messages;
+    ReflectKernel(kernel, source.declarations.objects, messages);
+    ThrowMessages(messages, program);
+    return kernel;
+}
+
 /// What several stages say is said once.
 void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 {
@@ -328,7 +371,8 @@ ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::st
     RequireEntryPoints(program, resolver);
     try
     {
-        ShaderProgram pass = Build(program, keywords, resolver);
+        ShaderProgram pass = isKernel(program) ? BuildKernel(program, keywords, resolver)
+                                               : Build(program, keywords, resolver);
         const std::vector<Diagnostic> warnings = CheckPragmas(program);
         pass.diagnostics.insert(pass.diagnostics.begin(), warnings.begin(), warnings.end());
         RemoveRepeated(pass.diagnostics);

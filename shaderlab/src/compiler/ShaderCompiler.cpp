@@ -22,7 +22,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 9;
+constexpr int k_CompilerVersion = 10;
 
 std::string HashName(const std::string& text)
 {
@@ -43,6 +43,7 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
                                       program.vertex.name,
                                       program.fragment.name,
                                       program.geometry.name,
+                                      program.kernel.name,
                                       std::to_string(program.target)};
     for (const auto& [name, folder] : options.packages)
     {

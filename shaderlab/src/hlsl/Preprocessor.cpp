@@ -38,6 +38,7 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
     }
     Define(source, stage == ShaderStage::Vertex     ? "SHADER_STAGE_VERTEX"
                    : stage == ShaderStage::Geometry ? "SHADER_STAGE_GEOMETRY"
+                   : stage == ShaderStage::Compute  ? "SHADER_STAGE_COMPUTE"
                                                     : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
     const auto dynamic = DynamicKeywords(program);

@@ -4,6 +4,7 @@
 
 #include "hlsl/Repeats.h"
 #include "stages/GeometryEntryWriter.h"
+#include "stages/KernelEntryWriter.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ public:
         FindReachable(entry);
     }
 
-    /// What only compute shaders are for in limn.
+    /// What only compute shaders do in limn.
     void RefuseWritable() const
     {
         for (const HlslVariable& object : m_Source.declarations.objects)
@@ -58,8 +59,8 @@ public:
                 throw UnsupportedProgramError(
                     {Severity::Error, place.file, place.location,
                      "'" + std::string(object.name) + "': a " + std::string(object.type) +
-                         " can be written to, which limn does not offer; its programs only read "
-                         "textures and buffers"});
+                         " can be written to, which limn does in compute shaders only; its passes "
+                         "read textures and buffers"});
             }
         }
     }
@@ -204,6 +205,15 @@ public:
                     }
                 }
             }
+        }
+    }
+
+    /// Those of an entry function stand before the generated one.
+    void TakeAttributes(const HlslFunction& function)
+    {
+        for (const std::string_view attribute : function.attributes)
+        {
+            Erase(function.begin, attribute);
         }
     }
 
@@ -492,6 +502,36 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
     }
     return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
                                                  rewriter.isReached(k_DrawIndex));
+}
+
+std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
+                          std::vector<std::string>* standIns)
+{
+    const auto fail = [&](const std::string& message)
+    {
+        const HlslPlace place =
+            PlaceOf(source.text, source.tokens[kernel.begin].Begin(source.text));
+        throw AssetError(place.file, place.location,
+                         "'" + std::string(kernel.name) + "': " + message);
+    };
+    if (ThreadsOf(kernel).empty())
+    {
+        fail("a kernel says how many threads a group has; write '[numthreads(8, 8, 1)]' before it");
+    }
+    Rewriter rewriter(source, kernel.name);
+    if (rewriter.isReached(k_DrawIndex))
+    {
+        fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
+             "nothing, so give it the value as a parameter");
+    }
+    rewriter.TakeStandIns(standIns);
+    rewriter.RefuseBoolMatrices();
+    rewriter.RemoveEmptyMembers();
+    rewriter.RemoveRepeatedDeclarations();
+    rewriter.MoveObjectsOutOfBuffers();
+    rewriter.CopyAssignedUniforms();
+    rewriter.TakeAttributes(kernel);
+    return rewriter.Assemble() + WriteKernelEntry(kernel, rewriter.prologue());
 }
 
 } // namespace limn

@@ -36,4 +36,10 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
                          const StageInterface& interface, const StageLinkage& linkage,
                          std::vector<std::string>* standIns = nullptr);
 
+/// The same for a kernel, with everything that it may write to.
+///
+/// @throws AssetError  where it reads what only draws have, or lacks its [numthreads(x, y, z)]
+std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
+                          std::vector<std::string>* standIns = nullptr);
+
 } // namespace limn

@@ -204,7 +204,7 @@ bool Contains(const std::vector<std::string_view>& list, std::string_view word)
 }
 
 /// The sentence for a pragma that asks for something limn never does.
-std::optional<std::string> ReasonOf(const ProgramPragma& pragma)
+std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPragma& pragma)
 {
     if (pragma.name == "surface")
     {
@@ -216,10 +216,10 @@ std::optional<std::string> ReasonOf(const ProgramPragma& pragma)
         return "#pragma raytracing: ray tracing is not supported; limn draws with a vertex and a "
                "fragment function";
     }
-    if (pragma.name == "kernel")
+    if (pragma.name == "kernel" && program.kernel.name.empty())
     {
-        return "#pragma kernel: compute shaders are not supported; limn draws with a vertex and a "
-               "fragment function";
+        return "#pragma kernel: a pass of a .shader file draws with a vertex and a fragment "
+               "function; kernels stand in a .compute file";
     }
     if (pragma.name == "hull" || pragma.name == "domain")
     {
@@ -264,6 +264,10 @@ std::vector<std::string> RequiredFeatures(const PassProgram& program)
 {
     std::set<std::string> features;
     AddModel(program.target, features);
+    if (!program.kernel.name.empty())
+    {
+        features = {"compute"}; // models say the most of what stages can, and it has one
+    }
     if (!program.geometry.name.empty())
     {
         AddModel(40, features);
@@ -293,7 +297,7 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
     }
     for (const ProgramPragma& pragma : program.pragmas)
     {
-        if (const auto reason = ReasonOf(pragma))
+        if (const auto reason = ReasonOf(program, pragma))
         {
             return Diagnostic{Severity::Error, program.file, pragma.location, *reason};
         }

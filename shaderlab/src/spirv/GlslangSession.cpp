@@ -15,6 +15,7 @@ EShLanguage GlslangStage(ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? EShLangVertex
            : stage == ShaderStage::Geometry ? EShLangGeometry
+           : stage == ShaderStage::Compute  ? EShLangCompute
                                             : EShLangFragment;
 }
 

@@ -1,9 +1,10 @@
 #include "spirv/HalfPrecision.h"
 
+#include "spirv/SpirvInstructions.h"
+
 #include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
 #include <limn/shaderlab/Diagnostic.h>
-#include <spirv-tools/libspirv.h>
 
 #include <algorithm>
 #include <array>
@@ -17,55 +18,8 @@ namespace limn
 namespace
 {
 
-using Id = std::uint32_t;
-using SpirvWords = std::vector<std::uint32_t>;
-
-constexpr std::size_t k_HeaderSize = 5; // words
-constexpr std::size_t k_BoundWord = 3;
-
-struct Instruction
-{
-    std::uint32_t op = 0;
-    Id type = 0;
-    Id result = 0;
-    SpirvWords words;                  ///< the first holds size and op
-    std::vector<std::size_t> operands; ///< words that are ids, type and result apart
-};
-
-std::vector<Instruction> Parse(const SpirvWords& spirv)
-{
-    std::vector<Instruction> instructions;
-    const auto take = [](void* to, const spv_parsed_instruction_t* parsed)
-    {
-        Instruction instruction{parsed->opcode,
-                                parsed->type_id,
-                                parsed->result_id,
-                                {parsed->words, parsed->words + parsed->num_words},
-                                {}};
-        for (std::size_t i = 0; i < parsed->num_operands; ++i)
-        {
-            const spv_parsed_operand_t& operand = parsed->operands[i];
-            if (operand.type == SPV_OPERAND_TYPE_ID)
-            {
-                instruction.operands.push_back(operand.offset);
-            }
-        }
-        static_cast<std::vector<Instruction>*>(to)->push_back(std::move(instruction));
-        return SPV_SUCCESS;
-    };
-    const spv_context context = spvContextCreate(SPV_ENV_VULKAN_1_1);
-    const spv_result_t result =
-        spvBinaryParse(context, &instructions, spirv.data(), spirv.size(), nullptr, take, nullptr);
-    spvContextDestroy(context);
-    if (result != SPV_SUCCESS)
-    {
-        throw ContractError("the HLSL compiler's SPIR-V cannot be read");
-    }
-    return instructions;
-}
-
 /// Of those that give floats: whether they are done on 16-bit floats.
-bool HasHalfForm(const Instruction& instruction)
+bool HasHalfForm(const SpirvInstruction& instruction)
 {
     constexpr std::array k_Operations = {spv::OpFNegate, spv::OpFAdd, spv::OpFSub,
                                          spv::OpFMul,    spv::OpFDiv, spv::OpFRem,
@@ -97,9 +51,10 @@ bool IsComparison(std::uint32_t op)
 class HalfRewriter
 {
 public:
-    explicit HalfRewriter(const SpirvWords& spirv) : m_Instructions(Parse(spirv)), m_Bound(spirv[3])
+    explicit HalfRewriter(const SpirvWords& spirv)
+        : m_Instructions(ParseSpirv(spirv)), m_Bound(spirv[3])
     {
-        m_Result.assign(spirv.begin(), spirv.begin() + k_HeaderSize);
+        m_Result.assign(spirv.begin(), spirv.begin() + k_SpirvHeaderSize);
         std::ranges::for_each(m_Instructions, [this](const auto& i) { Learn(i); });
     }
 
@@ -109,8 +64,8 @@ public:
         {
             return {};
         }
-        const auto body =
-            std::ranges::find(m_Instructions, std::uint32_t{spv::OpFunction}, &Instruction::op);
+        const auto body = std::ranges::find(m_Instructions, std::uint32_t{spv::OpFunction},
+                                            &SpirvInstruction::op);
         for (auto& type : m_HalfTypes)
         {
             type = m_Bound++;
@@ -120,13 +75,13 @@ public:
             RewriteInBody(*instruction);
         }
         Assemble(static_cast<std::size_t>(body - m_Instructions.begin()));
-        m_Result[k_BoundWord] = m_Bound;
+        m_Result[k_SpirvBoundWord] = m_Bound;
         return std::move(m_Result);
     }
 
 private:
     /// Types, and what is marked.
-    void Learn(const Instruction& i)
+    void Learn(const SpirvInstruction& i)
     {
         const SpirvWords& w = i.words;
         m_TypeOf[i.result] = i.type;
@@ -188,7 +143,7 @@ private:
         return op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp;
     }
 
-    static bool IsRelaxation(const Instruction& i)
+    static bool IsRelaxation(const SpirvInstruction& i)
     {
         return (i.op == spv::OpDecorate && i.words[2] == spv::DecorationRelaxedPrecision) ||
                (i.op == spv::OpMemberDecorate && i.words[3] == spv::DecorationRelaxedPrecision);
@@ -205,7 +160,8 @@ private:
 
     /// Whether the way from a type through these words, literals or constants, leads through a
     /// marked member.
-    bool LeadsThroughMarked(Id type, const Instruction& i, std::size_t from, bool isLiteral) const
+    bool LeadsThroughMarked(Id type, const SpirvInstruction& i, std::size_t from,
+                            bool isLiteral) const
     {
         for (std::size_t word = from; word < i.words.size(); ++word)
         {
@@ -226,7 +182,7 @@ private:
         return false;
     }
 
-    void RewriteInBody(Instruction& i)
+    void RewriteInBody(SpirvInstruction& i)
     {
         switch (i.op)
         {
@@ -274,7 +230,7 @@ private:
     }
 
     /// An instruction whose result is 32-bit floats.
-    void PutFloat(Instruction& i)
+    void PutFloat(SpirvInstruction& i)
     {
         const bool isHalfMove = IsMove(i.op) && AreHalves(i);
         if (isHalfMove)
@@ -305,7 +261,7 @@ private:
         }
     }
 
-    void PutInHalf(Instruction& i)
+    void PutInHalf(SpirvInstruction& i)
     {
         for (const std::size_t word : i.operands)
         {
@@ -321,7 +277,7 @@ private:
         m_Halves.insert(i.result);
     }
 
-    void MarkPlace(const Instruction& i, bool isRelaxed)
+    void MarkPlace(const SpirvInstruction& i, bool isRelaxed)
     {
         const auto pointee = m_Pointee.find(i.type);
         if (isRelaxed && pointee == m_Pointee.end())
@@ -340,7 +296,7 @@ private:
     }
 
     /// Whether all floats among the operands are halves or constants, and not all constants.
-    bool AreHalves(const Instruction& i) const
+    bool AreHalves(const SpirvInstruction& i) const
     {
         bool hasHalf = false;
         for (const std::size_t word : i.operands)
@@ -356,7 +312,7 @@ private:
         return hasHalf;
     }
 
-    void RoundConstants(Instruction& i)
+    void RoundConstants(SpirvInstruction& i)
     {
         const bool hasHalf = AreHalves(i);
         for (const std::size_t word : i.operands)
@@ -368,7 +324,7 @@ private:
         }
     }
 
-    void RoundArguments(Instruction& i)
+    void RoundArguments(SpirvInstruction& i)
     {
         const std::vector<Id>& parameters = m_Parameters.at(i.words[3]);
         for (std::size_t p = 0; p < parameters.size(); ++p)
@@ -414,7 +370,10 @@ private:
         m_Body.insert(m_Body.end(), {4u << 16 | spv::OpFConvert, type, result, value});
     }
 
-    void Put(const Instruction& i) { m_Body.insert(m_Body.end(), i.words.begin(), i.words.end()); }
+    void Put(const SpirvInstruction& i)
+    {
+        m_Body.insert(m_Body.end(), i.words.begin(), i.words.end());
+    }
 
     /// Everything in its order: capabilities, decorations, types, functions.
     void Assemble(std::size_t bodyBegin)
@@ -427,7 +386,7 @@ private:
         bool hasDecorations = false;
         for (std::size_t index = 0; index < bodyBegin; ++index)
         {
-            const Instruction& i = m_Instructions[index];
+            const SpirvInstruction& i = m_Instructions[index];
             const bool isDecoration = i.op == spv::OpDecorate || i.op == spv::OpMemberDecorate;
             if (isDecoration && !std::exchange(hasDecorations, true))
             {
@@ -450,7 +409,7 @@ private:
         m_Result.insert(m_Result.end(), m_Body.begin(), m_Body.end());
     }
 
-    std::vector<Instruction> m_Instructions;
+    std::vector<SpirvInstruction> m_Instructions;
     Id m_Bound;
     std::map<Id, Id> m_TypeOf;                  ///< of values
     std::map<Id, std::uint32_t> m_Components;   ///< of types of 32-bit floats

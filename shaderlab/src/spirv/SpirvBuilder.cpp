@@ -6,6 +6,7 @@
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
 #include "spirv/HalfPrecision.h"
+#include "spirv/StorageAccess.h"
 #include "stages/EntryPointWriter.h"
 
 #include <glslang/Public/ResourceLimits.h>
@@ -84,6 +85,7 @@ std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv,
         });
     spvtools::ValidatorOptions options;
     options.SetBeforeHlslLegalization(!isOptimised);
+    options.SetScalarBlockLayout(true); // see PackStructuredBuffers
     if (tools.Validate(spirv.data(), spirv.size(), options))
     {
         return std::nullopt;
@@ -161,6 +163,12 @@ std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStag
     options.generateDebugInfo = withLines;
     std::vector<std::uint32_t> spirv;
     glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
+    PackStructuredBuffers(spirv);
+    if (stage == ShaderStage::Compute)
+    {
+        ConvertAtomicValues(spirv);
+        LeaveImageFormatsOpen(spirv);
+    }
     return spirv;
 }
 

@@ -1,5 +1,7 @@
 #include "spirv/SpirvReflection.h"
 
+#include "spirv/StorageAccess.h"
+
 #include <algorithm>
 #include <map>
 #include <spirv_cross/spirv_cross.hpp>
@@ -65,6 +67,14 @@ public:
         {
             Bind(resource.id, m_Layout.storageBuffers, ReadStorageBuffer(resource), nextBinding);
         }
+        if (!resources.storage_images.empty())
+        {
+            m_ReadImages = FindReadImages(m_Spirv);
+        }
+        for (const auto& resource : resources.storage_images)
+        {
+            Bind(resource.id, m_Layout.storageTextures, ReadStorageTexture(resource), nextBinding);
+        }
         if (!resources.push_constant_buffers.empty())
         {
             m_Layout.pushStages = m_Layout.pushStages | m_Stage;
@@ -75,6 +85,15 @@ public:
                 !resources.stage_inputs.empty() || !resources.builtin_inputs.empty();
         }
         WriteBindings();
+    }
+
+    std::array<std::uint32_t, 3> ThreadGroupSize() const
+    {
+        const auto size = [&](std::uint32_t dimension)
+        {
+            return m_Compiler.get_execution_mode_argument(spv::ExecutionModeLocalSize, dimension);
+        };
+        return {size(0), size(1), size(2)};
     }
 
     void ReadVertexInputs(const std::vector<VertexInput>& declared)
@@ -207,25 +226,37 @@ private:
         texture.combinedSampler = combined;
         const SPIRType::ImageType& image = m_Compiler.get_type(resource.base_type_id).image;
         texture.multisampled = image.ms;
+        texture.dimension = DimensionOf(image, texture.name);
+        return texture;
+    }
+
+    StorageTextureBinding ReadStorageTexture(const spirv_cross::Resource& resource)
+    {
+        StorageTextureBinding texture;
+        texture.name = m_Compiler.get_name(resource.id);
+        const SPIRType& type = m_Compiler.get_type(resource.base_type_id);
+        texture.dimension = DimensionOf(type.image, texture.name);
+        texture.type = ScalarOf(m_Compiler.get_type(type.image.type));
+        texture.isRead = m_ReadImages.contains(resource.id);
+        return texture;
+    }
+
+    TextureDimension DimensionOf(const SPIRType::ImageType& image, const std::string& name)
+    {
         switch (image.dim)
         {
         case spv::Dim2D:
-            texture.dimension =
-                image.arrayed ? TextureDimension::Tex2DArray : TextureDimension::Tex2D;
-            break;
+            return image.arrayed ? TextureDimension::Tex2DArray : TextureDimension::Tex2D;
         case spv::Dim3D:
-            texture.dimension = TextureDimension::Tex3D;
-            break;
+            return TextureDimension::Tex3D;
         case spv::DimCube:
-            texture.dimension =
-                image.arrayed ? TextureDimension::CubeArray : TextureDimension::Cube;
-            break;
+            return image.arrayed ? TextureDimension::CubeArray : TextureDimension::Cube;
         default:
-            m_Messages.push_back("'" + texture.name +
+            m_Messages.push_back("'" + name +
                                  "': only textures of 2D, 3D and cube kind, "
                                  "and arrays of them, are supported");
+            return TextureDimension::Tex2D;
         }
-        return texture;
     }
 
     SamplerBinding ReadSampler(const spirv_cross::Resource& resource)
@@ -245,8 +276,20 @@ private:
     {
         StorageBufferBinding buffer;
         buffer.name = m_Compiler.get_name(resource.id);
+        buffer.isWritten =
+            !m_Compiler.get_buffer_block_flags(resource.id).get(spv::DecorationNonWritable);
+        constexpr std::string_view k_Counter = "@count"; // glslang's
+        if (buffer.name.ends_with(k_Counter))
+        {
+            buffer.name.resize(buffer.name.size() - k_Counter.size());
+            buffer.isCounter = true;
+            return buffer;
+        }
+        const bool isOfBytes = std::ranges::any_of(
+            m_Objects, [&](const HlslVariable& object)
+            { return object.name == buffer.name && object.type.ends_with("ByteAddressBuffer"); });
         const SPIRType& type = m_Compiler.get_type(resource.base_type_id);
-        buffer.stride = m_Compiler.type_struct_member_array_stride(type, 0);
+        buffer.stride = isOfBytes ? 0 : m_Compiler.type_struct_member_array_stride(type, 0);
         return buffer;
     }
 
@@ -283,6 +326,7 @@ private:
     const std::vector<HlslVariable>& m_Objects;
     std::vector<std::string>& m_Messages;
     std::map<std::uint32_t, std::uint32_t> m_Bindings;
+    std::set<std::uint32_t> m_ReadImages; ///< of writable textures
 };
 
 } // namespace
@@ -305,6 +349,17 @@ void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
     StageReflector fragment(pass.fragmentSpirv, ShaderStage::Fragment, pass.layout, objects,
                             messages);
     fragment.ReadResources(nextBinding);
+}
+
+void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,
+                   std::vector<std::string>& messages)
+{
+    std::uint32_t nextBinding = 0;
+    kernel.layout = {};
+    StageReflector reflector(kernel.computeSpirv, ShaderStage::Compute, kernel.layout, objects,
+                             messages);
+    kernel.threadGroupSize = reflector.ThreadGroupSize();
+    reflector.ReadResources(nextBinding);
 }
 
 } // namespace limn

@@ -20,4 +20,8 @@ namespace limn
 void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
                    const std::vector<HlslVariable>& objects, std::vector<std::string>& messages);
 
+/// The same of a kernel, and its groups' size.
+void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,
+                   std::vector<std::string>& messages);
+
 } // namespace limn

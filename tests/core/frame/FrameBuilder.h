@@ -56,6 +56,37 @@ public:
         draw.firstInstance = number;
         return Add(std::move(draw));
     }
+    /// @param number  what Describe calls the dispatch
+    FrameBuilder& Dispatch(std::uint32_t number, const std::vector<TexturePtr>& sampled,
+                           const std::vector<RenderTexturePtr>& written,
+                           const std::vector<BufferSlot>& buffers = {}, bool isKept = false)
+    {
+        auto bindings = std::make_shared<DrawBindings>();
+        for (const TexturePtr& texture : sampled)
+        {
+            bindings->textures.push_back({0, texture, std::nullopt});
+        }
+        for (const RenderTexturePtr& texture : written)
+        {
+            bindings->storageTextures.push_back({0, texture});
+        }
+        bindings->buffers = buffers;
+        DispatchCommand dispatch;
+        dispatch.setup = static_cast<std::uint32_t>(m_Frame.dispatchSetups.size());
+        m_Frame.dispatchSetups.emplace_back().bindings = std::move(bindings);
+        dispatch.groups = {number, 1, 1};
+        dispatch.isKept = isKept;
+        return Add(dispatch);
+    }
+    static BufferSlot Read(std::shared_ptr<const GraphicsBuffer> buffer,
+                           ShaderStage stages = ShaderStage::Compute)
+    {
+        return {0, std::move(buffer), 0, 4, stages, false, false};
+    }
+    static BufferSlot Write(std::shared_ptr<const GraphicsBuffer> buffer)
+    {
+        return {0, std::move(buffer), 0, 4, ShaderStage::Compute, false, true};
+    }
     /// A full-screen pass. @param promise  "" = none, "True", "copy" of the first texture, or a
     /// zero
     ///     in any texture gives "0 0 0 1 where"
@@ -151,6 +182,10 @@ inline std::string Describe(const PassCommand& command)
             else if constexpr (std::is_same_v<Command, DrawCommand>)
             {
                 return "draw " + std::to_string(c.firstInstance);
+            }
+            else if constexpr (std::is_same_v<Command, DispatchCommand>)
+            {
+                return "dispatch " + std::to_string(c.groups[0]);
             }
             else if constexpr (std::is_same_v<Command, BeginSampleCommand>)
             {

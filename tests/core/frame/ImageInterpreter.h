@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limn/core/CompiledFrame.h>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace limn::test
 /// stores and resolves mean and nothing else. What a draw gives follows from its number
 /// (firstInstance), the texels it samples at its own place, and what it promises; a texel of
 /// several samples is a weighted sum of them, in which each counts and equal ones give themselves.
+/// A dispatch changes some texels of what it may write, by its number, what it samples and what is
+/// in there and in its buffers, and each of the buffers, which hold one number.
 class ImageInterpreter
 {
 public:
@@ -40,6 +43,10 @@ public:
             {
                 Draw(targets, *draw);
             }
+            else if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+            {
+                Dispatch(*dispatch);
+            }
         }
     }
 
@@ -54,6 +61,7 @@ public:
         for (const CompiledRenderPass& pass : frame.passes)
         {
             Run(pass.barriers);
+            Run(pass.bufferBarriers);
             SetRenderTargetCommand targets;
             for (const auto& color : pass.colors)
             {
@@ -81,6 +89,11 @@ public:
                     }
                     Draw(targets, *draw);
                 }
+                else if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+                {
+                    ExpectReady(*frame.Setup(*dispatch).bindings);
+                    Dispatch(*dispatch);
+                }
             }
             for (const auto& color : pass.colors)
             {
@@ -96,6 +109,8 @@ public:
         }
         Run(frame.finalBarriers);
     }
+
+    long value(const GraphicsBuffer& buffer) { return m_Buffers[buffer.id()].value; }
 
     Texels texels(const Texture& texture)
     {
@@ -223,6 +238,80 @@ private:
                 Expect(*barrier.texture, barrier.before);
             }
             m_Uses[barrier.texture->id()] = barrier.after;
+            if (barrier.after == TextureUsage::RandomWrite)
+            {
+                m_Barred.insert(barrier.texture->id());
+            }
+        }
+    }
+
+    /// What a kernel wrote is seen behind a barrier, and written over behind one for all readers.
+    void Run(const std::vector<BufferBarrier>& barriers)
+    {
+        for (const BufferBarrier& barrier : barriers)
+        {
+            BufferContent& content = m_Buffers[barrier.buffer->id()];
+            content.isHidden = content.isHidden && !barrier.wasWritten;
+            content.isRead = content.isRead && !barrier.isWritten;
+        }
+    }
+
+    void ExpectReady(const DrawBindings& bindings)
+    {
+        for (const TextureSlot& slot : bindings.textures)
+        {
+            Expect(*slot.texture, TextureUsage::ShaderRead);
+        }
+        for (const StorageTextureSlot& slot : bindings.storageTextures)
+        {
+            Expect(*slot.texture, TextureUsage::RandomWrite);
+            if (!m_Barred.contains(slot.texture->id()))
+            {
+                throw std::logic_error("'" + slot.texture->name() + "' is written twice");
+            }
+            m_Barred.erase(slot.texture->id());
+        }
+        for (const BufferSlot& slot : bindings.buffers)
+        {
+            BufferContent& content = m_Buffers[slot.buffer->id()];
+            if (content.isHidden || (slot.isWritten && content.isRead))
+            {
+                throw std::logic_error("a buffer needs a barrier");
+            }
+            content.isHidden = slot.isWritten;
+            content.isRead = !slot.isWritten;
+        }
+    }
+
+    void Dispatch(const DispatchCommand& dispatch)
+    {
+        const DrawBindings& bindings = *m_Tables->Setup(dispatch).bindings;
+        const long number = dispatch.groups[0];
+        long sum = number;
+        for (const BufferSlot& slot : bindings.buffers)
+        {
+            sum += m_Buffers[slot.buffer->id()].value * 7;
+        }
+        long all = 0;
+        for (std::size_t i = 0; i < k_Size; ++i)
+        {
+            long value = sum;
+            for (const TextureSlot& slot : bindings.textures)
+            {
+                value += Seen(*slot.texture, i) % k_Modulus;
+            }
+            all += value;
+            for (const StorageTextureSlot& slot : bindings.storageTextures)
+            {
+                long& texel = Written(*slot.texture)[i];
+                const bool changes = ((number >> i) & 1) != 0;
+                texel = changes ? (texel % k_Modulus * 3 + value) % k_Modulus : texel;
+            }
+        }
+        for (const BufferSlot& slot : bindings.buffers)
+        {
+            long& value = m_Buffers[slot.buffer->id()].value;
+            value = slot.isWritten ? (value + all) % k_Modulus : value;
         }
     }
 
@@ -313,6 +402,14 @@ private:
     std::map<std::uint64_t, Texels> m_Resolved;
     std::map<std::uint64_t, TextureUsage> m_Uses;
     std::vector<PlacedTexture> m_Placed; ///< by the last frame
+    std::set<std::uint64_t> m_Barred;    ///< a barrier made them writable, and nothing wrote since
+    struct BufferContent
+    {
+        long value = 0;
+        bool isHidden = false; ///< written, and no barrier since
+        bool isRead = false;   ///< and no barrier for a writer since
+    };
+    std::map<std::uint64_t, BufferContent> m_Buffers;
     long m_Poisons = 0;
 };
 

@@ -49,6 +49,8 @@ public:
         return m_Frame.Take();
     }
 
+    const std::vector<std::shared_ptr<GraphicsBuffer>>& buffers() const { return m_Buffers; }
+
     /// Some of what is known and outlives a frame.
     std::vector<RenderTexturePtr> Outputs()
     {
@@ -91,8 +93,37 @@ private:
         }
     }
 
+    void RecordDispatch()
+    {
+        std::vector<RenderTexturePtr> written;
+        for (const RenderTexturePtr& texture : m_Known)
+        {
+            const bool canBe = !IsDepthFormat(texture->graphicsFormat()) && !HasSamples(*texture);
+            if (canBe && written.size() < 2 && Pick(0, 2) == 0)
+            {
+                written.push_back(texture);
+            }
+        }
+        std::vector<BufferSlot> buffers;
+        for (const auto& buffer : m_Buffers)
+        {
+            const int use = Pick(0, 5);
+            if (use < 2)
+            {
+                buffers.push_back(use == 0 ? FrameBuilder::Read(buffer)
+                                           : FrameBuilder::Write(buffer));
+            }
+        }
+        m_Frame.Dispatch(m_Number++, Sampled(written, 2), written, buffers);
+    }
+
     void RecordNode()
     {
+        if (Pick(0, 3) == 0)
+        {
+            RecordDispatch();
+            return;
+        }
         const RenderTexturePtr color = m_Colors[static_cast<std::size_t>(Pick(0, 9))];
         const RenderTexturePtr depth = Pick(0, 2) != 0      ? nullptr
                                        : HasSamples(*color) ? m_SmoothDepth
@@ -183,6 +214,9 @@ private:
     RenderTexturePtr m_Depth = test::DepthTarget("depth", 2, 2, true);
     RenderTexturePtr m_SmoothDepth = Smooth("smooth depth", true, GraphicsFormat::D32_SFloat);
     std::vector<RenderTexturePtr> m_Known; ///< what holds something
+    std::vector<std::shared_ptr<GraphicsBuffer>> m_Buffers = {
+        std::make_shared<GraphicsBuffer>(GraphicsBuffer::Target::Structured, 1, 4),
+        std::make_shared<GraphicsBuffer>(GraphicsBuffer::Target::Structured, 1, 4)};
     FrameBuilder m_Frame;
     std::uint32_t m_Number = 1;
 };
@@ -251,6 +285,20 @@ std::string Describe(const FrameCommands& frame)
             text += " clear " + std::to_string(static_cast<int>(clear->flags)) + " to " +
                     std::to_string(std::lround(clear->color.r));
         }
+        else if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+        {
+            const DrawBindings& bindings = *frame.Setup(*dispatch).bindings;
+            text += "\n  dispatch";
+            for (const StorageTextureSlot& slot : bindings.storageTextures)
+            {
+                text += " " + slot.texture->name();
+            }
+            text += " of";
+            for (const TextureSlot& slot : bindings.textures)
+            {
+                text += " " + slot.texture->name();
+            }
+        }
         else if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
             const DrawSetup& setup = frame.Setup(*draw);
@@ -273,7 +321,8 @@ struct Tally
     int steady = 0; ///< as the one before
     std::uint64_t structure = 0;
     std::size_t leftOut = 0;
-    int sharing = 0; ///< frames in which textures share memory
+    int dispatches = 0; ///< passes
+    int sharing = 0;    ///< frames in which textures share memory
 };
 
 /// Of several sizes, in two kinds of memory.
@@ -328,6 +377,14 @@ void RunSequence(unsigned seed, Tally& tally)
             }
         }
         device.Run(frame);
+        for (const auto& buffer : random.buffers())
+        {
+            ASSERT_EQ(naive.value(*buffer), device.value(*buffer)) << "frame " << i << frames;
+        }
+        for (const auto& pass : frame.passes)
+        {
+            tally.dispatches += pass.isCompute() ? 1 : 0;
+        }
         for (const RenderTexturePtr& output : outputs)
         {
             ASSERT_EQ(naive.texels(*output), device.texels(*output))
@@ -355,6 +412,7 @@ TEST(RandomFrame, GivesWhatItsCommandsGiveOneByOneAfterEveryStep)
     EXPECT_GT(tally.steady, 200) << "some are as the one before";
     EXPECT_GT(tally.leftOut, 2000u) << "there is something to leave out";
     EXPECT_GT(tally.sharing, 100) << "there is something to put into one place";
+    EXPECT_GT(tally.dispatches, 1000) << "there are kernels among them";
     RecordProperty("frames", tally.frames);
     RecordProperty("sharing", tally.sharing);
     RecordProperty("surprises", tally.surprises);

@@ -105,7 +105,8 @@ public:
     RenderReport report;        ///< of the last Render
     RenderTexturePool temporaryTextures;
 
-    CompiledFrame Render()
+    /// @param leavesOut  see FrameCompiler
+    CompiledFrame Render(bool leavesOut = false)
     {
         report = {};
         ScriptableRenderContext context(report);
@@ -118,7 +119,7 @@ public:
         data.report = &report;
         data.temporaryTextures = &temporaryTextures;
         renderer.RenderCamera(context, data);
-        return m_Compiler.Compile(context.TakeCommands());
+        return (leavesOut ? m_LeanCompiler : m_Compiler).Compile(context.TakeCommands());
     }
 
     void AddFeature(const std::string& name, Log& log, std::vector<ScriptableRenderPass*> passes)
@@ -128,6 +129,7 @@ public:
 
 private:
     FrameCompiler m_Compiler;
+    FrameCompiler m_LeanCompiler{true};
 };
 
 } // namespace limn::test

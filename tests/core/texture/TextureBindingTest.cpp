@@ -347,12 +347,13 @@ TEST_F(TextureBindings, KeepTextureAndSamplerOfASampler2DTogether)
     EXPECT_EQ(m_Draw.draw().bindings->textures[0].sampler, sampler);
 }
 
-TEST_F(TextureBindings, RefuseAStructuredBufferThatIsNotThePerDrawOne)
+TEST_F(TextureBindings, RefuseAStructuredBufferThatIsNotSet)
 {
     const auto material = std::make_shared<Material>(
         test::ShaderWithProgram("", "StructuredBuffer<float4> _Points;", "_Points[0]"), "Paint");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
-              "material 'Paint': structured buffer '_Points' cannot be bound yet");
+    EXPECT_EQ(
+        test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
+        "material 'Paint': buffer '_Points' is not set, and nothing is global under that name");
 }
 
 } // namespace

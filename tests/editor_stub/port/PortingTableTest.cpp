@@ -86,10 +86,11 @@ private:
 /// What limn calls a type of Unity's.
 std::string CppType(const std::string& type)
 {
-    return type == "IRasterRenderGraphBuilder"   ? "RasterRenderGraphBuilder"
-           : type == "IUnsafeRenderGraphBuilder" ? "UnsafeRenderGraphBuilder"
-           : type == "Renderer"                  ? "MeshRenderer"
-                                                 : type;
+    return type == "IRasterRenderGraphBuilder"    ? "RasterRenderGraphBuilder"
+           : type == "IUnsafeRenderGraphBuilder"  ? "UnsafeRenderGraphBuilder"
+           : type == "IComputeRenderGraphBuilder" ? "ComputeRenderGraphBuilder"
+           : type == "Renderer"                   ? "MeshRenderer"
+                                                  : type;
 }
 
 } // namespace

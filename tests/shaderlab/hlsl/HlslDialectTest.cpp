@@ -215,7 +215,7 @@ TEST(HlslDialect, ReadsStructuredAndRawBuffers)
     }
     EXPECT_EQ(strides.size(), 3u);
     EXPECT_EQ(strides["_Ids"], 4u);
-    EXPECT_EQ(strides["_Raw"], 4u);
+    EXPECT_EQ(strides["_Raw"], 0u);
 }
 
 TEST(HlslDialect, HasConstantsOverloadsDefaultsAndMacrosThatDeclare)

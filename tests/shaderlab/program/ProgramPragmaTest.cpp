@@ -147,9 +147,10 @@ TEST(ProgramPragma, RefusesWhatLimnDoesNotDoInOneSentence)
     EXPECT_EQ(Reason("\n#pragma raytracing hit\n"),
               "t.shader:2:1: error: #pragma raytracing: ray tracing is not supported; limn draws "
               "with a vertex and a fragment function");
-    EXPECT_EQ(Reason("\n#pragma kernel main\n"),
-              "t.shader:2:1: error: #pragma kernel: compute shaders are not supported; limn draws "
-              "with a vertex and a fragment function");
+    EXPECT_EQ(
+        Reason("\n#pragma kernel main\n"),
+        "t.shader:2:1: error: #pragma kernel: a pass of a .shader file draws with a vertex and "
+        "a fragment function; kernels stand in a .compute file");
     EXPECT_EQ(Reason("\n#pragma domain d\n"),
               "t.shader:2:1: error: #pragma domain: tessellation is not supported; leave the hull "
               "and domain functions out");

@@ -32,6 +32,8 @@ void OfferAll(FeatureChain& chain)
     VkPhysicalDeviceFeatures& core = chain.core.features;
     core.geometryShader = core.tessellationShader = core.imageCubeArray = VK_TRUE;
     core.fragmentStoresAndAtomics = core.shaderInt16 = core.shaderInt64 = VK_TRUE;
+    core.shaderStorageImageWriteWithoutFormat = VK_TRUE;
+    chain.v12.scalarBlockLayout = VK_TRUE;
     chain.v12.shaderFloat16 = chain.v12.shaderOutputLayer = VK_TRUE;
     chain.v12.shaderBufferInt64Atomics = chain.v12.shaderSharedInt64Atomics = VK_TRUE;
 }
@@ -63,7 +65,7 @@ TEST(MissingShaderFeatures, AreAllOfABareDevice)
     least.maxFragmentInputComponents = 64;
     least.maxColorAttachments = 4;
     EXPECT_THAT(Missing(chain, least, 0),
-                ElementsAre("cubearray", "geometry", "int64bufferatomics",
+                ElementsAre("compute", "cubearray", "geometry", "int64bufferatomics",
                             "int64groupsharedatomics", "interpolators32", "mrt8", "native16bit",
                             "quadshuffle", "randomwrite", "setrtarrayindexfromanyshader", "tesshw",
                             "tessellation", "uav", "waveballot", "wavebasic", "wavemath",
@@ -74,6 +76,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
 {
     using Core = VkPhysicalDeviceFeatures;
     const std::pair<VkBool32 Core::*, std::vector<std::string>> cases[] = {
+        {&Core::shaderStorageImageWriteWithoutFormat, {"compute"}},
         {&Core::geometryShader, {"geometry"}},
         {&Core::tessellationShader, {"tesshw", "tessellation"}},
         {&Core::imageCubeArray, {"cubearray"}},
@@ -89,6 +92,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
     }
     using V12 = VkPhysicalDeviceVulkan12Features;
     const std::pair<VkBool32 V12::*, std::vector<std::string>> cases12[] = {
+        {&V12::scalarBlockLayout, {"compute"}},
         {&V12::shaderFloat16, {"native16bit"}},
         {&V12::shaderOutputLayer, {"setrtarrayindexfromanyshader"}},
         {&V12::shaderBufferInt64Atomics, {"int64bufferatomics"}},

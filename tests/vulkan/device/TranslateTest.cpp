@@ -76,7 +76,7 @@ TEST(Translate, WaitsInEveryStageThatMaySample)
     const VkPipelineStageFlags2 stages = ToUsageScope(TextureUsage::ShaderRead).stages;
     // The first of the two stands for all stages before it, geometry where there is one.
     EXPECT_EQ(VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
-                  VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                  VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               stages);
 }
 

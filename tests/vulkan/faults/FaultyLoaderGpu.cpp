@@ -428,6 +428,17 @@ extern "C"
         return result;
     }
 
+    VKAPI_ATTR VkResult VKAPI_CALL
+    vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                             const VkComputePipelineCreateInfo* infos,
+                             const VkAllocationCallbacks* callbacks, VkPipeline* pipelines)
+    {
+        const VkResult result = Call(LIMN_NEXT(vkCreateComputePipelines), {}, device, cache, count,
+                                     infos, callbacks, pipelines);
+        Made("Pipeline", result);
+        return result;
+    }
+
     VKAPI_ATTR void VKAPI_CALL vkDestroyPipeline(VkDevice device, VkPipeline pipeline,
                                                  const VkAllocationCallbacks* callbacks)
     {

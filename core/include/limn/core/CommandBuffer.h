@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/ComputeCommands.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/GlobalKeyword.h>
 #include <limn/core/LayerMask.h>
@@ -149,7 +150,8 @@ using RecordedCommand =
                  SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
                  IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
                  SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
-                 GenerateMipsCommand>;
+                 GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
+                 SetComputeTextureCommand, SetComputeKeywordCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -350,6 +352,73 @@ public:
         SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
     }
 
+    // Buffers: as MaterialPropertyBlock's; null = none.
+    void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
+    {
+        SetGlobal(id, BufferRange{std::move(value), 0, 0});
+    }
+    void SetGlobalConstantBuffer(std::shared_ptr<const GraphicsBuffer> buffer, ShaderPropertyId id,
+                                 int offset, int size)
+    {
+        SetGlobal(id, ConstantRange(std::move(buffer), offset, size));
+    }
+
+    /// Runs a kernel in so many groups, each of the threads that its [numthreads] says. It waits
+    /// for what it reads, and later commands wait for what it writes; where nothing reads that, it
+    /// is not run (see CompileFrame).
+    /// @throws ContractError if the shader is null, there is no such kernel, or a count is not from
+    ///         1 to 65535; when executed, for a texture or buffer that is not set or does not fit
+    /// @throws AssetError  when executed: the kernel does not compile
+    /// @source Unity: CommandBuffer.DispatchCompute (2022.3)
+    void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
+                         int threadGroupsX, int threadGroupsY, int threadGroupsZ);
+    template <typename Shader>
+    void DispatchCompute(const Shader&, int, const std::shared_ptr<GraphicsBuffer>&, std::uint32_t)
+    {
+        static_assert(sizeof(Shader) == 0,
+                      "DispatchCompute: limn reads no group counts from a buffer");
+    }
+
+    // ComputeShader::SetFloat and its like, done when the buffer is executed: for dispatches behind
+    // it, and from then on. @throws ContractError if the shader is null, and as those do
+    void SetComputeFloatParam(const std::shared_ptr<ComputeShader>& computeShader,
+                              ShaderPropertyId id, float value);
+    void SetComputeIntParam(const std::shared_ptr<ComputeShader>& computeShader,
+                            ShaderPropertyId id, int value);
+    void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, const glm::vec4& value);
+    void SetComputeVectorArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
+                                    ShaderPropertyId id, std::vector<glm::vec4> values);
+    void SetComputeMatrixParam(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, const glm::mat4& value);
+    void SetComputeMatrixArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
+                                    ShaderPropertyId id, std::vector<glm::mat4> values);
+    void SetComputeFloatParams(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, std::vector<float> values);
+    void SetComputeIntParams(const std::shared_ptr<ComputeShader>& computeShader,
+                             ShaderPropertyId id, std::vector<int> values);
+    /// @param rt  what it stands for when the buffer is executed
+    void SetComputeTextureParam(const std::shared_ptr<ComputeShader>& computeShader,
+                                int kernelIndex, ShaderPropertyId id, RenderTargetIdentifier rt);
+    void SetComputeBufferParam(const std::shared_ptr<ComputeShader>& computeShader, int kernelIndex,
+                               ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> buffer);
+    void SetComputeConstantBufferParam(const std::shared_ptr<ComputeShader>& computeShader,
+                                       ShaderPropertyId id,
+                                       std::shared_ptr<const GraphicsBuffer> buffer, int offset,
+                                       int size);
+    void SetKeyword(const std::shared_ptr<ComputeShader>& computeShader, std::string_view keyword,
+                    bool value);
+    void EnableKeyword(const std::shared_ptr<ComputeShader>& computeShader,
+                       std::string_view keyword)
+    {
+        SetKeyword(computeShader, keyword, true);
+    }
+    void DisableKeyword(const std::shared_ptr<ComputeShader>& computeShader,
+                        std::string_view keyword)
+    {
+        SetKeyword(computeShader, keyword, false);
+    }
+
     /// RenderingUtils::SetViewAndProjectionMatrices says what.
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
@@ -384,6 +453,8 @@ private:
     void DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
                   const std::shared_ptr<const Material>& material, int pass);
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
+    void SetParam(const std::shared_ptr<ComputeShader>& shader, int kernel, ShaderPropertyId id,
+                  ShaderPropertyValue value);
     std::uint32_t Keep(const MaterialPropertyBlock& properties);
     void DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties);
 

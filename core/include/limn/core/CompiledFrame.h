@@ -17,6 +17,18 @@ struct TextureBarrier
     bool operator==(const TextureBarrier&) const = default;
 };
 
+/// Before the pass: what functions did with the buffer is done.
+struct BufferBarrier
+{
+    std::shared_ptr<const GraphicsBuffer> buffer;
+    ShaderStage before = ShaderStage::None; ///< those that used it
+    bool wasWritten = false;                ///< and what they wrote is visible
+    ShaderStage after = ShaderStage::None;  ///< to those that use it
+    bool isWritten = false;                 ///< and may write
+
+    bool operator==(const BufferBarrier&) const = default;
+};
+
 enum class LoadOp
 {
     Load,
@@ -62,19 +74,24 @@ struct DepthAttachment
 
 /// Inside a pass only these remain of the recorded commands.
 using PassCommand = std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand,
-                                 EndSampleCommand>;
+                                 EndSampleCommand, DispatchCommand>;
 
-/// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering.
+/// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering. Or dispatches
+/// that do not mind each other.
 struct CompiledRenderPass
 {
     std::string name; ///< the innermost sample it began in, or ""
     std::vector<TextureBarrier> barriers;
+    std::vector<BufferBarrier> bufferBarriers;
     std::vector<ColorAttachment> colors;
     std::optional<DepthAttachment> depth;
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;
     std::size_t place = 0; ///< among what was recorded, with what is left out
+
+    /// Whether it has dispatches, and no attachments.
+    bool isCompute() const { return colors.empty() && !depth; }
 };
 
 /// Where a texture lies in memory that it shares with others, which hold nothing while it does.

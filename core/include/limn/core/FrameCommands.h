@@ -2,6 +2,7 @@
 
 #include <limn/core/Color.h>
 #include <limn/core/FixedList.h>
+#include <limn/core/GraphicsBuffer.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/ObjectTable.h>
 #include <limn/core/PipelineState.h>
@@ -15,6 +16,7 @@
 namespace limn
 {
 
+class ComputeShader;
 class Shader;
 
 /// What of a target is cleared; bit flags, values Unity's. Unity: UnityEngine.Rendering.ClearFlag.
@@ -86,13 +88,38 @@ struct SamplerSlot
     bool operator==(const SamplerSlot&) const = default;
 };
 
-/// Everything bound by one draw; draws of equal material and globals share one.
+/// A buffer that somebody else made.
+struct BufferSlot
+{
+    std::uint32_t binding = 0;
+    std::shared_ptr<const GraphicsBuffer> buffer; ///< never null
+    std::uint32_t offset = 0;                     ///< bytes
+    std::uint32_t size = 0;                       ///< bytes
+    ShaderStage stages = ShaderStage::None;       ///< that use it
+    bool isUniform = false;                       ///< a cbuffer
+    bool isWritten = false;
+
+    bool operator==(const BufferSlot&) const = default;
+};
+
+/// A texture that a kernel writes to.
+struct StorageTextureSlot
+{
+    std::uint32_t binding = 0;
+    std::shared_ptr<const RenderTexture> texture; ///< never null
+
+    bool operator==(const StorageTextureSlot&) const = default;
+};
+
+/// Everything bound by one draw or dispatch; draws of equal material and globals share one.
 struct DrawBindings
 {
     std::vector<UniformSlice> uniforms;
     std::vector<TextureSlot> textures;
     std::vector<SamplerSlot> samplers;
-    std::optional<std::uint32_t> perDrawBinding; ///< where limn_PerDraw is bound, if it is read
+    std::vector<BufferSlot> buffers;
+    std::vector<StorageTextureSlot> storageTextures; ///< of a dispatch
+    std::optional<std::uint32_t> perDrawBinding;     ///< where limn_PerDraw is bound, if it is read
 
     bool operator==(const DrawBindings&) const = default;
 };
@@ -160,6 +187,28 @@ struct DrawCommand
     bool operator==(const DrawCommand&) const = default;
 };
 
+/// What dispatches of a frame may have in common.
+struct DispatchSetup
+{
+    std::shared_ptr<const ShaderProgram> program;
+    std::shared_ptr<const DrawBindings> bindings; ///< never null
+    // What `program` was compiled from, for reports and errors.
+    std::shared_ptr<const ComputeShader> shader;
+    int kernel = 0;
+
+    bool operator==(const DispatchSetup&) const = default;
+};
+
+/// Runs a kernel; it minds no target.
+struct DispatchCommand
+{
+    std::uint32_t setup = 0; ///< of FrameTables::dispatchSetups
+    std::array<std::uint32_t, 3> groups{1, 1, 1};
+    bool isKept = false; ///< it is run whether anything reads what it writes
+
+    bool operator==(const DispatchCommand&) const = default;
+};
+
 /// Colour targets that can be drawn into at once.
 inline constexpr std::size_t k_MostColors = std::tuple_size_v<decltype(PipelineState::targets)>;
 
@@ -205,13 +254,15 @@ struct EndSampleCommand
     bool operator==(const EndSampleCommand&) const = default;
 };
 
-using FrameCommand = std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand,
-                                  DrawCommand, BeginSampleCommand, EndSampleCommand>;
+using FrameCommand =
+    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, DrawCommand,
+                 BeginSampleCommand, EndSampleCommand, DispatchCommand>;
 
 /// What the draws of a frame refer to by number. Each instance is an element of one of two lists.
 struct FrameTables
 {
     std::vector<DrawSetup> setups;
+    std::vector<DispatchSetup> dispatchSetups;
     std::vector<std::shared_ptr<const Mesh>> meshes; ///< none is null
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
     std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
@@ -219,6 +270,10 @@ struct FrameTables
     bool usesReversedZBuffer = true; ///< what its shaders count on, see ShaderCompilerOptions
 
     const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }
+    const DispatchSetup& Setup(const DispatchCommand& dispatch) const
+    {
+        return dispatchSetups[dispatch.setup];
+    }
     /// Null = the draw has none.
     const std::shared_ptr<const Mesh>& MeshOf(const DrawCommand& draw) const;
     /// The element of an instance.

@@ -36,6 +36,10 @@ public:
     /// @throws ContractError if it was not
     virtual Image ReadBack(const RenderTexture& texture) = 0;
 
+    /// GraphicsBuffer::bytes() as the last frame left them; waits for it.
+    /// @throws ContractError if no frame has used the buffer
+    virtual std::vector<std::byte> ReadBackBuffer(const GraphicsBuffer& buffer);
+
     /// How many samples a texel it draws such a texture with: at most the descriptor's msaaSamples,
     /// and at least 1. Unity: SystemInfo.GetRenderTextureSupportedMSAASampleCount.
     virtual int

@@ -55,6 +55,17 @@ public:
     /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
     ///         that stands for
     void SetTexture(ShaderPropertyId id, const RTHandle& value);
+    // Buffers: as MaterialPropertyBlock's.
+    void SetBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
+    {
+        Set(id, BufferRange{std::move(value), 0, 0});
+    }
+    void SetConstantBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value,
+                           int offset, int size)
+    {
+        Set(id, ConstantRange(std::move(value), offset, size));
+    }
+    bool hasBuffers() const { return m_Values.hasBuffers(); }
     /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
     void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
     void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);

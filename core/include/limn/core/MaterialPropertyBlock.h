@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
+#include <limn/core/GraphicsBuffer.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/Texture.h>
@@ -13,10 +14,28 @@
 namespace limn
 {
 
+/// What ComputeShader::SetFloats and SetInts set: components one behind the other in memory.
+struct FloatParams
+{
+    std::vector<float> values;
+    bool operator==(const FloatParams&) const = default;
+};
+struct IntParams
+{
+    std::vector<int> values;
+    bool operator==(const IntParams&) const = default;
+};
+
 /// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
 using ShaderPropertyValue =
     std::variant<float, int, glm::vec4, Color, glm::mat4, std::vector<float>,
-                 std::vector<glm::vec4>, std::vector<glm::mat4>, std::shared_ptr<const Texture>>;
+                 std::vector<glm::vec4>, std::vector<glm::mat4>, std::shared_ptr<const Texture>,
+                 BufferRange, FloatParams, IntParams>;
+
+/// A buffer for a cbuffer.
+/// @throws ContractError unless the offset is a multiple of 256, both are not negative, and the end
+///         lies in the buffer
+BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size);
 
 /// Shader property values by name. Draws look values up in the block of the draw, then in the
 /// material, then in the globals. Unity: UnityEngine.MaterialPropertyBlock (2022.3).
@@ -40,6 +59,18 @@ public:
     /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
     ///         that stands for
     void SetTexture(ShaderPropertyId id, const RTHandle& value);
+    /// What a StructuredBuffer or ByteAddressBuffer of this name reads.
+    void SetBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
+    {
+        Set(id, BufferRange{std::move(value), 0, 0});
+    }
+    /// A cbuffer of this name is read from the buffer, whatever its members are set to.
+    /// @param offset, size  bytes; the offset a multiple of 256, the size 0 up to the end
+    void SetConstantBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value,
+                           int offset, int size)
+    {
+        Set(id, ConstantRange(std::move(value), offset, size));
+    }
     /// @throws ContractError naming the property, if a number is not finite or an array has no
     ///         elements; so do all above
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
@@ -62,6 +93,7 @@ public:
     /// Keeps the memory.
     void Clear();
     bool isEmpty() const { return m_Slots.empty(); }
+    bool hasBuffers() const { return m_HasBuffers; } ///< one was set since Clear
 
 private:
     struct Slot
@@ -73,6 +105,7 @@ private:
 
     std::vector<Slot> m_Slots; ///< by id
     std::vector<ShaderPropertyValue> m_Values;
+    bool m_HasBuffers = false;
 };
 
 } // namespace limn

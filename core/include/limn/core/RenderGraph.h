@@ -62,6 +62,13 @@ public:
     /// A texture of the pass's own; once more gives the same handle.
     /// @throws ContractError if there is no texture
     TextureHandle ImportTexture(const RTHandle& rt, const ImportResourceParams& importParams = {});
+    /// A buffer until the camera is done. A frame that asks for the same as the one before gets the
+    /// same buffers, with what is in them.
+    /// @throws ContractError as GraphicsBuffer does
+    BufferHandle CreateBuffer(const BufferDesc& desc);
+    /// A buffer of the pass's own; once more gives the same handle.
+    /// @throws ContractError if it is null
+    BufferHandle ImportBuffer(const std::shared_ptr<const GraphicsBuffer>& graphicsBuffer);
     /// @throws ContractError if there is no texture, or it is one of an earlier frame
     TextureDesc GetTextureDesc(const TextureHandle& texture) const;
     RendererListHandle CreateRendererList(const RendererListParams& desc);
@@ -84,9 +91,12 @@ public:
         return {*this, AddPass(passName), std::move(data)};
     }
     template <typename PassData>
-    void AddComputePass(std::string_view, PassData*&)
+    ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
+                                                       PassData*& passData)
     {
-        static_assert(sizeof(PassData) == 0, "AddComputePass: limn has no compute shaders yet");
+        auto data = std::make_shared<PassData>();
+        passData = data.get();
+        return {*this, AddPass(passName), std::move(data)};
     }
 
     /// Draws the source through the material over the whole destination, whose contents stay where
@@ -114,6 +124,7 @@ private:
     TextureHandle HandleOf(const RTHandle& texture) const;
     /// @throws ContractError beginning with `subject`, unless the handle is of this frame
     void ExpectOfFrame(const TextureHandle& texture, const std::string& subject) const;
+    void ExpectOfFrame(const BufferHandle& buffer, const std::string& subject) const;
     std::size_t IndexOf(const RendererListHandle& list, const std::string& subject) const;
     const std::shared_ptr<const Material>& CopyMaterial(std::string_view call) const;
 

@@ -21,6 +21,8 @@ public:
 
     /// @throws ContractError if the texture is an attachment of the pass, or written twice
     void UseTexture(const TextureHandle& input, AccessFlags flags = AccessFlags::Read);
+    /// @throws ContractError if the pass uses the buffer otherwise already
+    BufferHandle UseBuffer(const BufferHandle& input, AccessFlags flags = AccessFlags::Read);
     /// What is global under the name when the pass runs. @throws ContractError then, if nothing is
     void UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags = AccessFlags::Read);
     /// Shaders may sample whatever is global: nothing is said about textures that they read.
@@ -45,6 +47,7 @@ protected:
     void SetDepthAttachment(const TextureHandle& texture, AccessFlags flags);
     void SetFunction(std::function<void(RasterCommandBuffer&)> function);
     void SetFunction(std::function<void(UnsafeCommandBuffer&)> function);
+    void SetFunction(std::function<void(ComputeCommandBuffer&)> function);
 
 private:
     void ExpectUsable(const TextureHandle& texture, const std::string& subject) const;
@@ -118,6 +121,35 @@ private:
     friend class RenderGraph;
     UnsafeRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
                              std::shared_ptr<PassData> data)
+        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
+    {
+    }
+    std::shared_ptr<PassData> m_Data;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.IComputeRenderGraphBuilder (core 17).
+template <typename PassData>
+class ComputeRenderGraphBuilder : public BaseRenderGraphBuilder
+{
+public:
+    /// limn has one queue: the pass runs where it stands.
+    void EnableAsyncCompute(bool) {}
+    /// @param function  (PassData&, ComputeGraphContext&): records the pass, once
+    template <std::invocable<PassData&, ComputeGraphContext&> Function>
+    void SetRenderFunc(Function function)
+    {
+        SetFunction(
+            [data = m_Data, function = std::move(function)](ComputeCommandBuffer& cmd)
+            {
+                ComputeGraphContext context{cmd};
+                function(*data, context);
+            });
+    }
+
+private:
+    friend class RenderGraph;
+    ComputeRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
+                              std::shared_ptr<PassData> data)
         : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
     {
     }

@@ -167,8 +167,121 @@ class RasterCommandBuffer : public BaseCommandBuffer
     using BaseCommandBuffer::BaseCommandBuffer;
 };
 
+/// What render functions may record of kernels. Calls are CommandBuffer's, which says more of them.
+class KernelCommands
+{
+public:
+    using Shader = std::shared_ptr<ComputeShader>;
+
+    void DispatchCompute(const std::shared_ptr<const ComputeShader>& computeShader, int kernelIndex,
+                         int threadGroupsX, int threadGroupsY, int threadGroupsZ)
+    {
+        m_Cmd.DispatchCompute(computeShader, kernelIndex, threadGroupsX, threadGroupsY,
+                              threadGroupsZ);
+    }
+    void SetComputeFloatParam(const Shader& computeShader, ShaderPropertyId id, float value)
+    {
+        m_Cmd.SetComputeFloatParam(computeShader, id, value);
+    }
+    void SetComputeIntParam(const Shader& computeShader, ShaderPropertyId id, int value)
+    {
+        m_Cmd.SetComputeIntParam(computeShader, id, value);
+    }
+    void SetComputeVectorParam(const Shader& computeShader, ShaderPropertyId id,
+                               const glm::vec4& value)
+    {
+        m_Cmd.SetComputeVectorParam(computeShader, id, value);
+    }
+    void SetComputeVectorArrayParam(const Shader& computeShader, ShaderPropertyId id,
+                                    std::vector<glm::vec4> values)
+    {
+        m_Cmd.SetComputeVectorArrayParam(computeShader, id, std::move(values));
+    }
+    void SetComputeMatrixParam(const Shader& computeShader, ShaderPropertyId id,
+                               const glm::mat4& value)
+    {
+        m_Cmd.SetComputeMatrixParam(computeShader, id, value);
+    }
+    void SetComputeMatrixArrayParam(const Shader& computeShader, ShaderPropertyId id,
+                                    std::vector<glm::mat4> values)
+    {
+        m_Cmd.SetComputeMatrixArrayParam(computeShader, id, std::move(values));
+    }
+    void SetComputeFloatParams(const Shader& computeShader, ShaderPropertyId id,
+                               std::vector<float> values)
+    {
+        m_Cmd.SetComputeFloatParams(computeShader, id, std::move(values));
+    }
+    void SetComputeIntParams(const Shader& computeShader, ShaderPropertyId id,
+                             std::vector<int> values)
+    {
+        m_Cmd.SetComputeIntParams(computeShader, id, std::move(values));
+    }
+    void SetComputeTextureParam(const Shader& computeShader, int kernelIndex, ShaderPropertyId id,
+                                const RTHandle& rt)
+    {
+        m_Cmd.SetComputeTextureParam(computeShader, kernelIndex, id, rt);
+    }
+    void SetComputeBufferParam(const Shader& computeShader, int kernelIndex, ShaderPropertyId id,
+                               std::shared_ptr<const GraphicsBuffer> buffer)
+    {
+        m_Cmd.SetComputeBufferParam(computeShader, kernelIndex, id, std::move(buffer));
+    }
+    void SetComputeConstantBufferParam(const Shader& computeShader, ShaderPropertyId id,
+                                       std::shared_ptr<const GraphicsBuffer> buffer, int offset,
+                                       int size)
+    {
+        m_Cmd.SetComputeConstantBufferParam(computeShader, id, std::move(buffer), offset, size);
+    }
+    void SetKeyword(const Shader& computeShader, std::string_view keyword, bool value)
+    {
+        m_Cmd.SetKeyword(computeShader, keyword, value);
+    }
+    void EnableKeyword(const Shader& computeShader, std::string_view keyword)
+    {
+        m_Cmd.SetKeyword(computeShader, keyword, true);
+    }
+    void DisableKeyword(const Shader& computeShader, std::string_view keyword)
+    {
+        m_Cmd.SetKeyword(computeShader, keyword, false);
+    }
+
+protected:
+    explicit KernelCommands(CommandBuffer& cmd) : m_Cmd(cmd) {}
+    ~KernelCommands() = default;
+
+private:
+    CommandBuffer& m_Cmd;
+};
+
+/// Of compute passes: there is no call to draw or clear.
+/// Unity: UnityEngine.Rendering.ComputeCommandBuffer (core 17).
+class ComputeCommandBuffer : private BaseCommandBuffer, public KernelCommands
+{
+public:
+    using BaseCommandBuffer::BeginSample;
+    using BaseCommandBuffer::EndSample;
+    using BaseCommandBuffer::SetGlobalColor;
+    using BaseCommandBuffer::SetGlobalFloat;
+    using BaseCommandBuffer::SetGlobalFloatArray;
+    using BaseCommandBuffer::SetGlobalInt;
+    using BaseCommandBuffer::SetGlobalInteger;
+    using BaseCommandBuffer::SetGlobalMatrix;
+    using BaseCommandBuffer::SetGlobalMatrixArray;
+    using BaseCommandBuffer::SetGlobalTexture;
+    using BaseCommandBuffer::SetGlobalVector;
+    using BaseCommandBuffer::SetGlobalVectorArray;
+
+private:
+    friend class RenderGraphRun;
+    ComputeCommandBuffer(CommandBuffer& native, RenderGraphRun& run)
+        : BaseCommandBuffer(native, run), KernelCommands(native)
+    {
+    }
+};
+
 /// Of unsafe passes. Unity: UnityEngine.Rendering.UnsafeCommandBuffer (core 17).
-class UnsafeCommandBuffer : public BaseCommandBuffer
+class UnsafeCommandBuffer : public BaseCommandBuffer, public KernelCommands
 {
 public:
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {})
@@ -187,7 +300,10 @@ public:
 private:
     friend class RenderGraphRun;
     friend CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
-    using BaseCommandBuffer::BaseCommandBuffer;
+    UnsafeCommandBuffer(CommandBuffer& native, RenderGraphRun& run)
+        : BaseCommandBuffer(native, run), KernelCommands(native)
+    {
+    }
 };
 
 /// What a raster pass's render function gets.
@@ -195,6 +311,12 @@ private:
 struct RasterGraphContext
 {
     RasterCommandBuffer& cmd;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.ComputeGraphContext (core 17).
+struct ComputeGraphContext
+{
+    ComputeCommandBuffer& cmd;
 };
 
 /// Unity: UnityEngine.Rendering.RenderGraphModule.UnsafeGraphContext (core 17).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/Color.h>
+#include <limn/core/GraphicsBuffer.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/RendererList.h>
 #include <optional>
@@ -63,6 +64,7 @@ struct TextureDesc
     /// nothing in particular then.
     bool clearBuffer = true;
     Color clearColor = Color::black; ///< linear; depth clears to far
+    bool enableRandomWrite = false;  ///< kernels may write to it, see RenderTextureDescriptor
     std::string name;
 
     TextureDesc() = default;
@@ -122,6 +124,49 @@ private:
 
     std::size_t m_Index = 0;
     std::uint64_t m_Frame = 0; ///< 0 = none
+};
+
+/// A buffer that RenderGraph::CreateBuffer makes.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.BufferDesc (core 17).
+struct BufferDesc
+{
+    int count = 0;
+    int stride = 0; ///< bytes
+    GraphicsBuffer::Target target = GraphicsBuffer::Target::Structured;
+    std::string name;
+
+    BufferDesc() = default;
+    BufferDesc(int elements, int bytes,
+               GraphicsBuffer::Target usedAs = GraphicsBuffer::Target::Structured)
+        : count(elements), stride(bytes), target(usedAs)
+    {
+    }
+
+    bool operator==(const BufferDesc&) const = default;
+};
+
+/// A buffer of a camera's render graph, or none: until the camera is done.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.BufferHandle (core 17).
+class BufferHandle
+{
+public:
+    BufferHandle() = default;
+    bool IsValid() const { return m_Buffer != nullptr; }
+    /// As in Unity's render functions, where a buffer is wanted.
+    operator std::shared_ptr<const GraphicsBuffer>() const { return m_Buffer; }
+    const std::shared_ptr<const GraphicsBuffer>& buffer() const { return m_Buffer; }
+
+    bool operator==(const BufferHandle&) const = default;
+
+private:
+    friend class RenderGraph;
+    BufferHandle(std::shared_ptr<const GraphicsBuffer> buffer, std::uint64_t frame)
+        : m_Buffer(std::move(buffer)), m_Frame(frame)
+    {
+    }
+
+    std::shared_ptr<const GraphicsBuffer> m_Buffer;
+    std::uint64_t m_Frame = 0;
 };
 
 } // namespace limn

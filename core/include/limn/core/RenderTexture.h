@@ -24,6 +24,9 @@ struct RenderTextureDescriptor
     /// CommandBuffer::GenerateMips does.
     bool autoGenerateMips = true;
     int mipCount = 0; ///< of useMipMap: 0 = all down to 1x1
+    /// Kernels may write to it, too (RWTexture2D): a colour of one sample a texel that is not
+    /// sRGB-encoded.
+    bool enableRandomWrite = false;
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)
@@ -48,7 +51,8 @@ class RenderTexture final : public Texture
 {
 public:
     /// @throws ContractError naming the texture, if the size is not positive, the format is None,
-    ///         or depthBufferBits or msaaSamples is none of the numbers that the descriptor names
+    ///         depthBufferBits or msaaSamples is none of the numbers that the descriptor names, or
+    ///         enableRandomWrite is set for what the descriptor excludes
     RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                   SamplerState sampler = {}, bool transient = false);
 

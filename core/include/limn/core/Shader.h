@@ -78,6 +78,17 @@ public:
         SetGlobal(id, std::move(value));
     }
     static void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
+    // Buffers: as MaterialPropertyBlock's; null = none.
+    static void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
+    {
+        SetGlobal(id, BufferRange{std::move(value), 0, 0});
+    }
+    static void SetGlobalConstantBuffer(ShaderPropertyId id,
+                                        std::shared_ptr<const GraphicsBuffer> value, int offset,
+                                        int size)
+    {
+        SetGlobal(id, ConstantRange(std::move(value), offset, size));
+    }
 
     /// For all materials of the process: as CommandBuffer::EnableShaderKeyword, which comes before
     /// it in the frame.

@@ -13,7 +13,8 @@ enum class TextureUsage
     ColorAttachment,
     DepthStencilAttachment,
     ShaderRead, ///< sampled, in whatever stage
-    CopySource
+    CopySource,
+    RandomWrite ///< read and written by a kernel
 };
 
 /// What the frames so far did with a texture that outlives them.
@@ -40,8 +41,17 @@ struct TextureState
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 };
 
-/// What a device knows of the textures that frames drew into: all that one frame leaves to the
-/// next.
+/// A buffer as a frame leaves it.
+struct BufferState
+{
+    std::weak_ptr<const GraphicsBuffer> buffer;
+    bool isWritten = false;                  ///< by a kernel
+    ShaderStage visible = ShaderStage::None; ///< for these it is what was written
+    ShaderStage readers = ShaderStage::None; ///< that read it since
+};
+
+/// What a device knows of the textures that frames drew into, and of buffers: all that one frame
+/// leaves to the next.
 struct TextureStates
 {
     std::unordered_map<std::uint64_t, TextureState> textures; ///< by Texture::id
@@ -53,6 +63,8 @@ struct TextureStates
         std::shared_ptr<const RenderTexture> texture;
     };
     std::unordered_map<std::uint64_t, DepthTwin> depthTwins; ///< by the original's id
+
+    std::unordered_map<std::uint64_t, BufferState> buffers; ///< by GraphicsBuffer::id
 };
 
 } // namespace limn

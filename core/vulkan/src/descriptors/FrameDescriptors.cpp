@@ -32,11 +32,50 @@ const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, cons
     return *found;
 }
 
+/// Null where the draw brings none.
+const BufferSlot* FindBuffer(const DrawBindings& bindings, std::uint32_t binding)
+{
+    const auto found = std::ranges::find(bindings.buffers, binding, &BufferSlot::binding);
+    return found == bindings.buffers.end() ? nullptr : &*found;
+}
+
+void AddBuffer(SetContent& content, const BufferSlot& slot, const DeviceResources& resources)
+{
+    content.AddBuffer(
+        slot.binding,
+        slot.isUniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+        {resources.buffers.Find(*slot.buffer)->buffer.handle.get(), slot.offset, slot.size});
+}
+
+void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
+                        const DrawBindings& bindings, DeviceResources& resources)
+{
+    for (const StorageTextureBinding& texture : layout.storageTextures)
+    {
+        const StorageTextureSlot& slot =
+            FindSlot(bindings.storageTextures, texture.binding, "texture", texture.name);
+        const PooledImage& image = *resources.images.Find(*slot.texture);
+        if (image.use.usage != TextureUsage::RandomWrite)
+        {
+            throw ContractError("texture '" + image.name + "' is written to as '" + texture.name +
+                                "' while its use is " + ToString(image.use.usage) +
+                                "; a barrier must make it RandomWrite");
+        }
+        content.AddImage(texture.binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                         {VK_NULL_HANDLE, image.view.get(), VK_IMAGE_LAYOUT_GENERAL});
+    }
+}
+
 void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
-                 const VkDescriptorBufferInfo& uploaded)
+                 const VkDescriptorBufferInfo& uploaded, const DeviceResources& resources)
 {
     for (const UniformBuffer& buffer : layout.buffers)
     {
+        if (const BufferSlot* slot = FindBuffer(bindings, buffer.binding))
+        {
+            AddBuffer(content, *slot, resources);
+            continue;
+        }
         const UniformSlice& slice =
             FindSlot(bindings.uniforms, buffer.binding, "uniform data", buffer.name);
         const bool inside =
@@ -214,14 +253,41 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
         {
             UseObjects(number);
         }
-        for (const TextureSlot& slot : bindings.textures)
-        {
-            m_Resources.images.UseResolved(slot.texture, number);
-        }
+        Use(bindings, number);
         set = Create(setup.program->layout, bindings, pass.setLayout.get(),
                      m_Pieces[draw.drawsObjects ? 1 : 0], piece);
     }
     return set;
+}
+
+VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
+                                      std::uint64_t number)
+{
+    const DispatchSetup& setup = m_Frame.Setup(dispatch);
+    VkDescriptorSet& set = m_Sets[{setup.bindings.get(), kernel.setLayout.get(), false, 0}];
+    if (set == VK_NULL_HANDLE)
+    {
+        Use(*setup.bindings, number);
+        set =
+            Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(), m_Pieces[0], 0);
+    }
+    return set;
+}
+
+void FrameDescriptors::Use(const DrawBindings& bindings, std::uint64_t number)
+{
+    for (const TextureSlot& slot : bindings.textures)
+    {
+        m_Resources.images.UseResolved(slot.texture, number);
+    }
+    for (const StorageTextureSlot& slot : bindings.storageTextures)
+    {
+        m_Resources.images.Use(slot.texture, number);
+    }
+    for (const BufferSlot& slot : bindings.buffers)
+    {
+        m_Resources.buffers.Use(slot.buffer, number, m_Slot.uploads());
+    }
 }
 
 void FrameDescriptors::UseObjects(std::uint64_t number)
@@ -245,10 +311,16 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
                                          std::size_t piece)
 {
     m_Content.Clear(setLayout);
-    AddUniforms(m_Content, layout, bindings, m_Data->uniforms());
+    AddUniforms(m_Content, layout, bindings, m_Data->uniforms(), m_Resources);
     AddTextures(m_Content, layout, bindings, m_Resources);
+    AddStorageTextures(m_Content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
+        if (const BufferSlot* slot = FindBuffer(bindings, buffer.binding))
+        {
+            AddBuffer(m_Content, *slot, m_Resources);
+            continue;
+        }
         const bool isInstances = buffer.name == "limn_Instances";
         if (!isInstances && bindings.perDrawBinding != buffer.binding)
         {

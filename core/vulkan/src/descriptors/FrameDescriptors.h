@@ -34,8 +34,11 @@ public:
     /// @param number  of the frame's submission, which uses the draw's textures
     VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece,
                         std::uint64_t number);
+    VkDescriptorSet Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
+                        std::uint64_t number);
 
 private:
+    void Use(const DrawBindings& bindings, std::uint64_t number);
     /// Where a draw has objects: brings their buffer up to date, before any pass.
     void UseObjects(std::uint64_t number);
     std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,

@@ -37,4 +37,13 @@ void Commands::End()
     Check(vkEndCommandBuffer(m_Handle), "vkEndCommandBuffer");
 }
 
+void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier)
+{
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
 } // namespace limn::vulkan

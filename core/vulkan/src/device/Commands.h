@@ -23,4 +23,6 @@ private:
     VkCommandBuffer m_Handle = VK_NULL_HANDLE; ///< owned by the pool
 };
 
+void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier);
+
 } // namespace limn::vulkan

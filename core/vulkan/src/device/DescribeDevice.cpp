@@ -40,11 +40,16 @@ std::optional<std::uint32_t> GraphicsQueueFamily(VkPhysicalDevice device)
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-    for (std::uint32_t i = 0; i < count; ++i)
+    // Vulkan promises one that does both where one draws.
+    for (const VkQueueFlags wanted : {VkQueueFlags{VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT},
+                                      VkQueueFlags{VK_QUEUE_GRAPHICS_BIT}})
     {
-        if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0)
+        for (std::uint32_t i = 0; i < count; ++i)
         {
-            return i;
+            if ((families[i].queueFlags & wanted) == wanted)
+            {
+                return i;
+            }
         }
     }
     return std::nullopt;

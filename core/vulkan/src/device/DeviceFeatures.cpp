@@ -96,6 +96,7 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
     constexpr std::uint32_t k_Interpolators = 32 * 4; // of four components each
     const std::pair<const char*, bool> features[] = {
         {"barycentrics", false}, // an extension that limn does not ask for
+        {"compute", has(core.shaderStorageImageWriteWithoutFormat) && has(v12.scalarBlockLayout)},
         {"cubearray", has(core.imageCubeArray)},
         {"geometry", has(core.geometryShader)},
         {"int64bufferatomics", has(core.shaderInt64) && has(v12.shaderBufferInt64Atomics)},
@@ -152,6 +153,9 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
         &VkPhysicalDeviceFeatures::shaderUniformBufferArrayDynamicIndexing,
         &VkPhysicalDeviceFeatures::shaderSampledImageArrayDynamicIndexing,
         &VkPhysicalDeviceFeatures::shaderStorageBufferArrayDynamicIndexing,
+        &VkPhysicalDeviceFeatures::shaderStorageImageReadWithoutFormat, // writable textures
+        &VkPhysicalDeviceFeatures::shaderStorageImageWriteWithoutFormat,
+        &VkPhysicalDeviceFeatures::shaderStorageImageExtendedFormats,
         &VkPhysicalDeviceFeatures::shaderInt16,
         &VkPhysicalDeviceFeatures::shaderInt64,
     };
@@ -161,6 +165,7 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     }
     wanted.v11.shaderDrawParameters = offered.v11.shaderDrawParameters;
     wanted.v12.samplerMirrorClampToEdge = offered.v12.samplerMirrorClampToEdge;
+    wanted.v12.scalarBlockLayout = offered.v12.scalarBlockLayout; // structs of structured buffers
     wanted.v12.shaderFloat16 = offered.v12.shaderFloat16;
     wanted.v12.shaderOutputLayer = offered.v12.shaderOutputLayer;
     wanted.v12.shaderBufferInt64Atomics = offered.v12.shaderBufferInt64Atomics;

@@ -256,14 +256,10 @@ VkShaderStageFlags ToVkStages(ShaderStage stages)
     };
     return flag(ShaderStage::Vertex, VK_SHADER_STAGE_VERTEX_BIT) |
            flag(ShaderStage::Geometry, VK_SHADER_STAGE_GEOMETRY_BIT) |
+           flag(ShaderStage::Compute, VK_SHADER_STAGE_COMPUTE_BIT) |
            flag(ShaderStage::Fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
 }
 
-namespace
-{
-
-/// That may sample. The first bit of all of them is every one before rasterization that the device
-/// has.
 VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers)
 {
     const auto flag = [&](ShaderStage stage, VkPipelineStageFlags2 bit)
@@ -272,13 +268,28 @@ VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers)
     };
     return readers == ShaderStage::None
                ? VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT |
-                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT
+                     VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
                : flag(ShaderStage::Vertex, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT) |
                      flag(ShaderStage::Geometry, VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT) |
-                     flag(ShaderStage::Fragment, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
+                     flag(ShaderStage::Fragment, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT) |
+                     flag(ShaderStage::Compute, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
 }
 
-} // namespace
+VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier)
+{
+    constexpr VkAccessFlags2 k_Read =
+        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
+    VkMemoryBarrier2 result{};
+    result.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    result.srcStageMask = ToPipelineStages(barrier.before);
+    result.srcAccessMask =
+        barrier.wasWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE;
+    result.dstStageMask = ToPipelineStages(barrier.after);
+    result.dstAccessMask =
+        k_Read | (barrier.isWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE);
+    return result;
+}
 
 UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples, ShaderStage readers)
 {
@@ -311,6 +322,9 @@ UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples, ShaderStage r
     case TextureUsage::CopySource:
         return {VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,
                 VK_ACCESS_2_TRANSFER_READ_BIT};
+    case TextureUsage::RandomWrite:
+        return {VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
     }
     RefuseValue("TextureUsage", static_cast<int>(usage));
 }
@@ -329,6 +343,8 @@ const char* ToString(TextureUsage usage)
         return "ShaderRead";
     case TextureUsage::CopySource:
         return "CopySource";
+    case TextureUsage::RandomWrite:
+        return "RandomWrite";
     }
     RefuseValue("TextureUsage", static_cast<int>(usage));
 }

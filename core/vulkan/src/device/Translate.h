@@ -47,6 +47,13 @@ VkColorComponentFlags ToVkColorMask(int writeMask);
 
 VkShaderStageFlags ToVkStages(ShaderStage stages);
 
+/// That may read. The first bit of all of them is every one before rasterization that the device
+/// has.
+/// @param readers  None = all
+VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers);
+
+VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier);
+
 struct UsageScope
 {
     VkImageLayout layout;

@@ -3,6 +3,7 @@
 #include "device/Check.h"
 #include "device/DeviceFeatures.h"
 #include "device/DeviceSelection.h"
+#include "device/Translate.h"
 
 namespace limn::vulkan
 {
@@ -58,6 +59,8 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
     m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
     m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
+    m_Capabilities.extendedImageFormats =
+        wanted.core.features.shaderStorageImageExtendedFormats == VK_TRUE;
     m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
     m_Capabilities.anisotropy = wanted.core.features.samplerAnisotropy == VK_TRUE;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
@@ -113,6 +116,17 @@ VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
     vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
     const bool isInFragments = (subgroup.supportedStages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
     return isInFragments ? subgroup.supportedOperations : 0;
+}
+
+bool VulkanContext::ReadsWithoutFormat(GraphicsFormat format) const
+{
+    VkFormatProperties3 more{};
+    more.sType = VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_3;
+    VkFormatProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_2;
+    properties.pNext = &more;
+    vkGetPhysicalDeviceFormatProperties2(m_PhysicalDevice, ToVkFormat(format), &properties);
+    return (more.optimalTilingFeatures & VK_FORMAT_FEATURE_2_STORAGE_READ_WITHOUT_FORMAT_BIT) != 0;
 }
 
 void VulkanContext::LoadFunctions()

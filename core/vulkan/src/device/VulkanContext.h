@@ -2,6 +2,7 @@
 
 #include "device/DeviceFeatures.h"
 #include "device/VulkanInstance.h"
+#include <limn/core/GraphicsFormat.h>
 
 namespace limn::vulkan
 {
@@ -17,6 +18,7 @@ struct DeviceCapabilities
     bool mirrorOnce = false;
     bool anisotropy = false;
     bool cubeArray = false;
+    bool extendedImageFormats = false;    ///< of writable textures
     std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
@@ -49,6 +51,9 @@ public:
     const VulkanInstance& instance() const { return m_Instance; }
     const std::string& deviceName() const { return m_DeviceName; }
     const std::string& choiceSentence() const { return m_ChoiceSentence; }
+
+    /// Whether kernels may read writable textures of this format without saying so.
+    bool ReadsWithoutFormat(GraphicsFormat format) const;
 
     /// The name that captures and validation messages show.
     template <typename T>

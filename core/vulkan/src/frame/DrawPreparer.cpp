@@ -1,5 +1,8 @@
 #include "frame/DrawPreparer.h"
 
+#include "programs/ImageFormats.h"
+#include <algorithm>
+#include <limn/core/ComputeShader.h>
 #include <limn/core/DrawError.h>
 #include <limn/core/Shader.h>
 
@@ -21,16 +24,28 @@ SubMesh IndicesOf(const DrawCommand& draw, const Mesh& mesh)
     return mesh.subMesh(draw.subMesh);
 }
 
-void RequireBuffersFit(const DrawSetup& draw, const VkPhysicalDeviceLimits& limits)
+std::string Subject(const DrawSetup& draw)
 {
-    for (const UniformBuffer& buffer : draw.program->layout.buffers)
+    return draw.shader ? "shader '" + draw.shader->name() + "', pass " +
+                             std::to_string(draw.shaderPass) + ": "
+                       : "";
+}
+
+std::string Subject(const DispatchSetup& dispatch)
+{
+    return dispatch.shader ? "compute shader '" + dispatch.shader->name() + "', kernel '" +
+                                 dispatch.shader->kernelName(dispatch.kernel) + "': "
+                           : "";
+}
+
+template <typename Setup>
+void RequireBuffersFit(const Setup& setup, const VkPhysicalDeviceLimits& limits)
+{
+    for (const UniformBuffer& buffer : setup.program->layout.buffers)
     {
         if (buffer.size > limits.maxUniformBufferRange)
         {
-            throw DrawError((draw.shader ? "shader '" + draw.shader->name() + "', pass " +
-                                               std::to_string(draw.shaderPass) + ": "
-                                         : "") +
-                            "constant buffer '" + buffer.name + "' has " +
+            throw DrawError(Subject(setup) + "constant buffer '" + buffer.name + "' has " +
                             std::to_string(buffer.size) + " bytes; the device binds at most " +
                             std::to_string(limits.maxUniformBufferRange) +
                             ", so make it smaller or use a texture");
@@ -41,7 +56,25 @@ void RequireBuffersFit(const DrawSetup& draw, const VkPhysicalDeviceLimits& limi
 bool HasBindings(const PropertyLayout& layout)
 {
     return !layout.buffers.empty() || !layout.textures.empty() || !layout.samplers.empty() ||
-           !layout.storageBuffers.empty();
+           !layout.storageBuffers.empty() || !layout.storageTextures.empty();
+}
+
+void RequireThreadsFit(const DispatchSetup& setup, const VkPhysicalDeviceLimits& limits)
+{
+    const auto& size = setup.program->threadGroupSize;
+    const std::uint64_t count = std::uint64_t{size[0]} * size[1] * size[2];
+    if (size[0] > limits.maxComputeWorkGroupSize[0] ||
+        size[1] > limits.maxComputeWorkGroupSize[1] ||
+        size[2] > limits.maxComputeWorkGroupSize[2] ||
+        count > limits.maxComputeWorkGroupInvocations)
+    {
+        const auto& most = limits.maxComputeWorkGroupSize;
+        throw DrawError(Subject(setup) + "groups of " + std::to_string(size[0]) + "x" +
+                        std::to_string(size[1]) + "x" + std::to_string(size[2]) +
+                        " threads; the device runs at most " + std::to_string(most[0]) + "x" +
+                        std::to_string(most[1]) + "x" + std::to_string(most[2]) + " and " +
+                        std::to_string(limits.maxComputeWorkGroupInvocations) + " in all");
+    }
 }
 
 } // namespace
@@ -84,6 +117,52 @@ void DrawPreparer::Add(const DrawCommand& draw)
     AddRuns(draw);
     m_Frame.draws.push_back(m_Draw);
     m_Last = &draw;
+}
+
+void DrawPreparer::Add(const DispatchCommand& dispatch)
+{
+    const DispatchSetup& setup = m_Tables.Setup(dispatch);
+    const VkPhysicalDeviceLimits& limits = m_Context.capabilities().limits;
+    RequireBuffersFit(setup, limits);
+    RequireThreadsFit(setup, limits);
+    ProgramObjects& program = m_Resources.programs.Use(setup.program, m_Number);
+    PreparedDispatch prepared;
+    prepared.layout = program.layout.get();
+    prepared.pipeline =
+        m_Resources.programs.KernelPipeline(program, *setup.program, FormatsFor(setup));
+    if (HasBindings(setup.program->layout))
+    {
+        prepared.set = m_Descriptors.Get(dispatch, program, m_Number);
+    }
+    m_Frame.dispatches.push_back(prepared);
+}
+
+/// Of the textures that the kernel reads and writes, where the device reads one of them only if it
+/// is told the format.
+ImageFormats DrawPreparer::FormatsFor(const DispatchSetup& setup) const
+{
+    ImageFormats formats;
+    bool isNeeded = false;
+    for (const StorageTextureBinding& declared : setup.program->layout.storageTextures)
+    {
+        const auto& slots = setup.bindings->storageTextures;
+        const auto slot = std::ranges::find(slots, declared.binding, &StorageTextureSlot::binding);
+        if (!declared.isRead || slot == slots.end())
+        {
+            continue;
+        }
+        const GraphicsFormat format = slot->texture->graphicsFormat();
+        const bool isUntold = m_Context.ReadsWithoutFormat(format);
+        const std::uint32_t imageFormat = ToImageFormat(format);
+        if (!isUntold && isExtended(imageFormat) && !m_Context.capabilities().extendedImageFormats)
+        {
+            throw DrawError(Subject(setup) + "it reads '" + declared.name +
+                            "' and may write to it; the device does not for " + ToString(format));
+        }
+        formats[declared.binding] = imageFormat;
+        isNeeded = isNeeded || !isUntold;
+    }
+    return isNeeded ? formats : ImageFormats();
 }
 
 void DrawPreparer::UseProgram(const DrawSetup& setup)

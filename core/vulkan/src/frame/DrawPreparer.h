@@ -21,8 +21,12 @@ public:
     /// Appends to the frame's draws.
     /// @throws ContractError if the draw asks for what the frame, its mesh or the device lack
     void Add(const DrawCommand& draw);
+    /// Appends to the frame's dispatches.
+    /// @throws ContractError as the other does
+    void Add(const DispatchCommand& dispatch);
 
 private:
+    ImageFormats FormatsFor(const DispatchSetup& setup) const;
     void UseProgram(const DrawSetup& setup);
     void UseState(const DrawSetup& setup);
     void UseMesh(const DrawCommand& draw);

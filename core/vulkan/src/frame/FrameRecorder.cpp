@@ -81,6 +81,13 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
         pass.firstBarrier = m_Prepared.barriers.size();
         PrepareBarriers(frame.passes[i].barriers, &frame.passes[i]);
         pass.barrierCount = m_Prepared.barriers.size() - pass.firstBarrier;
+        PrepareBufferBarriers(frame.passes[i], pass);
+        pass.firstDispatch = m_Prepared.dispatches.size();
+        if (frame.passes[i].isCompute())
+        {
+            PrepareCommands(frame.passes[i], draws);
+            continue;
+        }
         pass.formats =
             TargetsOf(frame.passes[i], m_Resources.images, m_Context.capabilities().limits);
         pass.firstDraw = m_Prepared.draws.size();
@@ -106,6 +113,10 @@ bool FrameRecorder::Repeat(const CompiledFrame& frame)
         m_Resources.objects.Update(frame.objects, m_Number, m_Slot.uploads()) != recording.objects)
     {
         return false;
+    }
+    for (const auto& buffer : recording.buffers)
+    {
+        m_Resources.buffers.Use(buffer.lock(), m_Number, m_Slot.uploads());
     }
     recording.data->Write(frame);
     recording.Use(m_Number);
@@ -135,9 +146,16 @@ void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)
 void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const
 {
     const VkPhysicalDeviceLimits& limits = m_Context.capabilities().limits;
-    RequireViewport({0, 0, pass.width, pass.height}, pass, limits);
+    if (!pass.isCompute())
+    {
+        RequireViewport({0, 0, pass.width, pass.height}, pass, limits);
+    }
     for (const PassCommand& command : pass.commands)
     {
+        if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
+        {
+            draws.Add(*dispatch);
+        }
         if (const auto* draw = std::get_if<DrawCommand>(&command))
         {
             draws.Add(*draw);
@@ -146,6 +164,16 @@ void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer
         {
             RequireViewport(viewport->rect, pass, limits);
         }
+    }
+}
+
+void FrameRecorder::PrepareBufferBarriers(const CompiledRenderPass& pass, PreparedPass& prepared)
+{
+    prepared.firstMemoryBarrier = m_Prepared.memoryBarriers.size();
+    prepared.memoryBarrierCount = pass.bufferBarriers.size();
+    for (const BufferBarrier& barrier : pass.bufferBarriers)
+    {
+        m_Prepared.memoryBarriers.push_back(ToMemoryBarrier(barrier));
     }
 }
 
@@ -167,12 +195,14 @@ void FrameRecorder::RecordPasses(const CompiledFrame& frame) const
 {
     VkCommandBuffer commands = m_Slot.commands();
     const std::span<const VkImageMemoryBarrier2> barriers{m_Prepared.barriers};
+    const std::span<const VkMemoryBarrier2> memory{m_Prepared.memoryBarriers};
     BoundState bound{commands, m_Context.functions(), m_Resources.meshes.constants()};
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         const PreparedPass& pass = m_Prepared.passes[i];
         m_Slot.BeginTiming(frame.passes[i].name);
-        RecordBarriers(commands, barriers.subspan(pass.firstBarrier, pass.barrierCount));
+        RecordBarriers(commands, barriers.subspan(pass.firstBarrier, pass.barrierCount),
+                       memory.subspan(pass.firstMemoryBarrier, pass.memoryBarrierCount));
         PassRecorder{m_Context, m_Resources.images, commands, frame.passes[i],
                      pass,      m_Prepared,         bound}
             .Record();

@@ -25,6 +25,7 @@ private:
     void PrepareBarriers(const std::vector<TextureBarrier>& barriers,
                          const CompiledRenderPass* pass);
     void PrepareTargets(const CompiledRenderPass& pass);
+    void PrepareBufferBarriers(const CompiledRenderPass& pass, PreparedPass& prepared);
     void PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const;
     void RecordPasses(const CompiledFrame& frame) const;
 

@@ -13,6 +13,11 @@ void FrameRecording::Take(DeviceResources& resources, std::uint64_t number)
     {
         images.push_back({image, image->submitted, image->use});
     }
+    buffers.clear();
+    for (const auto& buffer : resources.buffers.UsedBy(number))
+    {
+        buffers.push_back(buffer);
+    }
     uses.clear();
     resources.meshes.AddUses(number, uses);
     resources.programs.AddUses(number, uses);

@@ -21,6 +21,7 @@ struct FrameRecording
     std::uint64_t changes = 0;        ///< DeviceResources::changeCount, of all that follows
     std::vector<UsedImage> images;    ///< all of the frame
     std::vector<std::uint64_t*> uses; ///< `lastUse` of its meshes and programs
+    std::vector<std::weak_ptr<const GraphicsBuffer>> buffers;
     std::optional<FrameData> data;
     VkBuffer objects = VK_NULL_HANDLE; ///< null = no draw has any
     std::uint32_t objectCount = 0;

@@ -17,7 +17,8 @@ PassRecorder::PassRecorder(const VulkanContext& context, const ImagePool& images
       m_Prepared(prepared),
       m_Frame(frame),
       m_Bound(bound),
-      m_NextDraw(prepared.firstDraw)
+      m_NextDraw(prepared.firstDraw),
+      m_NextDispatch(prepared.firstDispatch)
 {
 }
 
@@ -27,8 +28,11 @@ void PassRecorder::Record()
     {
         BeginLabel(m_Pass.name);
     }
-    RecordBeginRendering(m_Commands, m_Pass, m_Images, m_Frame.usesReversedZBuffer);
-    Run(SetViewportCommand{{0, 0, m_Pass.width, m_Pass.height}});
+    if (!m_Pass.isCompute())
+    {
+        RecordBeginRendering(m_Commands, m_Pass, m_Images, m_Frame.usesReversedZBuffer);
+        Run(SetViewportCommand{{0, 0, m_Pass.width, m_Pass.height}});
+    }
     for (const PassCommand& command : m_Pass.commands)
     {
         std::visit([this](const auto& alternative) { Run(alternative); }, command);
@@ -38,8 +42,11 @@ void PassRecorder::Record()
     {
         Run(EndSampleCommand{});
     }
-    vkCmdEndRendering(m_Commands);
-    GenerateMips();
+    if (!m_Pass.isCompute())
+    {
+        vkCmdEndRendering(m_Commands);
+        GenerateMips();
+    }
     if (!m_Pass.name.empty())
     {
         EndLabel();
@@ -122,6 +129,18 @@ void PassRecorder::Run(const DrawCommand& draw)
                              prepared.indices.indexStart, 0, run.instances.first);
         }
     }
+}
+
+void PassRecorder::Run(const DispatchCommand& dispatch)
+{
+    const PreparedDispatch& prepared = m_Frame.dispatches[m_NextDispatch++];
+    vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepared.pipeline);
+    if (prepared.set != VK_NULL_HANDLE)
+    {
+        vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepared.layout, 0, 1,
+                                &prepared.set, 0, nullptr);
+    }
+    vkCmdDispatch(m_Commands, dispatch.groups[0], dispatch.groups[1], dispatch.groups[2]);
 }
 
 void PassRecorder::Run(const BeginSampleCommand& sample)

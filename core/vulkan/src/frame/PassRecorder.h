@@ -20,6 +20,7 @@ private:
     void Run(const ClearCommand& clear);
     void Run(const SetViewportCommand& viewport);
     void Run(const DrawCommand& draw);
+    void Run(const DispatchCommand& dispatch);
     void Run(const BeginSampleCommand& sample);
     void Run(const EndSampleCommand& sample);
     void BeginLabel(const std::string& name);
@@ -33,6 +34,7 @@ private:
     const PreparedFrame& m_Frame;
     BoundState& m_Bound;
     std::size_t m_NextDraw;
+    std::size_t m_NextDispatch;
     VkRect2D m_Scissor{}; ///< of the viewport
     int m_OpenSamples = 0;
 };

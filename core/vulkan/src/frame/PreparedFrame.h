@@ -25,11 +25,22 @@ struct PreparedDraw
     std::size_t runCount = 0;
 };
 
+/// A dispatch with everything looked up.
+struct PreparedDispatch
+{
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    VkDescriptorSet set = VK_NULL_HANDLE; ///< null where the kernel binds nothing
+};
+
 struct PreparedPass
 {
     std::size_t firstBarrier = 0; ///< of PreparedFrame::barriers
     std::size_t barrierCount = 0;
-    std::size_t firstDraw = 0; ///< of PreparedFrame::draws; the pass's draws follow each other
+    std::size_t firstMemoryBarrier = 0; ///< of PreparedFrame::memoryBarriers
+    std::size_t memoryBarrierCount = 0;
+    std::size_t firstDispatch = 0; ///< of PreparedFrame::dispatches
+    std::size_t firstDraw = 0;     ///< of PreparedFrame::draws; the pass's draws follow each other
     TargetFormats formats;
 };
 
@@ -39,6 +50,8 @@ struct PreparedFrame
 {
     std::vector<PreparedPass> passes;
     std::vector<VkImageMemoryBarrier2> barriers;
+    std::vector<VkMemoryBarrier2> memoryBarriers; ///< of buffers
+    std::vector<PreparedDispatch> dispatches;
     std::size_t firstFinalBarrier = 0;
     std::vector<PreparedDraw> draws;
     std::vector<PreparedRun> runs;
@@ -49,6 +62,8 @@ struct PreparedFrame
     {
         passes.clear();
         barriers.clear();
+        memoryBarriers.clear();
+        dispatches.clear();
         draws.clear();
         runs.clear();
         states.clear();

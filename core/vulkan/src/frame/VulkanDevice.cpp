@@ -138,6 +138,22 @@ Image VulkanDevice::ReadBack(const RenderTexture& texture)
                                          : VK_IMAGE_ASPECT_COLOR_BIT);
 }
 
+std::vector<std::byte> VulkanDevice::ReadBackBuffer(const GraphicsBuffer& buffer)
+{
+    const vulkan::PooledBuffer* pooled = m_Impl->resources.buffers.Find(buffer);
+    if (pooled == nullptr)
+    {
+        throw ContractError("buffer '" + buffer.name() +
+                            "' cannot be read back: no frame has used it");
+    }
+    return Measure(m_Impl->timeline, "wait",
+                   [&]
+                   {
+                       return vulkan::CopyToCpu(m_Impl->context, m_Impl->allocator, m_Impl->queue,
+                                                *pooled, buffer.bytes().size());
+                   });
+}
+
 double VulkanDevice::MeasureCopyBandwidth()
 {
     return vulkan::MeasureCopyBandwidth(m_Impl->context, m_Impl->allocator, m_Impl->queue);

@@ -188,4 +188,17 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
     return {context.device(), pipeline};
 }
 
+UniquePipeline BuildComputePipeline(const VulkanContext& context, VkPipelineCache cache,
+                                    VkShaderModule kernel, VkPipelineLayout layout)
+{
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage = Stage(VK_SHADER_STAGE_COMPUTE_BIT, kernel);
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    Check(vkCreateComputePipelines(context.device(), cache, 1, &info, nullptr, &pipeline),
+          "vkCreateComputePipelines");
+    return {context.device(), pipeline};
+}
+
 } // namespace limn::vulkan

@@ -13,4 +13,7 @@ VkPipelineColorBlendAttachmentState ToBlendAttachment(const RenderTargetBlendSta
 UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
                              const ProgramObjects& pass, int colorOutputs, const PipelineKey& key);
 
+UniquePipeline BuildComputePipeline(const VulkanContext& context, VkPipelineCache cache,
+                                    VkShaderModule kernel, VkPipelineLayout layout);
+
 } // namespace limn::vulkan

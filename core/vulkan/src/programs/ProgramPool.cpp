@@ -2,6 +2,7 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
+#include "programs/ImageFormats.h"
 #include "programs/PipelineBuilder.h"
 #include <algorithm>
 
@@ -70,6 +71,11 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
         bindings.push_back(
             Binding(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer.stages));
     }
+    for (const StorageTextureBinding& texture : layout.storageTextures)
+    {
+        bindings.push_back(
+            Binding(texture.binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, texture.stages));
+    }
     return bindings;
 }
 
@@ -95,9 +101,13 @@ void RequireRoom(const std::vector<VkDescriptorSetLayoutBinding>& bindings,
          {VK_DESCRIPTOR_TYPE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
         {"structured buffers",
          limits.maxPerStageDescriptorStorageBuffers,
-         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}}};
+         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}},
+        {"writable textures",
+         limits.maxPerStageDescriptorStorageImages,
+         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}}};
     for (const VkShaderStageFlagBits stage :
-         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT})
+         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT,
+          VK_SHADER_STAGE_COMPUTE_BIT})
     {
         for (const Kind& kind : kinds)
         {
@@ -147,6 +157,11 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
         objects.geometry = CreateModule(program->geometrySpirv);
     }
     CreateLayouts(objects, program->layout);
+    if (!program->computeSpirv.empty())
+    {
+        return m_Programs.emplace(Identity{program, program.get()}, std::move(objects))
+            .first->second;
+    }
     objects.vertex = CreateModule(program->vertexSpirv);
     objects.fragment = CreateModule(program->fragmentSpirv);
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
@@ -165,6 +180,19 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
     program.pipelines.emplace_back(
         key, BuildPipeline(m_Context, m_Cache.get(), program, compiled.layout.colorOutputs, key));
     return program.pipelines.back().second.get();
+}
+
+VkPipeline ProgramPool::KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                                       const ImageFormats& formats)
+{
+    UniquePipeline& pipeline = program.kernels[formats];
+    if (!pipeline)
+    {
+        const UniqueShaderModule module = CreateModule(WithFormats(compiled.computeSpirv, formats));
+        pipeline =
+            BuildComputePipeline(m_Context, m_Cache.get(), module.get(), program.layout.get());
+    }
+    return pipeline.get();
 }
 
 void ProgramPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
@@ -198,7 +226,7 @@ std::size_t ProgramPool::pipelineCount() const
     std::size_t count = 0;
     for (const auto& [identity, objects] : m_Programs)
     {
-        count += objects.pipelines.size();
+        count += objects.pipelines.size() + objects.kernels.size();
     }
     return count;
 }

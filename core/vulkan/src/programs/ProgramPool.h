@@ -46,12 +46,18 @@ struct VertexFetch
     VkFormat format = VK_FORMAT_UNDEFINED;
 };
 
+/// SPIR-V's numbers of the formats of writable textures, by binding.
+using ImageFormats = std::map<std::uint32_t, std::uint32_t>;
+
 /// The Vulkan objects of one ShaderProgram. Vertex input i is binding i, its stride dynamic.
 struct ProgramObjects
 {
     UniqueShaderModule vertex;
     UniqueShaderModule geometry; ///< null where the program has no such function
     UniqueShaderModule fragment;
+    /// Of a kernel, which has none of the others: by the formats of the textures that it reads and
+    /// writes, where the device has to know them.
+    std::map<ImageFormats, UniquePipeline> kernels;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
     VkShaderStageFlags pushStages = 0; ///< that read the DrawConstants
@@ -70,6 +76,9 @@ public:
     ProgramObjects& Use(const std::shared_ptr<const ShaderProgram>& program, std::uint64_t number);
     VkPipeline Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
                         const PipelineKey& key);
+    /// Of a kernel.
+    VkPipeline KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                              const ImageFormats& formats);
     /// Adds the ProgramObjects::lastUse of those that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
     void Rollback(std::uint64_t number) noexcept; ///< that submission never will be

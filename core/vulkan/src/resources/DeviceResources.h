@@ -1,6 +1,7 @@
 #pragma once
 
 #include "programs/ProgramPool.h"
+#include "resources/BufferPool.h"
 #include "resources/ImagePool.h"
 #include "resources/MeshPool.h"
 #include "resources/ObjectPool.h"
@@ -15,6 +16,7 @@ struct DeviceResources
     ImagePool images;
     MeshPool meshes;
     ObjectPool objects;
+    BufferPool buffers;
     ProgramPool programs;
     SamplerCache samplers;
 
@@ -23,6 +25,7 @@ struct DeviceResources
         : images(context, allocator),
           meshes(context.device(), allocator),
           objects(context.device(), allocator),
+          buffers(context.device(), allocator, context.capabilities().limits),
           programs(context, cacheFolder),
           samplers(context),
           m_Allocator(allocator)
@@ -40,6 +43,7 @@ struct DeviceResources
         images.Sweep(finished);
         meshes.Sweep(finished);
         objects.Sweep(finished);
+        buffers.Sweep(finished);
         programs.Sweep(finished);
     }
     /// That submission never will be.
@@ -48,6 +52,7 @@ struct DeviceResources
         images.Rollback(number);
         meshes.Rollback(number);
         objects.Rollback(number);
+        buffers.Rollback(number);
         programs.Rollback(number);
     }
 

@@ -22,8 +22,10 @@ VkImageUsageFlags UsageFlags(const Texture& texture, std::uint32_t samples)
                                              : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     const VkImageUsageFlags made =
         texture.mipmapCount() > 1 ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0; // from level to level
-    return samples == 1
-               ? attachment | made | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+    const VkImageUsageFlags written =
+        target->descriptor().enableRandomWrite ? VK_IMAGE_USAGE_STORAGE_BIT : 0;
+    return samples == 1 ? attachment | made | written | VK_IMAGE_USAGE_SAMPLED_BIT |
+                              VK_IMAGE_USAGE_TRANSFER_SRC_BIT
            : target->isTransient() ? attachment | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT
                                    : attachment;
 }

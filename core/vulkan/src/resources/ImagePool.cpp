@@ -106,9 +106,10 @@ void ChangeUsage(PooledImage& image, const TextureBarrier& change,
     image.use.readers = change.readers;
 }
 
-void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers)
+void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers,
+                    std::span<const VkMemoryBarrier2> memoryBarriers)
 {
-    if (barriers.empty())
+    if (barriers.empty() && memoryBarriers.empty())
     {
         return;
     }
@@ -116,6 +117,8 @@ void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarri
     info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     info.imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.size());
     info.pImageMemoryBarriers = barriers.data();
+    info.memoryBarrierCount = static_cast<std::uint32_t>(memoryBarriers.size());
+    info.pMemoryBarriers = memoryBarriers.data();
     vkCmdPipelineBarrier2(commands, &info);
 }
 
@@ -168,7 +171,9 @@ TextureFootprint ImagePool::Footprint(const RenderTexture& texture)
     {
         return {};
     }
-    const auto key = (static_cast<std::uint64_t>(texture.graphicsFormat()) << 48U) |
+    const std::uint64_t isWritten = descriptor.enableRandomWrite ? 1 : 0;
+    const auto key = (isWritten << 63U) |
+                     (static_cast<std::uint64_t>(texture.graphicsFormat()) << 48U) |
                      (static_cast<std::uint64_t>(texture.width()) << 26U) |
                      (static_cast<std::uint64_t>(texture.height()) << 5U) |
                      static_cast<std::uint64_t>(texture.mipmapCount());

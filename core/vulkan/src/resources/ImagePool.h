@@ -165,6 +165,7 @@ void ChangeUsage(PooledImage& image, const TextureBarrier& change,
                  std::vector<VkImageMemoryBarrier2>& barriers);
 
 /// Records the barriers; nothing if there are none.
-void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers);
+void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers,
+                    std::span<const VkMemoryBarrier2> memoryBarriers = {});
 
 } // namespace limn::vulkan

@@ -12,15 +12,6 @@ namespace
 constexpr VkPipelineStageFlags2 k_Readers =
     VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
 
-void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier)
-{
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &info);
-}
-
 /// Where objects that lie side by side in the staging memory go; neighbours go together.
 std::vector<VkBufferCopy> Regions(std::span<const std::uint32_t> objects, VkDeviceSize staging)
 {

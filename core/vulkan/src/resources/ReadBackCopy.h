@@ -1,6 +1,7 @@
 #pragma once
 
 #include "frame/SubmitQueue.h"
+#include "resources/BufferPool.h"
 #include "resources/ImagePool.h"
 
 namespace limn::vulkan
@@ -12,5 +13,9 @@ namespace limn::vulkan
 Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
                 const PooledImage& image, const RenderTexture& texture,
                 VkImageAspectFlagBits aspect);
+
+/// Copies the first `size` bytes of the buffer to the CPU and waits for it.
+std::vector<std::byte> CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator,
+                                 SubmitQueue& queue, const PooledBuffer& buffer, std::size_t size);
 
 } // namespace limn::vulkan

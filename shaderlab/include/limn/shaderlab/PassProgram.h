@@ -43,7 +43,7 @@ struct KeywordSet
     bool operator==(const KeywordSet&) const = default;
 };
 
-/// A function name from `#pragma vertex`, `fragment` or `geometry`; "" = no such pragma.
+/// A function name from `#pragma vertex`, `fragment`, `geometry` or `kernel`; "" = no such pragma.
 struct EntryPoint
 {
     std::string name;
@@ -63,7 +63,8 @@ struct ProgramPragma
     bool operator==(const ProgramPragma&) const = default;
 };
 
-/// Everything needed to compile the program of a pass: the include blocks in scope, then its own.
+/// Everything needed to compile the program of a pass: the include blocks in scope, then its own;
+/// or one kernel of a compute shader.
 /// Pragmas count where the `#if` around them holds by the program's own macros and the platform's.
 /// Those of files behind `#include_with_pragmas` are missing: ShaderCompiler::ReadPragmas adds
 /// them.
@@ -76,7 +77,8 @@ struct PassProgram
     EntryPoint vertex;
     EntryPoint fragment;
     EntryPoint geometry;
-    int target = 25; ///< `#pragma target` times ten
+    EntryPoint kernel; ///< of a compute shader (ComputeDocument.h): it has this function alone
+    int target = 25;   ///< `#pragma target` times ten
     std::vector<KeywordSet> keywordSets;
     std::vector<ProgramPragma> pragmas;
 

@@ -13,7 +13,8 @@ namespace limn
 
 /// The features that `#pragma target` and `#pragma require` ask for, in Unity's names, lower case,
 /// sorted, each once: "2darray", "compute", "derivatives" …. What a pragma restricts to some
-/// keywords does not count. `#pragma geometry` counts as target 4.0, hull and domain as 4.6.
+/// keywords does not count. `#pragma geometry` counts as target 4.0, hull and domain as 4.6. Of a
+/// kernel it is "compute" and what `#pragma require` asks for.
 std::vector<std::string> RequiredFeatures(const PassProgram& program);
 
 /// Why limn does not compile this program although it is well formed: it is GLSL, has a surface

@@ -2,6 +2,7 @@
 
 #include <limn/shaderlab/Diagnostic.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ enum class ShaderStage : std::uint8_t
     Vertex = 1,
     Fragment = 2,
     Both = 3,
-    Geometry = 4
+    Geometry = 4,
+    Compute = 8
 };
 constexpr ShaderStage operator|(ShaderStage a, ShaderStage b)
 {
@@ -101,15 +103,30 @@ struct SamplerBinding
     bool operator==(const SamplerBinding&) const = default;
 };
 
-/// A read-only structured buffer.
+/// A structured buffer, one of bytes, or the counter of one that is appended to.
 struct StorageBufferBinding
 {
     std::string name; ///< "limn_PerDraw" and "limn_Instances": see PerDrawData
     ShaderStage stages = ShaderStage::None;
     std::uint32_t binding = 0;
-    std::uint32_t stride = 0; ///< bytes of one element
+    std::uint32_t stride = 0; ///< bytes of one element, packed as Direct3D does; 0 = of bytes
+    bool isWritten = false;   ///< else it is read only
+    bool isCounter = false;   ///< a uint beside the elements of the buffer called `name`
 
     bool operator==(const StorageBufferBinding&) const = default;
+};
+
+/// A texture that a kernel writes to, or reads and writes: RWTexture2D and its kin.
+struct StorageTextureBinding
+{
+    std::string name;
+    ShaderStage stages = ShaderStage::None;
+    std::uint32_t binding = 0;
+    TextureDimension dimension = TextureDimension::Tex2D;
+    UniformType type = UniformType::Float; ///< of its components in the shader
+    bool isRead = false;                   ///< else it is written only
+
+    bool operator==(const StorageTextureBinding&) const = default;
 };
 
 /// A vertex attribute that the vertex function reads.
@@ -144,6 +161,7 @@ struct PropertyLayout
     std::vector<TextureBinding> textures;
     std::vector<SamplerBinding> samplers;
     std::vector<StorageBufferBinding> storageBuffers;
+    std::vector<StorageTextureBinding> storageTextures; ///< of kernels only
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
     GeometryInput geometryInput = GeometryInput::None;
@@ -155,13 +173,15 @@ struct PropertyLayout
     bool operator==(const PropertyLayout&) const = default;
 };
 
-/// A pass compiled for one keyword set: SPIR-V 1.3 of its stages (entry point "main") and its
-/// layout.
+/// A pass or kernel compiled for one keyword set: SPIR-V 1.3 of its stages (entry point "main") and
+/// its layout.
 struct ShaderProgram
 {
     std::vector<std::uint32_t> vertexSpirv;
     std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
     std::vector<std::uint32_t> fragmentSpirv;
+    std::vector<std::uint32_t> computeSpirv;        ///< of a kernel, which has no other stage
+    std::array<std::uint32_t, 3> threadGroupSize{}; ///< of a kernel: [numthreads(x, y, z)]
     PropertyLayout layout;
     /// Warnings of the compiler, pragmas included; and notes without a line, "uses X, which limn
     /// does not have: Y", of what the pass uses that the ShaderLibrary only stands in for.

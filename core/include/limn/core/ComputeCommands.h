@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <limn/core/ComputeShader.h>
+#include <limn/core/RenderTargetIdentifier.h>
+
+namespace limn
+{
+
+// What a CommandBuffer records of kernels: it is looked at when the buffer is executed.
+
+struct RecordedDispatch
+{
+    std::shared_ptr<const ComputeShader> shader;
+    int kernel = 0;
+    std::array<std::uint32_t, 3> groups{};
+};
+
+struct SetComputeParamCommand
+{
+    std::shared_ptr<ComputeShader> shader;
+    int kernel = ComputeShader::k_AllKernels;
+    ShaderPropertyId id;
+    ShaderPropertyValue value;
+};
+
+struct SetComputeTextureCommand
+{
+    std::shared_ptr<ComputeShader> shader;
+    int kernel = 0;
+    ShaderPropertyId id;
+    RenderTargetIdentifier texture;
+};
+
+struct SetComputeKeywordCommand
+{
+    std::shared_ptr<ComputeShader> shader;
+    std::string keyword;
+    bool isOn = false;
+};
+
+} // namespace limn

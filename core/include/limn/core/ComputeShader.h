@@ -1,0 +1,145 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/core/GraphicsBuffer.h>
+#include <limn/core/MaterialPropertyBlock.h>
+#include <limn/shaderlab/ComputeDocument.h>
+#include <limn/shaderlab/ShaderCompiler.h>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// A .compute file with values for its parameters. Kernels are compiled when they are first
+/// dispatched. Names that have no value are looked up among what is global; a number that has none
+/// there is 0, a texture or buffer is an error. Not for use by several threads at once.
+/// Unity: UnityEngine.ComputeShader (2022.3).
+class ComputeShader
+{
+public:
+    /// @throws ContractError if the compiler is null
+    ComputeShader(ComputeDocument document, std::shared_ptr<ShaderCompiler> compiler);
+    /// @throws AssetError as LoadCompute
+    static std::shared_ptr<ComputeShader> Load(const std::filesystem::path& path,
+                                               std::shared_ptr<ShaderCompiler> compiler);
+    /// @param file  what error messages call the text
+    static std::shared_ptr<ComputeShader> FromText(std::string_view text, std::string file,
+                                                   std::shared_ptr<ShaderCompiler> compiler);
+
+    std::uint64_t id() const { return m_Id; } ///< unique in the process
+    const std::string& name() const { return m_Document.name; }
+    const ComputeDocument& document() const { return m_Document; }
+
+    /// The kernel's index. @throws ContractError if there is none of this name
+    int FindKernel(std::string_view name) const;
+    bool HasKernel(std::string_view name) const;
+    int kernelCount() const { return static_cast<int>(m_Document.kernels.size()); }
+    /// @throws ContractError if there is no such kernel, as do all below that take one
+    const std::string& kernelName(int kernelIndex) const;
+    /// Threads of a group in the variant that the shader's own keywords choose; compiles it.
+    /// @throws AssetError if it does not compile
+    void GetKernelThreadGroupSizes(int kernelIndex, std::uint32_t& x, std::uint32_t& y,
+                                   std::uint32_t& z) const;
+    /// Whether the device that the compiler compiles for runs kernels. Dispatching one that it does
+    /// not throws UnsupportedProgramError.
+    bool IsSupported(int kernelIndex) const;
+
+    // Of all kernels. @throws ContractError naming shader and property if a value is not finite, or
+    // an array without elements.
+    void SetFloat(ShaderPropertyId id, float value) { Set(k_AllKernels, id, value); }
+    void SetInt(ShaderPropertyId id, int value) { Set(k_AllKernels, id, value); }
+    void SetBool(ShaderPropertyId id, bool value) { Set(k_AllKernels, id, value ? 1 : 0); }
+    void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(k_AllKernels, id, value); }
+    void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(k_AllKernels, id, value); }
+    void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
+    {
+        Set(k_AllKernels, id, std::move(values));
+    }
+    void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> values)
+    {
+        Set(k_AllKernels, id, std::move(values));
+    }
+    /// Consecutive components in the memory of the constant buffer, where each element of an array
+    /// begins at a multiple of 16 bytes: a float2 takes two, a float[3] nine of which the first of
+    /// each four counts.
+    void SetFloats(ShaderPropertyId id, std::vector<float> values)
+    {
+        Set(k_AllKernels, id, FloatParams{std::move(values)});
+    }
+    void SetInts(ShaderPropertyId id, std::vector<int> values)
+    {
+        Set(k_AllKernels, id, IntParams{std::move(values)});
+    }
+    /// A cbuffer of this name is read from the buffer.
+    /// @param offset, size  bytes; the offset a multiple of 256, the size 0 up to the end
+    void SetConstantBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> buffer,
+                           int offset, int size);
+
+    /// @param texture  null = what is global under the name
+    void SetTexture(int kernelIndex, ShaderPropertyId id, std::shared_ptr<const Texture> texture)
+    {
+        Set(kernelIndex, id, std::move(texture));
+    }
+    /// @throws ContractError for a handle that wraps an identifier, too
+    void SetTexture(int kernelIndex, ShaderPropertyId id, const RTHandle& texture);
+    void SetBuffer(int kernelIndex, ShaderPropertyId id,
+                   std::shared_ptr<const GraphicsBuffer> buffer)
+    {
+        Set(kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
+    }
+    /// Unity runs it at once; limn's frames run what command buffers hold.
+    template <typename Kernel>
+    void Dispatch(Kernel, int, int, int)
+    {
+        static_assert(sizeof(Kernel) == 0,
+                      "ComputeShader::Dispatch: record it with CommandBuffer::DispatchCompute");
+    }
+
+    // Keywords choose the variants. One that no kernel has is kept and does nothing.
+    void EnableKeyword(std::string_view keyword) { SetKeyword(keyword, true); }
+    void DisableKeyword(std::string_view keyword) { SetKeyword(keyword, false); }
+    void SetKeyword(std::string_view keyword, bool value);
+    bool IsKeywordEnabled(std::string_view keyword) const;
+    const std::vector<std::string>& shaderKeywords() const { return m_Keywords; } ///< sorted
+
+    /// The kernel in the variant of the keywords; compiled on the first call.
+    /// @param globalKeywords  that are on for all shaders, sorted
+    /// @throws AssetError with the HLSL errors at their lines
+    std::shared_ptr<const ShaderProgram>
+    Compile(int kernelIndex, std::span<const std::string> globalKeywords = {}) const;
+
+    static constexpr int k_AllKernels = -1;
+    /// @param kernelIndex  k_AllKernels = of all that set none of their own
+    void Set(int kernelIndex, ShaderPropertyId id, ShaderPropertyValue value);
+    /// The kernel's own value, or that of all; null if none was set. Until the next change.
+    const ShaderPropertyValue* Find(int kernelIndex, ShaderPropertyId id) const;
+    const MaterialPropertyBlock& values() const { return m_Values; }  ///< of all kernels
+    const MaterialPropertyBlock& kernelValues(int kernelIndex) const; ///< its own
+
+private:
+    using Variant = std::vector<std::string>;
+    /// What a kernel was last asked for with.
+    struct LastVariant
+    {
+        std::vector<std::string> keywords;
+        std::vector<std::string> globalKeywords;
+        std::shared_ptr<const ShaderProgram> compiled;
+    };
+    const PassProgram& KernelAt(int kernelIndex) const;
+
+    std::uint64_t m_Id;
+    ComputeDocument m_Document;
+    std::shared_ptr<ShaderCompiler> m_Compiler;
+    MaterialPropertyBlock m_Values;
+    std::vector<MaterialPropertyBlock> m_KernelValues; ///< by kernel
+    std::vector<std::string> m_Keywords;
+    mutable std::map<std::pair<int, Variant>, std::shared_ptr<const ShaderProgram>> m_Compiled;
+    mutable std::vector<LastVariant> m_Last; ///< by kernel
+};
+
+} // namespace limn

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limn/shaderlab/Diagnostic.h>
+#include <memory>
+#include <ranges>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace limn
+{
+
+class GraphicsDevice;
+
+/// Elements that shaders read and kernels write. As a Texture it is a description: the device makes
+/// its buffer, all zeros, when a frame first uses it, and frees it some frames after the last owner
+/// is gone. Not for use by several threads at once. Unity: UnityEngine.GraphicsBuffer (2022.3).
+class GraphicsBuffer
+{
+public:
+    /// What it can be bound to; bit flags, values Unity's. Unity: GraphicsBuffer.Target.
+    enum class Target
+    {
+        Vertex = 1,
+        Index = 2,
+        CopySource = 4,
+        CopyDestination = 8,
+        Structured = 16, ///< StructuredBuffer, RWStructuredBuffer
+        Raw = 32,        ///< ByteAddressBuffer, RWByteAddressBuffer
+        Append = 64,     ///< AppendStructuredBuffer, ConsumeStructuredBuffer
+        Counter = 128,   ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
+        IndirectArguments = 256,
+        Constant = 512 ///< cbuffer
+    };
+
+    /// @param stride  bytes of one element: what a kernel's struct takes without padding between
+    /// its
+    ///                members
+    /// @throws ContractError if count or stride is not positive, the stride of structured elements
+    ///         is no multiple of 4 or above 2048, that of raw ones is not 4, or the target is none
+    ///         of those that limn binds: Structured, Raw, Append, Counter, Constant
+    GraphicsBuffer(Target target, int count, int stride);
+    GraphicsBuffer(const GraphicsBuffer&) = delete;
+    GraphicsBuffer& operator=(const GraphicsBuffer&) = delete;
+
+    std::uint64_t id() const { return m_Id; } ///< unique in the process, never used again
+    const std::string& name() const { return m_Name; }
+    void SetName(std::string name) { m_Name = std::move(name); } ///< for messages and captures
+    Target target() const { return m_Target; }
+    int count() const { return m_Count; }
+    int stride() const { return m_Stride; }
+    std::size_t size() const; ///< bytes of all elements
+    bool Has(Target flag) const;
+
+    /// The elements from the first on, before whatever is executed next; what lies behind them
+    /// stays. Wins over what a kernel wrote there before.
+    /// @throws ContractError if they are more than there are, or the buffer is released
+    template <std::ranges::contiguous_range Data>
+    void SetData(const Data& data)
+    {
+        SetBytes(std::as_bytes(Elements(data)), 0);
+    }
+    /// @param managedBufferStartIndex, count  which of `data`
+    /// @param graphicsBufferStartIndex        where they go, in elements of `data`
+    template <std::ranges::contiguous_range Data>
+    void SetData(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
+                 int count)
+    {
+        const auto elements = Elements(data);
+        ExpectPart(managedBufferStartIndex, graphicsBufferStartIndex, count, elements.size());
+        const auto part = elements.subspan(static_cast<std::size_t>(managedBufferStartIndex),
+                                           static_cast<std::size_t>(count));
+        SetBytes(std::as_bytes(part), static_cast<std::size_t>(graphicsBufferStartIndex) *
+                                          sizeof(typename decltype(elements)::value_type));
+    }
+    /// Of a buffer that is appended to or counts.
+    /// @throws ContractError if it has none
+    void SetCounterValue(std::uint32_t counterValue);
+
+    /// What the last frame on the device left in the first elements; waits for it. Unity's knows
+    /// the device by itself.
+    /// @throws ContractError if `data` is longer, or no frame on the device has used the buffer
+    template <typename Element>
+    void GetData(GraphicsDevice& device, std::span<Element> data) const
+    {
+        static_assert(std::is_trivially_copyable_v<Element>);
+        GetBytes(device, std::as_writable_bytes(data));
+    }
+    template <typename Element>
+    void GetData(GraphicsDevice& device, std::vector<Element>& data) const
+    {
+        GetData(device, std::span<Element>(data));
+    }
+    /// The counter, as GetData. Unity: GraphicsBuffer.CopyCount into a buffer to read.
+    /// @throws ContractError if it has none
+    std::uint32_t GetCounterValue(GraphicsDevice& device) const;
+
+    /// Nothing can be bound to it any more.
+    void Release();
+    void Dispose() { Release(); }
+    bool IsValid() const { return !m_IsReleased; }
+
+    // For devices:
+
+    /// Bytes that SetData has set.
+    struct Change
+    {
+        std::uint64_t version = 0; ///< that they came with
+        std::size_t offset = 0;    ///< of bytes()
+        std::size_t size = 0;
+    };
+    /// Oldest first; those that later ones cover are gone.
+    const std::vector<Change>& changes() const { return m_Changes; }
+    /// Grows with each change.
+    std::uint64_t version() const { return m_Version; }
+    /// What SetData has set so far, else 0; the counter, if there is one, at counterOffset().
+    std::span<const std::byte> bytes() const { return m_Bytes; }
+    std::size_t counterOffset() const;
+    bool hasCounter() const { return Has(Target::Append) || Has(Target::Counter); }
+
+private:
+    template <typename Data>
+    static auto Elements(const Data& data)
+    {
+        using Element = std::ranges::range_value_t<Data>;
+        static_assert(std::is_trivially_copyable_v<Element>);
+        return std::span<const Element>(std::ranges::data(data), std::ranges::size(data));
+    }
+    void ExpectPart(int from, int to, int count, std::size_t available) const;
+    void SetBytes(std::span<const std::byte> bytes, std::size_t offset);
+    void Put(std::span<const std::byte> bytes, std::size_t offset);
+    void GetBytes(GraphicsDevice& device, std::span<std::byte> bytes) const;
+
+    std::uint64_t m_Id;
+    std::string m_Name = "GraphicsBuffer";
+    Target m_Target;
+    int m_Count;
+    int m_Stride;
+    std::vector<std::byte> m_Bytes;
+    std::vector<Change> m_Changes;
+    std::uint64_t m_Version = 0;
+    bool m_IsReleased = false;
+};
+
+constexpr GraphicsBuffer::Target operator|(GraphicsBuffer::Target a, GraphicsBuffer::Target b)
+{
+    return static_cast<GraphicsBuffer::Target>(static_cast<int>(a) | static_cast<int>(b));
+}
+
+inline bool GraphicsBuffer::Has(Target flag) const
+{
+    return (static_cast<int>(m_Target) & static_cast<int>(flag)) != 0;
+}
+
+/// Unity: UnityEngine.ComputeBufferType (2022.3), the members that limn has; values Unity's.
+enum class ComputeBufferType
+{
+    Default = 0, ///< Structured
+    Raw = 1,
+    Append = 2,
+    Counter = 4,
+    Constant = 8,
+    Structured = 16
+};
+
+/// A GraphicsBuffer as older code makes it. Unity: UnityEngine.ComputeBuffer (2022.3).
+class ComputeBuffer final : public GraphicsBuffer
+{
+public:
+    /// @throws ContractError as GraphicsBuffer does
+    ComputeBuffer(int count, int stride, ComputeBufferType type = ComputeBufferType::Default);
+};
+
+/// A buffer as a property's value: all of it, or of a cbuffer's a part.
+struct BufferRange
+{
+    std::shared_ptr<const GraphicsBuffer> buffer; ///< null = none
+    std::uint32_t offset = 0;                     ///< bytes
+    std::uint32_t size = 0;                       ///< bytes; 0 = up to the end
+
+    bool operator==(const BufferRange&) const = default;
+};
+
+} // namespace limn

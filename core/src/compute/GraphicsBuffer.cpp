@@ -1,0 +1,175 @@
+#include <limn/core/GraphicsBuffer.h>
+
+#include "scene/UniqueId.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limn/core/FrameCommands.h>
+#include <limn/core/GraphicsDevice.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using Target = GraphicsBuffer::Target;
+
+constexpr int k_MostStride = 2048; // Direct3D's
+
+[[noreturn]] void Fail(const std::string& message)
+{
+    throw ContractError("GraphicsBuffer: " + message);
+}
+
+void Expect(const GraphicsBuffer& buffer)
+{
+    constexpr Target k_Bound =
+        Target::Structured | Target::Raw | Target::Append | Target::Counter | Target::Constant;
+    if (!buffer.Has(k_Bound))
+    {
+        Fail("target " + std::to_string(static_cast<int>(buffer.target())) +
+             " is bound to no shader; limn has Structured, Raw, Append, Counter and Constant");
+    }
+    if (buffer.count() < 1 || buffer.stride() < 1)
+    {
+        Fail("count " + std::to_string(buffer.count()) + " and stride " +
+             std::to_string(buffer.stride()) + "; both must be greater than 0");
+    }
+    const bool hasElements = buffer.Has(Target::Structured | Target::Append | Target::Counter);
+    if (hasElements && (buffer.stride() % 4 != 0 || buffer.stride() > k_MostStride))
+    {
+        Fail("a stride of " + std::to_string(buffer.stride()) +
+             " bytes; that of structured elements is a multiple of 4 up to " +
+             std::to_string(k_MostStride));
+    }
+    if (buffer.Has(Target::Raw) && buffer.stride() != 4)
+    {
+        Fail("a raw buffer has a stride of 4 bytes, not " + std::to_string(buffer.stride()));
+    }
+}
+
+Target TargetOf(ComputeBufferType type)
+{
+    switch (type)
+    {
+    case ComputeBufferType::Raw:
+        return Target::Raw;
+    case ComputeBufferType::Append:
+        return Target::Append;
+    case ComputeBufferType::Counter:
+        return Target::Counter;
+    case ComputeBufferType::Constant:
+        return Target::Constant;
+    case ComputeBufferType::Default:
+    case ComputeBufferType::Structured:
+        break;
+    }
+    return Target::Structured;
+}
+
+} // namespace
+
+GraphicsBuffer::GraphicsBuffer(Target target, int count, int stride)
+    : m_Id(NextUniqueId()), m_Target(target), m_Count(count), m_Stride(stride)
+{
+    Expect(*this);
+    m_Bytes.resize(hasCounter() ? counterOffset() + sizeof(std::uint32_t) : size());
+}
+
+std::size_t GraphicsBuffer::size() const
+{
+    return static_cast<std::size_t>(m_Count) * static_cast<std::size_t>(m_Stride);
+}
+
+std::size_t GraphicsBuffer::counterOffset() const
+{
+    return (size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
+}
+
+void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t available) const
+{
+    const std::string text = "'" + m_Name + "': SetData of " + std::to_string(count) +
+                             " elements from " + std::to_string(from) + " to " + std::to_string(to);
+    if (from < 0 || to < 0 || count < 0)
+    {
+        Fail(text + "; none of these may be negative");
+    }
+    if (static_cast<std::size_t>(from) + static_cast<std::size_t>(count) > available)
+    {
+        Fail(text + "; the data have " + std::to_string(available));
+    }
+}
+
+void GraphicsBuffer::SetBytes(std::span<const std::byte> bytes, std::size_t offset)
+{
+    if (offset > size() || bytes.size() > size() - offset)
+    {
+        Fail("'" + m_Name + "': SetData of " + std::to_string(bytes.size()) + " bytes at " +
+             std::to_string(offset) + "; it has " + std::to_string(size()));
+    }
+    Put(bytes, offset);
+}
+
+void GraphicsBuffer::SetCounterValue(std::uint32_t counterValue)
+{
+    if (!hasCounter())
+    {
+        Fail("'" + m_Name + "': SetCounterValue; only targets Append and Counter have one");
+    }
+    Put(std::as_bytes(std::span(&counterValue, 1)), counterOffset());
+}
+
+void GraphicsBuffer::Put(std::span<const std::byte> bytes, std::size_t offset)
+{
+    if (m_IsReleased)
+    {
+        Fail("'" + m_Name + "' is released; make another one");
+    }
+    if (bytes.empty())
+    {
+        return;
+    }
+    std::memcpy(m_Bytes.data() + offset, bytes.data(), bytes.size());
+    const std::size_t end = offset + bytes.size();
+    std::erase_if(m_Changes, [&](const Change& change)
+                  { return change.offset >= offset && change.offset + change.size <= end; });
+    m_Changes.push_back({++m_Version, offset, bytes.size()});
+}
+
+void GraphicsBuffer::GetBytes(GraphicsDevice& device, std::span<std::byte> bytes) const
+{
+    if (bytes.size() > size())
+    {
+        Fail("'" + m_Name + "': GetData of " + std::to_string(bytes.size()) + " bytes; it has " +
+             std::to_string(size()));
+    }
+    const std::vector<std::byte> all = device.ReadBackBuffer(*this);
+    std::copy_n(all.begin(), bytes.size(), bytes.begin());
+}
+
+std::uint32_t GraphicsBuffer::GetCounterValue(GraphicsDevice& device) const
+{
+    if (!hasCounter())
+    {
+        Fail("'" + m_Name + "': GetCounterValue; only targets Append and Counter have one");
+    }
+    std::uint32_t value = 0;
+    std::memcpy(&value, device.ReadBackBuffer(*this).data() + counterOffset(), sizeof(value));
+    return value;
+}
+
+void GraphicsBuffer::Release()
+{
+    m_IsReleased = true;
+    m_Bytes = {};
+    m_Changes.clear();
+}
+
+ComputeBuffer::ComputeBuffer(int count, int stride, ComputeBufferType type)
+    : GraphicsBuffer(TargetOf(type), count, stride)
+{
+    SetName("ComputeBuffer");
+}
+
+} // namespace limn

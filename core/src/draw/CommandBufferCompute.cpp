@@ -1,0 +1,141 @@
+#include <limn/core/CommandBuffer.h>
+
+#include "material/RequireFinite.h"
+
+namespace limn
+{
+
+namespace
+{
+
+using ComputeShaderPtr = std::shared_ptr<ComputeShader>;
+
+constexpr int k_MostGroups = 65535; // Direct3D's
+constexpr int k_AllKernels = ComputeShader::k_AllKernels;
+
+void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
+{
+    if (!shader)
+    {
+        throw ContractError("a kernel needs a compute shader, but it is null");
+    }
+}
+
+} // namespace
+
+void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
+                                    int kernelIndex, int threadGroupsX, int threadGroupsY,
+                                    int threadGroupsZ)
+{
+    ExpectShader(computeShader);
+    const std::string& kernel = computeShader->kernelName(kernelIndex);
+    const int counts[] = {threadGroupsX, threadGroupsY, threadGroupsZ};
+    RecordedDispatch dispatch;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        if (counts[i] < 1 || counts[i] > k_MostGroups)
+        {
+            throw ContractError("DispatchCompute of '" + computeShader->name() + "', kernel '" +
+                                kernel + "': " + std::to_string(counts[0]) + "x" +
+                                std::to_string(counts[1]) + "x" + std::to_string(counts[2]) +
+                                " groups; each count is from 1 to " + std::to_string(k_MostGroups));
+        }
+        dispatch.groups[i] = static_cast<std::uint32_t>(counts[i]);
+    }
+    dispatch.shader = std::move(computeShader);
+    dispatch.kernel = kernelIndex;
+    m_Commands.emplace_back(std::move(dispatch));
+}
+
+void CommandBuffer::SetParam(const ComputeShaderPtr& shader, int kernel, ShaderPropertyId id,
+                             ShaderPropertyValue value)
+{
+    ExpectShader(shader);
+    if (kernel != k_AllKernels)
+    {
+        shader->kernelName(kernel); // throws
+    }
+    RequireFinite(value, id, "compute shader '" + shader->name() + "': ");
+    m_Commands.emplace_back(SetComputeParamCommand{shader, kernel, id, std::move(value)});
+}
+
+void CommandBuffer::SetComputeFloatParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                         float value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeIntParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                       int value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeVectorParam(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, const glm::vec4& value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeVectorArrayParam(const ComputeShaderPtr& computeShader,
+                                               ShaderPropertyId id, std::vector<glm::vec4> values)
+{
+    SetParam(computeShader, k_AllKernels, id, std::move(values));
+}
+
+void CommandBuffer::SetComputeMatrixParam(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, const glm::mat4& value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeMatrixArrayParam(const ComputeShaderPtr& computeShader,
+                                               ShaderPropertyId id, std::vector<glm::mat4> values)
+{
+    SetParam(computeShader, k_AllKernels, id, std::move(values));
+}
+
+void CommandBuffer::SetComputeFloatParams(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, std::vector<float> values)
+{
+    SetParam(computeShader, k_AllKernels, id, FloatParams{std::move(values)});
+}
+
+void CommandBuffer::SetComputeIntParams(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                        std::vector<int> values)
+{
+    SetParam(computeShader, k_AllKernels, id, IntParams{std::move(values)});
+}
+
+void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader, int kernelIndex,
+                                           ShaderPropertyId id, RenderTargetIdentifier rt)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    m_Commands.emplace_back(
+        SetComputeTextureCommand{computeShader, kernelIndex, id, std::move(rt)});
+}
+
+void CommandBuffer::SetComputeBufferParam(const ComputeShaderPtr& computeShader, int kernelIndex,
+                                          ShaderPropertyId id,
+                                          std::shared_ptr<const GraphicsBuffer> buffer)
+{
+    SetParam(computeShader, kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
+}
+
+void CommandBuffer::SetComputeConstantBufferParam(const ComputeShaderPtr& computeShader,
+                                                  ShaderPropertyId id,
+                                                  std::shared_ptr<const GraphicsBuffer> buffer,
+                                                  int offset, int size)
+{
+    SetParam(computeShader, k_AllKernels, id, ConstantRange(std::move(buffer), offset, size));
+}
+
+void CommandBuffer::SetKeyword(const ComputeShaderPtr& computeShader, std::string_view keyword,
+                               bool value)
+{
+    ExpectShader(computeShader);
+    m_Commands.emplace_back(SetComputeKeywordCommand{computeShader, std::string(keyword), value});
+}
+
+} // namespace limn

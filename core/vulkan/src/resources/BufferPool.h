@@ -1,0 +1,52 @@
+#pragma once
+
+#include "memory/UploadCommands.h"
+#include <limn/core/GraphicsBuffer.h>
+#include <unordered_map>
+
+namespace limn::vulkan
+{
+
+/// The buffer behind one GraphicsBuffer.
+struct PooledBuffer
+{
+    std::weak_ptr<const GraphicsBuffer> owner;
+    Buffer buffer;
+    std::uint64_t version = 0; ///< of the changes that are in it, with what is prepared so far
+    std::uint64_t before = 0;  ///< of those before submission `lastUse`
+    std::uint64_t createdBy = 0;
+    std::uint64_t lastUse = 0;
+};
+
+/// All buffers that shaders share with the CPU, found by their GraphicsBuffer; made and freed as
+/// ImagePool does. What kernels wrote stays where nothing was set since.
+class BufferPool
+{
+public:
+    BufferPool(VkDevice device, MemoryAllocator& allocator, const VkPhysicalDeviceLimits& limits)
+        : m_Device(device), m_Allocator(allocator), m_Limits(limits)
+    {
+    }
+
+    /// The buffer with what was set until now: records the copies.
+    /// @throws ContractError if it is more than the device binds
+    PooledBuffer& Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,
+                      UploadCommands& uploads);
+    /// Null if no frame has used the buffer.
+    const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
+    std::vector<std::shared_ptr<const GraphicsBuffer>> UsedBy(std::uint64_t number) const;
+    void Rollback(std::uint64_t number) noexcept;
+    void Sweep(std::uint64_t finished);
+    std::size_t size() const { return m_Buffers.size(); }
+
+private:
+    PooledBuffer& Add(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,
+                      UploadCommands& uploads);
+
+    VkDevice m_Device;
+    MemoryAllocator& m_Allocator;
+    const VkPhysicalDeviceLimits& m_Limits;
+    std::unordered_map<std::uint64_t, PooledBuffer> m_Buffers; ///< by GraphicsBuffer::id
+};
+
+} // namespace limn::vulkan
