@@ -1,5 +1,7 @@
 #include "blurred_glass/BlurredGlassFeature.h"
 #include "blurred_glass/BlurredGlassUnity6Feature.h"
+#include "distance_outline/DistanceOutlineFeature.h"
+#include "distance_outline/DistanceOutlineUnity6Feature.h"
 #include "height_fog/HeightFogFeature.h"
 #include "height_fog/HeightFogUnity6Feature.h"
 #include "xray/XRayFeature.h"
@@ -12,6 +14,8 @@ LIMN_PLUGIN(features, components)
 {
     features.Register<porting::BlurredGlassFeature>("BlurredGlassFeature");
     features.Register<porting::BlurredGlassUnity6Feature>("BlurredGlassUnity6Feature");
+    features.Register<porting::DistanceOutlineFeature>("DistanceOutlineFeature");
+    features.Register<porting::DistanceOutlineUnity6Feature>("DistanceOutlineUnity6Feature");
     features.Register<porting::HeightFogFeature>("HeightFogFeature");
     features.Register<porting::HeightFogUnity6Feature>("HeightFogUnity6Feature");
     features.Register<porting::XRayFeature>("XRayFeature");

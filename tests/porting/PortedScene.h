@@ -13,6 +13,8 @@
 
 #include "blurred_glass/BlurredGlassFeature.h"
 #include "blurred_glass/BlurredGlassUnity6Feature.h"
+#include "distance_outline/DistanceOutlineFeature.h"
+#include "distance_outline/DistanceOutlineUnity6Feature.h"
 #include "height_fog/HeightFogFeature.h"
 #include "height_fog/HeightFogUnity6Feature.h"
 #include "xray/XRayFeature.h"
@@ -39,6 +41,8 @@ void RegisterAs(FeatureRegistry& features, const char* as)
 inline constexpr PortedSample k_PortedSamples[] = {
     {"blurred_glass", "BlurredGlassFeature", &RegisterAs<porting::BlurredGlassFeature>,
      &RegisterAs<porting::BlurredGlassUnity6Feature>},
+    {"distance_outline", "DistanceOutlineFeature", &RegisterAs<porting::DistanceOutlineFeature>,
+     &RegisterAs<porting::DistanceOutlineUnity6Feature>},
     {"height_fog", "HeightFogFeature", &RegisterAs<porting::HeightFogFeature>,
      &RegisterAs<porting::HeightFogUnity6Feature>},
     {"xray", "XRayFeature", &RegisterAs<porting::XRayFeature>,
