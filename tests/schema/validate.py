@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Holds the schemas of `limn schema` against the sample files and against broken ones.
 
-usage: validate.py LIMN SOURCE_DIR
+usage: validate.py LIMN SOURCE_DIR PLUGIN
+
+PLUGIN is that of the samples which have features of their own.
 """
 import json
 import pathlib
@@ -122,10 +124,10 @@ def paths(validator, text):
     return ["/".join(map(str, error.absolute_path)) for error in validator.iter_errors(load(text))]
 
 
-def main(limn, source):
+def main(limn, source, plugin):
     failures = []
     for kind in ("profile", "scene", "material"):
-        schema = json.loads(subprocess.check_output([limn, "schema", kind]))
+        schema = json.loads(subprocess.check_output([limn, "schema", kind, "--plugin", plugin]))
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         samples = sorted(pathlib.Path(source, "samples").rglob(f"*.{kind}.yaml"))
