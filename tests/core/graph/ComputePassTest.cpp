@@ -261,6 +261,28 @@ TEST_F(ComputePass, RefusesBuffersOfEarlierFrames)
               "camera's frame");
 }
 
+TEST_F(ComputePass, SwitchesKeywordsAsUnsafePassesDo)
+{
+    Render(
+        [](RenderGraph& graph, ContextContainer&)
+        {
+            const auto declare = [](auto& builder)
+            {
+                builder.AllowGlobalStateModification(true);
+            };
+            const auto record = [](auto& cmd)
+            {
+                cmd.SetKeyword(GlobalKeyword("GLOBAL"), true);
+                cmd.SetKeyword(Fill(), "LOCAL", true);
+                cmd.SetComputeFloatParam(Fill(), "_X", 1.0f);
+            };
+            AddCompute(graph, "Compute", declare, record);
+            test::AddUnsafe(graph, "Unsafe", declare, record);
+        });
+    EXPECT_TRUE(Fill()->IsKeywordEnabled("LOCAL"));
+    Fill()->DisableKeyword("LOCAL");
+}
+
 TEST_F(ComputePass, MaySetGlobalsWhereItSaysSo)
 {
     EXPECT_EQ(ErrorOf(

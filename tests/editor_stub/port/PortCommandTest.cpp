@@ -114,7 +114,7 @@ TEST(PortCommand, NamesWhatItDoesNotKnowWithItsPlace)
                " 2 unknown; "});
     ExpectAll(ported.report,
               {"| `CommandBuffer.FrobnicateTwice` | BlurOld.cs:68:21 | **unknown** |",
-               "| `CommandBuffer.SetGlobalBuffer` | BlurOld.cs:67:21 | missing |"});
+               "| `CommandBuffer.SetRandomWriteTarget` | BlurOld.cs:67:21 | missing |"});
 }
 
 TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)

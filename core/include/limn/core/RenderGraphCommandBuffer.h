@@ -271,6 +271,8 @@ public:
     using BaseCommandBuffer::SetGlobalTexture;
     using BaseCommandBuffer::SetGlobalVector;
     using BaseCommandBuffer::SetGlobalVectorArray;
+    using BaseCommandBuffer::SetKeyword;
+    using KernelCommands::SetKeyword;
 
 private:
     friend class RenderGraphRun;
@@ -284,6 +286,8 @@ private:
 class UnsafeCommandBuffer : public BaseCommandBuffer, public KernelCommands
 {
 public:
+    using BaseCommandBuffer::SetKeyword;
+    using KernelCommands::SetKeyword;
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {})
     {
         native().SetRenderTarget(color, depth);

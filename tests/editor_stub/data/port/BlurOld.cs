@@ -64,7 +64,7 @@ namespace Limn.Samples
                     cmd.Blit(source, temporary.Identifier(), material, 0);
                     cmd.Blit(temporary.Identifier(), source);
                 }
-                cmd.SetGlobalBuffer("_Nothing", null);
+                cmd.SetRandomWriteTarget("_Nothing", null);
                 cmd.FrobnicateTwice(1);
                 context.ExecuteCommandBuffer(cmd);
                 CommandBufferPool.Release(cmd);
