@@ -173,8 +173,7 @@ std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
                                    FrameSlot& slot, const CompiledFrame& frame)
-    : m_Context(context),
-      m_Resources(resources),
+    : m_Resources(resources),
       m_Slot(slot),
       m_Frame(frame),
       m_PieceElements(PieceElements(context.capabilities().limits))

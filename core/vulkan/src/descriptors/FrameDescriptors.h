@@ -48,7 +48,6 @@ private:
                            VkDescriptorSetLayout setLayout,
                            const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece);
 
-    const VulkanContext& m_Context;
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
