@@ -286,8 +286,9 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
     {
         return;
     }
-    constexpr UsageScope k_Copied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                                  VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    constexpr UsageScope k_TexelsCopied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                        VK_PIPELINE_STAGE_2_COPY_BIT,
+                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
     const UsageScope read = ToUsageScope(TextureUsage::ShaderRead);
     std::vector<VkImageMemoryBarrier2> before;
     std::vector<VkImageMemoryBarrier2> after;
@@ -299,7 +300,7 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
         before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
         if (upload.texture->mipmapCount() == 1)
         {
-            after.push_back(ScopeBarrier(*upload.image, k_Copied, read));
+            after.push_back(ScopeBarrier(*upload.image, k_TexelsCopied, read));
         }
     }
     RecordBarriers(uploads.commands(), before);
@@ -308,8 +309,8 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
         RecordCopy(uploads, *upload.image, *upload.texture);
         if (upload.texture->mipmapCount() > 1)
         {
-            RecordMips(uploads.commands(), upload.image->image.get(), *upload.texture, k_Copied,
-                       read);
+            RecordMips(uploads.commands(), upload.image->image.get(), *upload.texture,
+                       k_TexelsCopied, read);
         }
     }
     RecordBarriers(uploads.commands(), after);
