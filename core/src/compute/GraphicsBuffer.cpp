@@ -24,19 +24,22 @@ constexpr int k_MostStride = 2048; // Direct3D's
 
 void Expect(const GraphicsBuffer& buffer)
 {
-    constexpr Target k_Bound =
-        Target::Structured | Target::Raw | Target::Append | Target::Counter | Target::Constant;
+    constexpr Target k_Bound = Target::Structured | Target::Raw | Target::Append | Target::Counter |
+                               Target::IndirectArguments | Target::Constant;
     if (!buffer.Has(k_Bound))
     {
         Fail("target " + std::to_string(static_cast<int>(buffer.target())) +
-             " is bound to no shader; limn has Structured, Raw, Append, Counter and Constant");
+             " is bound to no shader; limn has Structured, Raw, Append, Counter, IndirectArguments "
+             "and "
+             "Constant");
     }
     if (buffer.count() < 1 || buffer.stride() < 1)
     {
         Fail("count " + std::to_string(buffer.count()) + " and stride " +
              std::to_string(buffer.stride()) + "; both must be greater than 0");
     }
-    const bool hasElements = buffer.Has(Target::Structured | Target::Append | Target::Counter);
+    const bool hasElements = buffer.Has(Target::Structured | Target::Append | Target::Counter |
+                                        Target::IndirectArguments);
     if (hasElements && (buffer.stride() % 4 != 0 || buffer.stride() > k_MostStride))
     {
         Fail("a stride of " + std::to_string(buffer.stride()) +
@@ -61,6 +64,8 @@ Target TargetOf(ComputeBufferType type)
         return Target::Counter;
     case ComputeBufferType::Constant:
         return Target::Constant;
+    case ComputeBufferType::IndirectArguments:
+        return Target::IndirectArguments;
     case ComputeBufferType::Default:
     case ComputeBufferType::Structured:
         break;

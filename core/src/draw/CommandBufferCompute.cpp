@@ -1,5 +1,6 @@
 #include <limn/core/CommandBuffer.h>
 
+#include "draw/Arguments.h"
 #include "material/RequireFinite.h"
 
 namespace limn
@@ -42,6 +43,21 @@ void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> compute
         }
         dispatch.groups[i] = static_cast<std::uint32_t>(counts[i]);
     }
+    dispatch.shader = std::move(computeShader);
+    dispatch.kernel = kernelIndex;
+    m_Commands.emplace_back(std::move(dispatch));
+}
+
+void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
+                                    int kernelIndex,
+                                    std::shared_ptr<const GraphicsBuffer> indirectBuffer,
+                                    std::uint32_t argsOffset)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    RecordedDispatch dispatch;
+    dispatch.arguments =
+        ArgumentsRange("DispatchCompute", std::move(indirectBuffer), argsOffset, 3);
     dispatch.shader = std::move(computeShader);
     dispatch.kernel = kernelIndex;
     m_Commands.emplace_back(std::move(dispatch));

@@ -3,51 +3,13 @@
 #include <limn/core/RendererList.h>
 #include <limn/core/Scene.h>
 
-#include "material/RequireFinite.h"
+#include "draw/ExpectDraw.h"
 
 namespace limn
 {
 
 namespace
 {
-
-constexpr int k_AllPasses = -1;
-
-void ExpectMaterial(const std::shared_ptr<const Material>& material)
-{
-    if (!material)
-    {
-        throw ContractError("a draw needs a material, but it is null");
-    }
-}
-
-void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
-                    const glm::mat4& matrix)
-{
-    ExpectMaterial(material);
-    if (shaderPass < 0 || shaderPass >= material->passCount())
-    {
-        throw ContractError("material '" + material->name() + "': shader '" +
-                            material->shader()->name() + "' has no pass " +
-                            std::to_string(shaderPass) + "; it has " +
-                            std::to_string(material->passCount()));
-    }
-    if (!isFinite(matrix))
-    {
-        throw ContractError("material '" + material->name() +
-                            "': the matrix of the draw is not finite");
-    }
-}
-
-void ExpectSubMesh(const Mesh& mesh, int subMesh)
-{
-    if (subMesh < 0 || subMesh >= mesh.subMeshCount())
-    {
-        throw ContractError("mesh '" + mesh.name() + "' has no sub-mesh " +
-                            std::to_string(subMesh) + "; it has " +
-                            std::to_string(mesh.subMeshCount()));
-    }
-}
 
 /// 0...1 in x and y, seen from the front; row 0 of a texture is the top of the picture.
 const std::shared_ptr<const Mesh>& BlitQuad()
@@ -91,8 +53,14 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
         throw ContractError("DrawMesh needs a mesh, but it is null");
     }
     ExpectSubMesh(*mesh, subMesh);
-    m_Commands.emplace_back(RecordedDraw{std::move(mesh), subMesh, 0, glm::dmat4(matrix),
-                                         std::move(material), shaderPass, Keep(properties)});
+    RecordedDraw draw;
+    draw.mesh = std::move(mesh);
+    draw.subMesh = subMesh;
+    draw.matrix = glm::dmat4(matrix);
+    draw.material = std::move(material);
+    draw.shaderPass = shaderPass;
+    draw.properties = Keep(properties);
+    m_Commands.emplace_back(std::move(draw));
 }
 
 void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
@@ -216,52 +184,6 @@ void CommandBuffer::DrawRendererList(const RendererList& rendererList)
         throw ContractError("DrawRendererList: the list is empty; CreateRendererList makes one");
     }
     m_Commands.push_back(DrawRendererListCommand{rendererList.params()});
-}
-
-void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
-                                   std::shared_ptr<const Material> material, int shaderPass,
-                                   int vertexCount, const MaterialPropertyBlock& properties)
-{
-    DrawProcedural(matrix, std::move(material), shaderPass, MeshTopology::Triangles, vertexCount, 1,
-                   properties);
-}
-
-void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
-                                   std::shared_ptr<const Material> material, int shaderPass,
-                                   MeshTopology topology, int vertexCount, int instanceCount,
-                                   const MaterialPropertyBlock& properties)
-{
-    ExpectDrawable(material, shaderPass, matrix);
-    const auto expectCount = [](const char* what, int count)
-    {
-        if (count < 0)
-        {
-            throw ContractError(std::string("DrawProcedural: the ") + what + " count " +
-                                std::to_string(count) + " is negative");
-        }
-    };
-    expectCount("vertex", vertexCount);
-    expectCount("instance", instanceCount);
-    if (topology == MeshTopology::Quads || topology == MeshTopology::Points)
-    {
-        throw ContractError(std::string("DrawProcedural: limn draws no ") +
-                            (topology == MeshTopology::Quads ? "Quads" : "Points") +
-                            "; it draws Triangles, Lines and LineStrip");
-    }
-    if (instanceCount == 0)
-    {
-        return;
-    }
-    RecordedDraw draw{nullptr,
-                      0,
-                      static_cast<std::uint32_t>(vertexCount),
-                      glm::dmat4(matrix),
-                      std::move(material),
-                      shaderPass,
-                      Keep(properties)};
-    draw.instanceCount = static_cast<std::uint32_t>(instanceCount);
-    draw.topology = topology;
-    m_Commands.emplace_back(std::move(draw));
 }
 
 void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,

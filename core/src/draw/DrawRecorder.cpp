@@ -235,12 +235,14 @@ void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
 
 DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
                                const MaterialPropertyBlock* properties,
-                               const RenderStateBlock& stateBlock)
+                               const RenderStateBlock& stateBlock, const RecordedDraw* recorded)
 {
     m_HasDraws = true;
     ExpectSameDepth(material);
     DrawSetup draw;
-    draw.program = material.Compile(shaderPass, keywords());
+    draw.program = material.Compile(shaderPass, recorded != nullptr && recorded->isProcedural
+                                                    ? ProceduralKeywords()
+                                                    : keywords());
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
     draw.state = Override(
@@ -248,9 +250,20 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     draw.state.offsetUnits += m_State.depthBias;
     draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);
-    draw.bindings = m_Resolver.Resolve(draw.program, {properties, &material, &m_Globals},
-                                       m_GlobalsVersion, m_Frame.uniformData);
+    PropertySources sources{properties, &material, &m_Globals};
+    sources.arguments =
+        recorded != nullptr && recorded->arguments.buffer ? &recorded->arguments : nullptr;
+    draw.bindings =
+        m_Resolver.Resolve(draw.program, sources, m_GlobalsVersion, m_Frame.uniformData);
     return draw;
+}
+
+std::vector<std::string> DrawRecorder::ProceduralKeywords()
+{
+    std::vector<std::string> all = keywords();
+    all.insert(std::ranges::lower_bound(all, k_ProceduralInstancing),
+               std::string(k_ProceduralInstancing));
+    return all;
 }
 
 std::uint32_t DrawRecorder::Add(DrawSetup setup)
@@ -281,14 +294,14 @@ std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
 void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
     DrawSetup setup =
-        LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock());
+        LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock(), &recorded);
     const PerDrawData perDraw =
         MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
     setup.fullScreen = Promise(recorded, properties, setup.state);
     DrawCommand draw;
     draw.scissor = m_State.scissor;
-    const bool hasCamera = recorded.mesh && !recorded.isBlit;
-    if (hasCamera && setup.shader->staysWithinMesh(setup.shaderPass))
+    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
+    if (isPlaced && setup.shader->staysWithinMesh(setup.shaderPass))
     {
         draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
@@ -307,7 +320,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     ExpectTopology(setup, *recorded.material);
     setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored != (recorded.mesh == nullptr));
     draw.setup = Add(std::move(setup));
-    if (!MergeIntoLast(draw))
+    if (recorded.isProcedural || !MergeIntoLast(draw))
     {
         m_Frame.commands.emplace_back(draw);
     }
@@ -320,8 +333,12 @@ void DrawRecorder::Dispatch(const RecordedDispatch& recorded)
     setup.program = shader.Compile(recorded.kernel, keywords());
     setup.shader = recorded.shader;
     setup.kernel = recorded.kernel;
-    const PropertySources sources{&shader.kernelValues(recorded.kernel), nullptr, &m_Globals,
-                                  &shader, recorded.kernel};
+    const PropertySources sources{&shader.kernelValues(recorded.kernel),
+                                  nullptr,
+                                  &m_Globals,
+                                  &shader,
+                                  recorded.kernel,
+                                  recorded.arguments.buffer ? &recorded.arguments : nullptr};
     setup.bindings = m_Resolver.Resolve(setup.program, sources, m_Frame.uniformData);
     auto& setups = m_Frame.dispatchSetups;
     if (setups.empty() || setups.back() != setup)
@@ -408,7 +425,7 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
 /// Whether it can be a draw over the whole of the target.
 bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& state) const
 {
-    return (!recorded.mesh || recorded.isBlit) && !m_State.scissor &&
+    return (!recorded.mesh || recorded.isBlit) && !recorded.arguments.buffer && !m_State.scissor &&
            recorded.topology == MeshTopology::Triangles &&
            (!m_State.invertsCulling || state.cull == CullMode::Off);
 }

@@ -33,6 +33,7 @@ public:
     void SetKeyword(const SetKeywordCommand& command);
     /// Those that are on for all materials, sorted.
     const std::vector<std::string>& keywords();
+    std::vector<std::string> ProceduralKeywords();
     /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
     /// nothing else.
     void TakeShaderGlobals();
@@ -51,9 +52,11 @@ public:
     bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
     /// What all draws of this pass have in common.
+    /// @param recorded  one that may be procedural or indirect; null = there is none
     /// @throws AssetError if the pass does not compile
     DrawSetup LookUp(const Material& material, int shaderPass,
-                     const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock);
+                     const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock,
+                     const RecordedDraw* recorded = nullptr);
     /// The material's values with another shader; the same one as long as each frame asks for it.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);

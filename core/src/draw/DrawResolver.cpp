@@ -128,7 +128,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
     m_HasResolved = true;
     const Material& material = *sources.material;
     const ProgramIds& ids = IdsOf(pass, material.shader()->name());
-    if (sources.block != nullptr && !sources.block->isEmpty())
+    if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr)
     {
         return Build(ids, sources, uniformData);
     }
@@ -319,6 +319,10 @@ void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sour
     {
         m_Building.storageTextures.push_back(
             WritableSlot(layout.storageTextures[i], ids.storageTextures[i], sources));
+    }
+    if (sources.arguments != nullptr)
+    {
+        m_Building.buffers.push_back(ArgumentsSlot(*sources.arguments, sources));
     }
 }
 

@@ -30,6 +30,7 @@ struct PropertySources
     const MaterialPropertyBlock* globals = nullptr; ///< never null
     const ComputeShader* compute = nullptr;         ///< null = a draw's
     int kernel = 0;
+    const BufferRange* arguments = nullptr; ///< of an indirect draw or dispatch; null = another one
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
     bool HasBuffers() const; ///< else no value is one

@@ -28,9 +28,11 @@ void ExpectValid(const GraphicsBuffer& buffer, const std::string& name,
 /// What a buffer has to be made for.
 Target TargetsFor(const StorageBufferBinding& declared)
 {
+    constexpr Target k_Elements =
+        Target::Structured | Target::Append | Target::Counter | Target::IndirectArguments;
     return declared.isCounter     ? Target::Append | Target::Counter
-           : declared.stride == 0 ? Target::Raw
-                                  : Target::Structured | Target::Append | Target::Counter;
+           : declared.stride == 0 ? Target::Raw | Target::IndirectArguments
+                                  : k_Elements;
 }
 
 const char* NamesOf(const StorageBufferBinding& declared)
@@ -124,6 +126,22 @@ BufferSlot StorageSlot(const StorageBufferBinding& declared, ShaderPropertyId id
             declared.stages,
             false,
             declared.isWritten};
+}
+
+BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& sources)
+{
+    if (!arguments.buffer->IsValid())
+    {
+        throw DrawError(sources.Subject() + ": the buffer of its arguments, '" +
+                        arguments.buffer->name() + "', is released");
+    }
+    return {k_ArgumentsBinding,
+            arguments.buffer,
+            arguments.offset,
+            arguments.size,
+            ShaderStage::Indirect,
+            false,
+            false};
 }
 
 StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPropertyId id,

@@ -21,6 +21,7 @@ BufferSlot UniformSlot(const UniformBuffer& declared, const BufferRange& range,
                        const PropertySources& sources);
 BufferSlot StorageSlot(const StorageBufferBinding& declared, ShaderPropertyId id,
                        const PropertySources& sources);
+BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& sources);
 StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPropertyId id,
                                 const PropertySources& sources);
 

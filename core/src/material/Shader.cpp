@@ -231,7 +231,15 @@ std::shared_ptr<const ShaderProgram>
 Shader::Compile(int passIndex, std::span<const std::string> enabled,
                 std::span<const std::string> globalKeywords) const
 {
-    const std::vector<std::string> wanted = keywords(passIndex, enabled, globalKeywords);
+    std::vector<std::string> wanted = keywords(passIndex, enabled, globalKeywords);
+    const auto isProcedural = [](const auto& names)
+    {
+        return std::ranges::find(names, k_ProceduralInstancing) != names.end();
+    };
+    if (isProcedural(globalKeywords) && !isProcedural(wanted)) // no program has to declare it
+    {
+        wanted.emplace_back(k_ProceduralInstancing);
+    }
     if (wanted == keywords(passIndex))
     {
         return Compile(passIndex);

@@ -22,12 +22,23 @@
 #define UNITY_UNROLLX(n) [unroll(n)]
 #define UNITY_LOOP [loop]
 
-// There is one eye, and instances are told apart by limn_DrawIndex: nothing is left to do.
+// Instances are told apart by limn_DrawIndex, and nothing is left to do; but for those that a
+// function of the shader's own places (limn/PerDraw.hlsl has the rest).
+#ifdef UNITY_INSTANCING_PROCEDURAL_FUNC
+#define UNITY_PROCEDURAL_INSTANCING_ENABLED
+static uint unity_InstanceID;
+#define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
+#define UNITY_SETUP_INSTANCE_ID(input) limn_SetupInstance((input).instanceID);
+#define UNITY_TRANSFER_INSTANCE_ID(input, output) (output).instanceID = (input).instanceID;
+#define UNITY_GET_INSTANCE_ID(input) ((input).instanceID)
+#else
 #define UNITY_VERTEX_INPUT_INSTANCE_ID
 #define UNITY_SETUP_INSTANCE_ID(input)
 #define UNITY_TRANSFER_INSTANCE_ID(input, output)
 #define UNITY_GET_INSTANCE_ID(input) 0u
 #define unity_InstanceID 0u
+#endif
+// There is one eye.
 #define UNITY_VERTEX_OUTPUT_STEREO
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
 #define UNITY_TRANSFER_VERTEX_OUTPUT_STEREO(input, output)

@@ -28,6 +28,29 @@ void Define(std::string& source, std::string_view name, std::string_view value =
     source.append("#define ").append(name).append(" ").append(value).append("\n");
 }
 
+/// `#pragma instancing_options procedural:F` names the function that places an instance.
+void DefineProceduralFunction(std::string& source, const PassProgram& program,
+                              std::span<const std::string> keywords)
+{
+    constexpr std::string_view k_Option = "procedural:";
+    if (std::ranges::find(keywords, k_ProceduralInstancing) == keywords.end())
+    {
+        return;
+    }
+    for (const ProgramPragma& pragma : program.pragmas)
+    {
+        const std::size_t begin = pragma.name == "instancing_options"
+                                      ? pragma.arguments.find(k_Option)
+                                      : pragma.name.npos;
+        if (begin != pragma.name.npos)
+        {
+            const std::string name = pragma.arguments.substr(begin + k_Option.size());
+            Define(source, "UNITY_INSTANCING_PROCEDURAL_FUNC",
+                   name.substr(0, name.find_first_of(" \t\r")));
+        }
+    }
+}
+
 std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
@@ -49,6 +72,7 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
             Define(source, keyword);
         }
     }
+    DefineProceduralFunction(source, program, keywords);
     source += DeclareDynamicKeywords(program);
     source += "#include \"limn/Prelude.hlsl\"\n";
     if (program.language == ProgramLanguage::Cg)

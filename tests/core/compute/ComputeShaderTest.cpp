@@ -225,7 +225,7 @@ TEST(GraphicsBuffer, IsRefusedWithItsNumbers)
               "GraphicsBuffer: a raw buffer has a stride of 4 bytes, not 16");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Vertex, 1, 16); }),
               "GraphicsBuffer: target 1 is bound to no shader; limn has Structured, Raw, Append, "
-              "Counter and Constant");
+              "Counter, IndirectArguments and Constant");
 }
 
 TEST(GraphicsBuffer, RemembersWhatWasSetLast)

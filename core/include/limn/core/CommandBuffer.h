@@ -1,17 +1,11 @@
 #pragma once
 
-#include <limn/core/ComputeCommands.h>
-#include <limn/core/FrameCommands.h>
-#include <limn/core/GlobalKeyword.h>
 #include <limn/core/LayerMask.h>
-#include <limn/core/Material.h>
-#include <limn/core/PipelineState.h>
+#include <limn/core/RecordedCommands.h>
 #include <limn/core/RenderTargetIdentifier.h>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace limn
@@ -20,138 +14,6 @@ namespace limn
 struct GameObject;
 class RendererList;
 struct RendererListParams;
-
-/// A draw as recorded: the material is looked at when the buffer is executed.
-struct RecordedDraw
-{
-    std::shared_ptr<const Mesh> mesh; ///< null = procedural
-    int subMesh = 0;
-    std::uint32_t vertexCount = 0; ///< procedural
-    glm::dmat4 matrix{1.0}; ///< in double: far away from the world's origin a float is coarse
-    std::shared_ptr<const Material> material;
-    int shaderPass = 0;
-    std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
-    RenderingLayerMask renderingLayers{1};
-    std::uint32_t instanceCount = 1; ///< procedural
-    MeshTopology topology = MeshTopology::Triangles;
-    bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
-
-    static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
-};
-
-struct SetGlobalCommand
-{
-    ShaderPropertyId id;
-    ShaderPropertyValue value;
-};
-
-struct SetKeywordCommand
-{
-    GlobalKeyword keyword;
-    bool isOn = false;
-
-    bool operator==(const SetKeywordCommand&) const = default;
-};
-
-/// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
-struct SetViewProjectionCommand
-{
-    glm::dmat4 view{1.0};
-    glm::mat4 gpuProjection{1.0f};
-    bool inverses = false;
-};
-
-// What names its textures by identifiers, which are looked up when the buffer is executed.
-
-struct GetTemporaryRTCommand
-{
-    ShaderPropertyId id;
-    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's
-    FilterMode filter = FilterMode::Point;
-};
-
-struct ReleaseTemporaryRTCommand
-{
-    ShaderPropertyId id;
-};
-
-struct SetIdentifiedTargetCommand
-{
-    std::vector<RenderTargetIdentifier> colors;
-    RenderTargetIdentifier depth; ///< none = what belongs to the colour, if there is one of them
-};
-
-struct SetCameraColorCommand
-{
-    RTHandle color;
-};
-
-struct SetGlobalIdentifierCommand
-{
-    ShaderPropertyId id;
-    RenderTargetIdentifier value;
-};
-
-struct IdentifiedBlitCommand
-{
-    RenderTargetIdentifier source;
-    RenderTargetIdentifier dest;
-    std::shared_ptr<const Material> material; ///< null = a plain copy
-    int pass = -1;
-};
-
-/// Onto what is bound.
-struct CopyDrawCommand
-{
-    RenderTargetIdentifier source;
-    glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
-    bool isBilinear = false; ///< else the nearest texel
-    float mipLevel = 0.0f;
-};
-
-struct CopyTextureCommand
-{
-    RenderTargetIdentifier source;
-    RenderTargetIdentifier dest;
-};
-
-struct GenerateMipsCommand
-{
-    RenderTargetIdentifier texture;
-};
-
-// What holds for all draws that follow, whichever buffer they are of.
-
-struct SetScissorCommand
-{
-    std::optional<ViewportRect> rect; ///< none = the whole target
-};
-
-struct SetInvertCullingCommand
-{
-    bool isInverted = false;
-};
-
-struct SetGlobalDepthBiasCommand
-{
-    float bias = 0.0f;
-    float slopeBias = 0.0f;
-};
-
-struct DrawRendererListCommand
-{
-    std::shared_ptr<const RendererListParams> list; ///< never null
-};
-
-using RecordedCommand =
-    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
-                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
-                 SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
-                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
-                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
-                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
-                 GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
-                 SetComputeTextureCommand, SetComputeKeywordCommand>;
 
 /// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
 /// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
@@ -279,6 +141,39 @@ public:
                         int shaderPass, MeshTopology topology, int vertexCount,
                         int instanceCount = 1, const MaterialPropertyBlock& properties = {});
 
+    /// The mesh `count` times in one draw, all with the identity as their matrix: SV_InstanceID, or
+    /// the function of `#pragma instancing_options procedural:F`, tells them apart.
+    /// @param shaderPass  -1 = all passes of the shader, one after the other
+    /// @throws ContractError as DrawMesh does, and for a negative count
+    /// @source Unity: CommandBuffer.DrawMeshInstancedProcedural (2022.3)
+    void DrawMeshInstancedProcedural(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                     const std::shared_ptr<const Material>& material,
+                                     int shaderPass, int count,
+                                     const MaterialPropertyBlock& properties = {});
+    /// The same with what the buffer holds when it is drawn, as five uint: indices an instance,
+    /// instances, first index, what is added to the indices, and 0. The device does not check them
+    /// (Mesh::GetIndexCount, GetIndexStart and GetBaseVertex give those of a sub-mesh).
+    /// @param bufferWithArgs  made with GraphicsBuffer::Target::IndirectArguments
+    /// @param argsOffset      of the first one, in bytes: a multiple of 4
+    /// @throws ContractError as DrawMesh does, and if the buffer is null, of other targets, or ends
+    ///         before they do
+    /// @source Unity: CommandBuffer.DrawMeshInstancedIndirect (2022.3)
+    void DrawMeshInstancedIndirect(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                   const std::shared_ptr<const Material>& material, int shaderPass,
+                                   const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
+                                   int argsOffset = 0,
+                                   const MaterialPropertyBlock& properties = {});
+    /// DrawProcedural with what the buffer holds when it is drawn, as four uint: vertices an
+    /// instance, instances, first vertex, and 0. SV_VertexID counts from the first vertex.
+    /// @throws ContractError as DrawProcedural does, and for the buffer as
+    ///         DrawMeshInstancedIndirect
+    /// @source Unity: CommandBuffer.DrawProceduralIndirect (2022.3)
+    void DrawProceduralIndirect(const glm::mat4& matrix,
+                                const std::shared_ptr<const Material>& material, int shaderPass,
+                                MeshTopology topology,
+                                const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
+                                int argsOffset = 0, const MaterialPropertyBlock& properties = {});
+
     /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
     /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
     /// right; object space is world space, and an orthographic camera sees just that, for these
@@ -372,12 +267,14 @@ public:
     /// @source Unity: CommandBuffer.DispatchCompute (2022.3)
     void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
                          int threadGroupsX, int threadGroupsY, int threadGroupsZ);
-    template <typename Shader>
-    void DispatchCompute(const Shader&, int, const std::shared_ptr<GraphicsBuffer>&, std::uint32_t)
-    {
-        static_assert(sizeof(Shader) == 0,
-                      "DispatchCompute: limn reads no group counts from a buffer");
-    }
+    /// The same with the counts of groups in x, y and z that the buffer holds when it is run, as
+    /// three uint. The device does not check them.
+    /// @param indirectBuffer  made with GraphicsBuffer::Target::IndirectArguments
+    /// @param argsOffset      of the first one, in bytes: a multiple of 4
+    /// @throws ContractError also if the buffer is null, of other targets, or ends before they do
+    void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
+                         std::shared_ptr<const GraphicsBuffer> indirectBuffer,
+                         std::uint32_t argsOffset);
 
     // ComputeShader::SetFloat and its like, done when the buffer is executed: for dispatches behind
     // it, and from then on. @throws ContractError if the shader is null, and as those do

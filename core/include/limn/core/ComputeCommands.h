@@ -14,6 +14,7 @@ struct RecordedDispatch
     std::shared_ptr<const ComputeShader> shader;
     int kernel = 0;
     std::array<std::uint32_t, 3> groups{};
+    BufferRange arguments; ///< with a buffer: it has the groups
 };
 
 struct SetComputeParamCommand

@@ -102,6 +102,9 @@ struct BufferSlot
     bool operator==(const BufferSlot&) const = default;
 };
 
+/// BufferSlot::binding of the buffer that says how much is drawn or run; shaders do not see it.
+inline constexpr std::uint32_t k_ArgumentsBinding = ~std::uint32_t{0};
+
 /// A texture that a kernel writes to.
 struct StorageTextureSlot
 {
@@ -121,6 +124,13 @@ struct DrawBindings
     std::vector<StorageTextureSlot> storageTextures; ///< of a dispatch
     std::optional<std::uint32_t> perDrawBinding;     ///< where limn_PerDraw is bound, if it is read
 
+    /// Where the device finds the draw's vkCmdDrawIndirect or vkCmdDrawIndexedIndirect arguments,
+    /// or the dispatch's; null = the command has its counts.
+    const BufferSlot* arguments() const
+    {
+        const bool has = !buffers.empty() && buffers.back().binding == k_ArgumentsBinding;
+        return has ? &buffers.back() : nullptr;
+    }
     bool operator==(const DrawBindings&) const = default;
 };
 
@@ -176,7 +186,7 @@ struct DrawCommand
     std::uint32_t setup = 0;       ///< of FrameTables::setups
     std::uint32_t mesh = k_NoMesh; ///< of FrameTables::meshes; none = SV_VertexID only
     int subMesh = 0;
-    std::uint32_t vertexCount = 0;   ///< without a mesh
+    std::uint32_t vertexCount = 0;   ///< without a mesh, and without DrawBindings::arguments
     std::uint32_t firstInstance = 0; ///< index into FrameTables::instances
     std::uint32_t instanceCount = 1;
     bool drawsObjects = false; ///< its instances are of FrameTables::objects, else of perDraw
@@ -202,8 +212,8 @@ struct DispatchSetup
 /// Runs a kernel; it minds no target.
 struct DispatchCommand
 {
-    std::uint32_t setup = 0; ///< of FrameTables::dispatchSetups
-    std::array<std::uint32_t, 3> groups{1, 1, 1};
+    std::uint32_t setup = 0;                      ///< of FrameTables::dispatchSetups
+    std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< without DrawBindings::arguments
     bool isKept = false; ///< it is run whether anything reads what it writes
 
     bool operator==(const DispatchCommand&) const = default;

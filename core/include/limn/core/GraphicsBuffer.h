@@ -28,12 +28,12 @@ public:
         Index = 2,
         CopySource = 4,
         CopyDestination = 8,
-        Structured = 16, ///< StructuredBuffer, RWStructuredBuffer
-        Raw = 32,        ///< ByteAddressBuffer, RWByteAddressBuffer
-        Append = 64,     ///< AppendStructuredBuffer, ConsumeStructuredBuffer
-        Counter = 128,   ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
-        IndirectArguments = 256,
-        Constant = 512 ///< cbuffer
+        Structured = 16,         ///< StructuredBuffer, RWStructuredBuffer
+        Raw = 32,                ///< ByteAddressBuffer, RWByteAddressBuffer
+        Append = 64,             ///< AppendStructuredBuffer, ConsumeStructuredBuffer
+        Counter = 128,           ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
+        IndirectArguments = 256, ///< of draws and dispatches; kernels may write them as the above
+        Constant = 512           ///< cbuffer
     };
 
     /// @param stride  bytes of one element: what a kernel's struct takes without padding between
@@ -41,7 +41,8 @@ public:
     ///                members
     /// @throws ContractError if count or stride is not positive, the stride of structured elements
     ///         is no multiple of 4 or above 2048, that of raw ones is not 4, or the target is none
-    ///         of those that limn binds: Structured, Raw, Append, Counter, Constant
+    ///         of those that limn binds: Structured, Raw, Append, Counter, IndirectArguments,
+    ///         Constant
     GraphicsBuffer(Target target, int count, int stride);
     GraphicsBuffer(const GraphicsBuffer&) = delete;
     GraphicsBuffer& operator=(const GraphicsBuffer&) = delete;
@@ -163,7 +164,8 @@ enum class ComputeBufferType
     Append = 2,
     Counter = 4,
     Constant = 8,
-    Structured = 16
+    Structured = 16,
+    IndirectArguments = 256
 };
 
 /// A GraphicsBuffer as older code makes it. Unity: UnityEngine.ComputeBuffer (2022.3).

@@ -70,6 +70,11 @@ public:
     const std::string& name() const { return m_Name; }
     const MeshData& data() const { return m_Data; }
     int subMeshCount() const { return static_cast<int>(m_Data.subMeshes.size()); }
+    /// Of a sub-mesh, as DrawMeshInstancedIndirect wants them.
+    /// @throws std::out_of_range if there is no such sub-mesh
+    std::uint32_t GetIndexCount(int submesh) const { return subMesh(submesh).indexCount; }
+    std::uint32_t GetIndexStart(int submesh) const { return subMesh(submesh).indexStart; }
+    std::uint32_t GetBaseVertex(int) const { return 0; }
     const SubMesh& subMesh(int index) const
     {
         return m_Data.subMeshes.at(static_cast<std::size_t>(index));

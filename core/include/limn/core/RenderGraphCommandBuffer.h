@@ -95,6 +95,31 @@ public:
         m_Native.DrawProcedural(matrix, std::move(material), shaderPass, topology, vertexCount,
                                 instanceCount, properties);
     }
+    void DrawMeshInstancedProcedural(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                     const std::shared_ptr<const Material>& material,
+                                     int shaderPass, int count,
+                                     const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMeshInstancedProcedural(mesh, submeshIndex, material, shaderPass, count,
+                                             properties);
+    }
+    void DrawMeshInstancedIndirect(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                   const std::shared_ptr<const Material>& material, int shaderPass,
+                                   const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
+                                   int argsOffset = 0, const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMeshInstancedIndirect(mesh, submeshIndex, material, shaderPass, bufferWithArgs,
+                                           argsOffset, properties);
+    }
+    void DrawProceduralIndirect(const glm::mat4& matrix,
+                                const std::shared_ptr<const Material>& material, int shaderPass,
+                                MeshTopology topology,
+                                const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
+                                int argsOffset = 0, const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawProceduralIndirect(matrix, material, shaderPass, topology, bufferWithArgs,
+                                        argsOffset, properties);
+    }
     /// @throws ContractError if the pass did not UseRendererList of it
     void DrawRendererList(const RendererListHandle& rendererList);
 
@@ -178,6 +203,12 @@ public:
     {
         m_Cmd.DispatchCompute(computeShader, kernelIndex, threadGroupsX, threadGroupsY,
                               threadGroupsZ);
+    }
+    void DispatchCompute(const std::shared_ptr<const ComputeShader>& computeShader, int kernelIndex,
+                         std::shared_ptr<const GraphicsBuffer> indirectBuffer,
+                         std::uint32_t argsOffset)
+    {
+        m_Cmd.DispatchCompute(computeShader, kernelIndex, std::move(indirectBuffer), argsOffset);
     }
     void SetComputeFloatParam(const Shader& computeShader, ShaderPropertyId id, float value)
     {

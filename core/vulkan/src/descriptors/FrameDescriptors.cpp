@@ -289,6 +289,12 @@ void FrameDescriptors::Use(const DrawBindings& bindings, std::uint64_t number)
     }
 }
 
+VkBuffer FrameDescriptors::Use(const std::shared_ptr<const GraphicsBuffer>& buffer,
+                               std::uint64_t number)
+{
+    return m_Resources.buffers.Use(buffer, number, m_Slot.uploads()).buffer.handle.get();
+}
+
 void FrameDescriptors::UseObjects(std::uint64_t number)
 {
     FrameRecording& recording = m_Slot.recording();

@@ -36,6 +36,8 @@ public:
                         std::uint64_t number);
     VkDescriptorSet Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
                         std::uint64_t number);
+    /// What no set binds: the device's own, with what was set until now.
+    VkBuffer Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number);
 
 private:
     void Use(const DrawBindings& bindings, std::uint64_t number);

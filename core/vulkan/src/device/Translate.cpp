@@ -273,13 +273,24 @@ VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers)
                : flag(ShaderStage::Vertex, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT) |
                      flag(ShaderStage::Geometry, VK_PIPELINE_STAGE_2_GEOMETRY_SHADER_BIT) |
                      flag(ShaderStage::Fragment, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT) |
-                     flag(ShaderStage::Compute, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
+                     flag(ShaderStage::Compute, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT) |
+                     flag(ShaderStage::Indirect, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT);
 }
 
 VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier)
 {
-    constexpr VkAccessFlags2 k_Read =
-        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
+    constexpr ShaderStage k_Functions =
+        ShaderStage::Both | ShaderStage::Geometry | ShaderStage::Compute;
+    const bool isAny = barrier.after == ShaderStage::None;
+    VkAccessFlags2 read = VK_ACCESS_2_NONE;
+    if (isAny || (barrier.after & k_Functions))
+    {
+        read |= VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
+    }
+    if (barrier.after & ShaderStage::Indirect)
+    {
+        read |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
+    }
     VkMemoryBarrier2 result{};
     result.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
     result.srcStageMask = ToPipelineStages(barrier.before);
@@ -287,7 +298,7 @@ VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier)
         barrier.wasWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE;
     result.dstStageMask = ToPipelineStages(barrier.after);
     result.dstAccessMask =
-        k_Read | (barrier.isWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE);
+        read | (barrier.isWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE);
     return result;
 }
 

@@ -178,8 +178,7 @@ void BoundState::BindMesh(const PreparedDraw& draw)
     if (draw.mesh != nullptr && m_IndexMesh != draw.mesh)
     {
         m_IndexMesh = draw.mesh;
-        vkCmdBindIndexBuffer(m_Commands, draw.mesh->buffer.handle.get(), draw.mesh->indexOffset,
-                             VK_INDEX_TYPE_UINT32);
+        vkCmdBindIndexBuffer(m_Commands, draw.mesh->buffer.handle.get(), 0, VK_INDEX_TYPE_UINT32);
     }
 }
 

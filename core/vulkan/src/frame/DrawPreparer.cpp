@@ -114,6 +114,7 @@ void DrawPreparer::Add(const DrawCommand& draw)
         }
     }
     UseMesh(draw);
+    m_Draw.arguments = ArgumentsOf(m_Tables.Setup(draw).bindings.get());
     AddRuns(draw);
     m_Frame.draws.push_back(m_Draw);
     m_Last = &draw;
@@ -134,7 +135,16 @@ void DrawPreparer::Add(const DispatchCommand& dispatch)
     {
         prepared.set = m_Descriptors.Get(dispatch, program, m_Number);
     }
+    prepared.arguments = ArgumentsOf(setup.bindings.get());
     m_Frame.dispatches.push_back(prepared);
+}
+
+PreparedArguments DrawPreparer::ArgumentsOf(const DrawBindings* bindings)
+{
+    const BufferSlot* slot = bindings != nullptr ? bindings->arguments() : nullptr;
+    return slot != nullptr
+               ? PreparedArguments{m_Descriptors.Use(slot->buffer, m_Number), slot->offset}
+               : PreparedArguments();
 }
 
 /// Of the textures that the kernel reads and writes, where the device reads one of them only if it
@@ -201,6 +211,10 @@ void DrawPreparer::AddRuns(const DrawCommand& draw)
     {
         PreparedRun run;
         run.instances = m_Descriptors.RunFrom(draw, done);
+        if (m_Draw.arguments.buffer != VK_NULL_HANDLE)
+        {
+            run.instances.base = 0; // the buffer's instances count from there
+        }
         if (isLikeLast && m_LastRun.instances.piece == run.instances.piece)
         {
             run.set = m_LastRun.set;

@@ -31,6 +31,7 @@ private:
     void UseState(const DrawSetup& setup);
     void UseMesh(const DrawCommand& draw);
     void AddRuns(const DrawCommand& draw);
+    PreparedArguments ArgumentsOf(const DrawBindings* bindings);
 
     const VulkanContext& m_Context;
     DeviceResources& m_Resources;

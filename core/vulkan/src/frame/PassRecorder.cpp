@@ -119,7 +119,11 @@ void PassRecorder::Run(const DrawCommand& draw)
     {
         const PreparedRun& run = m_Frame.runs[prepared.firstRun + i];
         m_Bound.BindRun(prepared, run);
-        if (prepared.mesh == nullptr)
+        if (prepared.arguments.buffer != VK_NULL_HANDLE)
+        {
+            DrawIndirect(prepared);
+        }
+        else if (prepared.mesh == nullptr)
         {
             vkCmdDraw(m_Commands, draw.vertexCount, run.instances.count, 0, run.instances.first);
         }
@@ -131,6 +135,19 @@ void PassRecorder::Run(const DrawCommand& draw)
     }
 }
 
+void PassRecorder::DrawIndirect(const PreparedDraw& draw) const
+{
+    const auto& [buffer, offset] = draw.arguments;
+    if (draw.mesh == nullptr)
+    {
+        vkCmdDrawIndirect(m_Commands, buffer, offset, 1, 0);
+    }
+    else
+    {
+        vkCmdDrawIndexedIndirect(m_Commands, buffer, offset, 1, 0);
+    }
+}
+
 void PassRecorder::Run(const DispatchCommand& dispatch)
 {
     const PreparedDispatch& prepared = m_Frame.dispatches[m_NextDispatch++];
@@ -139,6 +156,11 @@ void PassRecorder::Run(const DispatchCommand& dispatch)
     {
         vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepared.layout, 0, 1,
                                 &prepared.set, 0, nullptr);
+    }
+    if (prepared.arguments.buffer != VK_NULL_HANDLE)
+    {
+        vkCmdDispatchIndirect(m_Commands, prepared.arguments.buffer, prepared.arguments.offset);
+        return;
     }
     vkCmdDispatch(m_Commands, dispatch.groups[0], dispatch.groups[1], dispatch.groups[2]);
 }

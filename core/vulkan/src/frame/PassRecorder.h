@@ -20,6 +20,7 @@ private:
     void Run(const ClearCommand& clear);
     void Run(const SetViewportCommand& viewport);
     void Run(const DrawCommand& draw);
+    void DrawIndirect(const PreparedDraw& draw) const;
     void Run(const DispatchCommand& dispatch);
     void Run(const BeginSampleCommand& sample);
     void Run(const EndSampleCommand& sample);

@@ -13,6 +13,13 @@ struct PreparedRun
     InstanceRun instances;
 };
 
+/// Where an indirect command has its counts.
+struct PreparedArguments
+{
+    VkBuffer buffer = VK_NULL_HANDLE; ///< null = the command has them itself
+    VkDeviceSize offset = 0;
+};
+
 /// A draw with everything looked up.
 struct PreparedDraw
 {
@@ -23,6 +30,7 @@ struct PreparedDraw
     SubMesh indices;                  ///< of the mesh
     std::size_t firstRun = 0;         ///< of PreparedFrame::runs
     std::size_t runCount = 0;
+    PreparedArguments arguments;
 };
 
 /// A dispatch with everything looked up.
@@ -31,6 +39,7 @@ struct PreparedDispatch
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< null where the kernel binds nothing
+    PreparedArguments arguments;
 };
 
 struct PreparedPass

@@ -10,9 +10,9 @@ namespace
 {
 
 constexpr VkPipelineStageFlags2 k_CopyStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-constexpr VkAccessFlags2 k_ShaderAccess = VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-                                          VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
-                                          VK_ACCESS_2_UNIFORM_READ_BIT;
+constexpr VkAccessFlags2 k_ShaderAccess =
+    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+    VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
 
 void RecordBetween(VkCommandBuffer commands, const UsageScope& from, const UsageScope& to)
 {
@@ -29,7 +29,9 @@ const UsageScope k_Copied{VK_IMAGE_LAYOUT_UNDEFINED, k_CopyStages, VK_ACCESS_2_T
 
 UsageScope ShaderScope()
 {
-    return {VK_IMAGE_LAYOUT_UNDEFINED, ToPipelineStages(ShaderStage::None) | k_CopyStages,
+    return {VK_IMAGE_LAYOUT_UNDEFINED,
+            ToPipelineStages(ShaderStage::None) | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
+                k_CopyStages,
             k_ShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 }
 
@@ -90,6 +92,7 @@ PooledBuffer& BufferPool::Add(const std::shared_ptr<const GraphicsBuffer>& buffe
                            m_Allocator,
                            (size + 3) / 4 * 4, // of so many bytes vkCmdFillBuffer fills a multiple
                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                               VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                                VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                            MemoryUse::Gpu,
                            buffer->name()};

@@ -24,10 +24,12 @@ std::array<std::array<float, 4>, k_VertexAttributeCount + 1> Constants()
     return constants;
 }
 
-/// Lays the mesh out and returns the bytes needed, at least 4: Vulkan has no empty buffers.
+/// Lays the mesh out and returns the bytes needed, at least 4: Vulkan has no empty buffers. The
+/// indices come first: lavapipe 22.3.6 draws nothing of vkCmdDrawIndexedIndirect where they are
+/// bound at an offset.
 VkDeviceSize LayOut(const MeshData& data, PooledMesh& pooled)
 {
-    VkDeviceSize end = 0;
+    VkDeviceSize end = Bytes(data.triangles).size();
     for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
     {
         const VertexAttribute& attribute = VertexAttributes()[i];
@@ -35,8 +37,7 @@ VkDeviceSize LayOut(const MeshData& data, PooledMesh& pooled)
         pooled.arrays[i] = {end, values.empty() ? 0 : attribute.components * sizeof(float)};
         end += values.size_bytes();
     }
-    pooled.indexOffset = end;
-    return std::max<VkDeviceSize>(end + Bytes(data.triangles).size(), 4);
+    return std::max<VkDeviceSize>(end, 4);
 }
 
 void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
@@ -48,11 +49,11 @@ void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
             std::memcpy(target + offset, bytes.data(), bytes.size());
         }
     };
+    copy(Bytes(data.triangles), 0);
     for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
     {
         copy(std::as_bytes(VertexAttributes()[i].values(data)), pooled.arrays[i].offset);
     }
-    copy(Bytes(data.triangles), pooled.indexOffset);
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 namespace limn::vulkan
 {
 
-/// The buffer behind one mesh: its attribute arrays and then its indices.
+/// The buffer behind one mesh: its indices and then its attribute arrays.
 struct PooledMesh
 {
     struct Array
@@ -19,7 +19,6 @@ struct PooledMesh
     std::weak_ptr<const Mesh> owner;
     Buffer buffer;
     std::array<Array, k_VertexAttributeCount> arrays; ///< by VertexAttributes()
-    VkDeviceSize indexOffset = 0;
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;
 };

@@ -19,7 +19,8 @@ enum class ShaderStage : std::uint8_t
     Fragment = 2,
     Both = 3,
     Geometry = 4,
-    Compute = 8
+    Compute = 8,
+    Indirect = 16 ///< no function: what reads a draw's or dispatch's arguments from a buffer
 };
 constexpr ShaderStage operator|(ShaderStage a, ShaderStage b)
 {
@@ -189,6 +190,10 @@ struct ShaderProgram
 
     bool operator==(const ShaderProgram&) const = default;
 };
+
+/// The keyword of variants for draws whose instances share one element of `limn_PerDraw`, as those
+/// that take their counts from a buffer; no program has to declare it. Unity's name.
+inline constexpr std::string_view k_ProceduralInstancing = "PROCEDURAL_INSTANCING_ON";
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <limn/core/ComputeCommands.h>
+#include <limn/core/FrameCommands.h>
+#include <limn/core/GlobalKeyword.h>
+#include <limn/core/Material.h>
+#include <limn/core/RenderTargetIdentifier.h>
+#include <variant>
+#include <vector>
+
+namespace limn
+{
+
+struct RendererListParams;
+
+/// A draw as recorded: the material is looked at when the buffer is executed.
+struct RecordedDraw
+{
+    std::shared_ptr<const Mesh> mesh; ///< null = procedural
+    int subMesh = 0;
+    std::uint32_t vertexCount = 0; ///< procedural
+    glm::dmat4 matrix{1.0}; ///< in double: far away from the world's origin a float is coarse
+    std::shared_ptr<const Material> material;
+    int shaderPass = 0;
+    std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
+    RenderingLayerMask renderingLayers{1};
+    std::uint32_t instanceCount = 1; ///< procedural
+    MeshTopology topology = MeshTopology::Triangles;
+    bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
+    /// Its instances share what shaders get to know of the draw: see k_ProceduralInstancing.
+    bool isProcedural = false;
+    BufferRange arguments; ///< with a buffer: it has the draw's counts
+
+    static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
+};
+
+struct SetGlobalCommand
+{
+    ShaderPropertyId id;
+    ShaderPropertyValue value;
+};
+
+struct SetKeywordCommand
+{
+    GlobalKeyword keyword;
+    bool isOn = false;
+
+    bool operator==(const SetKeywordCommand&) const = default;
+};
+
+/// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
+struct SetViewProjectionCommand
+{
+    glm::dmat4 view{1.0};
+    glm::mat4 gpuProjection{1.0f};
+    bool inverses = false;
+};
+
+// What names its textures by identifiers, which are looked up when the buffer is executed.
+
+struct GetTemporaryRTCommand
+{
+    ShaderPropertyId id;
+    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's
+    FilterMode filter = FilterMode::Point;
+};
+
+struct ReleaseTemporaryRTCommand
+{
+    ShaderPropertyId id;
+};
+
+struct SetIdentifiedTargetCommand
+{
+    std::vector<RenderTargetIdentifier> colors;
+    RenderTargetIdentifier depth; ///< none = what belongs to the colour, if there is one of them
+};
+
+struct SetCameraColorCommand
+{
+    RTHandle color;
+};
+
+struct SetGlobalIdentifierCommand
+{
+    ShaderPropertyId id;
+    RenderTargetIdentifier value;
+};
+
+struct IdentifiedBlitCommand
+{
+    RenderTargetIdentifier source;
+    RenderTargetIdentifier dest;
+    std::shared_ptr<const Material> material; ///< null = a plain copy
+    int pass = -1;
+};
+
+/// Onto what is bound.
+struct CopyDrawCommand
+{
+    RenderTargetIdentifier source;
+    glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
+    bool isBilinear = false; ///< else the nearest texel
+    float mipLevel = 0.0f;
+};
+
+struct CopyTextureCommand
+{
+    RenderTargetIdentifier source;
+    RenderTargetIdentifier dest;
+};
+
+struct GenerateMipsCommand
+{
+    RenderTargetIdentifier texture;
+};
+
+// What holds for all draws that follow, whichever buffer they are of.
+
+struct SetScissorCommand
+{
+    std::optional<ViewportRect> rect; ///< none = the whole target
+};
+
+struct SetInvertCullingCommand
+{
+    bool isInverted = false;
+};
+
+struct SetGlobalDepthBiasCommand
+{
+    float bias = 0.0f;
+    float slopeBias = 0.0f;
+};
+
+struct DrawRendererListCommand
+{
+    std::shared_ptr<const RendererListParams> list; ///< never null
+};
+
+using RecordedCommand =
+    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
+                 SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
+                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
+                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
+                 GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
+                 SetComputeTextureCommand, SetComputeKeywordCommand>;
+
+} // namespace limn
