@@ -1,6 +1,8 @@
 #include "graph/RenderGraphPass.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limn/core/UniversalRenderer.h>
 
 namespace limn
@@ -14,7 +16,19 @@ constexpr int k_BilinearPass = 1;
 
 SamplerState SamplerOf(const TextureDesc& desc)
 {
-    return {desc.filterMode, desc.wrapMode, desc.wrapMode, desc.wrapMode, false};
+    SamplerState sampler{desc.filterMode, desc.wrapMode, desc.wrapMode, desc.wrapMode};
+    sampler.anisoLevel = desc.anisoLevel;
+    sampler.mipMapBias = desc.mipMapBias;
+    return sampler;
+}
+
+glm::ivec2 SizeForCamera(const TextureDesc& desc)
+{
+    const std::string subject = "CreateTexture '" + desc.name + "'";
+    const RTHandles::ScaleFunc scale = desc.sizeMode == TextureSizeMode::Scale
+                                           ? ScaleBy(desc.scale, subject)
+                                           : ScaleBy(desc.func, subject);
+    return glm::max(scale({RTHandles::maxWidth(), RTHandles::maxHeight()}), glm::ivec2(1));
 }
 
 std::string Describe(const RenderTexture& texture)
@@ -41,15 +55,27 @@ TextureDesc::TextureDesc(const RenderTextureDescriptor& descriptor)
       format(descriptor.graphicsFormat),
       depthBufferBits(static_cast<DepthBits>(descriptor.depthBufferBits)),
       msaaSamples(static_cast<MSAASamples>(descriptor.msaaSamples)),
-      enableRandomWrite(descriptor.enableRandomWrite)
+      enableRandomWrite(descriptor.enableRandomWrite),
+      useMipMap(descriptor.useMipMap),
+      autoGenerateMips(descriptor.autoGenerateMips),
+      dimension(descriptor.dimension),
+      slices(descriptor.volumeDepth),
+      bindTextureMS(descriptor.bindMS)
 {
 }
 
 RenderTextureDescriptor TextureDesc::descriptor() const
 {
-    RenderTextureDescriptor result(width, height, format, static_cast<int>(depthBufferBits));
+    const glm::ivec2 size =
+        sizeMode == TextureSizeMode::Explicit ? glm::ivec2(width, height) : SizeForCamera(*this);
+    RenderTextureDescriptor result(size.x, size.y, format, static_cast<int>(depthBufferBits));
     result.msaaSamples = static_cast<int>(msaaSamples);
     result.enableRandomWrite = enableRandomWrite;
+    result.useMipMap = useMipMap;
+    result.autoGenerateMips = autoGenerateMips;
+    result.dimension = dimension;
+    result.volumeDepth = slices;
+    result.bindMS = bindTextureMS;
     return result;
 }
 

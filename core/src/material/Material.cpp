@@ -4,6 +4,8 @@
 #include "material/RequireFinite.h"
 #include "scene/UniqueId.h"
 #include <limn/core/Material.h>
+
+#include "material/PropertyValues.h"
 #include <limn/core/RenderQueueRange.h>
 #include <limn/shaderlab/Case.h>
 
@@ -32,23 +34,22 @@ bool isOneOf(const ShaderProperty* property, std::initializer_list<ShaderPropert
     return property != nullptr && std::ranges::find(types, property->type) != types.end();
 }
 
+ShaderPropertyId MainProperty(const Shader& shader, std::string_view attribute,
+                              std::string_view usual)
+{
+    for (const ShaderProperty& property : shader.document().properties)
+    {
+        if (property.HasAttribute(attribute))
+        {
+            return ShaderPropertyId(property.name);
+        }
+    }
+    return ShaderPropertyId(usual);
+}
+
 ShaderPropertyId ScaleOffsetId(ShaderPropertyId texture)
 {
     return ShaderPropertyId(texture.name() + "_ST");
-}
-
-/// @return null where there is no value of this kind
-template <typename Kind>
-const Kind* As(const ShaderPropertyValue* value)
-{
-    return value != nullptr ? std::get_if<Kind>(value) : nullptr;
-}
-
-template <typename Kind>
-Kind CopyOf(const ShaderPropertyValue* value)
-{
-    const auto* kind = As<Kind>(value);
-    return kind != nullptr ? *kind : Kind();
 }
 
 } // namespace
@@ -251,6 +252,23 @@ std::vector<glm::vec4> Material::GetVectorArray(ShaderPropertyId id) const
 std::vector<glm::mat4> Material::GetMatrixArray(ShaderPropertyId id) const
 {
     return CopyOf<std::vector<glm::mat4>>(Find(id));
+}
+
+ShaderPropertyId Material::MainColorId() const
+{
+    return MainProperty(*m_Shader, "MainColor", "_Color");
+}
+
+ShaderPropertyId Material::MainTextureId() const
+{
+    return MainProperty(*m_Shader, "MainTexture", "_MainTex");
+}
+
+std::string Material::GetTag(std::string_view tag, bool /*searchFallbacks*/,
+                             std::string_view defaultValue) const
+{
+    const std::string* value = m_Shader->subShader().tags.Find(tag);
+    return value != nullptr ? *value : std::string(defaultValue);
 }
 
 bool Material::HasProperty(ShaderPropertyId id) const

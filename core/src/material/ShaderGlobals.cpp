@@ -33,6 +33,13 @@ std::uint64_t ShaderGlobals::version()
     return Globals().version;
 }
 
+std::optional<ShaderPropertyValue> ShaderGlobals::Find(ShaderPropertyId id)
+{
+    const std::lock_guard lock(Globals().mutex);
+    const auto found = Globals().values.find(id);
+    return found != Globals().values.end() ? std::optional(found->second) : std::nullopt;
+}
+
 void ShaderGlobals::ForEach(
     const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function)
 {
@@ -45,9 +52,7 @@ void ShaderGlobals::ForEach(
 
 bool Shader::IsKeywordEnabled(std::string_view keyword)
 {
-    const std::lock_guard lock(Globals().mutex);
-    const auto found = Globals().values.find(GlobalKeyword(keyword).id());
-    return found != Globals().values.end() && found->second == ShaderPropertyValue(1);
+    return ShaderGlobals::Find(GlobalKeyword(keyword).id()) == ShaderPropertyValue(1);
 }
 
 void Shader::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)

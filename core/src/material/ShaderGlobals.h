@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limn/core/MaterialPropertyBlock.h>
+#include <optional>
 
 namespace limn
 {
@@ -12,6 +13,7 @@ namespace ShaderGlobals
 
 /// Grows with every change; 0 = there was none.
 std::uint64_t version();
+std::optional<ShaderPropertyValue> Find(ShaderPropertyId id);
 void ForEach(const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function);
 
 } // namespace ShaderGlobals

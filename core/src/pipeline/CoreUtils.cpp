@@ -170,4 +170,17 @@ void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
 
 } // namespace Blitter
 
+const std::shared_ptr<const Mesh>& RenderingUtils::fullscreenMesh()
+{
+    static const auto mesh = []
+    {
+        MeshData data;
+        data.vertices = {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}};
+        data.uv = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+        data.triangles = {0, 1, 2, 0, 2, 3};
+        return std::make_shared<const Mesh>("Fullscreen Quad", std::move(data));
+    }();
+    return mesh;
+}
+
 } // namespace limn

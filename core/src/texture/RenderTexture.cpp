@@ -27,6 +27,32 @@ GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& 
     }
 }
 
+SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState sampler)
+{
+    sampler.comparison =
+        sampler.comparison || descriptor.shadowSamplingMode == ShadowSamplingMode::CompareDepths;
+    return sampler;
+}
+
+/// What has no meaning here and is not to be passed over in silence.
+void RefuseWhatThereIsNot(const std::string& name, const RenderTextureDescriptor& descriptor)
+{
+    const auto refuse = [&](bool isRefused, const std::string& what)
+    {
+        if (isRefused)
+        {
+            throw ContractError("texture '" + name + "': " + what);
+        }
+    };
+    refuse(descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1,
+           std::string("dimension ") + ToString(descriptor.dimension) + " and volumeDepth " +
+               std::to_string(descriptor.volumeDepth) +
+               "; what passes draw into is 2D, of a volumeDepth of 1");
+    refuse(descriptor.vrUsage != VRTextureUsage::None,
+           "vrUsage is not VRTextureUsage::None; there is no XR");
+    refuse(descriptor.bindMS, "bindMS; shaders see one sample a texel, resolved");
+}
+
 TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
 {
     TextureShape shape{TextureDimension::Tex2D, descriptor.width, descriptor.height};
@@ -39,12 +65,31 @@ TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
 
 } // namespace
 
+GraphicsFormat RenderTextureDescriptor::depthStencilFormat() const
+{
+    return depthBufferBits == 0 ? GraphicsFormat::None : FormatOf("descriptor", *this);
+}
+
+void RenderTextureDescriptor::SetDepthStencilFormat(GraphicsFormat format)
+{
+    if (format != GraphicsFormat::None && !IsDepthFormat(format))
+    {
+        throw ContractError(std::string("SetDepthStencilFormat: ") + ToString(format) +
+                            " is no depth format");
+    }
+    depthBufferBits = format == GraphicsFormat::None         ? 0
+                      : format == GraphicsFormat::D32_SFloat ? 16
+                                                             : 32;
+}
+
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                              SamplerState sampler, bool transient)
-    : Texture(name, ShapeOf(descriptor), FormatOf(name, descriptor), sampler),
+    : Texture(name, ShapeOf(descriptor), FormatOf(name, descriptor),
+              SamplerFor(descriptor, sampler)),
       m_Descriptor(descriptor),
       m_Transient(transient)
 {
+    RefuseWhatThereIsNot(this->name(), descriptor);
     const int samples = descriptor.msaaSamples;
     if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
     {

@@ -11,10 +11,16 @@ namespace limn
 namespace
 {
 
-glm::ivec2& ReferenceSize()
+struct Reference
 {
-    static thread_local glm::ivec2 size(1);
-    return size;
+    glm::ivec2 size{1};
+    glm::ivec2 previous{1};
+};
+
+Reference& OfThread()
+{
+    static thread_local Reference reference;
+    return reference;
 }
 
 SamplerState SamplerWith(FilterMode filterMode, TextureWrapMode wrapMode)
@@ -48,7 +54,43 @@ void RTHandles::SetReferenceSize(int width, int height)
         throw ContractError("SetReferenceSize: " + std::to_string(width) + "x" +
                             std::to_string(height) + "; both must be greater than 0");
     }
-    ReferenceSize() = {width, height};
+    Reference& reference = OfThread();
+    reference.previous = std::exchange(reference.size, {width, height});
+}
+
+int RTHandles::maxWidth()
+{
+    return OfThread().size.x;
+}
+
+int RTHandles::maxHeight()
+{
+    return OfThread().size.y;
+}
+
+RTHandleProperties RTHandles::rtHandleProperties()
+{
+    const Reference& reference = OfThread();
+    return {reference.previous, reference.previous, reference.size, reference.size};
+}
+
+RTHandleProperties RTHandle::rtHandleProperties() const
+{
+    return RTHandles::rtHandleProperties();
+}
+
+glm::ivec2 RTHandle::GetScaledSize(const glm::ivec2& refSize) const
+{
+    if (m_Scaled)
+    {
+        return m_Scaled->SizeFor(refSize);
+    }
+    return m_Texture ? glm::ivec2(m_Texture->width(), m_Texture->height()) : glm::ivec2(0);
+}
+
+glm::ivec2 ScaledTexture::SizeFor(const glm::ivec2& camera) const
+{
+    return glm::max(m_Scale(camera), glm::ivec2(1));
 }
 
 ScaledTexture::ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDescriptor& descriptor,
@@ -63,10 +105,10 @@ ScaledTexture::ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDesc
 
 const std::shared_ptr<const RenderTexture>& ScaledTexture::texture()
 {
-    const glm::ivec2 camera = ReferenceSize();
+    const glm::ivec2 camera = OfThread().size;
     if (!m_Texture || m_CameraSize != camera)
     {
-        const glm::ivec2 size = glm::max(m_Scale(camera), glm::ivec2(1));
+        const glm::ivec2 size = SizeFor(camera);
         RenderTextureDescriptor descriptor = m_Descriptor;
         descriptor.width = size.x;
         descriptor.height = size.y;
@@ -79,32 +121,42 @@ const std::shared_ptr<const RenderTexture>& ScaledTexture::texture()
     return m_Texture;
 }
 
+RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const std::string& subject)
+{
+    if (!(factor.x > 0.0f) || !(factor.y > 0.0f))
+    {
+        throw ContractError(subject + ": the scale factor is " + std::to_string(factor.x) + ", " +
+                            std::to_string(factor.y) + "; both must be greater than 0");
+    }
+    return [factor](const glm::ivec2& size)
+    {
+        return glm::ivec2(Scaled(size.x, factor.x), Scaled(size.y, factor.y));
+    };
+}
+
+RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const std::string& subject)
+{
+    if (!function)
+    {
+        throw ContractError(subject + ": the scale function is empty");
+    }
+    return function;
+}
+
 RTHandle RTHandles::Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& descriptor,
                           FilterMode filterMode, TextureWrapMode wrapMode, std::string name)
 {
-    if (!scaleFunc)
-    {
-        throw ContractError("RTHandles::Alloc '" + name + "': the scale function is empty");
-    }
+    auto scale = ScaleBy(std::move(scaleFunc), "RTHandles::Alloc '" + name + "'");
     return RTHandle(std::make_shared<ScaledTexture>(
-        std::move(scaleFunc), descriptor, SamplerWith(filterMode, wrapMode), std::move(name)));
+        std::move(scale), descriptor, SamplerWith(filterMode, wrapMode), std::move(name)));
 }
 
 RTHandle RTHandles::Alloc(const glm::vec2& scaleFactor, const RenderTextureDescriptor& descriptor,
                           FilterMode filterMode, TextureWrapMode wrapMode, std::string name)
 {
-    if (!(scaleFactor.x > 0.0f) || !(scaleFactor.y > 0.0f))
-    {
-        throw ContractError("RTHandles::Alloc '" + name + "': the scale factor is " +
-                            std::to_string(scaleFactor.x) + ", " + std::to_string(scaleFactor.y) +
-                            "; both must be greater than 0");
-    }
-    const auto scale = [scaleFactor](const glm::ivec2& size)
-    {
-        return glm::ivec2(Scaled(size.x, scaleFactor.x), Scaled(size.y, scaleFactor.y));
-    };
+    auto scale = ScaleBy(scaleFactor, "RTHandles::Alloc '" + name + "'");
     auto texture = std::make_shared<ScaledTexture>(
-        scale, descriptor, SamplerWith(filterMode, wrapMode), std::move(name));
+        std::move(scale), descriptor, SamplerWith(filterMode, wrapMode), std::move(name));
     texture->factor = scaleFactor;
     return RTHandle(std::move(texture));
 }

@@ -5,6 +5,13 @@
 namespace limn
 {
 
+/// Times the factor, rounded.
+/// @param subject  for messages: "RTHandles::Alloc 'X'"
+/// @throws ContractError for a factor that is not positive
+RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const std::string& subject);
+/// @throws ContractError if it is empty
+RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const std::string& subject);
+
 /// A texture whose size is worked out from the camera's.
 class ScaledTexture
 {
@@ -15,6 +22,8 @@ public:
 
     /// Of the size for the camera now.
     const std::shared_ptr<const RenderTexture>& texture();
+
+    glm::ivec2 SizeFor(const glm::ivec2& camera) const;
 
     glm::vec2 factor{0.0f}; ///< that it was made with; 0 for one of a function
 

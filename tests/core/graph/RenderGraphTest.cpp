@@ -180,6 +180,46 @@ TEST_F(RenderGraphFrame, GivesEachHandleATextureAndTheNextFrameTheSameOnes)
     EXPECT_TRUE(textures[2].rt()->isTransient());
 }
 
+TEST_F(RenderGraphFrame, MakesTexturesOfAPartOfTheCamerasSizeAndWithMips)
+{
+    std::vector<TextureHandle> made;
+    Add(
+        [&](RenderGraph& graph, ContextContainer&)
+        {
+            TextureDesc scaled(glm::vec2(0.5f, 2.0f));
+            scaled.name = "_Scaled";
+            scaled.useMipMap = true;
+            scaled.anisoLevel = 4;
+            TextureDesc byFunction([](const glm::ivec2& size) { return size / 3; });
+            byFunction.name = "_ByFunction";
+            made = {graph.CreateTexture(scaled), graph.CreateTexture(byFunction),
+                    TextureHandle::nullHandle};
+        });
+    Render(); // 8x4
+    ASSERT_EQ(made.size(), 3u);
+    EXPECT_EQ(made[0].rt()->width(), 4);
+    EXPECT_EQ(made[0].rt()->height(), 8);
+    EXPECT_EQ(made[0].rt()->mipmapCount(), 4);
+    EXPECT_EQ(made[0].rt()->sampler().anisoLevel, 4);
+    EXPECT_EQ(made[1].rt()->width(), 2);
+    EXPECT_EQ(made[1].rt()->height(), 1);
+    EXPECT_FALSE(made[2].IsValid());
+    EXPECT_FALSE(RendererListHandle::nullHandle.IsValid());
+}
+
+TEST_F(RenderGraphFrame, NamesATextureOfNoSize)
+{
+    const auto message = [](const TextureDesc& desc)
+    {
+        return test::ThrownMessage<ContractError>([&] { desc.descriptor(); });
+    };
+    EXPECT_EQ(message(TextureDesc(glm::vec2(0.0f, 1.0f))),
+              "CreateTexture '': the scale factor is 0.000000, 1.000000; both must be greater than "
+              "0");
+    EXPECT_EQ(message(TextureDesc(RTHandles::ScaleFunc())),
+              "CreateTexture '': the scale function is empty");
+}
+
 TEST_F(RenderGraphFrame, IsWorkedOutOnceWhileFramesRecordTheSame)
 {
     m_Request.compile.leavesOut = true;

@@ -250,5 +250,23 @@ TEST_F(GlobalKeywords, AreValuesWhereTheShaderBranchesOnThem)
     EXPECT_EQ(value, 1);
 }
 
+TEST(LocalKeywords, SwitchThoseOfTheirShader)
+{
+    const auto shader = test::ShaderWithProgram(
+        "", "#pragma multi_compile _ B_ON A_ON\n#pragma shader_feature_local C_ON\n");
+    Material material(shader);
+    const LocalKeyword keyword(*shader, "A_ON");
+    EXPECT_EQ(keyword.name(), "A_ON");
+    material.SetKeyword(keyword, true);
+    EXPECT_TRUE(material.IsKeywordEnabled("A_ON"));
+    material.DisableKeyword(keyword);
+    EXPECT_FALSE(material.IsKeywordEnabled(keyword));
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { LocalKeyword(*shader, "A_OFF"); }),
+              "shader 'Test/Program' has no keyword 'A_OFF'; it has A_ON, B_ON, C_ON");
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [&] { LocalKeyword(*test::ShaderWithProgram(""), "A_ON"); }),
+              "shader 'Test/Program' has no keyword 'A_ON'; it has none");
+}
+
 } // namespace
 } // namespace limn

@@ -56,5 +56,36 @@ TEST(MaterialPropertyBlock, HoldsTheLastValueOfEachNameThatIsNotRemoved)
     }
 }
 
+TEST(MaterialPropertyBlock, GivesWhatWasSetAndElseNothing)
+{
+    const ShaderPropertyId id{"GivesWhatWasSet"};
+    MaterialPropertyBlock block;
+    EXPECT_FALSE(block.HasProperty(id));
+    EXPECT_EQ(block.GetFloat(id), 0.0f);
+    EXPECT_EQ(block.GetColor(id), Color::clear);
+    EXPECT_EQ(block.GetMatrix(id), glm::mat4(0.0f));
+    EXPECT_EQ(block.GetTexture(id), nullptr);
+    EXPECT_TRUE(block.GetFloatArray(id).empty());
+    block.SetFloat(id, 2.75f);
+    EXPECT_EQ(block.GetFloat(id), 2.75f);
+    EXPECT_EQ(block.GetInt(id), 2);
+    EXPECT_TRUE(block.HasFloat(id));
+    EXPECT_FALSE(block.HasInt(id));
+    EXPECT_EQ(block.GetVector(id), glm::vec4(0.0f)) << "of another kind";
+    block.SetInteger(id, -3);
+    EXPECT_EQ(block.GetInteger(id), -3);
+    EXPECT_EQ(block.GetFloat(id), -3.0f);
+    block.SetVector(id, {1, 2, 3, 4});
+    EXPECT_EQ(block.GetVector(id), glm::vec4(1, 2, 3, 4));
+    EXPECT_TRUE(block.HasVector(id));
+    EXPECT_FALSE(block.HasColor(id));
+    block.SetColor(id, {0.5f, 1.0f, 0.0f, 0.25f});
+    EXPECT_EQ(block.GetColor(id), Color(0.5f, 1.0f, 0.0f, 0.25f));
+    EXPECT_NEAR(block.GetVector(id).x, 0.21404114, 1e-6) << "((0.5 + 0.055) / 1.055)^2.4";
+    EXPECT_EQ(block.GetVector(id).w, 0.25f);
+    block.SetVectorArray(id, {glm::vec4(1), glm::vec4(2)});
+    EXPECT_EQ(block.GetVectorArray(id), (std::vector<glm::vec4>{glm::vec4(1), glm::vec4(2)}));
+}
+
 } // namespace
 } // namespace limn

@@ -181,5 +181,31 @@ TEST(MaterialColorArray, ReachesShadersLinear)
     EXPECT_EQ(values[3], 0.25f);
 }
 
+TEST(MaterialMainProperties, AreThoseWithTheAttributesOrTheUsualNames)
+{
+    const auto make = [](const std::string& properties)
+    {
+        return Material(test::ShaderOf("Shader \"Test/Main\" { Properties {\n" + properties +
+                                       "} SubShader { Tags { \"Queue\" = \"Overlay\" "
+                                       "\"RenderType\" = \"Opaque\" } Pass { } } }"));
+    };
+    Material plain =
+        make("_Color (\"\", Color) = (1, 0, 0, 1)\n_MainTex (\"\", 2D) = \"white\" {}\n");
+    EXPECT_EQ(plain.color(), Color::red);
+    plain.SetColor(Color::blue);
+    EXPECT_EQ(plain.GetColor("_Color"), Color::blue);
+    EXPECT_EQ(plain.mainTexture(), nullptr);
+    plain.SetMainTextureScale({2, 3});
+    EXPECT_EQ(plain.GetTextureScale("_MainTex"), glm::vec2(2, 3));
+    EXPECT_EQ(plain.GetTag("renderType", false), "Opaque");
+    EXPECT_EQ(plain.GetTag("Other", true, "none"), "none");
+    Material named = make("_Color (\"\", Color) = (1, 0, 0, 1)\n"
+                          "[MainColor] _BaseColor (\"\", Color) = (0, 1, 0, 1)\n"
+                          "[MainTexture] _BaseMap (\"\", 2D) = \"white\" {}\n");
+    EXPECT_EQ(named.color(), Color::green);
+    named.SetMainTextureOffset({0.5f, 0.25f});
+    EXPECT_EQ(named.GetTextureOffset("_BaseMap"), glm::vec2(0.5f, 0.25f));
+}
+
 } // namespace
 } // namespace limn

@@ -137,5 +137,21 @@ TEST_F(ShaderGlobalValues, AreRefusedWhereNoShaderCanUseThem)
               "command buffer can look up; use SetGlobalTexture");
 }
 
+TEST_F(ShaderGlobalValues, AreThereToBeAskedFor)
+{
+    const ShaderPropertyId id{"AreThereToBeAskedFor"};
+    EXPECT_EQ(Shader::GetGlobalFloat(id), 0.0f);
+    EXPECT_EQ(Shader::GetGlobalTexture(id), nullptr);
+    Shader::SetGlobalFloat(id, 1.5f);
+    EXPECT_EQ(Shader::GetGlobalFloat(id), 1.5f);
+    EXPECT_EQ(Shader::GetGlobalInteger(id), 1);
+    Shader::SetGlobalColor(id, {0.5f, 2.0f, 0.0f, 1.0f});
+    EXPECT_EQ(Shader::GetGlobalColor(id), Color(0.5f, 2.0f, 0.0f, 1.0f));
+    EXPECT_EQ(Shader::GetGlobalVector(id), glm::vec4(0.5f, 2.0f, 0.0f, 1.0f));
+    Shader::SetGlobalMatrix(id, glm::mat4(3.0f));
+    EXPECT_EQ(Shader::GetGlobalMatrix(id), glm::mat4(3.0f));
+    EXPECT_EQ(Shader::GetGlobalFloat(id), 0.0f) << "of another kind";
+}
+
 } // namespace
 } // namespace limn

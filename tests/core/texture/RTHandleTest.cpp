@@ -233,5 +233,25 @@ TEST(ScaledHandles, AreRefusedWithoutASize)
               "SetReferenceSize: 0x1; both must be greater than 0");
 }
 
+TEST(ScaledHandles, TellTheSizeThatTheyHaveForACamera)
+{
+    RTHandles::Initialize(100, 60);
+    RTHandles::ResetReferenceSize(40, 30);
+    const RTHandle half = RTHandles::Alloc(glm::vec2(0.5f), {1, 1, GraphicsFormat::R8_UNorm});
+    EXPECT_EQ(half.GetScaledSize({21, 9}), glm::ivec2(11, 5)); // 10.5 and 4.5, away from zero
+    EXPECT_EQ(RTHandles::Alloc({7, 3, GraphicsFormat::R8_UNorm}).GetScaledSize({21, 9}),
+              glm::ivec2(7, 3));
+    EXPECT_EQ(RTHandle().GetScaledSize({21, 9}), glm::ivec2(0));
+    EXPECT_EQ(RTHandles::maxWidth(), 40);
+    EXPECT_EQ(RTHandles::maxHeight(), 30);
+    const RTHandleProperties properties = half.rtHandleProperties();
+    EXPECT_EQ(properties.previousViewportSize, glm::ivec2(100, 60));
+    EXPECT_EQ(properties.currentRenderTargetSize, glm::ivec2(40, 30));
+    EXPECT_EQ(properties.rtHandleScale, glm::vec4(1.0f));
+    RTHandle released = half;
+    RTHandles::Release(released);
+    EXPECT_FALSE(released);
+}
+
 } // namespace
 } // namespace limn

@@ -111,5 +111,49 @@ TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
               "texture 'a': useMipMap of a depth texture; only a colour has mip levels");
 }
 
+TEST(RenderTexture, RefusesWhatADescriptorMayAskForInVain)
+{
+    const auto message = [](auto change)
+    {
+        RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+        change(descriptor);
+        return ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); });
+    };
+    EXPECT_EQ(message([](auto& d) { d.dimension = TextureDimension::Cube; }),
+              "texture 't': dimension Cube and volumeDepth 1; what passes draw into is 2D, of a "
+              "volumeDepth of 1");
+    EXPECT_EQ(message([](auto& d) { d.volumeDepth = 2; }),
+              "texture 't': dimension 2D and volumeDepth 2; what passes draw into is 2D, of a "
+              "volumeDepth of 1");
+    EXPECT_EQ(message([](auto& d) { d.vrUsage = VRTextureUsage::TwoEyes; }),
+              "texture 't': vrUsage is not VRTextureUsage::None; there is no XR");
+    EXPECT_EQ(message([](auto& d) { d.bindMS = true; }),
+              "texture 't': bindMS; shaders see one sample a texel, resolved");
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm, 32);
+    descriptor.memoryless = RenderTextureMemoryless::Depth;
+    descriptor.useDynamicScale = true;
+    EXPECT_FALSE(RenderTexture("t", descriptor).sampler().comparison);
+    descriptor.shadowSamplingMode = ShadowSamplingMode::CompareDepths;
+    EXPECT_TRUE(RenderTexture("t", descriptor).sampler().comparison);
+}
+
+TEST(RenderTexture, TakesItsDepthByFormatAsWell)
+{
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(descriptor.depthStencilFormat(), GraphicsFormat::None);
+    for (const GraphicsFormat format :
+         {GraphicsFormat::D32_SFloat, GraphicsFormat::D32_SFloat_S8_UInt})
+    {
+        descriptor.SetDepthStencilFormat(format);
+        EXPECT_EQ(descriptor.depthStencilFormat(), format);
+        EXPECT_EQ(RenderTexture("t", descriptor).graphicsFormat(), format);
+    }
+    descriptor.SetDepthStencilFormat(GraphicsFormat::None);
+    EXPECT_EQ(descriptor.depthBufferBits, 0);
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [&] { descriptor.SetDepthStencilFormat(GraphicsFormat::R8_UNorm); }),
+              "SetDepthStencilFormat: R8_UNorm is no depth format");
+}
+
 } // namespace
 } // namespace limn

@@ -93,6 +93,26 @@ TEST_F(BlitGpu, CopiesTexelForTexelWhereverTheFrameIs)
     ExpectNoValidationMessages();
 }
 
+/// The older way to draw over a target.
+TEST_F(BlitGpu, IsTheSameWithTheFullscreenMesh)
+{
+    cmd.Blit(other, source, BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)"));
+    cmd.SetRenderTarget(dest);
+    cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
+    cmd.SetGlobalTexture("_MainTex", source);
+    cmd.DrawMesh(RenderingUtils::fullscreenMesh(), glm::mat4(1.0f),
+                 BlitMaterial("tex2D(_MainTex, i.uv)"));
+    const Image image = Draw(dest);
+    for (int y = 0; y < 5; ++y)
+    {
+        for (int x = 0; x < 7; ++x)
+        {
+            EXPECT_EQ(Texel8(image, x, y), (Rgba8{20 * x, 20 * y, 255, 102})) << x << ", " << y;
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
 TEST_F(BlitGpu, GivesVerticesFromZeroBottomLeftToOneTopRight)
 {
     cmd.Blit(other, dest, BlitMaterial("float4(i.at, 0, 1)"));

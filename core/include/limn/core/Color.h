@@ -43,6 +43,30 @@ struct Color
     /// This linear colour as sRGB; the inverse of linear(). Unity: Color.gamma.
     Color gamma() const { return {ToSRGB(r), ToSRGB(g), ToSRGB(b), a}; }
 
+    // Of the components as they are. Unity: Color.grayscale, maxColorComponent, Lerp ... (2022.3).
+    constexpr float grayscale() const { return 0.299f * r + 0.587f * g + 0.114f * b; }
+    constexpr float maxColorComponent() const { return std::max({r, g, b}); }
+    /// @param t  from 0, `a`, to 1, `b`; held there
+    static constexpr Color Lerp(const Color& a, const Color& b, float t)
+    {
+        return LerpUnclamped(a, b, std::clamp(t, 0.0f, 1.0f));
+    }
+    static constexpr Color LerpUnclamped(const Color& a, const Color& b, float t)
+    {
+        return a + (b - a) * t;
+    }
+    /// @param h, s, v  0...1
+    /// @param hdr      else no component is above 1
+    static Color HSVToRGB(float h, float s, float v, bool hdr = true);
+    static void RGBToHSV(const Color& rgbColor, float& h, float& s, float& v);
+
+    constexpr Color operator+(const Color& o) const { return {r + o.r, g + o.g, b + o.b, a + o.a}; }
+    constexpr Color operator-(const Color& o) const { return {r - o.r, g - o.g, b - o.b, a - o.a}; }
+    constexpr Color operator*(const Color& o) const { return {r * o.r, g * o.g, b * o.b, a * o.a}; }
+    constexpr Color operator*(float x) const { return {r * x, g * x, b * x, a * x}; }
+    constexpr Color operator/(float x) const { return {r / x, g / x, b / x, a / x}; }
+    friend constexpr Color operator*(float x, const Color& color) { return color * x; }
+
     glm::vec4 vector() const { return {r, g, b, a}; }
 
     bool operator==(const Color&) const = default;

@@ -68,6 +68,11 @@ namespace RenderingUtils
 void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                   const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
 
+/// A quad that covers the target where view and projection are the identity, for DrawMesh; uv
+/// stands upright. Always the same one.
+/// @source Unity: RenderingUtils.fullscreenMesh (URP 14)
+const std::shared_ptr<const Mesh>& fullscreenMesh();
+
 } // namespace RenderingUtils
 
 /// Unity: UnityEngine.Rendering.Blitter (core 14).
@@ -102,6 +107,14 @@ void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandl
                        const ViewportRect& destViewport, float mipLevel = 0.0f,
                        bool bilinear = false);
 
+// For lines of C# that go over as they are: there is no XR, for which these differ.
+inline void BlitCameraTexture2D(CommandBuffer& cmd, const RTHandle& source,
+                                const RTHandle& destination, float mipLevel = 0.0f,
+                                bool bilinear = false)
+{
+    BlitCameraTexture(cmd, source, destination, mipLevel, bilinear);
+}
+
 // The same on the target that is bound already, with other texture coordinates: scale in x and y,
 // offset in z and w.
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
@@ -115,6 +128,11 @@ void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
 /// A plain copy, as BlitCameraTexture's.
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  float mipLevel, bool bilinear);
+inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+                          float mipLevel, bool bilinear)
+{
+    BlitTexture(cmd, source, scaleBias, mipLevel, bilinear);
+}
 /// Binds `destination` first; scale 1, offset 0.
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/LocalKeyword.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
@@ -98,6 +99,23 @@ public:
     bool HasVector(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
 
+    // Those of the property with the attribute [MainColor] or [MainTexture], or else of _Color and
+    // _MainTex; getting throws as GetColor does. Unity: Material.color, mainTexture ... (2022.3).
+    Color color() const { return GetColor(MainColorId()); }
+    void SetColor(const Color& value) { SetColor(MainColorId(), value); }
+    std::shared_ptr<const Texture> mainTexture() const { return GetTexture(MainTextureId()); }
+    void SetMainTexture(std::shared_ptr<const Texture> v) { SetTexture(MainTextureId(), v); }
+    glm::vec2 mainTextureScale() const { return GetTextureScale(MainTextureId()); }
+    void SetMainTextureScale(const glm::vec2& v) { SetTextureScale(MainTextureId(), v); }
+    glm::vec2 mainTextureOffset() const { return GetTextureOffset(MainTextureId()); }
+    void SetMainTextureOffset(const glm::vec2& v) { SetTextureOffset(MainTextureId(), v); }
+
+    /// A tag of the shader's SubShader, in any case; `defaultValue` where it has none.
+    /// @param searchFallbacks  no effect: the SubShader that is drawn with has them
+    /// @source Unity: Material.GetTag (2022.3)
+    std::string GetTag(std::string_view tag, bool searchFallbacks,
+                       std::string_view defaultValue = {}) const;
+
     /// Takes over the values, keywords and render queue of another material, not its shader.
     /// @source Unity: Material.CopyPropertiesFromMaterial (2022.3)
     void CopyPropertiesFromMaterial(const Material& mat);
@@ -108,6 +126,16 @@ public:
     void EnableKeyword(const std::string& keyword);
     void DisableKeyword(const std::string& keyword);
     bool IsKeywordEnabled(std::string_view keyword) const;
+    void EnableKeyword(const LocalKeyword& keyword) { EnableKeyword(keyword.name()); }
+    void DisableKeyword(const LocalKeyword& keyword) { DisableKeyword(keyword.name()); }
+    bool IsKeywordEnabled(const LocalKeyword& keyword) const
+    {
+        return IsKeywordEnabled(keyword.name());
+    }
+    void SetKeyword(const LocalKeyword& keyword, bool value)
+    {
+        value ? EnableKeyword(keyword) : DisableKeyword(keyword);
+    }
     /// Unity: Material.shaderKeywords. Sorted.
     const std::vector<std::string>& shaderKeywords() const { return m_Keywords; }
     /// The pass in the variant of these keywords, as Shader::Compile.
@@ -142,6 +170,8 @@ private:
     void SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value);
     void KeywordsChanged();
     bool isEnabled(int pass) const;
+    ShaderPropertyId MainColorId() const;
+    ShaderPropertyId MainTextureId() const;
     glm::vec4 ScaleOffset(ShaderPropertyId texture) const;
     [[noreturn]] void FailGet(ShaderPropertyId id, const char* kind) const;
 

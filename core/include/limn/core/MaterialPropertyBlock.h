@@ -89,6 +89,29 @@ public:
         return !m_Slots.empty() && slot->id == id ? &m_Values[slot->value] : nullptr;
     }
 
+    // What was set; zeros, an empty array or null where nothing was, or something of another kind.
+    float GetFloat(ShaderPropertyId id) const;
+    int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
+    int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
+    Color GetColor(ShaderPropertyId id) const;      ///< sRGB
+    glm::mat4 GetMatrix(ShaderPropertyId id) const;
+    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
+    std::vector<float> GetFloatArray(ShaderPropertyId id) const;
+    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
+    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
+
+    // Whether one was set, of this kind.
+    bool HasProperty(ShaderPropertyId id) const { return Find(id) != nullptr; }
+    bool HasFloat(ShaderPropertyId id) const;
+    bool HasInt(ShaderPropertyId id) const;
+    bool HasInteger(ShaderPropertyId id) const { return HasInt(id); }
+    bool HasVector(ShaderPropertyId id) const;
+    bool HasColor(ShaderPropertyId id) const;
+    bool HasMatrix(ShaderPropertyId id) const;
+    bool HasTexture(ShaderPropertyId id) const;
+    bool HasBuffer(ShaderPropertyId id) const;
+
     void Remove(ShaderPropertyId id);
     /// Keeps the memory.
     void Clear();

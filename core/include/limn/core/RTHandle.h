@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <limn/core/RenderTexture.h>
 #include <memory>
 #include <string>
@@ -13,6 +14,18 @@ namespace limn
 
 class RenderTargetIdentifier;
 class ScaledTexture;
+
+/// Of handles whose size follows the camera's: the part of a texture that is in use, which is all
+/// of it. Unity: UnityEngine.Rendering.RTHandleProperties (core 14).
+struct RTHandleProperties
+{
+    glm::ivec2 previousViewportSize{1};     ///< texels; the camera's before this one
+    glm::ivec2 previousRenderTargetSize{1}; ///< texels; equal to it
+    glm::ivec2 currentViewportSize{1};      ///< texels; the camera's
+    glm::ivec2 currentRenderTargetSize{1};  ///< texels; equal to it
+    /// What shaders multiply coordinates with: 1, as textures are never larger than what is in use.
+    glm::vec4 rtHandleScale{1.0f};
+};
 
 /// A shared reference to a render texture, or a name that stands for one when a command buffer is
 /// executed, or none. Copies refer to the same texture, which lives as long as some handle to it;
@@ -50,6 +63,9 @@ public:
     bool useScaling() const { return m_Scaled != nullptr; }
     /// The factor of that; 0 for one that does not, or by a function (Unity: 1 then).
     glm::vec2 scaleFactor() const;
+    /// The size for a camera of this one; of one that does not follow it, its own.
+    glm::ivec2 GetScaledSize(const glm::ivec2& refSize) const;
+    RTHandleProperties rtHandleProperties() const;
     /// What stands for it in a command buffer; none for an empty handle.
     RenderTargetIdentifier nameID() const;
 
@@ -93,6 +109,23 @@ RTHandle Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& descriptor,
 /// What those follow, texels; the pipeline says so for each camera that it renders. Of this thread.
 /// @throws ContractError unless both are positive
 void SetReferenceSize(int width, int height);
+// For lines of C# that go over as they are.
+inline void Initialize(int width, int height)
+{
+    SetReferenceSize(width, height);
+}
+inline void ResetReferenceSize(int width, int height)
+{
+    SetReferenceSize(width, height);
+}
+int maxWidth();  ///< texels: of the camera
+int maxHeight(); ///< texels: of the camera
+RTHandleProperties rtHandleProperties();
+/// Lets go of its texture.
+inline void Release(RTHandle& handle)
+{
+    handle.Release();
+}
 
 } // namespace RTHandles
 

@@ -3,6 +3,7 @@
 #include <limn/core/ComputeCommands.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/GlobalKeyword.h>
+#include <limn/core/LayerMask.h>
 #include <limn/core/Material.h>
 #include <limn/core/RenderTargetIdentifier.h>
 #include <variant>

@@ -155,8 +155,19 @@ public:
     {
         Globals(id).SetGlobalTexture(id, value);
     }
+    void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
+    {
+        Globals(id).SetGlobalBuffer(id, std::move(value));
+    }
+    void SetGlobalConstantBuffer(std::shared_ptr<const GraphicsBuffer> buffer, ShaderPropertyId id,
+                                 int offset, int size)
+    {
+        Globals(id).SetGlobalConstantBuffer(std::move(buffer), id, offset, size);
+    }
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
+    void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
+    void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     void SetKeyword(const GlobalKeyword& keyword, bool value)
     {
         m_Native.SetKeyword(keyword, value);
@@ -291,8 +302,12 @@ class ComputeCommandBuffer : private BaseCommandBuffer, public KernelCommands
 {
 public:
     using BaseCommandBuffer::BeginSample;
+    using BaseCommandBuffer::DisableKeyword;
+    using BaseCommandBuffer::EnableKeyword;
     using BaseCommandBuffer::EndSample;
+    using BaseCommandBuffer::SetGlobalBuffer;
     using BaseCommandBuffer::SetGlobalColor;
+    using BaseCommandBuffer::SetGlobalConstantBuffer;
     using BaseCommandBuffer::SetGlobalFloat;
     using BaseCommandBuffer::SetGlobalFloatArray;
     using BaseCommandBuffer::SetGlobalInt;
@@ -303,6 +318,8 @@ public:
     using BaseCommandBuffer::SetGlobalVector;
     using BaseCommandBuffer::SetGlobalVectorArray;
     using BaseCommandBuffer::SetKeyword;
+    using KernelCommands::DisableKeyword;
+    using KernelCommands::EnableKeyword;
     using KernelCommands::SetKeyword;
 
 private:
@@ -317,7 +334,11 @@ private:
 class UnsafeCommandBuffer : public BaseCommandBuffer, public KernelCommands
 {
 public:
+    using BaseCommandBuffer::DisableKeyword;
+    using BaseCommandBuffer::EnableKeyword;
     using BaseCommandBuffer::SetKeyword;
+    using KernelCommands::DisableKeyword;
+    using KernelCommands::EnableKeyword;
     using KernelCommands::SetKeyword;
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {})
     {
@@ -331,6 +352,7 @@ public:
     {
         native().CopyTexture(RenderTargetIdentifier(source), RenderTargetIdentifier(dest));
     }
+    void GenerateMips(const RTHandle& rt) { native().GenerateMips(RenderTargetIdentifier(rt)); }
 
 private:
     friend class RenderGraphRun;

@@ -48,9 +48,16 @@ enum class MSAASamples
     MSAA8x = 8
 };
 
+/// Unity: UnityEngine.Rendering.RenderGraphModule.TextureSizeMode (core 17).
+enum class TextureSizeMode
+{
+    Explicit,
+    Scale,
+    Functor
+};
+
 /// A texture that RenderGraph::CreateTexture makes.
-/// Unity: UnityEngine.Rendering.RenderGraphModule.TextureDesc (core 17), the fields that limn
-/// honours.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.TextureDesc (core 17).
 struct TextureDesc
 {
     int width = 0;  ///< texels
@@ -65,12 +72,36 @@ struct TextureDesc
     bool clearBuffer = true;
     Color clearColor = Color::black; ///< linear; depth clears to far
     bool enableRandomWrite = false;  ///< kernels may write to it, see RenderTextureDescriptor
+    bool useMipMap = false;          ///< as RenderTextureDescriptor's, with the next two
+    bool autoGenerateMips = true;
+    int anisoLevel = 1;                                   ///< see SamplerState
+    float mipMapBias = 0.0f;                              ///< see SamplerState
+    TextureSizeMode sizeMode = TextureSizeMode::Explicit; ///< else width and height do not matter
+    glm::vec2 scale{1.0f};     ///< of sizeMode Scale: times the camera's size, rounded
+    RTHandles::ScaleFunc func; ///< of sizeMode Functor
+    TextureDimension dimension = TextureDimension::Tex2D; ///< others are refused
+    int slices = 1;                                       ///< others are refused
+    bool bindTextureMS = false;                           ///< true is refused
+    // No effect: what is stored and kept is worked out, and nothing scales.
+    bool discardBuffer = false;
+    bool useDynamicScale = false;
+    RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
+    bool fallBackToBlackTexture = false;
     std::string name;
 
     TextureDesc() = default;
     TextureDesc(int w, int h) : width(w), height(h) {}
+    explicit TextureDesc(const glm::vec2& scale_) : sizeMode(TextureSizeMode::Scale), scale(scale_)
+    {
+    }
+    explicit TextureDesc(RTHandles::ScaleFunc func_)
+        : sizeMode(TextureSizeMode::Functor), func(std::move(func_))
+    {
+    }
     explicit TextureDesc(const RenderTextureDescriptor& descriptor);
 
+    /// Of its size for the camera that is rendered.
+    /// @throws ContractError for a scale that is not positive, and an empty function
     RenderTextureDescriptor descriptor() const;
 };
 
@@ -96,6 +127,8 @@ public:
     /// @throws ContractError if there is no texture
     TextureDesc GetDescriptor(const RenderGraph& renderGraph) const;
 
+    static const TextureHandle nullHandle; ///< none
+
     bool operator==(const TextureHandle&) const = default;
 
 private:
@@ -109,6 +142,8 @@ private:
     std::uint64_t m_Frame = 0;
 };
 
+inline const TextureHandle TextureHandle::nullHandle;
+
 /// A list of a camera's render graph, or none: until the camera is done.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.RendererListHandle (core 17).
 class RendererListHandle
@@ -116,6 +151,9 @@ class RendererListHandle
 public:
     RendererListHandle() = default;
     bool IsValid() const { return m_Frame != 0; }
+
+    static const RendererListHandle nullHandle; ///< none
+
     bool operator==(const RendererListHandle&) const = default;
 
 private:
@@ -125,6 +163,8 @@ private:
     std::size_t m_Index = 0;
     std::uint64_t m_Frame = 0; ///< 0 = none
 };
+
+inline const RendererListHandle RendererListHandle::nullHandle;
 
 /// A buffer that RenderGraph::CreateBuffer makes.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.BufferDesc (core 17).

@@ -5,7 +5,31 @@
 namespace limn
 {
 
-/// Unity: UnityEngine.RenderTextureDescriptor (2022.3), the fields that limn honours.
+/// Unity: UnityEngine.Rendering.ShadowSamplingMode (2022.3).
+enum class ShadowSamplingMode
+{
+    CompareDepths = 0, ///< a sampler of the texture's own compares
+    RawDepth = 1,
+    None = 2
+};
+/// Unity: UnityEngine.VRTextureUsage (2022.3).
+enum class VRTextureUsage
+{
+    None = 0,
+    OneEye = 1,        ///< refused, as the next two: there is no XR
+    TwoEyes = 2,       ///< refused
+    DeviceSpecific = 3 ///< refused
+};
+/// Unity: UnityEngine.RenderTextureMemoryless (2022.3); bit flags.
+enum class RenderTextureMemoryless
+{
+    None = 0,
+    Color = 1,
+    Depth = 2,
+    MSAA = 4
+};
+
+/// Unity: UnityEngine.RenderTextureDescriptor (2022.3).
 struct RenderTextureDescriptor
 {
     int width = 0;  ///< texels
@@ -27,6 +51,14 @@ struct RenderTextureDescriptor
     /// Kernels may write to it, too (RWTexture2D): a colour of one sample a texel that is not
     /// sRGB-encoded.
     bool enableRandomWrite = false;
+    TextureDimension dimension = TextureDimension::Tex2D; ///< others are refused
+    int volumeDepth = 1;                                  ///< others are refused
+    ShadowSamplingMode shadowSamplingMode = ShadowSamplingMode::None;
+    VRTextureUsage vrUsage = VRTextureUsage::None; ///< others are refused
+    bool bindMS = false; ///< true is refused: shaders see one sample a texel
+    /// No effect: what need not be stored is worked out.
+    RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
+    bool useDynamicScale = false; ///< no effect: nothing scales
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)
@@ -42,6 +74,14 @@ struct RenderTextureDescriptor
         graphicsFormat = ToGraphicsFormat(format, sRGB());
     }
 
+    /// None where depthBufferBits is 0. Unity: the property depthStencilFormat.
+    GraphicsFormat depthStencilFormat() const;
+    /// @param format  None, or a depth format: D32_SFloat is depthBufferBits 16, that with a
+    /// stencil
+    ///                32
+    /// @throws ContractError for another format
+    void SetDepthStencilFormat(GraphicsFormat format);
+
     bool operator==(const RenderTextureDescriptor&) const = default;
 };
 
@@ -51,8 +91,9 @@ class RenderTexture final : public Texture
 {
 public:
     /// @throws ContractError naming the texture, if the size is not positive, the format is None,
-    ///         depthBufferBits or msaaSamples is none of the numbers that the descriptor names, or
-    ///         enableRandomWrite is set for what the descriptor excludes
+    ///         depthBufferBits or msaaSamples is none of the numbers that the descriptor names,
+    ///         enableRandomWrite is set for what the descriptor excludes, or anything that it
+    ///         refuses
     RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                   SamplerState sampler = {}, bool transient = false);
 

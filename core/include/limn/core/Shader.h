@@ -90,6 +90,17 @@ public:
         SetGlobal(id, ConstantRange(std::move(value), offset, size));
     }
 
+    // What those said last; zeros or null where they said nothing, or something of another kind.
+    // What command buffers set is not among it: that is a frame's. Unity: Shader.GetGlobalFloat and
+    // its like (2022.3).
+    static float GetGlobalFloat(ShaderPropertyId id);
+    static int GetGlobalInt(ShaderPropertyId id);
+    static int GetGlobalInteger(ShaderPropertyId id) { return GetGlobalInt(id); }
+    static glm::vec4 GetGlobalVector(ShaderPropertyId id);
+    static Color GetGlobalColor(ShaderPropertyId id); ///< as it is
+    static glm::mat4 GetGlobalMatrix(ShaderPropertyId id);
+    static std::shared_ptr<const Texture> GetGlobalTexture(ShaderPropertyId id);
+
     /// For all materials of the process: as CommandBuffer::EnableShaderKeyword, which comes before
     /// it in the frame.
     /// @source Unity: Shader.EnableKeyword and its like (2022.3)

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <limn/core/MaterialPropertyBlock.h>
+
+namespace limn
+{
+
+// A property's value as what the caller takes it for. Pointers may be null.
+
+/// Null where there is no value of this kind.
+template <typename Kind>
+const Kind* As(const ShaderPropertyValue* value)
+{
+    return value != nullptr ? std::get_if<Kind>(value) : nullptr;
+}
+
+template <typename Kind>
+Kind CopyOf(const ShaderPropertyValue* value)
+{
+    const auto* kind = As<Kind>(value);
+    return kind != nullptr ? *kind : Kind{};
+}
+
+} // namespace limn
