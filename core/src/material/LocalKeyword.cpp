@@ -14,10 +14,12 @@ std::set<std::string_view> KeywordsOf(const Shader& shader)
     std::set<std::string_view> keywords;
     for (const ShaderLabPass& pass : shader.subShader().passes)
     {
-        for (const KeywordSet& set :
-             pass.program ? pass.program->keywordSets : std::vector<KeywordSet>())
+        if (pass.program)
         {
-            keywords.insert(set.keywords.begin(), set.keywords.end());
+            for (const KeywordSet& set : pass.program->keywordSets)
+            {
+                keywords.insert(set.keywords.begin(), set.keywords.end());
+            }
         }
     }
     keywords.erase("");
