@@ -368,8 +368,9 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
     std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
     {
-        return sources.material != nullptr ? DefaultOf(id, binding.dimension, sources)
-                                           : FailUnset<Texture>(id, "texture", sources);
+        const bool hasDefault = sources.material != nullptr && binding.type == UniformType::Float;
+        return hasDefault ? DefaultOf(id, binding.dimension, sources)
+                          : FailUnset<Texture>(id, "texture", sources);
     }
     if (texture->dimension() != binding.dimension)
     {
@@ -377,6 +378,7 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
                         " texture in the shader but is set to the " +
                         ToString(texture->dimension()) + " texture '" + texture->name() + "'");
     }
+    ExpectComponents(binding.type, *texture, id.name(), sources);
     return texture;
 }
 

@@ -144,15 +144,25 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
             false};
 }
 
+void ExpectComponents(UniformType declared, const Texture& texture, const std::string& name,
+                      const PropertySources& sources)
+{
+    const auto text = [](UniformType type)
+    {
+        return type == UniformType::Int ? "int" : type == UniformType::UInt ? "uint" : "float";
+    };
+    const UniformType type = ComponentType(texture.graphicsFormat());
+    if (type != declared)
+    {
+        throw DrawError(Subject(name, sources) + " is a texture of " + text(declared) +
+                        " in the shader, but '" + texture.name() + "' of " +
+                        ToString(texture.graphicsFormat()) + " is one of " + text(type));
+    }
+}
+
 StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPropertyId id,
                                 const PropertySources& sources)
 {
-    if (declared.type != UniformType::Float)
-    {
-        throw DrawError(Subject(declared.name, sources) +
-                        " is a writable texture of integers in the shader; limn has no such "
-                        "textures, use floats or a buffer");
-    }
     const std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
     {
@@ -171,6 +181,7 @@ StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPro
                         " texture in the shader but is set to the " +
                         ToString(target->dimension()) + " texture '" + target->name() + "'");
     }
+    ExpectComponents(declared.type, *target, declared.name, sources);
     return {declared.binding, std::move(target)};
 }
 

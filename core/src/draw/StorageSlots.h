@@ -25,6 +25,11 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
 StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPropertyId id,
                                 const PropertySources& sources);
 
+/// @param declared  what the shader takes its components for
+/// @throws DrawError if they are something else
+void ExpectComponents(UniformType declared, const Texture& texture, const std::string& name,
+                      const PropertySources& sources);
+
 /// For what there is no default of.
 /// @param kind  "texture"
 template <typename Result>

@@ -103,6 +103,12 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
                             "mip levels");
     }
     const GraphicsFormat format = graphicsFormat();
+    if (ComponentType(format) != UniformType::Float && (samples != 1 || descriptor.useMipMap))
+    {
+        throw ContractError("texture '" + this->name() + "': " + ToString(format) + " with " +
+                            (samples != 1 ? "several samples a texel" : "useMipMap") +
+                            "; of integers there is no average");
+    }
     if (descriptor.enableRandomWrite &&
         (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format) || mipmapCount() > 1))
     {

@@ -49,6 +49,7 @@ void TransferLayout(Stream& stream, Layout& layout)
                     stream.Value(texture.dimension);
                     stream.Value(texture.multisampled);
                     stream.Value(texture.combinedSampler);
+                    stream.Value(texture.type);
                 });
     stream.List(layout.samplers,
                 [&](auto& sampler)
@@ -81,6 +82,7 @@ void TransferLayout(Stream& stream, Layout& layout)
                     stream.Value(input.components);
                 });
     stream.Value(layout.colorOutputs);
+    stream.List(layout.outputTypes, [&](auto& type) { stream.Value(type); });
     stream.Value(layout.geometryInput);
     stream.Value(layout.pushStages);
     stream.Value(layout.fragmentHasInputs);

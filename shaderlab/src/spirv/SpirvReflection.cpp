@@ -113,6 +113,21 @@ public:
                   { return a.location < b.location; });
     }
 
+    /// Of the fragment function.
+    void ReadOutputTypes(int count)
+    {
+        m_Layout.outputTypes.assign(static_cast<std::size_t>(count), UniformType::Float);
+        for (const auto& output : m_Compiler.get_shader_resources().stage_outputs)
+        {
+            const std::uint32_t location =
+                m_Compiler.get_decoration(output.id, spv::DecorationLocation);
+            if (location < m_Layout.outputTypes.size())
+            {
+                m_Layout.outputTypes[location] = ScalarOf(m_Compiler.get_type(output.base_type_id));
+            }
+        }
+    }
+
 private:
     /// Takes the entry of another stage where it is the same resource, else adds one.
     template <typename T>
@@ -227,6 +242,7 @@ private:
         const SPIRType::ImageType& image = m_Compiler.get_type(resource.base_type_id).image;
         texture.multisampled = image.ms;
         texture.dimension = DimensionOf(image, texture.name);
+        texture.type = ScalarOf(m_Compiler.get_type(image.type));
         return texture;
     }
 
@@ -349,6 +365,7 @@ void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
     StageReflector fragment(pass.fragmentSpirv, ShaderStage::Fragment, pass.layout, objects,
                             messages);
     fragment.ReadResources(nextBinding);
+    fragment.ReadOutputTypes(linkage.colorOutputs);
 }
 
 void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,

@@ -137,6 +137,19 @@ TEST(RenderTexture, RefusesWhatADescriptorMayAskForInVain)
     EXPECT_TRUE(RenderTexture("t", descriptor).sampler().comparison);
 }
 
+TEST(RenderTexture, OfIntegersHasNoAverages)
+{
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R32_SInt);
+    descriptor.useMipMap = true;
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
+              "texture 't': R32_SInt with useMipMap; of integers there is no average");
+    descriptor.useMipMap = false;
+    descriptor.msaaSamples = 4;
+    EXPECT_EQ(
+        ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
+        "texture 't': R32_SInt with several samples a texel; of integers there is no average");
+}
+
 TEST(RenderTexture, TakesItsDepthByFormatAsWell)
 {
     RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);

@@ -137,7 +137,24 @@ INSTANTIATE_TEST_SUITE_P(
         FormatCase{GraphicsFormat::R16G16B16A16_SFloat, {0, 0x3C, 0, 0, 0, 0x3C, 0, 0x3C}},
         FormatCase{GraphicsFormat::R32_SFloat, {0, 0, 0x80, 0x3F}},
         FormatCase{GraphicsFormat::R32G32_SFloat, {0, 0, 0x80, 0x3F, 0, 0, 0, 0}},
-        FormatCase{GraphicsFormat::B10G11R11_UFloatPack32, {0xC0, 0x03, 0, 0x78}}),
+        FormatCase{GraphicsFormat::B10G11R11_UFloatPack32, {0xC0, 0x03, 0, 0x78}},
+        FormatCase{GraphicsFormat::R8G8_UNorm, {255, 0}},
+        FormatCase{GraphicsFormat::R16_UNorm, {255, 255}},
+        FormatCase{GraphicsFormat::B8G8R8A8_UNorm, {255, 0, 255, 255}},
+        FormatCase{GraphicsFormat::B8G8R8A8_SRGB, {255, 0, 255, 255}},
+        // red 0x3FF, green 0, blue 0x3FF << 20, alpha 3 << 30
+        FormatCase{GraphicsFormat::A2B10G10R10_UNormPack32, {0xFF, 0x03, 0xF0, 0xFF}},
+        FormatCase{GraphicsFormat::R8_UInt, {1}}, FormatCase{GraphicsFormat::R16_UInt, {1, 0}},
+        FormatCase{GraphicsFormat::R8G8B8A8_UInt, {1, 0, 1, 1}},
+        FormatCase{GraphicsFormat::R16G16B16A16_UInt, {1, 0, 0, 0, 1, 0, 1, 0}},
+        FormatCase{GraphicsFormat::R32_UInt, {1, 0, 0, 0}},
+        FormatCase{GraphicsFormat::R32G32_UInt, {1, 0, 0, 0, 0, 0, 0, 0}},
+        FormatCase{GraphicsFormat::R32G32B32A32_UInt,
+                   {1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}},
+        FormatCase{GraphicsFormat::R32_SInt, {1, 0, 0, 0}},
+        FormatCase{GraphicsFormat::R32G32_SInt, {1, 0, 0, 0, 0, 0, 0, 0}},
+        FormatCase{GraphicsFormat::R32G32B32A32_SInt,
+                   {1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}}),
     [](const auto& which) { return std::string(ToString(which.param.format)); });
 
 } // namespace limn::test

@@ -26,14 +26,38 @@ VkFormat ToVkFormat(GraphicsFormat format)
         return VK_FORMAT_R8G8B8A8_SRGB;
     case GraphicsFormat::R8_UNorm:
         return VK_FORMAT_R8_UNORM;
+    case GraphicsFormat::R8G8_UNorm:
+        return VK_FORMAT_R8G8_UNORM;
     case GraphicsFormat::R8G8B8A8_UNorm:
         return VK_FORMAT_R8G8B8A8_UNORM;
     case GraphicsFormat::R8G8B8A8_SNorm:
         return VK_FORMAT_R8G8B8A8_SNORM;
+    case GraphicsFormat::R8_UInt:
+        return VK_FORMAT_R8_UINT;
+    case GraphicsFormat::R8G8B8A8_UInt:
+        return VK_FORMAT_R8G8B8A8_UINT;
+    case GraphicsFormat::R16_UNorm:
+        return VK_FORMAT_R16_UNORM;
     case GraphicsFormat::R16G16_UNorm:
         return VK_FORMAT_R16G16_UNORM;
     case GraphicsFormat::R16G16B16A16_UNorm:
         return VK_FORMAT_R16G16B16A16_UNORM;
+    case GraphicsFormat::R16_UInt:
+        return VK_FORMAT_R16_UINT;
+    case GraphicsFormat::R16G16B16A16_UInt:
+        return VK_FORMAT_R16G16B16A16_UINT;
+    case GraphicsFormat::R32_UInt:
+        return VK_FORMAT_R32_UINT;
+    case GraphicsFormat::R32G32_UInt:
+        return VK_FORMAT_R32G32_UINT;
+    case GraphicsFormat::R32G32B32A32_UInt:
+        return VK_FORMAT_R32G32B32A32_UINT;
+    case GraphicsFormat::R32_SInt:
+        return VK_FORMAT_R32_SINT;
+    case GraphicsFormat::R32G32_SInt:
+        return VK_FORMAT_R32G32_SINT;
+    case GraphicsFormat::R32G32B32A32_SInt:
+        return VK_FORMAT_R32G32B32A32_SINT;
     case GraphicsFormat::R16_SFloat:
         return VK_FORMAT_R16_SFLOAT;
     case GraphicsFormat::R16G16_SFloat:
@@ -46,8 +70,14 @@ VkFormat ToVkFormat(GraphicsFormat format)
         return VK_FORMAT_R32G32_SFLOAT;
     case GraphicsFormat::R32G32B32A32_SFloat:
         return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case GraphicsFormat::B8G8R8A8_SRGB:
+        return VK_FORMAT_B8G8R8A8_SRGB;
+    case GraphicsFormat::B8G8R8A8_UNorm:
+        return VK_FORMAT_B8G8R8A8_UNORM;
     case GraphicsFormat::B10G11R11_UFloatPack32:
         return VK_FORMAT_B10G11R11_UFLOAT_PACK32;
+    case GraphicsFormat::A2B10G10R10_UNormPack32:
+        return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
     case GraphicsFormat::D32_SFloat:
         return VK_FORMAT_D32_SFLOAT;
     case GraphicsFormat::D32_SFloat_S8_UInt:

@@ -1,6 +1,7 @@
 #include "frame/DrawPreparer.h"
 
 #include "programs/ImageFormats.h"
+#include "programs/PipelineBuilder.h"
 #include <algorithm>
 #include <limn/core/ComputeShader.h>
 #include <limn/core/DrawError.h>
@@ -38,6 +39,11 @@ std::string Subject(const DispatchSetup& dispatch)
                            : "";
 }
 
+const char* NameOf(UniformType type)
+{
+    return type == UniformType::Int ? "int" : type == UniformType::UInt ? "uint" : "float";
+}
+
 template <typename Setup>
 void RequireBuffersFit(const Setup& setup, const VkPhysicalDeviceLimits& limits)
 {
@@ -57,6 +63,31 @@ bool HasBindings(const PropertyLayout& layout)
 {
     return !layout.buffers.empty() || !layout.textures.empty() || !layout.samplers.empty() ||
            !layout.storageBuffers.empty() || !layout.storageTextures.empty();
+}
+
+void RequireOutputsFit(const DrawSetup& setup, const CompiledRenderPass& pass)
+{
+    const PropertyLayout& layout = setup.program->layout;
+    for (std::size_t i = 0; i < std::min(layout.outputTypes.size(), pass.colors.size()); ++i)
+    {
+        const RenderTexture& target = *pass.colors[i].texture;
+        const UniformType type = ComponentType(target.graphicsFormat());
+        const auto fail = [&](const std::string& problem)
+        {
+            throw DrawError(Subject(setup) + "it draws into '" + target.name() + "' of " +
+                            ToString(target.graphicsFormat()) + problem);
+        };
+        if (layout.outputTypes[i] != type)
+        {
+            fail(std::string(", which takes ") + NameOf(type) + ", but its SV_Target" +
+                 std::to_string(i) + " is " + NameOf(layout.outputTypes[i]));
+        }
+        const auto blend = ToBlendAttachment(setup.state.targets.at(i), i, layout.colorOutputs);
+        if (type != UniformType::Float && blend.blendEnable == VK_TRUE)
+        {
+            fail(" and blends; integers are not blended, write Blend Off");
+        }
+    }
 }
 
 void RequireThreadsFit(const DispatchSetup& setup, const VkPhysicalDeviceLimits& limits)
@@ -91,8 +122,9 @@ DrawPreparer::DrawPreparer(const VulkanContext& context, DeviceResources& resour
 {
 }
 
-void DrawPreparer::BeginPass(const TargetFormats& formats)
+void DrawPreparer::BeginPass(const CompiledRenderPass& pass, const TargetFormats& formats)
 {
+    m_Pass = &pass;
     m_Formats = &formats;
     m_Last = nullptr;
 }
@@ -185,6 +217,7 @@ void DrawPreparer::UseProgram(const DrawSetup& setup)
 
 void DrawPreparer::UseState(const DrawSetup& setup)
 {
+    RequireOutputsFit(setup, *m_Pass);
     const PipelineKey key = MakePipelineKey(setup.state, *m_Formats, m_Context.capabilities());
     m_Draw.pipeline = m_Resources.programs.Pipeline(*m_Program, *setup.program, key);
     m_Draw.state = m_Frame.states.size();

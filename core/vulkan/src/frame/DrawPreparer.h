@@ -16,7 +16,7 @@ public:
                  PreparedFrame& frame);
 
     /// The draws to come are drawn into these. @lifetime keeps `formats` until the next call
-    void BeginPass(const TargetFormats& formats);
+    void BeginPass(const CompiledRenderPass& pass, const TargetFormats& formats);
 
     /// Appends to the frame's draws.
     /// @throws ContractError if the draw asks for what the frame, its mesh or the device lack
@@ -39,9 +39,10 @@ private:
     const FrameTables& m_Tables;
     std::uint64_t m_Number;
     PreparedFrame& m_Frame;
-    const TargetFormats* m_Formats = nullptr;
-    const DrawCommand* m_Last = nullptr; ///< of this pass
-    ProgramObjects* m_Program = nullptr; ///< of the last draw, as what follows
+    const CompiledRenderPass* m_Pass = nullptr;
+    const TargetFormats* m_Formats = nullptr; ///< of m_Pass
+    const DrawCommand* m_Last = nullptr;      ///< of this pass
+    ProgramObjects* m_Program = nullptr;      ///< of the last draw, as what follows
     bool m_HasBindings = false;
     PreparedDraw m_Draw;
     PreparedRun m_LastRun; ///< of m_Last

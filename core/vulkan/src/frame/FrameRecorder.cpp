@@ -91,7 +91,7 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
         pass.formats =
             TargetsOf(frame.passes[i], m_Resources.images, m_Context.capabilities().limits);
         pass.firstDraw = m_Prepared.draws.size();
-        draws.BeginPass(pass.formats);
+        draws.BeginPass(frame.passes[i], pass.formats);
         PrepareCommands(frame.passes[i], draws);
         MarkSamples(frame.passes[i], m_Resources.images);
     }

@@ -74,7 +74,8 @@ void PassRecorder::Run(const ClearCommand& clear)
         for (std::uint32_t i = 0; i < m_Prepared.formats.colors.size(); ++i)
         {
             VkClearAttachment color{VK_IMAGE_ASPECT_COLOR_BIT, i, {}};
-            color.clearValue.color = {{clear.color.r, clear.color.g, clear.color.b, clear.color.a}};
+            color.clearValue.color =
+                ColorClearValue(clear.color, m_Pass.colors[i].texture->graphicsFormat());
             attachments.push_back(color);
         }
     }

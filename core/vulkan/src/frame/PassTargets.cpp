@@ -3,6 +3,8 @@
 #include "device/Translate.h"
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace limn::vulkan
@@ -122,14 +124,36 @@ void Resolve(VkRenderingAttachmentInfo& info, VkImageView view, VkResolveModeFla
     info.resolveImageLayout = info.imageLayout;
 }
 
-VkClearValue ColorClearValue(const Color& color)
+template <typename Integer>
+void SetIntegers(Integer (&target)[4], const std::array<double, 4>& values)
 {
-    VkClearValue value{};
-    value.color = {{color.r, color.g, color.b, color.a}};
-    return value;
+    constexpr double k_Least = std::numeric_limits<Integer>::min();
+    constexpr double k_Most = std::numeric_limits<Integer>::max();
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        target[i] = static_cast<Integer>(std::clamp(std::round(values[i]), k_Least, k_Most));
+    }
 }
 
 } // namespace
+
+VkClearColorValue ColorClearValue(const Color& color, GraphicsFormat format)
+{
+    VkClearColorValue value{{color.r, color.g, color.b, color.a}};
+    const std::array<double, 4> values{color.r, color.g, color.b, color.a};
+    switch (ComponentType(format))
+    {
+    case UniformType::Int:
+        SetIntegers(value.int32, values);
+        break;
+    case UniformType::UInt:
+        SetIntegers(value.uint32, values);
+        break;
+    default:
+        break;
+    }
+    return value;
+}
 
 TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
                         const VkPhysicalDeviceLimits& limits)
@@ -193,8 +217,10 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
     {
         const PooledImage& image = *images.Find(*color.texture);
         constexpr VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        VkRenderingAttachmentInfo target = Attachment(
-            image.view.get(), layout, color.load, color.store, ColorClearValue(color.clearColor));
+        VkClearValue clear{};
+        clear.color = ColorClearValue(color.clearColor, color.texture->graphicsFormat());
+        VkRenderingAttachmentInfo target =
+            Attachment(image.view.get(), layout, color.load, color.store, clear);
         if (color.resolve)
         {
             Resolve(target, images.Find(*color.resolve)->resolveView(),

@@ -30,6 +30,9 @@ VkRect2D Common(const VkRect2D& a, const VkRect2D& b);
 /// Clip y = +1 is the rectangle's first row, clip z = depth.
 VkViewport ToVkViewport(const ViewportRect& rect);
 
+/// Of integers, those nearest to the colour's components.
+VkClearColorValue ColorClearValue(const Color& color, GraphicsFormat format);
+
 /// Unity writes 1 = far; a reversed buffer holds 0 there.
 VkClearValue DepthClearValue(float depth, int stencil, bool usesReversedZBuffer);
 

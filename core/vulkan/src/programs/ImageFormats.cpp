@@ -36,13 +36,31 @@ struct FormatNumber
     GraphicsFormat format;
     std::uint32_t imageFormat;
 };
-constexpr FormatNumber k_ImageFormats[] = {
-    {GraphicsFormat::R32G32B32A32_SFloat, 1}, {GraphicsFormat::R16G16B16A16_SFloat, 2},
-    {GraphicsFormat::R32_SFloat, 3},          {GraphicsFormat::R8G8B8A8_UNorm, 4},
-    {GraphicsFormat::R8G8B8A8_SNorm, 5},      {GraphicsFormat::R32G32_SFloat, 6},
-    {GraphicsFormat::R16G16_SFloat, 7},       {GraphicsFormat::B10G11R11_UFloatPack32, 8},
-    {GraphicsFormat::R16_SFloat, 9},          {GraphicsFormat::R16G16B16A16_UNorm, 10},
-    {GraphicsFormat::R16G16_UNorm, 12},       {GraphicsFormat::R8_UNorm, 15}};
+constexpr FormatNumber k_ImageFormats[] = {{GraphicsFormat::R32G32B32A32_SFloat, 1},
+                                           {GraphicsFormat::R16G16B16A16_SFloat, 2},
+                                           {GraphicsFormat::R32_SFloat, 3},
+                                           {GraphicsFormat::R8G8B8A8_UNorm, 4},
+                                           {GraphicsFormat::R8G8B8A8_SNorm, 5},
+                                           {GraphicsFormat::R32G32_SFloat, 6},
+                                           {GraphicsFormat::R16G16_SFloat, 7},
+                                           {GraphicsFormat::B10G11R11_UFloatPack32, 8},
+                                           {GraphicsFormat::R16_SFloat, 9},
+                                           {GraphicsFormat::R16G16B16A16_UNorm, 10},
+                                           {GraphicsFormat::A2B10G10R10_UNormPack32, 11},
+                                           {GraphicsFormat::R16G16_UNorm, 12},
+                                           {GraphicsFormat::R8G8_UNorm, 13},
+                                           {GraphicsFormat::R16_UNorm, 14},
+                                           {GraphicsFormat::R8_UNorm, 15},
+                                           {GraphicsFormat::R32G32B32A32_SInt, 21},
+                                           {GraphicsFormat::R32_SInt, 24},
+                                           {GraphicsFormat::R32G32_SInt, 25},
+                                           {GraphicsFormat::R32G32B32A32_UInt, 30},
+                                           {GraphicsFormat::R16G16B16A16_UInt, 31},
+                                           {GraphicsFormat::R8G8B8A8_UInt, 32},
+                                           {GraphicsFormat::R32_UInt, 33},
+                                           {GraphicsFormat::R32G32_UInt, 35},
+                                           {GraphicsFormat::R16_UInt, 38},
+                                           {GraphicsFormat::R8_UInt, 39}};
 
 class FormatWriter
 {
@@ -127,7 +145,11 @@ private:
         Words pointerWords = m_Pointers[pointer];
         Words imageWords = m_Images[pointerWords[3]];
         const auto [known, isNew] = m_Made.try_emplace({pointerWords[3], format});
-        if (isNew)
+        if (isNew && imageWords[8] == format) // of an atomic operation it is known
+        {
+            known->second = {pointerWords[3], pointer};
+        }
+        else if (isNew)
         {
             known->second = {m_Result[k_BoundWord], m_Result[k_BoundWord] + 1};
             m_Result[k_BoundWord] += 2;
@@ -167,8 +189,12 @@ std::uint32_t ToImageFormat(GraphicsFormat format)
 
 bool isExtended(std::uint32_t imageFormat)
 {
-    constexpr std::uint32_t k_LastPlain = 5;
-    return imageFormat > k_LastPlain;
+    // Of four kinds of components, the first ones of each.
+    const auto isPlain = [&](std::uint32_t first, std::uint32_t last)
+    {
+        return imageFormat >= first && imageFormat <= last;
+    };
+    return !isPlain(1, 5) && !isPlain(21, 24) && !isPlain(30, 33);
 }
 
 std::vector<std::uint32_t> WithFormats(const std::vector<std::uint32_t>& spirv,

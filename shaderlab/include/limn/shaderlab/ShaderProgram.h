@@ -89,7 +89,8 @@ struct TextureBinding
     std::uint32_t binding = 0;
     TextureDimension dimension = TextureDimension::Tex2D;
     bool multisampled = false;
-    bool combinedSampler = false; ///< sampler2D: one descriptor holds texture and sampler
+    bool combinedSampler = false;          ///< sampler2D: one descriptor holds texture and sampler
+    UniformType type = UniformType::Float; ///< of its components in the shader
 
     bool operator==(const TextureBinding&) const = default;
 };
@@ -165,6 +166,7 @@ struct PropertyLayout
     std::vector<StorageTextureBinding> storageTextures; ///< of kernels only
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
+    std::vector<UniformType> outputTypes; ///< of each; Float for those that it leaves out
     GeometryInput geometryInput = GeometryInput::None;
     ShaderStage pushStages = ShaderStage::None; ///< that read the DrawConstants
     /// Whether the fragment function looks at anything that differs from one place to another, its
