@@ -331,6 +331,16 @@ void CommandBuffer::EndSample(std::string_view sample)
     EndSample();
 }
 
+void CommandBuffer::SetKeyword(const std::shared_ptr<Material>& material,
+                               const LocalKeyword& keyword, bool value)
+{
+    if (!material)
+    {
+        throw ContractError("SetKeyword '" + keyword.name() + "' needs a material, but it is null");
+    }
+    m_Commands.emplace_back(SetMaterialKeywordCommand{material, keyword, value});
+}
+
 void CommandBuffer::SetKeyword(const GlobalKeyword& keyword, bool value)
 {
     m_Commands.emplace_back(SetKeywordCommand{keyword, value});

@@ -162,6 +162,10 @@ void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
                 {
                     c.shader->SetKeyword(c.keyword, c.isOn);
                 }
+                else if constexpr (std::is_same_v<Command, SetMaterialKeywordCommand>)
+                {
+                    c.material->SetKeyword(c.keyword, c.isOn);
+                }
                 else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
                 {
                     m_Identified->SetCameraColor(c);

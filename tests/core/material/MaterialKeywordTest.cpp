@@ -155,6 +155,22 @@ TEST_F(GlobalKeywords, ChooseTheVariantOfTheDrawsThatFollow)
     EXPECT_THAT(material->shaderKeywords(), testing::IsEmpty());
 }
 
+TEST_F(GlobalKeywords, AreNotThoseThatACommandSwitchesForOneMaterial)
+{
+    const auto material = std::make_shared<Material>(KeywordShader(""));
+    const auto other = std::make_shared<Material>(KeywordShader(""));
+    const LocalKeyword keyword(*material->shader(), "TINT_ON");
+    Draw(material);
+    m_Cmd.EnableKeyword(material, keyword);
+    Draw(material);
+    Draw(other);
+    m_Cmd.SetKeyword(material, keyword, false);
+    Draw(material);
+    EXPECT_THAT(Results(), ElementsAre("_Off", "_On", "_Off", "_Off"));
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Cmd.EnableKeyword(nullptr, keyword); }),
+              "SetKeyword 'TINT_ON' needs a material, but it is null");
+}
+
 TEST_F(GlobalKeywords, AddToThoseOfTheMaterial)
 {
     const auto material = std::make_shared<Material>(KeywordShader(""));

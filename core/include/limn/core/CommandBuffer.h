@@ -325,6 +325,19 @@ public:
     void SetKeyword(const GlobalKeyword& keyword, bool value);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
+    /// Of one material, for draws that follow, and from then on.
+    /// @throws ContractError if the material is null
+    /// @source Unity: CommandBuffer.SetKeyword(Material, in LocalKeyword, bool) (2022.3)
+    void SetKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword,
+                    bool value);
+    void EnableKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword)
+    {
+        SetKeyword(material, keyword, true);
+    }
+    void DisableKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword)
+    {
+        SetKeyword(material, keyword, false);
+    }
     void EnableShaderKeyword(std::string_view keyword) { SetKeyword(GlobalKeyword(keyword), true); }
     void DisableShaderKeyword(std::string_view keyword)
     {

@@ -49,6 +49,14 @@ struct SetKeywordCommand
     bool operator==(const SetKeywordCommand&) const = default;
 };
 
+/// Of one material.
+struct SetMaterialKeywordCommand
+{
+    std::shared_ptr<Material> material; ///< never null
+    LocalKeyword keyword;
+    bool isOn = false;
+};
+
 /// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
 struct SetViewProjectionCommand
 {
@@ -147,6 +155,6 @@ using RecordedCommand =
                  IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
                  SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
                  GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
-                 SetComputeTextureCommand, SetComputeKeywordCommand>;
+                 SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand>;
 
 } // namespace limn

@@ -172,6 +172,19 @@ public:
     {
         m_Native.SetKeyword(keyword, value);
     }
+    void SetKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword,
+                    bool value)
+    {
+        m_Native.SetKeyword(material, keyword, value);
+    }
+    void EnableKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword)
+    {
+        SetKeyword(material, keyword, true);
+    }
+    void DisableKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword)
+    {
+        SetKeyword(material, keyword, false);
+    }
     void EnableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), true); }
     void DisableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), false); }
 

@@ -4,6 +4,7 @@
 #include "device/Translate.h"
 #include "frame/FrameRecorder.h"
 #include "memory/CopyBandwidth.h"
+#include "resources/ImageSupport.h"
 #include "resources/ReadBackCopy.h"
 
 namespace limn
@@ -200,7 +201,7 @@ const TextureStates& VulkanDevice::textureStates() const
 int VulkanDevice::GetRenderTextureSupportedMSAASampleCount(
     const RenderTextureDescriptor& descriptor) const
 {
-    return m_Impl->resources.images.SupportedSampleCount(RenderTexture("", descriptor));
+    return vulkan::SupportedSampleCount(m_Impl->context, RenderTexture("", descriptor));
 }
 
 const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const

@@ -106,20 +106,4 @@ VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
     return info;
 }
 
-void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
-{
-    const VkExtent3D extent = Extent(texture);
-    const VkExtent3D& most = can.maxExtent;
-    if (extent.width > most.width || extent.height > most.height || extent.depth > most.depth ||
-        LayerCount(texture) > can.maxArrayLayers)
-    {
-        const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-        throw ContractError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
-                            "; the device makes at most " + std::to_string(most.width) + "x" +
-                            std::to_string(most.height) + "x" +
-                            std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
-                            " of that kind");
-    }
-}
-
 } // namespace limn::vulkan

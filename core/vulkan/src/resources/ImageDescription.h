@@ -20,8 +20,4 @@ VkImageViewType ViewType(TextureDimension dimension);
 /// @param samples  several are drawn into and resolved only
 VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples);
 
-/// @param can  what the device makes of that kind
-/// @throws ContractError naming the texture, if it is larger
-void RequireFits(const Texture& texture, const VkImageFormatProperties& can);
-
 } // namespace limn::vulkan

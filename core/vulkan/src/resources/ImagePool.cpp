@@ -3,9 +3,9 @@
 #include "device/Check.h"
 #include "device/Translate.h"
 #include "resources/ImageDescription.h"
+#include "resources/ImageSupport.h"
 #include "resources/MipChain.h"
 #include <algorithm>
-#include <bit>
 
 namespace limn::vulkan
 {
@@ -181,7 +181,7 @@ TextureFootprint ImagePool::Footprint(const RenderTexture& texture)
     if (isNew)
     {
         const VkImageCreateInfo info = Describe(texture, 1);
-        RequireSupport(info, texture);
+        RequireSupport(m_Context, info, texture);
         const UniqueImage image = CreateUnbound(info, texture.name());
         VkMemoryRequirements needs{};
         vkGetImageMemoryRequirements(m_Context.device(), image.get(), &needs);
@@ -374,7 +374,7 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedT
     image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
     image.aspects = Aspects(format);
     const VkImageCreateInfo info = Describe(texture, image.samples);
-    RequireSupport(info, texture);
+    RequireSupport(m_Context, info, texture);
     if (place != nullptr)
     {
         image.shared = m_Shared.at(place->kind).memory;
@@ -400,7 +400,7 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedT
 void ImagePool::CreateResolved(PooledImage& image, const Texture& texture)
 {
     const VkImageCreateInfo info = Describe(texture, 1);
-    RequireSupport(info, texture);
+    RequireSupport(m_Context, info, texture);
     ResolvedImage resolved;
     resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
     resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
@@ -440,60 +440,6 @@ UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::str
                                   MemoryContent::Images, name);
     Bind(image, memory, 0, name);
     return image;
-}
-
-int ImagePool::SupportedSampleCount(const RenderTexture& texture) const
-{
-    const std::uint32_t most = SampleCount(texture);
-    const VkImageCreateInfo info = Describe(texture, most);
-    VkImageFormatProperties can{};
-    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        m_Context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage,
-        info.flags, &can);
-    const VkSampleCountFlags counts = result == VK_SUCCESS ? can.sampleCounts : 0;
-    return static_cast<int>(std::bit_floor(std::max(1U, counts & (most * 2U - 1U))));
-}
-
-void ImagePool::RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const
-{
-    const std::string subject = "texture '" + texture.name() + "': ";
-    if (texture.dimension() == TextureDimension::CubeArray && !m_Context.capabilities().cubeArray)
-    {
-        throw ContractError(subject + "the device has no arrays of cubes");
-    }
-    VkImageFormatProperties can{};
-    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        m_Context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage,
-        info.flags, &can);
-    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
-    {
-        throw ContractError(subject + "the device cannot use format " +
-                            limn::ToString(texture.graphicsFormat()) + " for it");
-    }
-    Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
-    RequireFits(texture, can);
-    RequireMips(info, texture);
-    if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
-    {
-        throw ContractError(subject + "the device does not do " +
-                            std::to_string(static_cast<int>(info.samples)) + " samples of " +
-                            limn::ToString(texture.graphicsFormat()));
-    }
-}
-
-/// Levels are made by blits.
-void ImagePool::RequireMips(const VkImageCreateInfo& info, const Texture& texture) const
-{
-    constexpr VkFormatFeatureFlags k_Needed = VK_FORMAT_FEATURE_BLIT_SRC_BIT |
-                                              VK_FORMAT_FEATURE_BLIT_DST_BIT |
-                                              VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
-    VkFormatProperties can{};
-    vkGetPhysicalDeviceFormatProperties(m_Context.physicalDevice(), info.format, &can);
-    if (info.mipLevels > 1 && (can.optimalTilingFeatures & k_Needed) != k_Needed)
-    {
-        throw ContractError("texture '" + texture.name() + "': the device makes no mip levels of " +
-                            limn::ToString(texture.graphicsFormat()));
-    }
 }
 
 UniqueImageView ImagePool::CreateMipView(VkImage image, const Texture& texture,

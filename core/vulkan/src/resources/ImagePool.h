@@ -98,9 +98,6 @@ public:
     void Rollback(std::uint64_t number) noexcept; ///< it never will be
     void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
 
-    /// The samples a texel that the device does of the texture: at most as many as it has.
-    int SupportedSampleCount(const RenderTexture& texture) const;
-
     std::size_t size() const { return m_Images.size(); }
     /// Grows where an image is not, or not where it was, any more.
     std::uint64_t changeCount() const { return m_Changes; }
@@ -135,8 +132,6 @@ private:
     void Grow(const std::vector<PlacedTexture>& placed);
     void Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const;
     void CreateResolved(PooledImage& image, const Texture& texture);
-    void RequireSupport(const VkImageCreateInfo& info, const Texture& texture) const;
-    void RequireMips(const VkImageCreateInfo& info, const Texture& texture) const;
     UniqueImage CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const;
     UniqueImage CreateImage(const VkImageCreateInfo& info, const std::string& name,
                             MemoryAllocation& memory) const;
