@@ -39,6 +39,9 @@ function(limn_add_feature name)
     add_library(${name}_objects OBJECT ${ARG_SOURCES})
     set_target_properties(${name}_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_compile_features(${name}_objects PUBLIC cxx_std_20)
+    # Else a copy that is built and loaded later has its static variables in common with this one.
+    target_compile_options(${name}_objects PRIVATE
+        $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
     target_include_directories(${name}_objects PUBLIC
         $<TARGET_PROPERTY:limn::features,INTERFACE_INCLUDE_DIRECTORIES>)
     target_compile_definitions(${name}_objects PUBLIC

@@ -22,7 +22,11 @@ std::unique_ptr<ScriptableRendererFeature> FeatureRegistry::Create(std::string_v
 {
     const auto found =
         std::ranges::find_if(m_Entries, [name](const auto& entry) { return entry->name == name; });
-    return found == m_Entries.end() ? nullptr : (*found)->create();
+    if (found == m_Entries.end())
+    {
+        return nullptr;
+    }
+    return RunFeatureCode(*(*found)->type, name, "its constructor", (*found)->create);
 }
 
 std::vector<std::string_view> FeatureRegistry::names() const

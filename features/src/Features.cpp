@@ -1,7 +1,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
-#include <set>
+#include <map>
 
 namespace limn
 {
@@ -20,15 +20,43 @@ void RegisterVolumeComponents(VolumeComponentRegistry& registry)
 namespace
 {
 
-/// Grows while plug-ins are loaded.
-ShaderDatabase& AllShaders()
+struct Shipped
 {
-    static ShaderDatabase shaders = []
+    ShaderDatabase own;
+    std::map<const Plugin*, ShaderDatabase> ofPlugins; ///< once for all registries
+    ShaderDatabase all;
+};
+
+Shipped& AllShaders()
+{
+    static Shipped shipped = []
     {
-        ShaderDatabase database = BuiltinShaders();
-        database.Add(embedded::FeatureShaders());
-        return database;
+        ShaderDatabase own = BuiltinShaders();
+        own.Add(embedded::FeatureShaders());
+        return Shipped{own, {}, own};
     }();
+    return shipped;
+}
+
+/// What a plug-in brings along, which nobody else may have.
+ShaderDatabase ShadersOf(const Plugin& plugin, const Plugin* older)
+{
+    ShaderDatabase shaders;
+    if (plugin.shaders)
+    {
+        shaders.Add(plugin.shaders());
+    }
+    const auto olderOnes = AllShaders().ofPlugins.find(older);
+    for (const std::string_view name : shaders.names())
+    {
+        const ShaderLabDocument* known = AllShaders().all.Find(name);
+        const bool makesWay =
+            olderOnes != AllShaders().ofPlugins.end() && olderOnes->second.Find(name) == known;
+        if (known && !makesWay)
+        {
+            throw ContractError("a shader '" + std::string(name) + "' is there already");
+        }
+    }
     return shaders;
 }
 
@@ -36,27 +64,27 @@ ShaderDatabase& AllShaders()
 
 const ShaderDatabase& ShippedShaders()
 {
-    return AllShaders();
+    return AllShaders().all;
 }
 
-void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentRegistry& components)
+void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentRegistry& components,
+               const Plugin* older)
 {
-    static std::set<const Plugin*> added; // their shaders, once for all registries
-    ShaderDatabase shaders;
-    if (plugin.shaders && added.count(&plugin) == 0)
-    {
-        shaders.Add(plugin.shaders());
-    }
-    for (const std::string_view name : shaders.names())
-    {
-        if (AllShaders().Find(name))
-        {
-            throw ContractError("a shader '" + std::string(name) + "' is there already");
-        }
-    }
+    Shipped& shipped = AllShaders();
+    const bool isAdded = shipped.ofPlugins.count(&plugin) > 0;
+    ShaderDatabase shaders = isAdded ? ShaderDatabase() : ShadersOf(plugin, older);
     plugin.registerFeatures(features, components);
-    AllShaders().Add(shaders);
-    added.insert(&plugin);
+    if (isAdded)
+    {
+        return;
+    }
+    shipped.ofPlugins.erase(older);
+    shipped.ofPlugins.emplace(&plugin, std::move(shaders));
+    shipped.all = shipped.own;
+    for (const auto& [unused, ofPlugin] : shipped.ofPlugins)
+    {
+        shipped.all.Add(ofPlugin);
+    }
 }
 
 } // namespace limn

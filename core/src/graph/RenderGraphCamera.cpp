@@ -2,8 +2,7 @@
 
 #include "graph/RenderGraphRun.h"
 #include "pipeline/MakeDrawingSettings.h"
-
-#include <limn/core/ScriptableRenderer.h>
+#include "pipeline/RunPassCode.h"
 
 namespace limn
 {
@@ -55,11 +54,15 @@ RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderC
     RenderGraphState& state = *m_Graph.m_State;
     state.copy = targets.copy;
     FillFrameData(context, renderingData, targets);
-    pass.RecordRenderGraph(m_Graph, m_FrameData);
+    const ScriptableRenderer& renderer = *renderingData.cameraData.renderer;
+    RunPassCode(renderer, pass, "RecordRenderGraph",
+                [&] { pass.RecordRenderGraph(m_Graph, m_FrameData); });
     RenderGraphRun run(m_Graph, state, context, *renderingData.report);
     for (; state.ran < state.passes.size(); ++state.ran)
     {
-        run.Run(state.passes[state.ran]);
+        RenderGraphPass& graphPass = state.passes[state.ran];
+        RunPassCode(renderer, pass, graphPass.name, "the render function",
+                    [&] { run.Run(graphPass); });
     }
     context.SetPassName(pass.profilingSampler.name());
     const TextureHandle& color = m_FrameData.Get<UniversalResourceData>().cameraColor;

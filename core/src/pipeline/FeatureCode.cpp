@@ -16,12 +16,11 @@ void SetFeatureCodeListener(FeatureCodeListener listener)
     s_FeatureCodeListener = listener;
 }
 
-void detail::TellOfFeatureCode(const std::type_info& type, std::string_view name,
-                               const char* member)
+void detail::TellOfFeatureCode(const FeatureCode& code)
 {
     if (const FeatureCodeListener listener = s_FeatureCodeListener)
     {
-        listener(type, name, member);
+        listener(code);
     }
 }
 

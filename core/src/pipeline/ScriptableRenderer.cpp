@@ -1,10 +1,10 @@
 #include "graph/RenderGraphCamera.h"
 #include "pipeline/CameraUniforms.h"
+#include "pipeline/RunPassCode.h"
 
 #include <algorithm>
 #include <exception>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/FeatureCode.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/TypeName.h>
 
@@ -52,7 +52,8 @@ Color BackgroundOf(const CameraData& data)
 
 /// Lets each of the passes clean up, also behind one that cannot.
 /// @return what was thrown first
-std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,
+std::exception_ptr CleanUp(const ScriptableRenderer& renderer,
+                           std::span<ScriptableRenderPass* const> passes,
                            CommandBuffer& cmd) noexcept
 {
     std::exception_ptr failure;
@@ -62,8 +63,7 @@ std::exception_ptr CleanUp(std::span<ScriptableRenderPass* const> passes,
         {
             try
             {
-                RunFeatureCode(*pass, pass->profilingSampler.name(), function,
-                               [&] { (pass->*method)(cmd); });
+                RunPassCode(renderer, *pass, function, [&] { (pass->*method)(cmd); });
             }
             catch (...)
             {
@@ -94,6 +94,13 @@ void NoteEmptyDraws(RenderReport& report, std::size_t first)
             report.notes.push_back(std::move(note));
         }
     }
+}
+
+/// Calls code of a feature.
+template <typename Work>
+decltype(auto) RunFeature(const ScriptableRendererFeature& feature, const char* member, Work&& work)
+{
+    return RunFeatureCode(typeid(feature), feature.name, member, std::forward<Work>(work));
 }
 
 /// In the order of their events, otherwise as they are.
@@ -139,7 +146,7 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     {
         throw ContractError("AddFeature: the feature is null");
     }
-    RunFeatureCode(*feature, feature->name, "Create", [&] { feature->Create(); });
+    RunFeature(*feature, "Create", [&] { feature->Create(); });
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
 }
@@ -149,7 +156,12 @@ float ScriptableRenderer::cullingMargin(const VolumeStackPointer& volumeStack) c
     float margin = 0.0f;
     for (const auto& feature : m_Features)
     {
-        margin = std::max(margin, feature->isActive() ? feature->cullingMargin(volumeStack) : 0.0f);
+        if (feature->isActive())
+        {
+            margin =
+                std::max(margin, RunFeature(*feature, "cullingMargin",
+                                            [&] { return feature->cullingMargin(volumeStack); }));
+        }
     }
     return margin;
 }
@@ -162,6 +174,17 @@ void ScriptableRenderer::EnqueuePass(ScriptableRenderPass& pass)
         pass.profilingSampler = ProfilingSampler(type.substr(type.rfind(':') + 1));
     }
     m_Queue.push_back(&pass);
+}
+
+const ScriptableRendererFeature*
+ScriptableRenderer::FeatureOf(const ScriptableRenderPass& pass) const
+{
+    const auto index = static_cast<std::size_t>(std::ranges::find(m_FeaturePasses, &pass) -
+                                                m_FeaturePasses.begin());
+    const auto end = std::ranges::upper_bound(m_FeaturePassEnds, index);
+    return end == m_FeaturePassEnds.end()
+               ? nullptr
+               : m_Features[static_cast<std::size_t>(end - m_FeaturePassEnds.begin())].get();
 }
 
 const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const
@@ -230,18 +253,20 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
 
 void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
 {
+    m_FeaturePassEnds.clear();
     for (const auto& feature : m_Features)
     {
         if (feature->isActive())
         {
-            RunFeatureCode(*feature, feature->name, "AddRenderPasses",
-                           [&] { feature->AddRenderPasses(*this, renderingData); });
+            RunFeature(*feature, "AddRenderPasses",
+                       [&] { feature->AddRenderPasses(*this, renderingData); });
         }
         else
         {
             renderingData.report->notes.push_back(feature->name +
                                                   ": not drawn, the feature is inactive");
         }
+        m_FeaturePassEnds.push_back(m_Queue.size());
     }
 }
 
@@ -255,8 +280,8 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     {
         if (feature->isActive() && !renderingData.cameraData.isPreviewCamera())
         {
-            RunFeatureCode(*feature, feature->name, "SetupRenderPasses",
-                           [&] { feature->SetupRenderPasses(*this, renderingData); });
+            RunFeature(*feature, "SetupRenderPasses",
+                       [&] { feature->SetupRenderPasses(*this, renderingData); });
         }
     }
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
@@ -267,8 +292,8 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
         while (setUp < m_Queue.size())
         {
             ScriptableRenderPass& pass = *m_Queue[setUp++];
-            RunFeatureCode(pass, pass.profilingSampler.name(), "OnCameraSetup",
-                           [&] { pass.OnCameraSetup(*cmd, renderingData); });
+            RunPassCode(*this, pass, "OnCameraSetup",
+                        [&] { pass.OnCameraSetup(*cmd, renderingData); });
         }
         ExecutePasses(context, renderingData, *cmd);
     }
@@ -276,7 +301,7 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     {
         failure = std::current_exception();
     }
-    const std::exception_ptr second = CleanUp(std::span(m_Queue).first(setUp), *cmd);
+    const std::exception_ptr second = CleanUp(*this, std::span(m_Queue).first(setUp), *cmd);
     if (failure || second)
     {
         std::rethrow_exception(failure ? failure : second);
@@ -291,9 +316,8 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
     renderingData.report->passes.reserve(m_Queue.size());
     for (ScriptableRenderPass* pass : m_Queue)
     {
-        RunFeatureCode(*pass, pass->profilingSampler.name(), "Configure",
-                       [&]
-                       { pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor); });
+        RunPassCode(*this, *pass, "Configure",
+                    [&] { pass->Configure(cmd, renderingData.cameraData.cameraTargetDescriptor); });
     }
     context.ExecuteCommandBuffer(cmd);
     cmd.Clear();
@@ -345,7 +369,7 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
     renderingData.report->passes.push_back({SampleName(name), pass.renderPassEvent});
-    RunFeatureCode(pass, name, "Execute", [&] { pass.Execute(context, renderingData); });
+    RunPassCode(*this, pass, "Execute", [&] { pass.Execute(context, renderingData); });
     cmd->Clear();
     cmd->EndSample();
     context.ExecuteCommandBuffer(*cmd);

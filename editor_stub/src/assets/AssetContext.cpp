@@ -70,7 +70,8 @@ std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 
 } // namespace
 
-AssetContext::AssetContext(ShaderCompilerOptions options)
+AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLoading)
+    : m_PluginLoading(pluginLoading)
 {
     for (const std::filesystem::path& folder : options.includeFolders)
     {
@@ -107,14 +108,25 @@ AssetContext::RootsFor::~RootsFor()
 void AssetContext::LoadPlugin(const std::filesystem::path& path)
 {
     Reach(path);
+    m_PluginFiles.insert(path.lexically_normal());
     std::error_code ignored; // LoadPlugin says what is wrong
     const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
     if (m_Plugins.count(canonical) == 0)
     {
-        limn::LoadPlugin(path, m_Features, m_VolumeComponents);
+        limn::LoadPlugin(path, m_Features, m_VolumeComponents, m_PluginLoading);
         m_Plugins.insert(canonical);
         m_ShippedShaders.clear(); // where a name may stand for none
     }
+}
+
+bool AssetContext::ReloadPlugin(const std::filesystem::path& path)
+{
+    const bool isPlugin = m_PluginFiles.count(path.lexically_normal()) > 0;
+    if (isPlugin)
+    {
+        limn::ReloadPlugin(path);
+    }
+    return isPlugin;
 }
 
 std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)

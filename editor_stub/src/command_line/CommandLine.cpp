@@ -275,6 +275,7 @@ void AddReport(CLI::App& app, CommandLine& line)
     AddReportOptions(*verb, line.report);
     AddSizeOption(*verb, line.size);
     AddDeviceOption(*verb, line.render.device);
+    AddPluginOption(*verb, line);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     OnceParsed(verb, line,

@@ -1,12 +1,12 @@
 #include "plugins/LoadPlugin.h"
 
-#include <dlfcn.h>
-#include <limn/core/FeatureCode.h>
+#include "plugins/ModuleFile.h"
+#include "plugins/NamePlugin.h"
+
+#include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
-#include <limn/vulkan/VulkanError.h>
 #include <map>
 #include <mutex>
-#include <new>
 
 namespace limn
 {
@@ -14,17 +14,12 @@ namespace limn
 namespace
 {
 
-struct LoadedPlugin
-{
-    std::string name; ///< the path by which it was first asked for
-    const Plugin* plugin = nullptr;
-};
-
-/// Of the process, by canonical path.
+/// Of the process.
 struct LoadedPlugins
 {
     std::mutex mutex;
-    std::map<std::string, LoadedPlugin> byPath;
+    std::map<std::filesystem::path, const Plugin*> byFile;        ///< canonical
+    std::map<std::filesystem::path, std::filesystem::path> files; ///< of paths that were asked for
 };
 
 LoadedPlugins& Loaded()
@@ -33,124 +28,107 @@ LoadedPlugins& Loaded()
     return loaded;
 }
 
-/// The path of the plug-in, as it was asked for, whose code defines a type; "" if none does.
-std::string PluginOf(const std::type_info& type)
+/// The file that a path leads to, or once did; the mutex is held.
+std::filesystem::path FileOf(const std::filesystem::path& path)
 {
-    Dl_info info{};
-    if (dladdr(&type, &info) == 0 || !info.dli_fname)
+    std::filesystem::path& file = Loaded().files[std::filesystem::absolute(path)];
+    std::error_code error;
+    const std::filesystem::path canonical = std::filesystem::canonical(path, error);
+    if (!error)
     {
-        return {};
+        file = canonical;
     }
-    const std::lock_guard lock(Loaded().mutex);
-    const auto found = Loaded().byPath.find(info.dli_fname);
-    return found == Loaded().byPath.end() ? std::string() : found->second.name;
+    return file.empty() ? path : file;
 }
 
-[[noreturn]] void ThrowFor(const std::string& plugin, std::string_view name, const char* member,
-                           const std::string& what)
-{
-    throw AssetError(
-        plugin, {}, "'" + std::string(name) + "' of this plug-in threw in " + member + ": " + what);
-}
+const std::string k_RegistrationThrew = "this plug-in cannot be used: its registration threw: ";
 
-/// Puts the plug-in's name to what its code threw, where the exception does not say enough itself.
-void NamePlugin(const std::type_info& type, std::string_view name, const char* member)
+/// AddPlugin, whose errors are the file's.
+void Add(const Plugin& plugin, const Plugin* older, const std::string& name,
+         FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    const std::string plugin = PluginOf(type);
-    if (plugin.empty())
-    {
-        return;
-    }
     try
     {
-        throw;
+        AddPlugin(plugin, features, components, older);
     }
-    catch (const AssetError&) // which names a file
+    catch (const ContractError& taken)
     {
-        throw;
+        throw AssetError(name, {}, std::string("this plug-in cannot be used: ") + taken.what());
     }
-    catch (const VulkanError&)
-    {
-        throw;
-    }
-    catch (const std::bad_alloc&)
+    catch (const AssetError&)
     {
         throw;
     }
     catch (const std::exception& error)
     {
-        ThrowFor(plugin, name, member, error.what());
+        throw AssetError(name, {}, k_RegistrationThrew + error.what());
     }
     catch (...)
     {
-        ThrowFor(plugin, name, member, "an exception without a name");
+        throw AssetError(name, {}, k_RegistrationThrew + "an exception without a name");
     }
 }
 
-/// What the loader of libraries says, without the path that it begins with.
-std::string LoaderText(const std::string& path)
+/// Loads what the file holds now, and sees whether it can be registered.
+const Plugin& Open(const std::filesystem::path& file, const std::string& name,
+                   PluginLoading loading, const Plugin* older)
 {
-    const char* error = dlerror();
-    const std::string text = error ? error : "the system does not say why";
-    return text.starts_with(path + ": ") ? text.substr(path.size() + 2) : text;
-}
-
-const Plugin& Open(const std::string& canonical, const std::string& name)
-{
-    dlerror();
-    void* library = dlopen(canonical.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (!library)
-    {
-        throw AssetError(name, {}, "cannot be loaded as a plug-in: " + LoaderText(canonical));
-    }
-    const auto* plugin = static_cast<const Plugin*>(dlsym(library, "limn_plugin"));
-    if (!plugin)
+    const void* symbol = OpenModule(file, name, loading, "limn_plugin");
+    if (!symbol)
     {
         throw AssetError(name, {},
                          "no plug-in of limn: it has no 'limn_plugin', which LIMN_PLUGIN of "
                          "<limn/features/Plugin.h> defines");
     }
-    const std::string problem = PluginProblem(*plugin);
+    const Plugin& plugin = *static_cast<const Plugin*>(symbol);
+    const std::string problem = PluginProblem(plugin);
     if (!problem.empty())
     {
         throw AssetError(name, {}, "this plug-in cannot be used: " + problem);
     }
-    return *plugin;
-}
-
-const Plugin& OpenOnce(const std::string& canonical, const std::string& name)
-{
-    const std::lock_guard lock(Loaded().mutex);
-    LoadedPlugin& loaded = Loaded().byPath[canonical];
-    if (!loaded.plugin)
-    {
-        loaded.name = name;
-        loaded.plugin = &Open(canonical, name);
-        SetFeatureCodeListener(&NamePlugin);
-    }
-    return *loaded.plugin;
+    NamePlugin(symbol, name);
+    FeatureRegistry features;
+    VolumeComponentRegistry components;
+    RegisterFeatures(features, components);
+    Add(plugin, older, name, features, components);
+    return plugin;
 }
 
 } // namespace
 
 void LoadPlugin(const std::filesystem::path& path, FeatureRegistry& features,
-                VolumeComponentRegistry& components)
+                VolumeComponentRegistry& components, PluginLoading loading)
 {
     const std::string name = path.generic_string();
-    std::error_code error;
-    const std::filesystem::path canonical = std::filesystem::canonical(path, error);
-    if (error)
+    const std::lock_guard lock(Loaded().mutex);
+    const std::filesystem::path file = FileOf(path);
+    const Plugin*& plugin = Loaded().byFile[file];
+    if (!plugin)
     {
-        throw AssetError(name, {}, "cannot be loaded as a plug-in: " + error.message());
+        plugin = &Open(file, name, loading, nullptr);
     }
-    const Plugin& plugin = OpenOnce(canonical.string(), name);
+    Add(*plugin, nullptr, name, features, components);
+}
+
+void ReloadPlugin(const std::filesystem::path& path)
+{
+    const std::string name = path.generic_string();
+    const std::lock_guard lock(Loaded().mutex);
+    const std::filesystem::path file = FileOf(path);
+    const Plugin*& plugin = Loaded().byFile[file];
+    if (!plugin)
+    {
+        return;
+    }
     try
     {
-        AddPlugin(plugin, features, components);
+        plugin = &Open(file, name, PluginLoading::Copy, plugin);
     }
-    catch (const ContractError& taken)
+    catch (const AssetError& error)
     {
-        throw AssetError(name, {}, std::string("this plug-in cannot be used: ") + taken.what());
+        std::vector<Diagnostic> all = error.diagnostics();
+        all.push_back({Severity::Note, name, {}, "the plug-in loaded before stays in use"});
+        throw AssetError(std::move(all));
     }
 }
 

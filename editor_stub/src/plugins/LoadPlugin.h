@@ -1,19 +1,24 @@
 #pragma once
 
 #include <filesystem>
-#include <limn/features/FeatureRegistry.h>
-#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/editor_stub/AssetContext.h>
 
 namespace limn
 {
 
 /// Loads a plug-in, registers what it holds and adds its shaders to ShippedShaders(). It stays
-/// loaded until the process ends, since whoever got an object of it runs its code; its code is read
-/// once, however often it is asked for. From then on what its features and passes throw in a frame
-/// is an AssetError that names it, but for AssetErrors, lack of memory and failures of the driver.
+/// loaded until the process ends, since whoever got an object of it runs its code; its file is read
+/// once, however often it is asked for. From then on what its code throws is reported as NamePlugin
+/// says.
 /// @throws AssetError if there is no such file, it is no library, no plug-in, one for another limn,
-///     or a name of it is taken
+///     its registration throws, or a name of it is taken
 void LoadPlugin(const std::filesystem::path& path, FeatureRegistry& features,
-                VolumeComponentRegistry& components);
+                VolumeComponentRegistry& components, PluginLoading loading = PluginLoading::File);
+
+/// Reads a loaded plug-in's file again: LoadPlugin then registers what it holds now, and its
+/// shaders take the place of the older ones. Objects of the older one go on with the older code. Of
+/// a file that could not be loaded so far nothing is read.
+/// @throws AssetError as LoadPlugin; all then stays as it was
+void ReloadPlugin(const std::filesystem::path& path);
 
 } // namespace limn

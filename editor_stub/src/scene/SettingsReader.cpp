@@ -1,8 +1,7 @@
 #include "scene/SettingsReader.h"
 
+#include "plugins/DescribeFeature.h"
 #include "scene/ReadEnum.h"
-
-#include <limn/core/FeatureCode.h>
 
 namespace limn
 {
@@ -119,7 +118,7 @@ void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
     map.Read("active", active);
     feature.SetActive(active);
     SettingsReader reader(map, context, diagnostics);
-    feature.Describe(reader);
+    DescribeFeature(feature, reader);
 }
 
 void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
@@ -127,7 +126,7 @@ void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
 {
     try
     {
-        RunFeatureCode(feature, feature.name, "Create", [&] { feature.Create(); });
+        RunFeatureCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });
     }
     catch (const AssetError& error)
     {

@@ -1,3 +1,4 @@
+#include "plugins/DescribeFeature.h"
 #include "schema/Schemas.h"
 
 #include <limn/core/Material.h>
@@ -128,7 +129,7 @@ Json FeatureSchema(const FeatureRegistry& features)
         Json map = MapSchema(
             {{"type", {{"const", name}}}, {"name", TextSchema()}, {"active", BoolSchema()}});
         SchemaInspector inspector(map);
-        features.Create(type)->Describe(inspector);
+        DescribeFeature(*features.Create(type), inspector);
         Json isThisType{{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}};
         schema["allOf"].push_back({{"if", std::move(isThisType)}, {"then", std::move(map)}});
     }

@@ -1,5 +1,7 @@
 #include "schema/SettingsCollector.h"
 
+#include "plugins/DescribeFeature.h"
+
 #include <limn/core/Material.h>
 
 namespace limn
@@ -135,9 +137,9 @@ std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
                                             const LayerNames& renderingLayers)
 {
     SettingsCollector collector(layers, renderingLayers);
-    feature.Describe(collector);
+    DescribeFeature(feature, collector);
     SettingsCollector defaults(layers, renderingLayers);
-    defaultFeature.Describe(defaults);
+    DescribeFeature(defaultFeature, defaults);
     for (std::size_t i = 0; i < collector.values.size(); ++i)
     {
         InspectedValue& value = collector.values[i];

@@ -1,8 +1,9 @@
 #include "selection/SceneSelection.h"
 
+#include "plugins/DescribeFeature.h"
+
 #include <charconv>
 #include <cmath>
-#include <limn/core/Inspector.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/shaderlab/Case.h>
 #include <limn/volume/YamlRead.h>
@@ -23,7 +24,7 @@ public:
         m_Index = 0;
         m_Layers = LayerMask::Everything();
         m_Queues = RenderQueueRange::all;
-        feature.Describe(*this);
+        DescribeFeature(feature, *this);
         if (m_Index == 0)
         {
             return;

@@ -1,10 +1,10 @@
 #include "shaders/UsedShaders.h"
 
+#include "plugins/DescribeFeature.h"
 #include "shaders/ErrorShader.h"
 
 #include <algorithm>
 #include <future>
-#include <limn/core/Inspector.h>
 #include <map>
 #include <set>
 
@@ -131,7 +131,7 @@ ShaderPasses FeatureShaders(const SceneAsset& asset)
     {
         if (feature->isActive())
         {
-            feature->Describe(finder);
+            DescribeFeature(*feature, finder);
         }
     }
     return passes;

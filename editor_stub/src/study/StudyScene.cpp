@@ -1,8 +1,8 @@
 #include "study/StudyScene.h"
 
+#include "plugins/DescribeFeature.h"
 #include "study/Techniques.h"
 
-#include <limn/core/Inspector.h>
 #include <limn/core/Judge.h>
 
 namespace limn::study
@@ -58,7 +58,7 @@ FilteringSettings FilterOf(SceneAsset& asset)
     for (const auto& feature : asset.renderer.features)
     {
         FilterFinder finder;
-        feature->Describe(finder);
+        DescribeFeature(*feature, finder);
         if (feature->isActive() && finder.isOutline())
         {
             return finder.filter();

@@ -1,4 +1,5 @@
 #include "assets/References.h"
+#include "plugins/DescribeFeature.h"
 #include "scene/ReadLayers.h"
 #include "scene/SettingsReader.h"
 #include "unity/UnityProject.h"
@@ -131,7 +132,7 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     };
     const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, false};
     SettingsReader reader(map, context, loading.diagnostics);
-    feature.Describe(reader);
+    DescribeFeature(feature, reader);
     const std::vector<std::string>& known = reader.fieldNames();
     for (const YamlEntry& entry : settings.entries())
     {

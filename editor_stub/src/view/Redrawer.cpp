@@ -25,10 +25,17 @@ constexpr int k_MaxLost = 3; ///< devices in a row
 
 Redrawer::Drawing::Drawing(const RenderOptions& options,
                            const ShaderCompilerOptions& compilerOptions)
-    : device({options.device, options.validate, compilerOptions.cacheFolder}),
-      assets(ForDevice(compilerOptions, device)),
+    : anyDevicesOptions(compilerOptions),
+      device({options.device, options.validate, compilerOptions.cacheFolder}),
+      assets(MakeAssets()),
       pipeline(device)
 {
+}
+
+std::unique_ptr<AssetContext> Redrawer::Drawing::MakeAssets() const
+{
+    return std::make_unique<AssetContext>(ForDevice(anyDevicesOptions, device),
+                                          PluginLoading::Copy);
 }
 
 Redrawer::Redrawer(const RenderOptions& options, Console& console)
@@ -66,7 +73,7 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
 {
     const Clock::time_point start = Clock::now();
     const auto readSince = std::chrono::system_clock::now();
-    bool isSceneStale = !m_Drawing->view;
+    bool isSceneStale = !m_Drawing->view || m_Drawing->nextAssets;
     bool isProfileNew = false;
     for (const std::filesystem::path& path : changes)
     {
@@ -77,7 +84,11 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
     {
         Guard([&] { Draw(start); });
     }
-    m_Watcher.Watch(m_Drawing->assets.reachedFiles(), readSince);
+    m_Watcher.Watch(m_Drawing->assets->reachedFiles(), readSince);
+    if (m_Drawing->nextAssets)
+    {
+        m_Watcher.Watch(m_Drawing->nextAssets->reachedFiles(), readSince);
+    }
 }
 
 /// Whether the work was done; an error is printed. The driver's failures go on.
@@ -105,31 +116,50 @@ bool Redrawer::Guard(Work&& work)
 }
 
 /// A profile is read into the picture that there is. After any other change the scene has to be
-/// loaded again, which reads only what the assets do not have.
+/// loaded again, which reads only what the assets do not have; after a plug-in's into other assets,
+/// as these know what it registered before.
 /// @return whether it was a profile
 bool Redrawer::ReadAgain(const std::filesystem::path& path)
 {
-    const VolumeProfileLoadResult* profile = m_Drawing->assets.ReloadProfile(path);
+    Drawing& drawing = *m_Drawing;
+    if (drawing.assets->ReloadPlugin(path) ||
+        (drawing.nextAssets && drawing.nextAssets->ReloadPlugin(path)))
+    {
+        drawing.nextAssets = drawing.MakeAssets();
+        return false;
+    }
+    if (drawing.nextAssets)
+    {
+        drawing.nextAssets->Forget(path);
+    }
+    const VolumeProfileLoadResult* profile = drawing.assets->ReloadProfile(path);
     if (profile)
     {
         PrintNew(profile->notes);
         return true;
     }
-    m_Drawing->assets.Forget(path);
+    drawing.assets->Forget(path);
     return false;
 }
 
 void Redrawer::LoadScene()
 {
-    SceneAsset asset = LoadForRendering(m_Options, m_Drawing->assets);
-    m_Console.Print(CompileOrReplaceShaders(asset, m_Drawing->assets.compiler()));
+    Drawing& drawing = *m_Drawing;
+    std::unique_ptr<AssetContext>& source =
+        drawing.nextAssets ? drawing.nextAssets : drawing.assets;
+    SceneAsset asset = LoadForRendering(m_Options, *source);
+    m_Console.Print(CompileOrReplaceShaders(asset, source->compiler()));
     PrintNew(asset.notes);
-    m_Drawing->view = std::make_unique<SceneView>(std::move(asset), m_Drawing->assets);
+    drawing.view = std::make_unique<SceneView>(std::move(asset), *source);
+    if (drawing.nextAssets)
+    {
+        drawing.assets = std::move(drawing.nextAssets);
+    }
 }
 
 void Redrawer::Draw(Clock::time_point start)
 {
-    RequireOwnFiles({&m_Options.output, 1}, m_Drawing->assets.reachedFiles());
+    RequireOwnFiles({&m_Options.output, 1}, m_Drawing->assets->reachedFiles());
     const RenderResult result = m_Drawing->view->Render(m_Drawing->pipeline, m_Options.time);
     Image image = m_Drawing->device.ReadBack(*result.output.rt());
     MakeOpaque(image);

@@ -11,8 +11,9 @@ namespace limn
 {
 
 /// Draws a scene into a PNG and keeps all that it took, so that after a change only what hangs on
-/// the changed files is made again. What is wrong with a file is printed; the last good picture
-/// stays, or, if a shader of objects does not compile, those objects are drawn in magenta.
+/// the changed files is made again; after a plug-in's, everything but the device. What is wrong
+/// with a file is printed; the last good picture and the last good plug-in stay, or, if a shader of
+/// objects does not compile, those objects are drawn in magenta.
 class Redrawer
 {
 public:
@@ -28,7 +29,7 @@ public:
 
     /// Watches every file that the scene reached so far.
     FileWatcher& watcher() { return m_Watcher; }
-    const AssetContext& assets() const { return m_Drawing->assets; }
+    const AssetContext& assets() const { return *m_Drawing->assets; }
     const VulkanDevice& device() const { return m_Drawing->device; }
 
 private:
@@ -39,8 +40,14 @@ private:
     {
         Drawing(const RenderOptions& options, const ShaderCompilerOptions& compilerOptions);
 
+        /// Assets for what the device can do.
+        std::unique_ptr<AssetContext> MakeAssets() const;
+
+        const ShaderCompilerOptions& anyDevicesOptions; ///< of the compiler, for any device
         VulkanDevice device;
-        AssetContext assets;
+        std::unique_ptr<AssetContext> assets;
+        /// With newer plug-ins, for the next view; null while there are none.
+        std::unique_ptr<AssetContext> nextAssets;
         UniversalRenderPipeline pipeline;
         std::unique_ptr<SceneView> view; ///< the last that could be loaded; null before the first
     };

@@ -22,4 +22,13 @@ TEST(PluginGpu, DrawsWithItsShaderWhatItsComponentSays)
     }
 }
 
+TEST(PluginGpu, IsInTheSceneThatReportMeasures)
+{
+    const PluginFolder folder;
+    const std::string arguments = "report s.scene.yaml -o report --quick --device software";
+    EXPECT_THAT(folder.Run(arguments), testing::HasSubstr("unknown feature 'ProbeFeature'"));
+    EXPECT_THAT(folder.Run(arguments + " --plugin probe.so"),
+                testing::HasSubstr("no active feature outlines anything"));
+}
+
 } // namespace limn::test

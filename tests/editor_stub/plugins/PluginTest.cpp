@@ -75,11 +75,15 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
     {
         return folder.Run("explain s.scene.yaml --plugin " + module);
     };
-    EXPECT_EQ(Refusal("no.so: error: cannot be loaded as a plug-in: No such file or directory"),
+    EXPECT_EQ(Refusal("no.so: error: cannot be loaded as a plug-in: there is no such file"),
               run("no.so"));
     EXPECT_THAT(run("text.so"), AllOf(StartsWith("text.so: error: cannot be loaded as a plug-in: "),
                                       Not(HasSubstr(std::filesystem::current_path().string())),
                                       EndsWith("\nexit 1\n")));
+    EXPECT_EQ(Refusal("missing_symbol.so: error: cannot be loaded as a plug-in: it uses "
+                      "probe::Paint(int), which neither it nor limn has; add the source that "
+                      "defines it, or build it again with this limn"),
+              run("missing_symbol.so"));
     EXPECT_EQ(Refusal("no_plugin.so: error: no plug-in of limn: it has no 'limn_plugin', which "
                       "LIMN_PLUGIN of <limn/features/Plugin.h> defines"),
               run("no_plugin.so"));
@@ -94,6 +98,28 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
               run("other_build.so"));
 }
 
+TEST(Plugin, WhoseFileEndsTooEarlyIsRefusedWhereverThatIs)
+{
+    const PluginFolder folder;
+    const std::string whole = ReadText(BuiltPlugin("probe.so"));
+    for (const std::size_t size : {whole.size() - 1, whole.size() * 3 / 4, whole.size() / 2,
+                                   whole.size() / 4, std::size_t{4096}, std::size_t{100}})
+    {
+        folder.Write("half.so", whole.substr(0, size));
+        EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: the file ends too early, "
+                          "after " +
+                          std::to_string(size) +
+                          " bytes; is it being written, or was the linker stopped?"),
+                  folder.Run("explain s.scene.yaml --plugin half.so"));
+    }
+    for (const std::size_t size : {std::size_t{10}, std::size_t{0}})
+    {
+        folder.Write("half.so", whole.substr(0, size));
+        EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: file too short"),
+                  folder.Run("explain s.scene.yaml --plugin half.so"));
+    }
+}
+
 TEST(Plugin, ThatThrowsIsNamed)
 {
     const PluginFolder folder;
@@ -102,18 +128,48 @@ TEST(Plugin, ThatThrowsIsNamed)
         folder.WriteScene("{type: ProbeFeature, name: Red, fault: " + fault + "}");
         return folder.Run("explain s.scene.yaml --plugin probe.so");
     };
-    const std::string threw = "' of this plug-in threw in ";
-    EXPECT_EQ(Refusal("probe.so: error: 'Red" + threw + "Create: out of paint"), run("Create"));
-    EXPECT_EQ(Refusal("probe.so: error: 'Red" + threw + "AddRenderPasses: not today"),
-              run("AddRenderPasses"));
-    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "OnCameraSetup: no such texture"),
-              run("Setup"));
-    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: the brush is gone"),
-              run("Execute"));
-    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: an exception without a name"),
+    const std::string red = "probe.so: error: 'Red' threw in ";
+    EXPECT_EQ(Refusal(red + "Create: out of paint"), run("Create"));
+    EXPECT_EQ(Refusal(red + "AddRenderPasses: not today"), run("AddRenderPasses"));
+    EXPECT_EQ(Refusal(red + "cullingMargin: no margin"), run("Culling"));
+    EXPECT_EQ(Refusal(red + "OnCameraSetup of pass 'Paint': no such texture"), run("Setup"));
+    EXPECT_EQ(Refusal(red + "Execute of pass 'Paint': the brush is gone"), run("Execute"));
+    EXPECT_EQ(Refusal(red + "Execute of pass 'Paint': an exception without a name"),
               run("Nameless"));
-    EXPECT_EQ(Refusal("probe.so: error: 'Paint" + threw + "Execute: a target is missing"),
-              run("Draw"));
+    EXPECT_EQ(Refusal(red + "Execute of pass 'Paint': a target is missing"), run("Draw"));
+    EXPECT_EQ(Refusal("brush.png: error: there is no such file\n"
+                      "probe.so: note: 'Red' threw in Execute of pass 'Paint' what is said above"),
+              run("File"));
+    EXPECT_EQ(Refusal(red + "RecordRenderGraph of pass 'Graph': no paper"),
+              run("RecordRenderGraph"));
+    EXPECT_EQ(Refusal(red + "the render function of pass 'Wash': no water"), run("RenderFunction"));
+}
+
+TEST(Plugin, ThatThrowsOutsideOfAFrameIsNamed)
+{
+    const PluginFolder folder;
+    folder.WriteScene("{type: ProbeFeature, name: Red}");
+    const auto run = [&](probe::Fault fault, const std::string& command = "explain s.scene.yaml")
+    {
+        folder.Write("x.so", FaultyProbe(fault));
+        return folder.Run(command + " --plugin x.so");
+    };
+    const std::string error = "x.so: error: ";
+    EXPECT_EQ(Refusal(error + "'ProbeFeature' threw in its constructor: no canvas"),
+              run(probe::Fault::Constructor));
+    EXPECT_EQ(Refusal(error + "'Probe' threw in its constructor: no paint at all"),
+              run(probe::Fault::ComponentConstructor));
+    EXPECT_EQ(Refusal(error + "this plug-in cannot be used: its registration threw: nothing to "
+                              "sell"),
+              run(probe::Fault::Registration));
+    EXPECT_EQ(Refusal(error + "'probe::Probe' threw in Override: paints do not mix"),
+              run(probe::Fault::Blend));
+    EXPECT_EQ(Refusal(error + "'Red' threw in Describe: lost for words"),
+              run(probe::Fault::Describe));
+    EXPECT_EQ(Refusal(error + "'probe::ProbeFeature' threw in Describe: lost for words"),
+              run(probe::Fault::Describe, "schema scene"));
+    EXPECT_EQ(Refusal(error + "'Red' threw in Describe: lost for words"),
+              run(probe::Fault::Describe, "inspect s.scene.yaml"));
 }
 
 } // namespace limn::test

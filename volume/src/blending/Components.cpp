@@ -13,6 +13,12 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
     return copy;
 }
 
+void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor)
+{
+    RunFeatureCode(typeid(component), component.displayName, "Override",
+                   [&] { component.Override(state, interpFactor); });
+}
+
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to)
 {
     const std::span<const VolumeParameter* const> parameters = from.parameters();

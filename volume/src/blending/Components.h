@@ -14,6 +14,9 @@ namespace limn
 std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
                                                 const VolumeComponentRegistry& registry);
 
+/// VolumeComponent::Override, which a component may have written itself.
+void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor);
+
 /// Copies the values and override states of all parameters; both are of one type.
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to);
 

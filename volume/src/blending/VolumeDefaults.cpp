@@ -1,6 +1,7 @@
-#include <limn/volume/VolumeManager.h>
+#include "blending/Components.h"
 
 #include <algorithm>
+#include <limn/volume/VolumeManager.h>
 
 namespace limn
 {
@@ -66,7 +67,7 @@ void VolumeManager::ResetToDefaults(VolumeStack& stack) const
             VolumeComponent* state = stack.Find(typeid(component));
             if (component.active && state)
             {
-                component.Override(*state, 1.0f);
+                OverrideState(component, *state, 1.0f);
                 state->SetAllOverridesTo(false); // a default is not a volume's doing
             }
         }

@@ -1,5 +1,6 @@
 #include <limn/volume/VolumeManager.h>
 
+#include "blending/Components.h"
 #include "blending/VolumeBlending.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& t
         // A stack does not have a type that was registered after it was created.
         if (VolumeComponent* state = stack.Find(typeid(component)))
         {
-            component.Override(*state, influence.factor);
+            OverrideState(component, *state, influence.factor);
         }
     };
     ForEachContribution(GetVolumes(layerMask), trigger, apply);

@@ -75,7 +75,7 @@ void AddTraces(std::shared_ptr<const VolumeComponentTrace> whole, VolumeComponen
     for (const Contribution& contribution : contributions)
     {
         const std::vector<std::string> before = TextsOf(results);
-        contribution.target->Override(state, contribution.influence.factor);
+        OverrideState(*contribution.target, state, contribution.influence.factor);
         for (std::size_t i = 0; i < traces.size(); ++i)
         {
             const bool isOverridden = contribution.target->parameters()[i]->overrideState();
@@ -107,7 +107,7 @@ std::unique_ptr<VolumeComponent> VolumeComponentTrace::Replay() const
     CopyParameters(*start, *state);
     for (const Step& step : steps)
     {
-        step.target->Override(*state, step.factor);
+        OverrideState(*step.target, *state, step.factor);
     }
     return state;
 }

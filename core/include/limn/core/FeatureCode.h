@@ -2,38 +2,46 @@
 
 #include <string_view>
 #include <typeinfo>
+#include <utility>
 
 namespace limn
 {
 
-/// Hears of an exception that the code of a feature or a pass let out, while it is being handled:
-/// it can throw another one in its place, which says whose code it is.
-/// @param type    of the feature or pass; in the module that defines it
-/// @param name    the feature's, or the pass's profilingSampler's
-/// @param member  "AddRenderPasses", "Execute" ...
-using FeatureCodeListener = void (*)(const std::type_info& type, std::string_view name,
-                                     const char* member);
+/// A call into the code of whoever wrote a feature, a pass or a volume component.
+struct FeatureCode
+{
+    const std::type_info& type; ///< whose member it is; in the module that defines the type
+    std::string_view name;      ///< the feature's, or the pass's profilingSampler's; "" = none
+    const char* member;         ///< "AddRenderPasses", "Execute" ...
+    /// That enqueued the pass, if it is one's and that is known. Lives during the call.
+    std::string_view featureOfPass = {};
+    const std::type_info* typeOfFeature = nullptr; ///< null where featureOfPass is not known
+};
+
+/// Hears of an exception that such code let out, while it is being handled: it can throw another
+/// one in its place, which says whose code it is.
+using FeatureCodeListener = void (*)(const FeatureCode& code);
 
 /// @param listener  in place of the one before; null = nobody
 void SetFeatureCodeListener(FeatureCodeListener listener);
 
 namespace detail
 {
-void TellOfFeatureCode(const std::type_info& type, std::string_view name, const char* member);
+void TellOfFeatureCode(const FeatureCode& code);
 }
 
-/// Calls `work`, which calls `member` of `object`; an exception goes through the listener.
-template <typename Object, typename Work>
-decltype(auto) RunFeatureCode(const Object& object, std::string_view name, const char* member,
+/// Calls `work`, which is such code; an exception goes through the listener.
+template <typename Work>
+decltype(auto) RunFeatureCode(const std::type_info& type, std::string_view name, const char* member,
                               Work&& work)
 {
     try
     {
-        return work();
+        return std::forward<Work>(work)();
     }
     catch (...)
     {
-        detail::TellOfFeatureCode(typeid(object), name, member);
+        detail::TellOfFeatureCode({type, name, member});
         throw;
     }
 }

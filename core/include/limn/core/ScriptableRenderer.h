@@ -36,6 +36,9 @@ public:
     /// @param pass  kept until the camera is done
     void EnqueuePass(ScriptableRenderPass& pass);
 
+    /// The feature that enqueued a pass of this frame in its AddRenderPasses; null for the others.
+    const ScriptableRendererFeature* FeatureOf(const ScriptableRenderPass& pass) const;
+
     /// What shaders of passes and features are compiled by; null for a renderer without one.
     virtual std::shared_ptr<ShaderCompiler> shaderCompiler() const { return nullptr; }
 
@@ -112,6 +115,7 @@ private:
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;
     std::vector<ScriptableRenderPass*> m_FeaturePasses; ///< of these, as enqueued
+    std::vector<std::size_t> m_FeaturePassEnds;         ///< of each feature, among those
     RTHandle m_CameraColor;
     RTHandle m_CameraDepth;
     std::shared_ptr<RenderGraphCamera> m_RenderGraph; ///< null until a pass records one

@@ -19,13 +19,22 @@
 namespace limn
 {
 
+/// What plug-ins are loaded from: their files, where debuggers and profilers find them, or copies,
+/// so that the files may be built anew meanwhile.
+enum class PluginLoading
+{
+    File,
+    Copy
+};
+
 /// Loads what scenes refer to, each thing once: two materials of one shader share it, and objects
 /// of one mesh can be drawn as instances. Everything stays loaded as long as the context.
 class AssetContext
 {
 public:
     /// @param options  its includeFolders are roots of references as well
-    explicit AssetContext(ShaderCompilerOptions options = {});
+    explicit AssetContext(ShaderCompilerOptions options = {},
+                          PluginLoading pluginLoading = PluginLoading::File);
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
 
@@ -33,6 +42,11 @@ public:
     /// <limn/features/Plugin.h>. Before scenes and profiles that name them are loaded.
     /// @throws AssetError if it is no plug-in for this limn, or a name of it is taken
     void LoadPlugin(const std::filesystem::path& path);
+    /// Reads a plug-in's file again, for contexts that load it from now on; this one keeps what it
+    /// has, and the older code stays loaded for it.
+    /// @return whether the file is a plug-in of this context; nothing is done if not
+    /// @throws AssetError if it cannot be used; contexts then go on with what they had
+    bool ReloadPlugin(const std::filesystem::path& path);
 
     /// A shader that comes with limn or a plug-in; null for any other name.
     std::shared_ptr<const Shader> FindShader(std::string_view name);
@@ -130,7 +144,9 @@ private:
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;
-    std::set<std::filesystem::path> m_Plugins; ///< canonical
+    PluginLoading m_PluginLoading;
+    std::set<std::filesystem::path> m_PluginFiles; ///< that were asked for, loaded or not
+    std::set<std::filesystem::path> m_Plugins;     ///< canonical
 };
 
 } // namespace limn

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <functional>
+#include <limn/core/FeatureCode.h>
 #include <limn/core/ScriptableRendererFeature.h>
 #include <memory>
 #include <string>
@@ -25,10 +26,7 @@ public:
     template <std::derived_from<ScriptableRendererFeature> T>
     void Register(std::string_view name)
     {
-        Add({std::string(name), []
-             {
-                 return std::make_unique<T>();
-             }});
+        Add({std::string(name), [] { return std::make_unique<T>(); }, &typeid(T)});
     }
 
     /// A new feature with default settings, before its Create; null for a name that is not
@@ -43,6 +41,7 @@ private:
     {
         std::string name;
         std::function<std::unique_ptr<ScriptableRendererFeature>()> create;
+        const std::type_info* type; ///< that it creates
     };
 
     void Add(Entry entry);

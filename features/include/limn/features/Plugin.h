@@ -56,10 +56,11 @@ std::string PluginProblem(const Plugin& plugin);
 
 /// Registers a plug-in's features and volume components, and adds its shaders to ShippedShaders()
 /// unless they are there from an earlier call. Before scenes are loaded, by one thread at a time.
+/// @param older  of the same plug-in, whose shaders make way; null = none
 /// @throws ContractError if the name of a feature, a component or a shader is taken
 /// @throws AssetError if a shader does not parse
-void AddPlugin(const Plugin& plugin, FeatureRegistry& features,
-               VolumeComponentRegistry& components);
+void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentRegistry& components,
+               const Plugin* older = nullptr);
 
 } // namespace limn
 

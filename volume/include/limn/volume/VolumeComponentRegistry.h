@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <functional>
+#include <limn/core/FeatureCode.h>
 #include <limn/volume/VolumeComponent.h>
 #include <memory>
 #include <span>
@@ -36,7 +37,12 @@ public:
     template <std::derived_from<VolumeComponent> T>
     void Register(std::string_view name)
     {
-        Add({std::string(name), typeid(T), [] { return std::make_unique<T>(); }, nullptr});
+        const auto create = [name = std::string(name)]
+        {
+            return RunFeatureCode(typeid(T), name, "its constructor",
+                                  [] { return std::make_unique<T>(); });
+        };
+        Add({std::string(name), typeid(T), create, nullptr});
     }
 
     /// @throws ContractError for a name that is not registered

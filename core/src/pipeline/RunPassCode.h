@@ -1,0 +1,40 @@
+#pragma once
+
+#include <limn/core/FeatureCode.h>
+#include <limn/core/ScriptableRenderer.h>
+
+namespace limn
+{
+
+/// Calls `work`, which is code of a pass, as RunFeatureCode does.
+/// @param name  what failed: the pass's own name, or that of a pass of its render graph
+template <typename Work>
+decltype(auto) RunPassCode(const ScriptableRenderer& renderer, const ScriptableRenderPass& pass,
+                           std::string_view name, const char* member, Work&& work)
+{
+    try
+    {
+        return std::forward<Work>(work)();
+    }
+    catch (...)
+    {
+        FeatureCode code{typeid(pass), name, member};
+        if (const ScriptableRendererFeature* feature = renderer.FeatureOf(pass))
+        {
+            code.featureOfPass = feature->name;
+            code.typeOfFeature = &typeid(*feature);
+        }
+        detail::TellOfFeatureCode(code);
+        throw;
+    }
+}
+
+template <typename Work>
+decltype(auto) RunPassCode(const ScriptableRenderer& renderer, const ScriptableRenderPass& pass,
+                           const char* member, Work&& work)
+{
+    return RunPassCode(renderer, pass, pass.profilingSampler.name(), member,
+                       std::forward<Work>(work));
+}
+
+} // namespace limn

@@ -1,0 +1,167 @@
+#include "plugins/ModuleFile.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <fstream>
+#include <limn/shaderlab/ReadFile.h>
+#include <link.h>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <unistd.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using ElfHeader = ElfW(Ehdr);
+using ElfSegment = ElfW(Phdr);
+
+constexpr char k_NativeClass = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32;
+
+/// A part of a module's file, as its headers have it.
+struct Part
+{
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+
+    bool isWithin(std::string_view bytes) const
+    {
+        return offset <= bytes.size() && size <= bytes.size() - offset;
+    }
+};
+
+bool IsWhole(const ElfHeader& header, std::string_view bytes)
+{
+    const Part segments{header.e_phoff, std::uint64_t{header.e_phnum} * header.e_phentsize};
+    const Part sections{header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize};
+    if (!segments.isWithin(bytes) || !sections.isWithin(bytes) ||
+        header.e_phentsize != sizeof(ElfSegment))
+    {
+        return false;
+    }
+    for (std::size_t i = 0; i < header.e_phnum; ++i)
+    {
+        ElfSegment segment;
+        std::memcpy(&segment, bytes.data() + segments.offset + i * sizeof(segment),
+                    sizeof(segment));
+        if (!Part{segment.p_offset, segment.p_filesz}.isWithin(bytes))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+[[noreturn]] void Refuse(const std::string& name, const std::string& reason)
+{
+    throw AssetError(name, {}, "cannot be loaded as a plug-in: " + reason);
+}
+
+/// A file with these bytes, until the end of the scope.
+class ModuleCopy
+{
+public:
+    ModuleCopy(const std::string& name, std::string_view bytes)
+        : m_Path(std::filesystem::temp_directory_path() / "limn-XXXXXX.so")
+    {
+        const int descriptor = mkstemps(m_Path.data(), 3);
+        if (descriptor < 0)
+        {
+            Refuse(name, m_Path + " cannot be made: " + std::generic_category().message(errno));
+        }
+        close(descriptor);
+        std::ofstream file(m_Path, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        if (!file)
+        {
+            unlink(m_Path.c_str());
+            Refuse(name, "its copy " + m_Path + " cannot be written: the disk may be full");
+        }
+    }
+    ~ModuleCopy() { unlink(m_Path.c_str()); }
+    ModuleCopy(const ModuleCopy&) = delete;
+    ModuleCopy& operator=(const ModuleCopy&) = delete;
+
+    const std::string& path() const { return m_Path; }
+
+private:
+    std::string m_Path;
+};
+
+std::string Demangled(const std::string& symbol)
+{
+    int status = 0;
+    const std::unique_ptr<char, decltype(&std::free)> text(
+        abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+    return text ? text.get() : symbol;
+}
+
+/// What the loader says, without the path that it begins with.
+std::string LoaderText(const std::string& path)
+{
+    const char* error = dlerror();
+    std::string text = error ? error : "the system does not say why";
+    if (text.starts_with(path + ": "))
+    {
+        text.erase(0, path.size() + 2);
+    }
+    constexpr std::string_view k_Undefined = "undefined symbol: ";
+    const std::size_t at = text.find(k_Undefined);
+    if (at == std::string::npos)
+    {
+        return text;
+    }
+    const std::string symbol = text.substr(at + k_Undefined.size());
+    return "it uses " + Demangled(symbol) +
+           ", which neither it nor limn has; add the source that "
+           "defines it, or build it again with this limn";
+}
+
+} // namespace
+
+std::string ModuleProblem(std::string_view bytes)
+{
+    ElfHeader header;
+    if (bytes.size() < sizeof(header) || !bytes.starts_with(ELFMAG) ||
+        bytes[EI_CLASS] != k_NativeClass)
+    {
+        return {};
+    }
+    std::memcpy(&header, bytes.data(), sizeof(header));
+    return IsWhole(header, bytes)
+               ? ""
+               : "the file ends too early, after " + std::to_string(bytes.size()) +
+                     " bytes; is it being written, or was the linker stopped?";
+}
+
+const void* OpenModule(const std::filesystem::path& path, const std::string& name,
+                       PluginLoading loading, const char* symbol)
+{
+    const FileContent content = TryReadFile(path, k_MaxDataBytes);
+    const std::string problem = content.isRead() ? ModuleProblem(content.bytes) : content.problem;
+    if (!problem.empty())
+    {
+        Refuse(name, problem);
+    }
+    std::optional<ModuleCopy> copy;
+    if (loading == PluginLoading::Copy)
+    {
+        copy.emplace(name, content.bytes);
+    }
+    const std::string file = copy ? copy->path() : path.string();
+    dlerror();
+    void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (!module)
+    {
+        Refuse(name, LoaderText(file));
+    }
+    return dlsym(module, symbol);
+}
+
+} // namespace limn

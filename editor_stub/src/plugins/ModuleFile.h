@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <limn/editor_stub/AssetContext.h>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// "" unless the bytes are those of a module that ends too early, whose missing rest the system's
+/// loader would map and crash upon; what else is wrong with one, the loader says.
+std::string ModuleProblem(std::string_view bytes);
+
+/// Loads a module, for as long as the process lives, and finds a symbol in it.
+/// @param name  what errors call the module
+/// @return null if it has no such symbol
+/// @throws AssetError if it cannot be loaded
+const void* OpenModule(const std::filesystem::path& path, const std::string& name,
+                       PluginLoading loading, const char* symbol);
+
+} // namespace limn
