@@ -147,12 +147,12 @@ private:
                 ++result.draws;
                 result.instances += static_cast<int>(draw->instanceCount);
                 result.limited += draw->scissor ? 1 : 0;
-                AddReads(*m_Tables.Setup(*draw).bindings, result);
+                AddBindings(*m_Tables.Setup(*draw).bindings, result);
             }
             if (const auto* dispatch = std::get_if<DispatchCommand>(&command))
             {
                 ++result.dispatches;
-                AddReads(*m_Tables.Setup(*dispatch).bindings, result);
+                AddBindings(*m_Tables.Setup(*dispatch).bindings, result);
             }
         }
         for (std::size_t i = 0; i < names.size(); ++i)
@@ -165,8 +165,9 @@ private:
         }
     }
 
-    void AddReads(const DrawBindings& bindings, ExplainedPass& result)
+    void AddBindings(const DrawBindings& bindings, ExplainedPass& result)
     {
+        result.indirect += bindings.arguments() != nullptr ? 1 : 0;
         for (const TextureSlot& slot : bindings.textures)
         {
             const std::size_t texture = Use(*slot.texture, m_Result.passes.size());
@@ -234,18 +235,24 @@ ExplainedFrame ExplainFrame(const CompiledFrame& frame)
 
 std::string DrawsText(const ExplainedPass& pass)
 {
+    const auto some = [](int count, int all, const std::string& what)
+    {
+        return count == 0     ? ""
+               : count == all ? " " + what
+                              : ", " + std::to_string(count) + " of them " + what;
+    };
     if (pass.dispatches > 0)
     {
         return std::to_string(pass.dispatches) +
-               (pass.dispatches == 1 ? " dispatch" : " dispatches");
+               (pass.dispatches == 1 ? " dispatch" : " dispatches") +
+               some(pass.indirect, pass.dispatches, "by a buffer's counts");
     }
     const std::string before =
         pass.instances == pass.draws ? "" : std::to_string(pass.instances) + " → ";
-    const std::string part = pass.limited == 0 ? ""
-                             : pass.limited == pass.draws
-                                 ? " in a part only"
-                                 : ", " + std::to_string(pass.limited) + " of them in a part";
-    return before + std::to_string(pass.draws) + (pass.draws == 1 ? " draw" : " draws") + part;
+    const char* part = pass.limited == pass.draws ? "in a part only" : "in a part";
+    return before + std::to_string(pass.draws) + (pass.draws == 1 ? " draw" : " draws") +
+           some(pass.limited, pass.draws, part) +
+           some(pass.indirect, pass.draws, "by a buffer's counts");
 }
 
 std::string BytesText(std::uint64_t bytes)

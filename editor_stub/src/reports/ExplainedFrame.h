@@ -35,6 +35,7 @@ struct ExplainedPass
     int limited = 0;        ///< draws that reach a part of the targets only
     int dispatches = 0;     ///< of kernels; then there are no draws, and no size
     int bufferBarriers = 0; ///< beside `barriers`
+    int indirect = 0;       ///< draws or dispatches that find their counts in a buffer
 };
 
 /// A texture that passes draw into or sample.
@@ -63,7 +64,8 @@ struct ExplainedFrame
 
 ExplainedFrame ExplainFrame(const CompiledFrame& frame);
 
-/// "370 → 159 draws", "2 draws, 1 of them in a part" of the targets, or "2 dispatches".
+/// "370 → 159 draws", "2 draws, 1 of them in a part" of the targets, or "2 dispatches"; ", 1 of
+/// them by a buffer's counts" behind them.
 std::string DrawsText(const ExplainedPass& pass);
 
 /// "3.5 MiB"

@@ -1,8 +1,11 @@
+#include "reports/ExplainedFrame.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
 #include "reports/FrameGraph.h"
 
 #include <gmock/gmock.h>
+#include <limn/core/FrameCompiler.h>
+#include <limn/core/ScriptableRenderContext.h>
 #include <limn/shaderlab/Diagnostic.h>
 #include <nlohmann/json.hpp>
 
@@ -125,6 +128,59 @@ TEST(ExplainedFrame, HasNoPassAndNoTextureOfAnOutlineOfNothing)
     ASSERT_EQ(3u, explained.at("leftOut").size());
     EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture"])"),
               explained.at("leftOut")[0].at("targets"));
+}
+
+/// A kernel writes a texture and the counts of a draw, another runs by them.
+TEST(ExplainedFrame, TellsWhatKernelsWriteAndWhatFindsItsCountsInABuffer)
+{
+    const auto compiler = std::make_shared<ShaderCompiler>();
+    const auto kernels = ComputeShader::FromText(
+        "#pragma kernel Fill\n#pragma kernel Use\nRWTexture2D<float4> _Out; "
+        "RWStructuredBuffer<uint> _Counts; Texture2D _In;\n"
+        "[numthreads(1, 1, 1)] void Fill() { _Counts[0] = 3; _Out[uint2(0, 0)] = 1; }\n"
+        "[numthreads(1, 1, 1)] void Use() { _Out[uint2(0, 0)] = _In.Load(0); }\n",
+        "K.compute", compiler);
+    const auto texture = [](const char* name)
+    {
+        RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R32G32B32A32_SFloat);
+        descriptor.enableRandomWrite = true;
+        return std::make_shared<const RenderTexture>(name, descriptor);
+    };
+    const auto first = texture("First");
+    const auto second = texture("Second");
+    const auto counts =
+        std::make_shared<GraphicsBuffer>(GraphicsBuffer::Target::IndirectArguments, 8, 4);
+    kernels->SetTexture(0, "_Out", first);
+    kernels->SetBuffer(0, "_Counts", counts);
+    kernels->SetTexture(1, "_In", first);
+    kernels->SetTexture(1, "_Out", second);
+    CommandBuffer cmd;
+    cmd.BeginSample("Fill");
+    cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+    cmd.EndSample();
+    cmd.BeginSample("Use");
+    cmd.DispatchCompute(kernels, 1, counts, 0);
+    cmd.EndSample();
+    RenderReport report;
+    ScriptableRenderContext context(report);
+    context.ExecuteCommandBuffer(cmd);
+    const ExplainedFrame frame =
+        ExplainFrame(CompileFrame(context.TakeCommands(), TextureStates(), std::span(&second, 1)));
+    ASSERT_EQ(frame.passes.size(), 2u);
+    EXPECT_EQ(frame.passes[0].name, "Fill");
+    EXPECT_EQ(DrawsText(frame.passes[0]), "1 dispatch");
+    ASSERT_EQ(frame.passes[0].targets.size(), 1u);
+    EXPECT_EQ(frame.textures[frame.passes[0].targets[0].texture].name, "First");
+    EXPECT_EQ(frame.passes[0].targets[0].load, "-");
+    EXPECT_EQ(DrawsText(frame.passes[1]), "1 dispatch by a buffer's counts");
+    EXPECT_EQ(frame.passes[1].bufferBarriers, 1);
+    ASSERT_EQ(frame.passes[1].reads.size(), 1u);
+    EXPECT_EQ(frame.textures[frame.passes[1].reads[0]].name, "First");
+    ExplainedPass draws;
+    draws.draws = draws.instances = 3;
+    draws.limited = 1;
+    draws.indirect = 2;
+    EXPECT_EQ(DrawsText(draws), "3 draws, 1 of them in a part, 2 of them by a buffer's counts");
 }
 
 /// A frame of two passes with a pass that is left out between them.
