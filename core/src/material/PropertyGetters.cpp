@@ -160,4 +160,19 @@ TexturePtr Shader::GetGlobalTexture(ShaderPropertyId id)
     return CopyOf<TexturePtr>(Pointer(ShaderGlobals::Find(id)));
 }
 
+std::vector<float> Shader::GetGlobalFloatArray(ShaderPropertyId id)
+{
+    return CopyOf<std::vector<float>>(Pointer(ShaderGlobals::Find(id)));
+}
+
+std::vector<glm::vec4> Shader::GetGlobalVectorArray(ShaderPropertyId id)
+{
+    return CopyOf<std::vector<glm::vec4>>(Pointer(ShaderGlobals::Find(id)));
+}
+
+std::vector<glm::mat4> Shader::GetGlobalMatrixArray(ShaderPropertyId id)
+{
+    return CopyOf<std::vector<glm::mat4>>(Pointer(ShaderGlobals::Find(id)));
+}
+
 } // namespace limn

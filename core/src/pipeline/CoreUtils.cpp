@@ -170,6 +170,15 @@ void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
 
 } // namespace Blitter
 
+void CoreUtils::SetViewport(CommandBuffer& cmd, const RTHandle& target)
+{
+    if (!target.rt())
+    {
+        throw ContractError("SetViewport: the handle has no texture");
+    }
+    cmd.SetViewport({0, 0, target.rt()->width(), target.rt()->height()});
+}
+
 const std::shared_ptr<const Mesh>& RenderingUtils::fullscreenMesh()
 {
     static const auto mesh = []

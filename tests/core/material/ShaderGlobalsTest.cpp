@@ -151,6 +151,9 @@ TEST_F(ShaderGlobalValues, AreThereToBeAskedFor)
     Shader::SetGlobalMatrix(id, glm::mat4(3.0f));
     EXPECT_EQ(Shader::GetGlobalMatrix(id), glm::mat4(3.0f));
     EXPECT_EQ(Shader::GetGlobalFloat(id), 0.0f) << "of another kind";
+    Shader::SetGlobalFloatArray(id, {1.0f, 2.0f});
+    EXPECT_EQ(Shader::GetGlobalFloatArray(id), (std::vector<float>{1.0f, 2.0f}));
+    EXPECT_TRUE(Shader::GetGlobalVectorArray(id).empty());
 }
 
 } // namespace

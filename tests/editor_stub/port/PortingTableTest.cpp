@@ -1,6 +1,7 @@
 #include "port/PortingTable.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
+#include "port/HeaderWords.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,88 +13,6 @@
 
 namespace limn::test
 {
-
-namespace
-{
-
-/// The words of limn's classes and enums, read off the public headers.
-class HeaderWords
-{
-public:
-    HeaderWords()
-    {
-        for (const char* folder : {"core/include/limn/core", "volume/include/limn/volume",
-                                   "shaderlab/include/limn/shaderlab"})
-        {
-            for (const auto& entry : std::filesystem::directory_iterator(SourcePath(folder)))
-            {
-                Read(std::regex_replace(ReadText(entry.path()), std::regex("//[^\n]*"), ""));
-            }
-        }
-    }
-
-    bool Has(const std::string& type, const std::string& member) const
-    {
-        const auto found = m_Words.find(type);
-        if (found == m_Words.end())
-        {
-            return false;
-        }
-        const auto [begin, end] = m_Bases.equal_range(type);
-        return member.empty() || member == "*" || found->second.contains(member) ||
-               std::any_of(begin, end, [&](const auto& base) { return Has(base.second, member); });
-    }
-
-private:
-    void Read(const std::string& text)
-    {
-        static const std::regex k_Class(
-            R"(\b(class|struct|namespace|enum class)\s+(\w+)([^;{}()=]*)\{)");
-        static const std::regex k_Word(R"(\w+)");
-        static const std::regex k_Base(R"(public\s+(\w+::)*(\w+))");
-        static const std::regex k_Alias(R"(\busing\s+(\w+)\s*=)");
-        using Iterator = std::sregex_iterator;
-        for (Iterator match(text.begin(), text.end(), k_Class); match != Iterator(); ++match)
-        {
-            const auto begin = static_cast<std::size_t>(match->position() + match->length());
-            std::size_t end = begin;
-            for (int depth = 1; depth > 0 && end < text.size(); ++end)
-            {
-                depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
-            }
-            const std::string body = text.substr(begin, end - begin);
-            std::set<std::string>& words = m_Words[(*match)[2]];
-            for (Iterator word(body.begin(), body.end(), k_Word); word != Iterator(); ++word)
-            {
-                words.insert(word->str());
-            }
-            const std::string bases = (*match)[3];
-            for (Iterator base(bases.begin(), bases.end(), k_Base); base != Iterator(); ++base)
-            {
-                m_Bases.emplace((*match)[2], (*base)[2]);
-            }
-        }
-        for (Iterator match(text.begin(), text.end(), k_Alias); match != Iterator(); ++match)
-        {
-            m_Words[(*match)[1]];
-        }
-    }
-
-    std::map<std::string, std::set<std::string>> m_Words;
-    std::multimap<std::string, std::string> m_Bases;
-};
-
-/// What limn calls a type of Unity's.
-std::string CppType(const std::string& type)
-{
-    return type == "IRasterRenderGraphBuilder"    ? "RasterRenderGraphBuilder"
-           : type == "IUnsafeRenderGraphBuilder"  ? "UnsafeRenderGraphBuilder"
-           : type == "IComputeRenderGraphBuilder" ? "ComputeRenderGraphBuilder"
-           : type == "Renderer"                   ? "MeshRenderer"
-                                                  : type;
-}
-
-} // namespace
 
 TEST(PortingTable, IsTheOneOfTheReadme)
 {

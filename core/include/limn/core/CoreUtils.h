@@ -20,6 +20,14 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
 void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 
+/// Of what is bound; depth clears to far, stencil to 0.
+inline void ClearRenderTarget(CommandBuffer& cmd, ClearFlag clearFlag, const Color& clearColor)
+{
+    cmd.ClearRenderTarget(clearFlag, clearColor);
+}
+/// As large as the target. @throws ContractError for a handle without a texture
+void SetViewport(CommandBuffer& cmd, const RTHandle& target);
+
 /// A material for a pass of one's own.
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
@@ -37,6 +45,28 @@ void SetKeyword(Material& material, const std::string& keyword, bool state);
 /// For lines of C# that go over as they are. @throws ContractError for an empty list
 void DrawRendererList(ScriptableRenderContext& renderContext, CommandBuffer& cmd,
                       const RendererList& rendererList);
+
+/// How many groups of `divisor` hold `value`. Unity: CoreUtils.DivRoundUp.
+constexpr int DivRoundUp(int value, int divisor)
+{
+    return (value + divisor - 1) / divisor;
+}
+
+/// Unity: CoreUtils.HasFlag.
+template <typename Flags>
+constexpr bool HasFlag(Flags mask, Flags flag)
+{
+    return (static_cast<int>(mask) & static_cast<int>(flag)) == static_cast<int>(flag);
+}
+
+/// Releases a buffer; nothing where there is none. Unity: CoreUtils.SafeRelease.
+inline void SafeRelease(const std::shared_ptr<GraphicsBuffer>& buffer)
+{
+    if (buffer)
+    {
+        buffer->Release();
+    }
+}
 
 /// Unity: CoreUtils.Swap.
 template <typename T>

@@ -16,6 +16,27 @@ class Shader;
 /// UniversalForwardOnly.
 const std::vector<ShaderTagId>& ForwardShaderTags();
 
+/// Unity: UnityEngine.Rendering.PerObjectData (2022.3); bit flags, values Unity's.
+enum class PerObjectData
+{
+    None = 0,
+    LightProbe = 1,
+    ReflectionProbes = 2,
+    LightProbeProxyVolume = 4,
+    Lightmaps = 8,
+    LightData = 16,
+    MotionVectors = 32,
+    LightIndices = 64,
+    ReflectionProbeData = 128,
+    OcclusionProbe = 256,
+    OcclusionProbeProxyVolume = 512,
+    ShadowMask = 1024
+};
+constexpr PerObjectData operator|(PerObjectData a, PerObjectData b)
+{
+    return static_cast<PerObjectData>(static_cast<int>(a) | static_cast<int>(b));
+}
+
 /// How a DrawRenderers call draws what passed its filter: for each tag in turn, the first pass of
 /// the object's shader with that LightMode; a pass without LightMode counts as SRPDefaultUnlit.
 /// Unity: UnityEngine.Rendering.DrawingSettings (2022.3).
@@ -39,6 +60,13 @@ struct DrawingSettings
     /// Draws, with its first pass, what has a pass to draw that does not compile. Without it such a
     /// pass is an error.
     std::shared_ptr<const Material> fallbackMaterial;
+
+    // No effect: equal meshes and states become instances of one draw, and shaders find the lights,
+    // by themselves.
+    bool enableDynamicBatching = false;
+    bool enableInstancing = true;
+    int mainLightIndex = -1;
+    PerObjectData perObjectData = PerObjectData::None;
 
     /// @throws ContractError outside 0...15
     void SetShaderPassName(int index, ShaderTagId tag);

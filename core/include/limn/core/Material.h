@@ -98,6 +98,8 @@ public:
     bool HasColor(ShaderPropertyId id) const;
     bool HasVector(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
+    /// No effect: equal meshes and states become instances of one draw by themselves.
+    bool enableInstancing = false;
 
     // Those of the property with the attribute [MainColor] or [MainTexture], or else of _Color and
     // _MainTex; getting throws as GetColor does. Unity: Material.color, mainTexture ... (2022.3).

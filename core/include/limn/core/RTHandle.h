@@ -63,6 +63,7 @@ public:
     bool useScaling() const { return m_Scaled != nullptr; }
     /// The factor of that; 0 for one that does not, or by a function (Unity: 1 then).
     glm::vec2 scaleFactor() const;
+    bool isMSAAEnabled() const { return rt() && rt()->descriptor().msaaSamples > 1; }
     /// The size for a camera of this one; of one that does not follow it, its own.
     glm::ivec2 GetScaledSize(const glm::ivec2& refSize) const;
     RTHandleProperties rtHandleProperties() const;

@@ -196,6 +196,8 @@ public:
     operator std::shared_ptr<const GraphicsBuffer>() const { return m_Buffer; }
     const std::shared_ptr<const GraphicsBuffer>& buffer() const { return m_Buffer; }
 
+    static const BufferHandle nullHandle; ///< none
+
     bool operator==(const BufferHandle&) const = default;
 
 private:
@@ -208,5 +210,7 @@ private:
     std::shared_ptr<const GraphicsBuffer> m_Buffer;
     std::uint64_t m_Frame = 0;
 };
+
+inline const BufferHandle BufferHandle::nullHandle;
 
 } // namespace limn

@@ -36,6 +36,8 @@ struct BlendState
     bool alphaToMask = false;
     std::array<RenderTargetBlendState, 8> blendStates; ///< Unity: blendState0 ... blendState7
 
+    static const BlendState defaultValue;
+
     bool operator==(const BlendState&) const = default;
 };
 
@@ -47,6 +49,8 @@ struct RasterState
     float offsetFactor = 0.0f;
     bool depthClip = true;
     bool conservative = false;
+
+    static const RasterState defaultValue;
 
     bool operator==(const RasterState&) const = default;
 };
@@ -89,6 +93,8 @@ struct StencilState
     bool operator==(const StencilState&) const = default;
 };
 
+inline constexpr BlendState BlendState::defaultValue{};
+inline constexpr RasterState RasterState::defaultValue{};
 inline constexpr DepthState DepthState::defaultValue{};
 inline constexpr StencilState StencilState::defaultValue{};
 

@@ -85,6 +85,7 @@ public:
     void ConfigureColorStoreAction(RenderBufferStoreAction, std::uint32_t /*attachmentIndex*/ = 0)
     {
     }
+    void ConfigureColorStoreActions(std::span<const RenderBufferStoreAction>) {}
     void ConfigureDepthStoreAction(RenderBufferStoreAction) {}
 
     /// cmd.Blit, the source as _MainTex; the pass's ConfigureClear clears the colour first.

@@ -100,6 +100,9 @@ public:
     static Color GetGlobalColor(ShaderPropertyId id); ///< as it is
     static glm::mat4 GetGlobalMatrix(ShaderPropertyId id);
     static std::shared_ptr<const Texture> GetGlobalTexture(ShaderPropertyId id);
+    static std::vector<float> GetGlobalFloatArray(ShaderPropertyId id);
+    static std::vector<glm::vec4> GetGlobalVectorArray(ShaderPropertyId id);
+    static std::vector<glm::mat4> GetGlobalMatrixArray(ShaderPropertyId id);
 
     /// For all materials of the process: as CommandBuffer::EnableShaderKeyword, which comes before
     /// it in the frame.
