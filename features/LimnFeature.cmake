@@ -38,6 +38,9 @@ function(limn_add_feature name)
     endif()
     add_library(${name}_objects OBJECT ${ARG_SOURCES})
     set_target_properties(${name}_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    if(TARGET limn_features) # in limn's own build, which makes a header
+        add_dependencies(${name}_objects limn_features)
+    endif()
     target_compile_features(${name}_objects PUBLIC cxx_std_20)
     # Else a copy that is built and loaded later has its static variables in common with this one.
     target_compile_options(${name}_objects PRIVATE

@@ -1,8 +1,21 @@
 #include <limn/features/Plugin.h>
+#include <sstream>
 #include <string_view>
 
 namespace limn
 {
+
+namespace
+{
+
+std::string ToHex(std::uint64_t number)
+{
+    std::ostringstream text;
+    text << std::hex << number;
+    return text.str();
+}
+
+} // namespace
 
 std::string PluginProblem(const Plugin& plugin)
 {
@@ -20,8 +33,10 @@ std::string PluginProblem(const Plugin& plugin)
     }
     return plugin.layout == PluginLayout()
                ? ""
-               : "it was built with other headers of limn, or another compiler, so that objects of "
-                 "the two differ in size; build it again with this limn";
+               : "it was built with other headers of limn " LIMN_VERSION_TEXT
+                 ", or with another compiler (" +
+                     ToHex(plugin.layout) + "; of this limn it is " + ToHex(PluginLayout()) +
+                     "); build it again with this one";
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #include "PluginRun.h"
 
 #include <gmock/gmock.h>
+#include <limn/features/Plugin.h>
 
 namespace limn::test
 {
@@ -92,9 +93,12 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
                       "0.0.9, this is " +
                       version.substr(0, version.find('\n')) + "; build it again with this one"),
               run("old_plugin.so"));
-    EXPECT_EQ(Refusal("other_build.so: error: this plug-in cannot be used: it was built with "
-                      "other headers of limn, or another compiler, so that objects of the two "
-                      "differ in size; build it again with this limn"),
+    std::ostringstream layout;
+    layout << std::hex << PluginLayout();
+    EXPECT_EQ(Refusal("other_build.so: error: this plug-in cannot be used: it was built with other "
+                      "headers of limn " LIMN_VERSION_TEXT
+                      ", or with another compiler (1; of this limn it is " +
+                      layout.str() + "); build it again with this one"),
               run("other_build.so"));
 }
 

@@ -6,6 +6,7 @@
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/FeatureRegistry.h>
+#include <limn/features/HeadersHash.h>
 #include <limn/features/Version.h>
 #include <limn/shaderlab/EmbeddedFile.h>
 #include <limn/volume/VolumeComponentRegistry.h>
@@ -24,11 +25,12 @@
 namespace limn
 {
 
-/// The sizes of what a feature and limn hand each other, in one number: two builds of other
-/// headers, compilers or settings that change one of them give another.
+/// What the code of a feature takes for granted of limn, in one number: the text of all public
+/// headers, so that classes have the same members and virtual functions, and the sizes of what the
+/// two hand each other, which compilers and their settings change.
 consteval std::uint64_t PluginLayout()
 {
-    std::uint64_t layout = 0;
+    std::uint64_t layout = LIMN_HEADERS_HASH;
     for (const std::size_t size : {sizeof(ScriptableRendererFeature), sizeof(ScriptableRenderPass),
                                    sizeof(ScriptableRenderer), sizeof(RenderingData),
                                    sizeof(CommandBuffer), sizeof(Material), sizeof(VolumeComponent),
