@@ -44,6 +44,7 @@ for style in urp14 unity6; do
     python3 "$(dirname "$0")/check_picture.py" "$paint.png"
 done
 cmp "$folder/urp14.png" "$folder/unity6.png"
+"$(dirname "$0")/plugin.sh" "$limn" "$folder/urp14"
 
 # What `limn port` writes of C# builds without a warning and draws a frame.
 ported=$folder/ported

@@ -140,6 +140,13 @@ std::string ModuleProblem(std::string_view bytes)
                      " bytes; is it being written, or was the linker stopped?";
 }
 
+bool IsWholeModule(const std::filesystem::path& path)
+{
+    const FileContent content = TryReadFile(path, k_MaxDataBytes);
+    return content.isRead() && content.bytes.size() >= sizeof(ElfHeader) &&
+           ModuleProblem(content.bytes).empty();
+}
+
 const void* OpenModule(const std::filesystem::path& path, const std::string& name,
                        PluginLoading loading, const char* symbol)
 {

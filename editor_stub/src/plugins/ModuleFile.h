@@ -12,6 +12,9 @@ namespace limn
 /// loader would map and crash upon; what else is wrong with one, the loader says.
 std::string ModuleProblem(std::string_view bytes);
 
+/// Whether there is a file, and no module of which a part is missing.
+bool IsWholeModule(const std::filesystem::path& path);
+
 /// Loads a module, for as long as the process lives, and finds a symbol in it.
 /// @param name  what errors call the module
 /// @return null if it has no such symbol

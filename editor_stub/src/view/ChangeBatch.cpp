@@ -1,5 +1,7 @@
 #include "view/ChangeBatch.h"
 
+#include "plugins/ModuleFile.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +16,14 @@ constexpr auto k_Quiet = std::chrono::milliseconds(5);
 
 /// Two frames of a screen: longer, and a dragged slider no longer feels as if it moved the picture.
 constexpr auto k_Longest = std::chrono::milliseconds(30);
+
+/// Linkers take the old file away first, then write the new one piece by piece.
+constexpr auto k_LongestOfModules = std::chrono::milliseconds(500);
+
+bool IsBeingBuilt(const std::filesystem::path& file)
+{
+    return file.extension() == ".so" && !IsWholeModule(file);
+}
 
 bool IsThere(const std::filesystem::path& file)
 {
@@ -41,8 +51,9 @@ std::optional<std::chrono::milliseconds> ChangeBatch::Remaining(Clock::time_poin
         return std::nullopt;
     }
     const bool areAllThere = std::all_of(m_Files.begin(), m_Files.end(), IsThere);
-    const auto latest = m_First + k_Longest;
-    const auto end = areAllThere ? std::min(m_Last + k_Quiet, latest) : latest;
+    const bool isModuleBuilt = std::any_of(m_Files.begin(), m_Files.end(), IsBeingBuilt);
+    const auto latest = m_First + (isModuleBuilt ? k_LongestOfModules : k_Longest);
+    const auto end = areAllThere && !isModuleBuilt ? std::min(m_Last + k_Quiet, latest) : latest;
     return std::max(std::chrono::ceil<std::chrono::milliseconds>(end - now),
                     std::chrono::milliseconds(0));
 }

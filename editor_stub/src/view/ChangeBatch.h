@@ -20,7 +20,7 @@ public:
 
     /// For how long more changes may come before these are drawn, 0 if they are to be drawn now;
     /// nothing while there are none. A file that is not there may be about to be put back, so that
-    /// one is waited for the longest.
+    /// one is waited for the longest; a plug-in that is not there as a whole, longer than that.
     std::optional<std::chrono::milliseconds> Remaining(Clock::time_point now) const;
 
     /// The files, and begins anew.

@@ -1,5 +1,5 @@
 #include "view/ChangeBatch.h"
-#include "TemporaryFolder.h"
+#include "plugins/PluginRun.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +86,24 @@ TEST(ChangeBatch, WaitsALittleForAFileThatWasTakenAway)
     folder.Write("a", "1");
     batch.Add({folder / "a"}, At(20));
     EXPECT_EQ(batch.Remaining(At(25)), milliseconds(0)) << "it is back";
+}
+
+TEST(ChangeBatch, WaitsForAPluginUntilItIsLinked)
+{
+    const TemporaryFolder folder;
+    const std::string whole = ReadText(BuiltPlugin("no_plugin.so"));
+    ChangeBatch batch;
+    batch.Add({folder / "a.so"}, At(0));
+    EXPECT_GT(batch.Remaining(At(400)), milliseconds(0)) << "it was taken away";
+    folder.Write("a.so", "");
+    EXPECT_GT(batch.Remaining(At(400)), milliseconds(0)) << "it is empty";
+    folder.Write("a.so", whole.substr(0, whole.size() / 2));
+    batch.Add({folder / "a.so"}, At(300));
+    EXPECT_GT(batch.Remaining(At(400)), milliseconds(0)) << "its second half is missing";
+    EXPECT_EQ(batch.Remaining(At(500)), milliseconds(0)) << "it does not come";
+    folder.Write("a.so", whole);
+    batch.Add({folder / "a.so"}, At(400));
+    EXPECT_EQ(batch.Remaining(At(405)), milliseconds(0)) << "it is there";
 }
 
 } // namespace limn::test
