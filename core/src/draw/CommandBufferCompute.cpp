@@ -114,13 +114,13 @@ void CommandBuffer::SetComputeMatrixArrayParam(const ComputeShaderPtr& computeSh
 void CommandBuffer::SetComputeFloatParams(const ComputeShaderPtr& computeShader,
                                           ShaderPropertyId id, std::vector<float> values)
 {
-    SetParam(computeShader, k_AllKernels, id, FloatParams{std::move(values)});
+    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
 }
 
 void CommandBuffer::SetComputeIntParams(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
                                         std::vector<int> values)
 {
-    SetParam(computeShader, k_AllKernels, id, IntParams{std::move(values)});
+    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
 }
 
 void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader, int kernelIndex,

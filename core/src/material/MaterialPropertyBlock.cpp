@@ -18,8 +18,11 @@ struct AllFinite
     bool operator()(int) const { return true; }
     bool operator()(const std::shared_ptr<const Texture>&) const { return true; }
     bool operator()(const BufferRange&) const { return true; }
-    bool operator()(const IntParams&) const { return true; }
-    bool operator()(const FloatParams& params) const { return (*this)(params.values); }
+    bool operator()(const ConsecutiveParams& params) const
+    {
+        const auto* floats = std::get_if<std::vector<float>>(&params.values);
+        return floats == nullptr || (*this)(*floats);
+    }
     bool operator()(const Color& color) const { return (*this)(color.vector()); }
     bool operator()(const glm::vec4& v) const
     {
@@ -43,8 +46,10 @@ struct HasNoElements
     {
         return array.empty();
     }
-    bool operator()(const FloatParams& params) const { return params.values.empty(); }
-    bool operator()(const IntParams& params) const { return params.values.empty(); }
+    bool operator()(const ConsecutiveParams& params) const
+    {
+        return std::visit([](const auto& values) { return values.empty(); }, params.values);
+    }
     template <typename Other>
     bool operator()(const Other&) const
     {

@@ -103,14 +103,9 @@ void WriteConsecutive(const UniformMember& member, const std::vector<Number>& va
     }
 }
 
-void Write(const UniformMember& member, const FloatParams& params, Bytes bytes)
+void Write(const UniformMember& member, const ConsecutiveParams& params, Bytes bytes)
 {
-    WriteConsecutive(member, params.values, bytes);
-}
-
-void Write(const UniformMember& member, const IntParams& params, Bytes bytes)
-{
-    WriteConsecutive(member, params.values, bytes);
+    std::visit([&](const auto& values) { WriteConsecutive(member, values, bytes); }, params.values);
 }
 
 const char* KindOf(const ShaderPropertyValue& value)
@@ -125,8 +120,7 @@ const char* KindOf(const ShaderPropertyValue& value)
                                               "an array of matrices",
                                               "a texture",
                                               "a buffer",
-                                              "floats",
-                                              "integers"};
+                                              "consecutive numbers"};
     return k_Kinds[value.index()];
 }
 

@@ -69,11 +69,11 @@ public:
     /// each four counts.
     void SetFloats(ShaderPropertyId id, std::vector<float> values)
     {
-        Set(k_AllKernels, id, FloatParams{std::move(values)});
+        Set(k_AllKernels, id, ConsecutiveParams{std::move(values)});
     }
     void SetInts(ShaderPropertyId id, std::vector<int> values)
     {
-        Set(k_AllKernels, id, IntParams{std::move(values)});
+        Set(k_AllKernels, id, ConsecutiveParams{std::move(values)});
     }
     /// A cbuffer of this name is read from the buffer.
     /// @param offset, size  bytes; the offset a multiple of 256, the size 0 up to the end

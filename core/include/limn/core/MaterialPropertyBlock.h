@@ -15,22 +15,18 @@ namespace limn
 {
 
 /// What ComputeShader::SetFloats and SetInts set: components one behind the other in memory.
-struct FloatParams
+struct ConsecutiveParams
 {
-    std::vector<float> values;
-    bool operator==(const FloatParams&) const = default;
-};
-struct IntParams
-{
-    std::vector<int> values;
-    bool operator==(const IntParams&) const = default;
+    std::variant<std::vector<float>, std::vector<int>> values;
+    bool operator==(const ConsecutiveParams&) const = default;
 };
 
 /// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
+/// No more than eleven kinds: up to there std::visit is a switch.
 using ShaderPropertyValue =
     std::variant<float, int, glm::vec4, Color, glm::mat4, std::vector<float>,
                  std::vector<glm::vec4>, std::vector<glm::mat4>, std::shared_ptr<const Texture>,
-                 BufferRange, FloatParams, IntParams>;
+                 BufferRange, ConsecutiveParams>;
 
 /// A buffer for a cbuffer.
 /// @throws ContractError unless the offset is a multiple of 256, both are not negative, and the end
