@@ -41,6 +41,23 @@ public:
     }
 
 private:
+    /// Names of parameters are no members.
+    static std::string WithoutParentheses(const std::string& text)
+    {
+        std::string result;
+        int depth = 0;
+        for (const char c : text)
+        {
+            depth -= c == ')' && depth > 0 ? 1 : 0;
+            if (depth == 0)
+            {
+                result += c;
+            }
+            depth += c == '(' ? 1 : 0;
+        }
+        return result;
+    }
+
     void Read(const std::string& text)
     {
         static const std::regex k_Class(
@@ -57,7 +74,7 @@ private:
             {
                 depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
             }
-            const std::string body = text.substr(begin, end - begin);
+            const std::string body = WithoutParentheses(text.substr(begin, end - begin));
             std::set<std::string>& words = m_Words[(*match)[2]];
             for (Iterator word(body.begin(), body.end(), k_Word); word != Iterator(); ++word)
             {
