@@ -34,23 +34,20 @@ SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState 
     return sampler;
 }
 
-/// What has no meaning here and is not to be passed over in silence.
-void RefuseWhatThereIsNot(const std::string& name, const RenderTextureDescriptor& descriptor)
+/// What has no meaning here and is not to be passed over in silence; "" = there is nothing such.
+std::string ReasonRefused(const RenderTextureDescriptor& descriptor)
 {
-    const auto refuse = [&](bool isRefused, const std::string& what)
+    if (descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1)
     {
-        if (isRefused)
-        {
-            throw ContractError("texture '" + name + "': " + what);
-        }
-    };
-    refuse(descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1,
-           std::string("dimension ") + ToString(descriptor.dimension) + " and volumeDepth " +
+        return std::string("dimension ") + ToString(descriptor.dimension) + " and volumeDepth " +
                std::to_string(descriptor.volumeDepth) +
-               "; what passes draw into is 2D, of a volumeDepth of 1");
-    refuse(descriptor.vrUsage != VRTextureUsage::None,
-           "vrUsage is not VRTextureUsage::None; there is no XR");
-    refuse(descriptor.bindMS, "bindMS; shaders see one sample a texel, resolved");
+               "; what passes draw into is 2D, of a volumeDepth of 1";
+    }
+    if (descriptor.vrUsage != VRTextureUsage::None)
+    {
+        return "vrUsage is not VRTextureUsage::None; there is no XR";
+    }
+    return descriptor.bindMS ? "bindMS; shaders see one sample a texel, resolved" : "";
 }
 
 TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
@@ -89,7 +86,10 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
       m_Descriptor(descriptor),
       m_Transient(transient)
 {
-    RefuseWhatThereIsNot(this->name(), descriptor);
+    if (const std::string reason = ReasonRefused(descriptor); !reason.empty())
+    {
+        throw ContractError("texture '" + this->name() + "': " + reason);
+    }
     const int samples = descriptor.msaaSamples;
     if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
     {
