@@ -205,9 +205,10 @@ RendererItem RendererItems::at(std::size_t index) const
     return (*this)[index];
 }
 
-CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, const glm::vec2& margin)
+CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, const glm::vec2& margin,
+                    const std::optional<glm::dvec3>& relativeTo)
 {
-    const glm::dvec3 origin = camera.renderOrigin();
+    const glm::dvec3 origin = relativeTo ? *relativeTo : camera.renderOrigin();
     const auto planes = FrustumPlanes(glm::mat4(glm::dmat4(camera.gpuProjectionMatrix(aspect)) *
                                                 RelativeTo(origin, camera.viewMatrix())),
                                       margin);

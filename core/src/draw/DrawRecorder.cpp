@@ -96,6 +96,13 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_Resolver.Begin(notes);
 }
 
+void DrawRecorder::BeginCamera()
+{
+    m_State = {};
+    ++m_GlobalsVersion; // what the last camera's draws have bound, this one's have to bind anew
+    m_Resolver.BeginCamera();
+}
+
 void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
 {
     if (m_KeepsChanges)

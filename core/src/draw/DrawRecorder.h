@@ -29,6 +29,9 @@ public:
     /// @param origin  what the device sees positions relative to
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
+    /// Of a frame, which may have several.
+    void BeginCamera();
+
     void SetGlobal(const SetGlobalCommand& command);
     void SetKeyword(const SetKeywordCommand& command);
     /// Those that are on for all materials, sorted.
@@ -49,6 +52,7 @@ public:
     Place MarkPlace();
     /// Runs `record` with what was global at that place.
     void WithGlobalsOf(const Place& place, const std::function<void()>& record);
+    /// Of this camera's draws.
     bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
     /// What all draws of this pass have in common.

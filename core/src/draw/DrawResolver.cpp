@@ -335,7 +335,7 @@ void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sou
         const TextureBinding& binding = layout.textures[i];
         TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
                          std::nullopt};
-        m_Bound[slot.texture->id()].isUsed = true;
+        m_Bound[slot.texture->id()] = {true, m_Camera};
         if (binding.combinedSampler)
         {
             slot.sampler = slot.texture->sampler();

@@ -65,11 +65,14 @@ public:
                                                 const PropertySources& sources,
                                                 std::vector<std::byte>& uniformData);
 
-    /// Whether a draw so far has the texture bound.
+    /// HasBound forgets the draws so far.
+    void BeginCamera() { ++m_Camera; }
+
+    /// Whether a draw of this camera so far has the texture bound.
     bool HasBound(const Texture& texture) const
     {
         const auto bound = m_Bound.find(texture.id());
-        return bound != m_Bound.end() && bound->second.isUsed;
+        return bound != m_Bound.end() && bound->second.isUsed && bound->second.camera == m_Camera;
     }
 
 private:
@@ -136,8 +139,10 @@ private:
     bool m_HasResolved = false; ///< anything in this frame
     struct Bound
     {
-        bool isUsed = false; ///< in this frame
+        bool isUsed = false;      ///< in this frame
+        std::uint64_t camera = 0; ///< the last one that did
     };
+    std::uint64_t m_Camera = 0;
     std::unordered_map<std::uint64_t, Bound> m_Bound; ///< by the texture's id
     struct SharedNote
     {

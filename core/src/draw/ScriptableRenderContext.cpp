@@ -70,7 +70,7 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
 
 void ScriptableRenderContext::BeginCamera(CameraTargets camera)
 {
-    m_Recorder->commonState() = {};
+    m_Recorder->BeginCamera();
     m_Identified->BeginCamera(std::move(camera), m_Report->notes);
 }
 

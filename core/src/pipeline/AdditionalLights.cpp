@@ -70,6 +70,12 @@ struct LightArrays
 
 } // namespace
 
+void ForgetAdditionalLights(CommandBuffer& cmd)
+{
+    cmd.SetGlobalVector(_AdditionalLightsCount, glm::vec4(0.0f));
+    cmd.DisableKeyword(_ADDITIONAL_LIGHTS);
+}
+
 void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData,
                                 std::vector<std::string>& notes)
 {

@@ -14,4 +14,7 @@ namespace limn
 void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData,
                                 std::vector<std::string>& notes);
 
+/// There are none from here on, as at the beginning of a frame.
+void ForgetAdditionalLights(CommandBuffer& cmd);
+
 } // namespace limn

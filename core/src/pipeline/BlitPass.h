@@ -20,6 +20,8 @@ public:
         renderPassEvent = event;
     }
 
+    void SetMaterialPass(int materialPass) { m_MaterialPass = materialPass; }
+
     /// @param depth  what the material reads as _CameraDepthTexture; none = what all draws do
     void SetTargets(const RTHandle& source, const RTHandle& destination, const RTHandle& depth = {})
     {

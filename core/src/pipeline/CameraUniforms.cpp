@@ -88,16 +88,16 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
     Matrix(cmd, unity_CameraToWorld, Inverse(worldToCamera));
     Matrix(cmd, unity_CameraProjection, projection);
     Matrix(cmd, unity_CameraInvProjection, Inverse(glm::dmat4(projection)));
-    SetOriginUniforms(cmd, *data.camera);
+    SetOriginUniforms(cmd, data);
 }
 
 } // namespace
 
-void SetOriginUniforms(CommandBuffer& cmd, const Camera& camera)
+void SetOriginUniforms(CommandBuffer& cmd, const CameraData& data)
 {
-    const glm::dvec3 origin = camera.renderOrigin();
+    const glm::dvec3& origin = data.renderOrigin;
     Vector(cmd, limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
-    const glm::dvec3 position(camera.transform.worldMatrix()[3]);
+    const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
     Vector(cmd, limn_CameraPos, glm::vec4(position - origin, 0.0f));
 }
 

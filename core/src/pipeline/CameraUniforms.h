@@ -11,7 +11,7 @@ namespace limn
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
 /// What RelativeSpaces.hlsl is relative to, as a part of the above.
-void SetOriginUniforms(CommandBuffer& cmd, const Camera& camera);
+void SetOriginUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
 /// _Time and its relatives, rounded to float last. @param seconds  since the beginning
 void SetTimeUniforms(CommandBuffer& cmd, double seconds);

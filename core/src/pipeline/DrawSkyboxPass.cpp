@@ -99,7 +99,8 @@ DrawSkyboxPass::DrawSkyboxPass()
 
 bool DrawSkyboxPass::HasSky(const RenderingData& renderingData)
 {
-    return renderingData.cameraData.camera->clearFlags == CameraClearFlags::Skybox &&
+    return renderingData.cameraData.renderType == CameraRenderType::Base &&
+           renderingData.cameraData.camera->clearFlags == CameraClearFlags::Skybox &&
            renderingData.scene != nullptr && renderingData.scene->skybox != nullptr;
 }
 

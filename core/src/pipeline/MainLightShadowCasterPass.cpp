@@ -209,11 +209,17 @@ bool MainLightShadowCasterPass::Setup(const RenderingData& renderingData)
     return true;
 }
 
+void MainLightShadowCasterPass::Forget(CommandBuffer& cmd)
+{
+    cmd.DisableKeyword(_MAIN_LIGHT_SHADOWS);
+    cmd.DisableKeyword(_MAIN_LIGHT_SHADOWS_CASCADE);
+}
+
 void MainLightShadowCasterPass::Execute(ScriptableRenderContext& context,
                                         RenderingData& renderingData)
 {
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    SetOriginUniforms(*cmd, *renderingData.cameraData.camera);
+    SetOriginUniforms(*cmd, renderingData.cameraData);
     // Lighter than light: of the slope across a texel, and one step, as URP has it.
     cmd->SetGlobalDepthBias(1.0f, 2.5f);
     context.ExecuteCommandBuffer(*cmd);
@@ -264,7 +270,7 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
     const ShadowSettings& settings = renderingData.shadowSettings;
     const DirectionalLight& light = renderingData.scene->mainLight;
     const Camera& camera = *renderingData.cameraData.camera;
-    const glm::dvec3 origin = camera.renderOrigin();
+    const glm::dvec3& origin = renderingData.cameraData.renderOrigin;
     const glm::ivec2 size = ShadowMapSize(settings);
 
     std::vector<glm::mat4> matrices(k_MostCascades + 1, glm::mat4(0.0f)); // the last one: no shadow

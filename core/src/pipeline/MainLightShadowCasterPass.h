@@ -19,6 +19,9 @@ public:
     /// @return whether the pass has anything to draw; else shaders need no shadows
     bool Setup(const RenderingData& renderingData);
 
+    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    static void Forget(CommandBuffer& cmd);
+
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:

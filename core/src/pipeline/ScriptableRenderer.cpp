@@ -41,6 +41,10 @@ bool ClearsNothing(const CameraData& data)
 /// Several samples a texel are not kept from frame to frame, as in Unity.
 ClearFlag CameraClearFlag(const CameraData& data)
 {
+    if (data.renderType == CameraRenderType::Overlay)
+    {
+        return data.clearDepth ? ClearFlag::DepthStencil : ClearFlag::None;
+    }
     return ClearsNothing(data) && !HasSamples(data) ? ClearFlag::DepthStencil : ClearFlag::All;
 }
 
@@ -51,10 +55,11 @@ Color BackgroundOf(const CameraData& data)
 }
 
 /// Lets each of the passes clean up, also behind one that cannot.
+/// @param isLast  nothing follows in the camera's stack
 /// @return what was thrown first
 std::exception_ptr CleanUp(const ScriptableRenderer& renderer,
-                           std::span<ScriptableRenderPass* const> passes,
-                           CommandBuffer& cmd) noexcept
+                           std::span<ScriptableRenderPass* const> passes, CommandBuffer& cmd,
+                           bool isLast) noexcept
 {
     std::exception_ptr failure;
     const auto call = [&](const char* function, auto method)
@@ -72,7 +77,10 @@ std::exception_ptr CleanUp(const ScriptableRenderer& renderer,
         }
     };
     call("OnCameraCleanup", &ScriptableRenderPass::FrameCleanup);
-    call("OnFinishCameraStackRendering", &ScriptableRenderPass::OnFinishCameraStackRendering);
+    if (isLast)
+    {
+        call("OnFinishCameraStackRendering", &ScriptableRenderPass::OnFinishCameraStackRendering);
+    }
     return failure;
 }
 
@@ -243,7 +251,8 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
                 m_RenderGraph->End();
             }
         });
-    m_FirstColor = true;
+    // An overlay's colour is what the cameras before it have drawn.
+    m_FirstColor = renderingData.cameraData.renderType == CameraRenderType::Base;
     m_FirstDepth = true;
     AddRenderPasses(renderingData);
     m_FeaturePasses = m_Queue;
@@ -261,7 +270,7 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
             RunFeature(*feature, "AddRenderPasses",
                        [&] { feature->AddRenderPasses(*this, renderingData); });
         }
-        else
+        else if (renderingData.cameraData.renderType == CameraRenderType::Base)
         {
             renderingData.report->notes.push_back(feature->name +
                                                   ": not drawn, the feature is inactive");
@@ -301,7 +310,8 @@ void ScriptableRenderer::Execute(ScriptableRenderContext& context, RenderingData
     {
         failure = std::current_exception();
     }
-    const std::exception_ptr second = CleanUp(*this, std::span(m_Queue).first(setUp), *cmd);
+    const bool isLast = failure || renderingData.cameraData.resolveFinalTarget;
+    const std::exception_ptr second = CleanUp(*this, std::span(m_Queue).first(setUp), *cmd, isLast);
     if (failure || second)
     {
         std::rethrow_exception(failure ? failure : second);

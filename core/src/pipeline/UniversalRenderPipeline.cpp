@@ -1,6 +1,8 @@
 #include "pipeline/AdditionalLights.h"
 #include "pipeline/CameraUniforms.h"
+#include "pipeline/MainLightShadowCasterPass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limn/core/UniversalRenderPipeline.h>
 
@@ -18,6 +20,17 @@ void ExpectRenderable(const RenderRequest& request)
     if (request.scene == nullptr || request.camera == nullptr)
     {
         throw ContractError("RenderSingleCamera: scene and camera must be given");
+    }
+    if (request.camera->renderType != CameraRenderType::Base)
+    {
+        throw ContractError("RenderSingleCamera: the camera's renderType is Overlay; it is drawn "
+                            "by a base camera that has it in its cameraStack");
+    }
+    if (const RenderTexture* target = request.camera->targetTexture.get();
+        target != nullptr && IsDepthFormat(target->graphicsFormat()))
+    {
+        throw ContractError("RenderSingleCamera: the camera's targetTexture '" + target->name() +
+                            "' is a depth texture; it must be a colour");
     }
     if (request.width <= 0 || request.height <= 0)
     {
@@ -63,6 +76,13 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, int
                                                const GraphicsDevice& device, RenderReport& report)
 {
     const Camera& camera = *request.camera;
+    if (camera.targetTexture)
+    {
+        const RenderTextureDescriptor& target = camera.targetTexture->descriptor();
+        RenderTextureDescriptor ofTarget(target.width, target.height, target.graphicsFormat, 32);
+        ofTarget.msaaSamples = target.msaaSamples;
+        return ofTarget;
+    }
     RenderTextureDescriptor descriptor(
         request.width, request.height,
         camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32);
@@ -82,30 +102,40 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, int
     return descriptor;
 }
 
-RenderingData MakeRenderingData(const RenderRequest& request, ScriptableRenderer& renderer,
+bool UsesReversedZBuffer(const ScriptableRenderer& renderer)
+{
+    const std::shared_ptr<ShaderCompiler> compiler = renderer.shaderCompiler();
+    return !compiler || compiler->usesReversedZBuffer();
+}
+
+RenderingData MakeRenderingData(const RenderRequest& request, const Camera& camera,
+                                ScriptableRenderer& renderer,
                                 const RenderTextureDescriptor& descriptor, RenderReport& report)
 {
-    const Camera& camera = *request.camera;
-    const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
+    const glm::vec2 size(descriptor.width, descriptor.height);
+    const float aspect = size.x / size.y;
     RenderingData data;
+    data.cameraData.renderType = camera.renderType;
+    data.cameraData.clearDepth = camera.clearDepth;
+    data.cameraData.targetTexture = request.camera->targetTexture;
+    data.cameraData.renderOrigin = request.camera->renderOrigin();
     data.cameraData.camera = &camera;
     data.cameraData.cameraTargetDescriptor = descriptor;
     data.cameraData.renderer = &renderer;
-    data.cameraData.cameraType = camera.cameraType;
+    data.cameraData.cameraType = request.camera->cameraType;
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
-    data.cameraData.isHdrEnabled = camera.allowHDR;
+    data.cameraData.isHdrEnabled = request.camera->allowHDR;
     data.cameraData.viewMatrix = camera.viewMatrix();
-    const std::shared_ptr<ShaderCompiler> compiler = renderer.shaderCompiler();
-    data.cameraData.usesReversedZBuffer = !compiler || compiler->usesReversedZBuffer();
+    data.cameraData.usesReversedZBuffer = UsesReversedZBuffer(renderer);
     data.cameraData.gpuProjectionMatrix =
         camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer);
     data.scene = request.scene;
     data.time = request.time;
-    data.volumeStack = request.volumeStack;
-    const glm::vec2 margin =
-        2.0f * renderer.cullingMargin(data.volumeStack) / glm::vec2(request.width, request.height);
-    data.cullResults = Measure(request.timeline, "cull",
-                               [&] { return Cull(*request.scene, camera, aspect, margin); });
+    data.volumeStack = request.blendVolumes ? request.blendVolumes(camera) : request.volumeStack;
+    const glm::vec2 margin = 2.0f * renderer.cullingMargin(data.volumeStack) / size;
+    data.cullResults = Measure(
+        request.timeline, "cull",
+        [&] { return Cull(*request.scene, camera, aspect, margin, data.cameraData.renderOrigin); });
     data.report = &report;
     return data;
 }
@@ -126,6 +156,11 @@ void NoteBeyondFloat(const CullingResults& results, RenderReport& report)
 /// Every frame writes the whole of it, so nothing of the last one has to be kept.
 void AllocateOutput(RTHandle& output, const RenderRequest& request)
 {
+    if (const auto& target = request.camera->targetTexture)
+    {
+        output = output && output.rt() == target ? output : RTHandle(target);
+        return;
+    }
     const RenderTextureDescriptor descriptor(request.width, request.height,
                                              GraphicsFormat::R8G8B8A8_SRGB);
     if (!output || output.rt()->descriptor() != descriptor)
@@ -135,6 +170,23 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
         output = RTHandle(
             std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
     }
+}
+
+/// What does not change within a camera, and what an overlay must not take over from the camera
+/// before it.
+void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
+                 const RenderingData& renderingData)
+{
+    const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    if (renderingData.cameraData.renderType == CameraRenderType::Overlay)
+    {
+        ForgetAdditionalLights(*cmd);
+        MainLightShadowCasterPass::Forget(*cmd);
+    }
+    SetTimeUniforms(*cmd, request.time);
+    SetLightUniforms(*cmd, *request.scene);
+    SetAdditionalLightUniforms(*cmd, renderingData, renderingData.report->notes);
+    context.ExecuteCommandBuffer(*cmd);
 }
 
 } // namespace
@@ -155,6 +207,57 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
 void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                  const RenderRequest& request, RenderResult& result)
 {
+    RenderStack(renderer, request, m_Frames, result);
+}
+
+std::vector<RenderResult> UniversalRenderPipeline::Render(UniversalRenderer& renderer,
+                                                          const RenderRequest& request,
+                                                          std::span<const Camera* const> cameras)
+{
+    std::vector<const Camera*> sorted(cameras.begin(), cameras.end());
+    if (std::ranges::find(sorted, nullptr) != sorted.end())
+    {
+        throw ContractError("Render: one of the cameras is null");
+    }
+    std::erase_if(sorted, [](const Camera* camera)
+                  { return camera->renderType != CameraRenderType::Base; });
+    std::ranges::stable_sort(sorted, std::less(),
+                             [](const Camera* camera) { return std::trunc(camera->depth); });
+    m_FramesOfSeveral.resize(std::max(m_FramesOfSeveral.size(), sorted.size()));
+    std::vector<RenderResult> results(sorted.size());
+    RenderRequest ofOne = request;
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+    {
+        ofOne.camera = sorted[i];
+        RenderStack(renderer, ofOne, m_FramesOfSeveral[i], results[i]);
+    }
+    return results;
+}
+
+void UniversalRenderPipeline::FindStack(const Camera& camera, RenderReport& report)
+{
+    m_Stack.assign(1, &camera);
+    for (const std::shared_ptr<const Camera>& overlay : camera.cameraStack)
+    {
+        if (!overlay)
+        {
+            throw ContractError("RenderSingleCamera: a camera of the cameraStack is null");
+        }
+        if (overlay->renderType == CameraRenderType::Overlay)
+        {
+            m_Stack.push_back(overlay.get());
+        }
+        else
+        {
+            report.notes.push_back("camera " + std::to_string(m_Stack.size()) +
+                                   " of the cameraStack is not drawn: its renderType is Base");
+        }
+    }
+}
+
+void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const RenderRequest& request,
+                                          FrameCache& frames, RenderResult& result)
+{
     ExpectRenderable(request);
     ExpectSampleCount(msaaSampleCount);
     result.report.passes.clear();
@@ -162,33 +265,41 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
     result.report.notes.clear();
     result.report.choices.clear();
     result.frame = nullptr; // else the next would have to leave it as it is
-    AllocateOutput(m_Output, request);
-    renderer.SetOutput(m_Output);
-    result.output = m_Output;
+    FindStack(*request.camera, result.report);
+    RTHandle& output = request.camera->targetTexture ? m_TargetTexture : m_Output;
+    AllocateOutput(output, request);
+    renderer.SetOutput(output);
+    result.output = output;
 
-    RenderingData renderingData = MakeRenderingData(
-        request, renderer,
-        CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report), result.report);
-    RTHandles::SetReferenceSize(request.width, request.height);
-    renderingData.shadowSettings = shadows;
+    const RenderTextureDescriptor descriptor =
+        CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report);
+    RTHandles::SetReferenceSize(descriptor.width, descriptor.height);
     m_TemporaryTextures.BeginFrame();
-    renderingData.temporaryTextures = &m_TemporaryTextures;
-    NoteBeyondFloat(renderingData.cullResults, result.report);
-    ScriptableRenderContext& context = *m_Context;
-    context.Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands),
-                  renderingData.cameraData.usesReversedZBuffer);
-    Measure(request.timeline, "record",
-            [&]
-            {
-                const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-                SetTimeUniforms(*cmd, request.time);
-                SetLightUniforms(*cmd, *request.scene);
-                SetAdditionalLightUniforms(*cmd, renderingData, result.report.notes);
-                context.ExecuteCommandBuffer(*cmd);
-                renderer.RenderCamera(context, renderingData);
-            });
+    m_Context->Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands),
+                     UsesReversedZBuffer(renderer));
+    for (const Camera* const& camera : m_Stack)
+    {
+        RenderingData renderingData =
+            MakeRenderingData(request, *camera, renderer, descriptor, result.report);
+        renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
+        renderingData.shadowSettings = shadows;
+        renderingData.temporaryTextures = &m_TemporaryTextures;
+        NoteBeyondFloat(renderingData.cullResults, result.report);
+        Measure(request.timeline, "record",
+                [&]
+                {
+                    SetUniforms(*m_Context, request, renderingData);
+                    renderer.RenderCamera(*m_Context, renderingData);
+                });
+    }
+    Finish(request, frames, output, result);
+}
 
-    m_Outputs.assign(1, m_Output.rt());
+/// Compiles what is recorded and starts it.
+void UniversalRenderPipeline::Finish(const RenderRequest& request, FrameCache& frames,
+                                     const RTHandle& output, RenderResult& result)
+{
+    m_Outputs.assign(1, output.rt());
     for (const RTHandle& handle : request.alsoReadBack)
     {
         m_Outputs.push_back(handle.rt());
@@ -201,11 +312,10 @@ void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
             return m_Device->Footprint(texture);
         };
     }
-    m_Commands = context.TakeCommands();
+    m_Commands = m_Context->TakeCommands();
     result.frame = Measure(
         request.timeline, "compile",
-        [&]
-        { return m_Frames.Compile(m_Commands, m_Device->textureStates(), m_Outputs, options); });
+        [&] { return frames.Compile(m_Commands, m_Device->textureStates(), m_Outputs, options); });
     Measure(request.timeline, "execute", [&] { m_Device->Execute(*result.frame); });
     std::vector<std::string>& notes = result.report.notes;
     notes.insert(notes.end(), result.frame->notes.begin(), result.frame->notes.end());

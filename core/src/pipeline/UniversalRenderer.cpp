@@ -13,7 +13,8 @@ namespace limn
 namespace
 {
 
-constexpr int k_FinalBlitPass = 2; // "Final" of CoreBlit.shader
+constexpr int k_CopyPass = 0;      // "Nearest" of CoreBlit.shader
+constexpr int k_FinalBlitPass = 2; // "Final": opaque
 
 /// A texture of the renderer's own: nobody sees it after the frame.
 void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descriptor,
@@ -56,20 +57,15 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
     {
         throw ContractError("UniversalRenderer: SetOutput was not called before rendering");
     }
-    RenderTextureDescriptor color = renderingData.cameraData.cameraTargetDescriptor;
-    color.depthBufferBits = 0;
-    m_Current = 0;
-    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
-    AllocateAttachment(m_Depth, renderingData.cameraData.cameraTargetDescriptor,
-                       "_CameraDepthAttachment");
-    ConfigureCameraTarget(m_Colors[0], m_Depth);
-
-    m_CameraTextures->Setup(activeRenderPassQueue(), opaqueLayerMask,
-                            renderingData.cameraData.cameraTargetDescriptor,
+    const CameraData& camera = renderingData.cameraData;
+    if (camera.renderType == CameraRenderType::Base)
+    {
+        MakeTargets(camera);
+    }
+    m_CameraTextures->Setup(activeRenderPassQueue(), opaqueLayerMask, camera.cameraTargetDescriptor,
                             renderingData.report->notes);
     m_OpaquePass->SetLayerMask(opaqueLayerMask);
     m_TransparentPass->SetLayerMask(transparentLayerMask);
-    m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
     if (m_MainLightShadowCasterPass->Setup(renderingData))
     {
         EnqueuePass(*m_MainLightShadowCasterPass);
@@ -80,7 +76,22 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
         EnqueuePass(*m_SkyboxPass);
     }
     EnqueuePass(*m_TransparentPass);
-    EnqueuePass(*m_FinalBlitPass);
+    if (camera.resolveFinalTarget)
+    {
+        EnqueuePass(*m_FinalBlitPass);
+    }
+}
+
+void UniversalRenderer::MakeTargets(const CameraData& camera)
+{
+    RenderTextureDescriptor color = camera.cameraTargetDescriptor;
+    color.depthBufferBits = 0;
+    m_Current = 0;
+    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
+    AllocateAttachment(m_Depth, camera.cameraTargetDescriptor, "_CameraDepthAttachment");
+    ConfigureCameraTarget(m_Colors[0], m_Depth);
+    m_FinalBlitPass->SetMaterialPass(camera.targetTexture ? k_CopyPass : k_FinalBlitPass);
+    m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
 }
 
 const RTHandle& UniversalRenderer::GetCameraColorFrontBuffer()

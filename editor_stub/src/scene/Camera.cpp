@@ -16,7 +16,8 @@ void ReadDirection(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagno
     if (rotation && lookAt)
     {
         diagnostics.Error(lookAt->location(),
-                          "camera.lookAt: the camera has a rotation already; keep one of them");
+                          map.SubjectOf("lookAt") +
+                              ": the camera has a rotation already; keep one of them");
         return;
     }
     if (map.Read("rotation", degrees))
@@ -30,8 +31,9 @@ void ReadDirection(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagno
         if (!hasDirection)
         {
             diagnostics.Error(lookAt->location(),
-                              "camera.lookAt: this is the camera's own position; a point in front "
-                              "of it is expected");
+                              map.SubjectOf("lookAt") +
+                                  ": this is the camera's own position; a point in front of it is "
+                                  "expected");
             return;
         }
         camera.transform.localRotation = LookRotation(forward);
@@ -50,7 +52,7 @@ void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics
     {
         const YamlNode* node = map.Find(hasFar ? "farClipPlane" : "nearClipPlane");
         diagnostics.Error(node ? node->location() : map.node().location(),
-                          "camera.farClipPlane: " + NumberText(camera.farClipPlane) +
+                          map.SubjectOf("farClipPlane") + ": " + NumberText(camera.farClipPlane) +
                               " is not greater than nearClipPlane, which is " +
                               NumberText(camera.nearClipPlane));
     }
@@ -76,24 +78,13 @@ void ReadLightShadows(SceneMapReader& map, DirectionalLight& light, AssetDiagnos
     map.Read("shadowNormalBias", light.shadowNormalBias);
 }
 
-} // namespace
-
-void ReadCamera(const YamlNode& node, SceneLoader& loader)
+/// What base cameras and overlays have in common.
+void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
 {
-    Camera& camera = loader.asset.camera;
     AssetDiagnostics& diagnostics = loader.diagnostics;
-    SceneMapReader map(node, "camera", scene_keys::k_Camera, diagnostics);
     map.Read("position", camera.transform.localPosition);
     ReadDirection(map, camera, diagnostics);
     ReadLens(map, camera, diagnostics);
-    if (const YamlNode* flags = map.Find("clearFlags"))
-    {
-        const auto value = ReadEnum(*flags, k_ClearFlags, "camera.clearFlags", diagnostics);
-        camera.clearFlags = value ? static_cast<CameraClearFlags>(*value) : camera.clearFlags;
-    }
-    map.Read("backgroundColor", camera.backgroundColor);
-    map.Read("allowHDR", camera.allowHDR);
-    map.Read("allowMSAA", camera.allowMSAA);
     map.Read("renderPostProcessing", camera.renderPostProcessing);
     for (const auto& [key, mask] : {std::pair("cullingMask", &camera.cullingMask),
                                     std::pair("volumeLayerMask", &camera.volumeLayerMask)})
@@ -109,6 +100,45 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     if (map.Read("volumeTrigger", trigger))
     {
         camera.volumeTrigger = trigger;
+    }
+}
+
+void ReadStack(const YamlNode& node, SceneLoader& loader)
+{
+    int index = 0;
+    for (const YamlNode& item : ReadItems(node, "camera.cameraStack", loader.diagnostics))
+    {
+        SceneMapReader map(item, "camera.cameraStack[" + std::to_string(index++) + "]",
+                           scene_keys::k_OverlayCamera, loader.diagnostics);
+        const auto overlay = std::make_shared<Camera>();
+        overlay->renderType = CameraRenderType::Overlay;
+        overlay->renderPostProcessing = false; // or effects would come twice
+        ReadView(map, *overlay, loader);
+        map.Read("clearDepth", overlay->clearDepth);
+        map.Finish();
+        loader.asset.camera.cameraStack.push_back(overlay);
+    }
+}
+
+} // namespace
+
+void ReadCamera(const YamlNode& node, SceneLoader& loader)
+{
+    Camera& camera = loader.asset.camera;
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    SceneMapReader map(node, "camera", scene_keys::k_Camera, diagnostics);
+    ReadView(map, camera, loader);
+    if (const YamlNode* flags = map.Find("clearFlags"))
+    {
+        const auto value = ReadEnum(*flags, k_ClearFlags, "camera.clearFlags", diagnostics);
+        camera.clearFlags = value ? static_cast<CameraClearFlags>(*value) : camera.clearFlags;
+    }
+    map.Read("backgroundColor", camera.backgroundColor);
+    map.Read("allowHDR", camera.allowHDR);
+    map.Read("allowMSAA", camera.allowMSAA);
+    if (const YamlNode* stack = map.Find("cameraStack"))
+    {
+        ReadStack(*stack, loader);
     }
     map.Finish();
 }

@@ -51,6 +51,7 @@ enum class SceneValue
     Axis,
     Colliders,
     Camera,
+    CameraStack,
     Light,
     LightType,
     Lights,
@@ -123,24 +124,55 @@ inline constexpr SceneKey k_Scene[] = {
     {"materials", Materials},
     {"objects", Objects}};
 
+inline constexpr SceneKey k_CameraPosition{"position", Vector, "", k_Places};
+inline constexpr SceneKey k_LookAt{"lookAt", Vector, "A point to look at, in place of a rotation",
+                                   k_Places};
+inline constexpr SceneKey k_Orthographic{"orthographic", Bool};
+inline constexpr SceneKey k_OrthographicSize{
+    "orthographicSize", Number, "Half the picture's height in metres", {1e-4, k_MaxDistance}};
+// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
+inline constexpr SceneKey k_FieldOfView{
+    "fieldOfView", Number, "Vertical, in degrees", {0.01, 179.0}};
+inline constexpr SceneKey k_NearClipPlane{"nearClipPlane", Number, "", k_ClipPlanes};
+inline constexpr SceneKey k_FarClipPlane{"farClipPlane", Number, "", k_ClipPlanes};
+inline constexpr SceneKey k_CullingMask{"cullingMask", Layers};
+inline constexpr SceneKey k_VolumeLayerMask{"volumeLayerMask", Layers};
+inline constexpr SceneKey k_VolumeTrigger{"volumeTrigger", Vector};
+
 inline constexpr SceneKey k_Camera[] = {
-    {"position", Vector, "", k_Places},
+    k_CameraPosition,
     k_Rotation,
-    {"lookAt", Vector, "A point to look at, in place of a rotation", k_Places},
-    {"orthographic", Bool},
-    {"orthographicSize", Number, "Half the picture's height in metres", {1e-4, k_MaxDistance}},
-    // Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
-    {"fieldOfView", Number, "Vertical, in degrees", {0.01, 179.0}},
-    {"nearClipPlane", Number, "", k_ClipPlanes},
-    {"farClipPlane", Number, "", k_ClipPlanes},
+    k_LookAt,
+    k_Orthographic,
+    k_OrthographicSize,
+    k_FieldOfView,
+    k_NearClipPlane,
+    k_FarClipPlane,
     {"clearFlags", ClearFlags},
     {"backgroundColor", Color},
     {"renderPostProcessing", Bool, "What features ask before they add effects"},
     {"allowHDR", Bool},
     {"allowMSAA", Bool, "Several samples a pixel, if the scene's msaaSampleCount says so"},
-    {"cullingMask", Layers},
-    {"volumeLayerMask", Layers},
-    {"volumeTrigger", Vector}};
+    k_CullingMask,
+    k_VolumeLayerMask,
+    k_VolumeTrigger,
+    {"cameraStack", CameraStack, "Overlay cameras, which draw onto the picture in this order"}};
+
+inline constexpr SceneKey k_OverlayCamera[] = {
+    k_CameraPosition,
+    k_Rotation,
+    k_LookAt,
+    k_Orthographic,
+    k_OrthographicSize,
+    k_FieldOfView,
+    k_NearClipPlane,
+    k_FarClipPlane,
+    {"clearDepth", Bool, "What was drawn before hides nothing of it; on unless it is set"},
+    {"renderPostProcessing", Bool,
+     "Effects over all that is drawn so far; off unless it is set, other than the camera's own"},
+    k_CullingMask,
+    k_VolumeLayerMask,
+    k_VolumeTrigger};
 
 inline constexpr SceneKey k_Light[] = {
     k_Rotation,

@@ -165,6 +165,8 @@ private:
             return {{"enum", {"x", "y", "z"}}};
         case SceneValue::Camera:
             return Camera();
+        case SceneValue::CameraStack:
+            return ListSchema(Map(scene_keys::k_OverlayCamera));
         case SceneValue::Light:
             return Map(scene_keys::k_Light);
         case SceneValue::LightType:

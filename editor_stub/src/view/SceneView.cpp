@@ -94,21 +94,23 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
                                Timeline* timeline)
 {
     TurnObjects(m_Asset.turns, time);
-    const Camera& camera = m_Asset.camera;
-    Measure(timeline, "volumes",
-            [&]
-            {
-                m_Volumes.Update(m_Stack,
-                                 camera.volumeTrigger.value_or(camera.transform.position()),
-                                 camera.volumeLayerMask);
-            });
     RenderRequest request;
     request.scene = &m_Asset.scene;
-    request.camera = &camera;
+    request.camera = &m_Asset.camera;
     request.width = m_Asset.width;
     request.height = m_Asset.height;
     request.time = time;
-    request.volumeStack = &m_Stack;
+    request.blendVolumes = [&](const Camera& camera)
+    {
+        Measure(timeline, "volumes",
+                [&]
+                {
+                    m_Volumes.Update(m_Stack,
+                                     camera.volumeTrigger.value_or(camera.transform.position()),
+                                     camera.volumeLayerMask);
+                });
+        return &m_Stack;
+    };
     request.compile.isLast = isLast;
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;

@@ -63,6 +63,8 @@ TEST(SceneSchema, HasTheKeysThatScenesAreReadBy)
     const Json& scene = schema["properties"];
     EXPECT_EQ(KeysRead("camera: {}\nzzz: 1\n"), KeysOf(schema));
     EXPECT_EQ(KeysRead("camera: {zzz: 1}\n"), KeysOf(scene["camera"]));
+    EXPECT_EQ(KeysRead("camera: {cameraStack: [{zzz: 1}]}\n"),
+              KeysOf(scene["camera"]["properties"]["cameraStack"]["items"]));
     EXPECT_EQ(KeysRead("camera: {}\nlight: {zzz: 1}\n"), KeysOf(scene["light"]));
     EXPECT_EQ(KeysRead("camera: {}\nrenderer: {zzz: 1}\n"), KeysOf(scene["renderer"]));
     EXPECT_EQ(KeysRead("camera: {}\nvolumes: [{profile: on.profile.yaml, zzz: 1}]\n"),

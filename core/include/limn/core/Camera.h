@@ -4,10 +4,14 @@
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Transform.h>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace limn
 {
+
+class RenderTexture;
 
 /// What there is where a camera sees no object: the scene's skybox, or the background colour, as
 /// with Depth and with Skybox in a scene without. The background colour is there before the skybox,
@@ -30,6 +34,14 @@ enum class CameraType
     Reflection = 16
 };
 
+/// Whether a camera makes a picture, or draws onto what the cameras before it in a stack made.
+/// Unity: UnityEngine.Rendering.Universal.CameraRenderType (URP 14).
+enum class CameraRenderType
+{
+    Base = 0,
+    Overlay = 1
+};
+
 /// Unity: UnityEngine.Camera with URP's additional data (2022.3).
 struct Camera
 {
@@ -50,12 +62,24 @@ struct Camera
     LayerMask cullingMask = LayerMask::Everything();
     CameraType cameraType = CameraType::Game;
     /// What features ask before they add effects. There are none unless a feature brings them, so
-    /// it is on, where a camera of Unity's begins without. Unity: UniversalAdditionalCameraData.
+    /// it is on, where a camera of Unity's begins without. In a stack each camera that has it on
+    /// gets them, over all that is drawn so far. Unity: UniversalAdditionalCameraData.
     bool renderPostProcessing = true;
     bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
     bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
     LayerMask volumeLayerMask{1}; ///< layers whose volumes apply
     std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position
+
+    // Several cameras. Unity: UniversalAdditionalCameraData (URP 14), Camera.
+    CameraRenderType renderType = CameraRenderType::Base;
+    bool clearDepth = true; ///< of an overlay: what is drawn before it hides nothing of it
+    /// Of a base camera: the overlays that draw onto its picture, in this order, with its size,
+    /// format, samples and target. None of them is null.
+    std::vector<std::shared_ptr<const Camera>> cameraStack;
+    float depth = 0.0f; ///< base cameras are drawn in the order of their whole depths
+    /// Of a base camera: where its picture ends up, alpha included, in place of the frame's. It
+    /// has this texture's size, format and samples. A colour; what later cameras draw may read it.
+    std::shared_ptr<const RenderTexture> targetTexture;
 
     /// World to view space: right-handed, looking along -z. Unity: Camera.worldToCameraMatrix.
     glm::mat4 worldToCameraMatrix() const;

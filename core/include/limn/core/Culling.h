@@ -91,7 +91,7 @@ private:
 struct CullingResults
 {
     RendererItems items;
-    /// What shaders get to know of the scene's objects, relative to the camera's renderOrigin().
+    /// What shaders get to know of the scene's objects, relative to the origin.
     std::shared_ptr<const ObjectTable> objects;
     /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
     /// float: nothing of them is seen.
@@ -106,8 +106,10 @@ struct CullingResults
 /// @param aspect  width / height of the picture
 /// @param margin  by how much the frustum is wider and higher than the picture: 0 = not at all, 1 =
 ///                half a picture on each side
+/// @param origin  what the results' places are relative to; none = the camera's renderOrigin()
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect,
-                    const glm::vec2& margin = glm::vec2(0.0f));
+                    const glm::vec2& margin = glm::vec2(0.0f),
+                    const std::optional<glm::dvec3>& origin = std::nullopt);
 
 /// The renderers of active objects in the camera's culling mask that may throw a shadow into a box
 /// of light: it begins nowhere, so that it holds whatever is on the light's side of it. Those that

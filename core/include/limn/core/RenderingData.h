@@ -44,9 +44,16 @@ struct CameraData
     /// wants a plain colour texture sets depthBufferBits to 0 and msaaSamples to 1, as in Unity.
     RenderTextureDescriptor cameraTargetDescriptor;
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
+    CameraRenderType renderType = CameraRenderType::Base;
+    bool clearDepth = true;         ///< Camera::clearDepth, of an overlay
+    bool resolveFinalTarget = true; ///< the last camera of its stack: the picture is done
+    /// Camera::targetTexture of the stack's base camera; null = the frame's output.
+    std::shared_ptr<const RenderTexture> targetTexture;
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
     glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
     glm::mat4 gpuProjectionMatrix{1.0f};
+    /// What positions are relative to on the device: Camera::renderOrigin of the base camera.
+    glm::dvec3 renderOrigin{0.0};
     /// Depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1 far.
     /// Unity: SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;

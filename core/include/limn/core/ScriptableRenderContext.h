@@ -95,7 +95,7 @@ public:
     /// makes global ends with it. No place behind it may be used any more.
     void RecordAt(const Place& place, const std::function<void()>& record);
 
-    /// Whether a draw so far has the texture bound.
+    /// Whether a draw of this camera so far has the texture bound.
     bool Reads(const Texture& texture) const;
 
     /// Everything so far; the context is empty afterwards.

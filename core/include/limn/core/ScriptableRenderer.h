@@ -62,6 +62,7 @@ public:
 
     /// Steps 8 to 10 of a camera: features add passes, everything runs, the queue is empty again.
     /// If something throws, passes that were set up are cleaned up and the queue is empty as well.
+    /// An overlay camera follows the cameras of its stack, and draws onto their targets.
     void RenderCamera(ScriptableRenderContext& context, RenderingData& renderingData);
 
     /// A place between two passes of a frame.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limn/core/FrameCache.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/RenderTexturePool.h>
@@ -13,20 +14,24 @@ namespace limn
 struct RenderRequest
 {
     const Scene* scene = nullptr;   ///< never null
-    const Camera* camera = nullptr; ///< never null
-    int width = 0;                  ///< pixels, > 0
-    int height = 0;                 ///< pixels, > 0
+    const Camera* camera = nullptr; ///< never null; a base camera, its stack follows
+    int width = 0;     ///< pixels, > 0; a camera with a targetTexture has that one's size
+    int height = 0;    ///< pixels, > 0
     double time = 0.0; ///< seconds, what _Time shows; at most 1e38, since _Time.w is 3 times that
     const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
-    std::vector<RTHandle> alsoReadBack;       ///< further textures to keep readable after the frame
-    FrameCompilerOptions compile;             ///< what may be left out
+    /// In place of volumeStack, called for each camera of a stack before its features are asked:
+    /// what it gives holds until the next call.
+    std::function<const VolumeStack*(const Camera&)> blendVolumes;
+    std::vector<RTHandle> alsoReadBack; ///< further textures to keep readable after the frame
+    FrameCompilerOptions compile;       ///< what may be left out
     Timeline* timeline = nullptr; ///< gets "cull", "record", "compile", "execute"; may be null
 };
 
 /// What rendering gave.
 struct RenderResult
 {
-    RTHandle output; ///< R8G8B8A8_SRGB; read it back with GraphicsDevice::ReadBack
+    /// R8G8B8A8_SRGB, or the camera's targetTexture; read it back with GraphicsDevice::ReadBack.
+    RTHandle output;
     RenderReport report;
     std::shared_ptr<const CompiledFrame> frame; ///< as the device ran it; never null
 };
@@ -45,6 +50,7 @@ public:
     {
         m_Device = &device;
         m_Frames.Clear();
+        m_FramesOfSeveral.clear();
     }
 
     /// Samples a texel of the camera's colour and depth, where the camera allows them: 1, 2, 4
@@ -55,19 +61,40 @@ public:
     /// Of the main light, where it throws any. Unity: UniversalRenderPipelineAsset.
     ShadowSettings shadows;
 
-    /// Culls, lets the renderer record, compiles the frame and starts it on the device.
+    /// Culls, lets the renderer record, compiles the frame and starts it on the device: for a base
+    /// camera and the overlays of its stack, one after the other in one frame. What is no overlay
+    /// is left out of the stack, with a note.
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request);
     /// The same. A steady frame asks for no memory where each is given the result of the last.
     void RenderSingleCamera(UniversalRenderer& renderer, const RenderRequest& request,
                             RenderResult& result);
 
+    /// Renders base cameras, each with its stack and as a frame of its own, in the order of their
+    /// depths, equal ones as given: of those without a targetTexture the last one's picture stays.
+    /// Overlays among them are drawn in the stacks that they are in only.
+    /// @param request  `camera` is not looked at
+    /// @return of each base camera, as drawn
+    /// @throws ContractError, AssetError, VulkanError as RenderSingleCamera does
+    /// @source Unity: UniversalRenderPipeline.Render(context, cameras) (URP 14)
+    std::vector<RenderResult> Render(UniversalRenderer& renderer, const RenderRequest& request,
+                                     std::span<const Camera* const> cameras);
+
 private:
+    void RenderStack(UniversalRenderer& renderer, const RenderRequest& request, FrameCache& frames,
+                     RenderResult& result);
+    void Finish(const RenderRequest& request, FrameCache& frames, const RTHandle& output,
+                RenderResult& result);
+    void FindStack(const Camera& camera, RenderReport& report);
+
     GraphicsDevice* m_Device; ///< never null
     std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
+    RTHandle m_TargetTexture; ///< of the last camera that had one
     RenderTexturePool m_TemporaryTextures;
     FrameCache m_Frames;
+    std::vector<FrameCache> m_FramesOfSeveral;                   ///< of Render's cameras, as drawn
+    std::vector<const Camera*> m_Stack;                          ///< of the last frame
     std::vector<std::shared_ptr<const RenderTexture>> m_Outputs; ///< of the last frame
     FrameCommands m_Commands; ///< of the last frame, for the memory of its lists
 };

@@ -17,9 +17,9 @@ class TextureHandle;
 
 /// URP's forward renderer in small: the main light's shadow map where something shows shadows
 /// (event 50), opaque objects (250), the skybox if the camera shows one (350), transparent objects
-/// (450), final copy to the output (1001); and before them what makes the camera's depth, normals
-/// and opaque colour, in frames that draw with a shader that reads these.
-/// Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
+/// (450), final copy to the output (1001) behind the last camera of a stack; and before them what
+/// makes the camera's depth, normals and opaque colour, in frames that draw with a shader that
+/// reads these. Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
 public:
@@ -39,7 +39,7 @@ public:
                              FilterMode filterMode = FilterMode::Point,
                              TextureWrapMode wrapMode = TextureWrapMode::Clamp);
 
-    /// Where the picture ends up: R8G8B8A8_SRGB of the camera's size. Set before rendering.
+    /// Where the picture ends up: a colour of the camera's size. Set before rendering.
     void SetOutput(RTHandle output) { m_Output = std::move(output); }
 
 protected:
@@ -52,6 +52,9 @@ protected:
                     const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
+    /// A base camera's, which the overlays of its stack draw onto.
+    void MakeTargets(const CameraData& camera);
+
     std::shared_ptr<ShaderCompiler> m_Compiler;
     std::shared_ptr<const Material> m_CopyMaterial; ///< of CoreBlit.shader
     RTHandle m_Output;
