@@ -20,7 +20,12 @@ public:
         renderPassEvent = event;
     }
 
-    void SetMaterialPass(int materialPass) { m_MaterialPass = materialPass; }
+    /// @param scaleBias  of the source's uv
+    void SetMaterialPass(int materialPass, const glm::vec4& scaleBias)
+    {
+        m_MaterialPass = materialPass;
+        m_ScaleBias = scaleBias;
+    }
 
     /// @param depth  what the material reads as _CameraDepthTexture; none = what all draws do
     void SetTargets(const RTHandle& source, const RTHandle& destination, const RTHandle& depth = {})
@@ -37,13 +42,14 @@ public:
         {
             cmd->SetGlobalTexture(ShaderPropertyId("_CameraDepthTexture"), m_Depth);
         }
-        Blitter::BlitTexture(*cmd, m_Source, {1.0f, 1.0f, 0.0f, 0.0f}, m_Material, m_MaterialPass);
+        Blitter::BlitTexture(*cmd, m_Source, m_ScaleBias, m_Material, m_MaterialPass);
         context.ExecuteCommandBuffer(*cmd);
     }
 
 private:
     std::shared_ptr<const Material> m_Material;
     int m_MaterialPass;
+    glm::vec4 m_ScaleBias{1.0f, 1.0f, 0.0f, 0.0f};
     RTHandle m_Source;
     RTHandle m_Depth;
 };

@@ -90,7 +90,14 @@ void UniversalRenderer::MakeTargets(const CameraData& camera)
     AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
     AllocateAttachment(m_Depth, camera.cameraTargetDescriptor, "_CameraDepthAttachment");
     ConfigureCameraTarget(m_Colors[0], m_Depth);
-    m_FinalBlitPass->SetMaterialPass(camera.targetTexture ? k_CopyPass : k_FinalBlitPass);
+    if (camera.targetTexture)
+    {
+        m_FinalBlitPass->SetMaterialPass(k_CopyPass, {1.0f, -1.0f, 0.0f, 1.0f}); // bottom row first
+    }
+    else
+    {
+        m_FinalBlitPass->SetMaterialPass(k_FinalBlitPass, {1.0f, 1.0f, 0.0f, 0.0f});
+    }
     m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
 }
 

@@ -79,6 +79,7 @@ struct Camera
     float depth = 0.0f; ///< base cameras are drawn in the order of their whole depths
     /// Of a base camera: where its picture ends up, alpha included, in place of the frame's. It
     /// has this texture's size, format and samples. A colour; what later cameras draw may read it.
+    /// Bottom row first, as pictures have it, so that it is upright on meshes.
     std::shared_ptr<const RenderTexture> targetTexture;
 
     /// World to view space: right-handed, looking along -z. Unity: Camera.worldToCameraMatrix.
