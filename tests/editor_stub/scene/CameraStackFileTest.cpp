@@ -48,9 +48,9 @@ TEST(CameraStackFile, SaysWhatIsWrongWithAnOverlay)
                                   "  cameraStack:\n"
                                   "  - {clearDepth: 2, farClipPlane: 0.1}\n"
                                   "  - {backgroundColor: [1, 1, 1]}\n"),
-                ElementsAre(HasSubstr("3:28: camera.cameraStack[0].farClipPlane: 0.1 is not "
+                ElementsAre(HasSubstr("3:18: camera.cameraStack[0].clearDepth"),
+                            HasSubstr("3:35: camera.cameraStack[0].farClipPlane: 0.1 is not "
                                       "greater than nearClipPlane"),
-                            HasSubstr("3:18: camera.cameraStack[0].clearDepth"),
                             HasSubstr("4:6: camera.cameraStack[1]: unknown key "
                                       "'backgroundColor'")));
     EXPECT_THAT(folder.ProblemsOf("camera: {cameraStack: weapon}\n"),
