@@ -19,6 +19,7 @@ import sys
 WORDS_OF_A_DECLARATION = set(
     "public private protected internal static readonly const constexpr inline override virtual sealed "
     "final explicit class struct ref in out new std shared_ptr unique_ptr".split())
+CONDITIONS = ("if", "for", "foreach", "while")
 TOKEN = re.compile(r"""\s+|"(?:\\.|[^"\\])*"|\d+(?:\.\d*)?[fF]?|\w+|->|::|=>|==|!=|<=|>=|&&|\|\||\+\+|.""")
 
 
@@ -88,6 +89,7 @@ def statements(text):
     """Each as (words, lines)."""
     current = []
     depth = 0
+    outer = []  # depths around the braces that are open
     attribute = 0
     for token, line in spelled_alike(tokens(without_comments(text))):
         depth += (token == "(") - (token == ")")
@@ -95,12 +97,17 @@ def statements(text):
         ends = token in "{}" or (token == ";" and depth == 0) or (token == "]" and not attribute and current[0][0] == "[")
         if not ends or token == "]":
             current.append((token, line))
+        # A condition ends with its bracket, whether or not there are braces behind it.
+        ends = ends or (token == ")" and depth == 0 and current[0][0] in CONDITIONS) or token == "else"
         if ends and current:
             yield statement(current)
             current = []
             attribute = 0
-        if token in "{}":
+        if token == "{":
+            outer.append(depth)
             depth = 0
+        elif token == "}":
+            depth = outer.pop() if outer else 0
 
 
 def statement(words):
@@ -112,7 +119,7 @@ def statement(words):
         value = re.sub(r"^\( ", match.group(1) + " ( ", value)
         names = [match.group(2), "="] + value.split(" ")
     else:
-        match = re.match(r"^(\w+) (\w+) (\( .+)$", " ".join(names))
+        match = re.match(r"^(\w+(?: \. \w+)*) (\w+) (\( .+)$", " ".join(names))
         if match and match.group(1) not in ("return", "else", "if", "for", "while", "using", "void"):
             names = [match.group(2), "=", match.group(1)] + match.group(3).split(" ")
     return " ".join(names), {line for _, line in words}

@@ -66,6 +66,20 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
 void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                                       const std::shared_ptr<const Material>& material,
                                       int shaderPass, std::span<const glm::mat4> matrices,
+                                      int count, const MaterialPropertyBlock& properties)
+{
+    if (count < 0 || static_cast<std::size_t>(count) > matrices.size())
+    {
+        throw ContractError("DrawMeshInstanced: " + std::to_string(count) + " of " +
+                            std::to_string(matrices.size()) + " matrices");
+    }
+    DrawMeshInstanced(mesh, submeshIndex, material, shaderPass,
+                      matrices.first(static_cast<std::size_t>(count)), properties);
+}
+
+void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                      const std::shared_ptr<const Material>& material,
+                                      int shaderPass, std::span<const glm::mat4> matrices,
                                       const MaterialPropertyBlock& properties)
 {
     constexpr std::size_t k_Most = 1023; // Unity's

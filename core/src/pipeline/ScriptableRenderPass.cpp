@@ -171,4 +171,6 @@ float ScriptableRendererFeature::cullingMargin(const VolumeStackPointer&) const
 
 void ScriptableRendererFeature::Describe(Inspector&) {}
 
+void ScriptableRendererFeature::Dispose(bool) {}
+
 } // namespace limn

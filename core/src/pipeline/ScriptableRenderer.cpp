@@ -147,6 +147,20 @@ std::size_t IndexOf(const RTHandle& camera, std::span<const RTHandle> colors)
 
 } // namespace
 
+ScriptableRenderer::~ScriptableRenderer()
+{
+    for (const auto& feature : m_Features)
+    {
+        try
+        {
+            feature->Dispose();
+        }
+        catch (...) // there is nobody left to tell
+        {
+        }
+    }
+}
+
 ScriptableRendererFeature&
 ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> feature)
 {

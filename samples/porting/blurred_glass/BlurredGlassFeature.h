@@ -30,15 +30,16 @@ private:
         static inline const ShaderPropertyId s_Offset = Shader::PropertyToID("_Offset");
         static inline const ShaderPropertyId s_Blurred = Shader::PropertyToID("_GlassBlurTexture");
 
-        const Settings& m_Settings;
+        const Settings* m_Settings;
         std::shared_ptr<Material> m_Material;
         RenderTargetIdentifier m_Source;
         RenderTargetHandle m_Ping;
         RenderTargetHandle m_Pong;
 
     public:
-        BlurPass(const Settings& settings) : m_Settings(settings)
+        BlurPass(const Settings& settings)
         {
+            m_Settings = &settings;
             m_Material = CoreUtils::CreateEngineMaterial(settings.blurShader);
             renderPassEvent = settings.renderPassEvent;
             m_Ping.Init("_GlassPing");
@@ -51,8 +52,8 @@ private:
                        const RenderTextureDescriptor& cameraTextureDescriptor) override
         {
             RenderTextureDescriptor descriptor = cameraTextureDescriptor;
-            descriptor.width = Mathf::Max(1, descriptor.width / m_Settings.downsample);
-            descriptor.height = Mathf::Max(1, descriptor.height / m_Settings.downsample);
+            descriptor.width = Mathf::Max(1, descriptor.width / m_Settings->downsample);
+            descriptor.height = Mathf::Max(1, descriptor.height / m_Settings->downsample);
             descriptor.depthBufferBits = 0;
             descriptor.msaaSamples = 1;
             cmd.GetTemporaryRT(m_Ping.id, descriptor, FilterMode::Bilinear);
@@ -65,7 +66,7 @@ private:
             auto cmd = CommandBufferPool::Get(k_Tag);
             cmd->SetGlobalFloat(s_Offset, 0.5f);
             cmd->Blit(m_Source, m_Ping.Identifier(), m_Material, 0);
-            for (int i = 1; i < m_Settings.iterations; i++)
+            for (int i = 1; i < m_Settings->iterations; i++)
             {
                 cmd->SetGlobalFloat(s_Offset, 0.5f + static_cast<float>(i));
                 cmd->Blit(m_Ping.Identifier(), m_Pong.Identifier(), m_Material, 0);

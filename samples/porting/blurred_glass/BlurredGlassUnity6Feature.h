@@ -31,7 +31,7 @@ private:
         static inline const ShaderPropertyId s_Offset = Shader::PropertyToID("_Offset");
         static inline const ShaderPropertyId s_Blurred = Shader::PropertyToID("_GlassBlurTexture");
 
-        const Settings& m_Settings;
+        const Settings* m_Settings;
         std::shared_ptr<Material> m_Material;
 
         struct PassData
@@ -44,8 +44,9 @@ private:
         };
 
     public:
-        BlurPass(const Settings& settings) : m_Settings(settings)
+        BlurPass(const Settings& settings)
         {
+            m_Settings = &settings;
             m_Material = CoreUtils::CreateEngineMaterial(settings.blurShader);
             renderPassEvent = settings.renderPassEvent;
         }
@@ -70,8 +71,8 @@ private:
             UniversalCameraData& cameraData = frameData.Get<UniversalCameraData>();
 
             RenderTextureDescriptor descriptor = cameraData.cameraTargetDescriptor;
-            descriptor.width = Mathf::Max(1, descriptor.width / m_Settings.downsample);
-            descriptor.height = Mathf::Max(1, descriptor.height / m_Settings.downsample);
+            descriptor.width = Mathf::Max(1, descriptor.width / m_Settings->downsample);
+            descriptor.height = Mathf::Max(1, descriptor.height / m_Settings->downsample);
             descriptor.depthBufferBits = 0;
             descriptor.msaaSamples = 1;
             TextureHandle ping = UniversalRenderer::CreateRenderGraphTexture(
@@ -85,13 +86,13 @@ private:
             passData->ping = ping;
             passData->pong = pong;
             passData->material = m_Material;
-            passData->iterations = m_Settings.iterations;
+            passData->iterations = m_Settings->iterations;
 
             builder.UseTexture(passData->source, AccessFlags::Read);
             builder.UseTexture(passData->ping, AccessFlags::ReadWrite);
             builder.UseTexture(passData->pong, AccessFlags::ReadWrite);
             builder.AllowGlobalStateModification(true);
-            builder.SetGlobalTextureAfterPass(m_Settings.iterations % 2 == 1 ? ping : pong,
+            builder.SetGlobalTextureAfterPass(m_Settings->iterations % 2 == 1 ? ping : pong,
                                               s_Blurred);
             builder.SetRenderFunc([](PassData& data, UnsafeGraphContext& context)
                                   { ExecutePass(data, context); });

@@ -50,7 +50,7 @@ private:
         static inline const ShaderPropertyId s_Distance = Shader::PropertyToID("_Distance");
         static inline const ShaderPropertyId s_Size = Shader::PropertyToID("_Size");
 
-        const Settings& m_Settings;
+        const Settings* m_Settings;
         std::shared_ptr<Material> m_Material;
         int m_RowsKernel;
         int m_ColumnsKernel;
@@ -60,11 +60,12 @@ private:
         RTHandle m_Distance;
 
     public:
-        OutlinePass(const Settings& settings) : m_Settings(settings)
+        OutlinePass(const Settings& settings)
         {
+            m_Settings = &settings;
             m_Material = CoreUtils::CreateEngineMaterial(settings.shader);
             m_Material->SetColor("_OutlineColor", settings.color);
-            m_Material->SetFloat("_OutlineWidth", static_cast<float>(settings.width));
+            m_Material->SetFloat("_OutlineWidth", settings.width);
             m_RowsKernel = settings.computeShader->FindKernel("Rows");
             m_ColumnsKernel = settings.computeShader->FindKernel("Columns");
             m_FilteringSettings = FilteringSettings(RenderQueueRange::all, settings.layerMask);
@@ -103,12 +104,12 @@ private:
                 context.DrawRenderers(renderingData.cullResults, drawingSettings,
                                       m_FilteringSettings);
 
-                const std::shared_ptr<ComputeShader>& compute = m_Settings.computeShader;
+                const std::shared_ptr<ComputeShader>& compute = m_Settings->computeShader;
                 int groupsX = (m_Mask.rt()->width() + k_GroupSize - 1) / k_GroupSize;
                 int groupsY = (m_Mask.rt()->height() + k_GroupSize - 1) / k_GroupSize;
-                cmd->SetComputeVectorParam(compute, s_Size,
-                                           glm::vec4(m_Mask.rt()->width(), m_Mask.rt()->height(),
-                                                     m_Settings.width + 1, 0));
+                cmd->SetComputeVectorParam(
+                    compute, s_Size,
+                    Vector4(m_Mask.rt()->width(), m_Mask.rt()->height(), m_Settings->width + 1, 0));
                 cmd->SetComputeTextureParam(compute, m_RowsKernel, s_Mask, m_Mask);
                 cmd->SetComputeTextureParam(compute, m_RowsKernel, s_Rows, m_Rows);
                 cmd->DispatchCompute(compute, m_RowsKernel, groupsX, groupsY, 1);
@@ -122,6 +123,13 @@ private:
             }
             context.ExecuteCommandBuffer(*cmd);
             CommandBufferPool::Release(cmd);
+        }
+
+        void Dispose()
+        {
+            m_Mask.Release();
+            m_Rows.Release();
+            m_Distance.Release();
         }
     };
 
@@ -143,6 +151,8 @@ public:
     {
         renderer.EnqueuePass(*m_Pass);
     }
+
+    void Dispose([[maybe_unused]] bool disposing) override { m_Pass->Dispose(); }
 
     void Describe(Inspector& inspector) override
     {

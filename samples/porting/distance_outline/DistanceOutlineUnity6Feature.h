@@ -29,7 +29,7 @@ private:
         static constexpr int k_CompositePass = 1;
         static constexpr int k_GroupSize = 8;
 
-        const Settings& m_Settings;
+        const Settings* m_Settings;
         std::shared_ptr<Material> m_Material;
 
         struct MaskData
@@ -49,11 +49,12 @@ private:
         };
 
     public:
-        OutlinePass(const Settings& settings) : m_Settings(settings)
+        OutlinePass(const Settings& settings)
         {
+            m_Settings = &settings;
             m_Material = CoreUtils::CreateEngineMaterial(settings.shader);
             m_Material->SetColor("_OutlineColor", settings.color);
-            m_Material->SetFloat("_OutlineWidth", static_cast<float>(settings.width));
+            m_Material->SetFloat("_OutlineWidth", settings.width);
             renderPassEvent = settings.renderPassEvent;
         }
 
@@ -65,7 +66,7 @@ private:
             int groupsX = (data.width + k_GroupSize - 1) / k_GroupSize;
             int groupsY = (data.height + k_GroupSize - 1) / k_GroupSize;
             cmd.SetComputeVectorParam(data.compute, "_Size",
-                                      glm::vec4(data.width, data.height, data.reach, 0));
+                                      Vector4(data.width, data.height, data.reach, 0));
             cmd.SetComputeTextureParam(data.compute, rowsKernel, "_Mask", data.mask);
             cmd.SetComputeTextureParam(data.compute, rowsKernel, "_Rows", data.rows);
             cmd.DispatchCompute(data.compute, rowsKernel, groupsX, groupsY, 1);
@@ -99,7 +100,7 @@ private:
                 RendererListDesc desc(ShaderTagId("UniversalForward"), renderingData.cullResults(),
                                       *cameraData.camera);
                 desc.renderQueueRange = RenderQueueRange::all;
-                desc.layerMask = m_Settings.layerMask;
+                desc.layerMask = m_Settings->layerMask;
                 desc.overrideMaterial = m_Material;
                 desc.overrideMaterialPassIndex = k_MaskPass;
                 passData->objects = renderGraph.CreateRendererList(desc);
@@ -112,13 +113,13 @@ private:
             {
                 DistanceData* passData = nullptr;
                 auto builder = renderGraph.AddComputePass<DistanceData>("Distances", passData);
-                passData->compute = m_Settings.computeShader;
+                passData->compute = m_Settings->computeShader;
                 passData->mask = mask;
                 passData->rows = rows;
                 passData->distance = distance;
                 passData->width = descriptor.width;
                 passData->height = descriptor.height;
-                passData->reach = m_Settings.width + 1;
+                passData->reach = m_Settings->width + 1;
                 builder.UseTexture(mask, AccessFlags::Read);
                 builder.UseTexture(rows, AccessFlags::ReadWrite);
                 builder.UseTexture(distance, AccessFlags::Write);

@@ -31,7 +31,7 @@ private:
         static constexpr int k_ColorPass = 1;
         static inline const ShaderPropertyId s_Color = Shader::PropertyToID("_XRayColor");
 
-        std::vector<ShaderTagId> m_ShaderTagIds;
+        List<ShaderTagId> m_ShaderTagIds = List<ShaderTagId>();
         const ProfilingSampler m_ProfilingSampler = ProfilingSampler("X-Ray");
         std::shared_ptr<Material> m_Material;
         FilteringSettings m_FilteringSettings;
@@ -43,8 +43,8 @@ private:
         {
             renderPassEvent = settings.renderPassEvent;
             m_FilteringSettings = FilteringSettings(RenderQueueRange::opaque, settings.layerMask);
-            m_ShaderTagIds.push_back(ShaderTagId("SRPDefaultUnlit"));
-            m_ShaderTagIds.push_back(ShaderTagId("UniversalForward"));
+            m_ShaderTagIds.Add(ShaderTagId("SRPDefaultUnlit"));
+            m_ShaderTagIds.Add(ShaderTagId("UniversalForward"));
             m_Material = CoreUtils::CreateEngineMaterial(settings.shader);
             m_Material->SetColor(s_Color, settings.color);
 

@@ -32,7 +32,7 @@ private:
         static inline const std::array s_ShaderTagIds = {ShaderTagId("SRPDefaultUnlit"),
                                                          ShaderTagId("UniversalForward")};
 
-        const Settings& m_Settings;
+        const Settings* m_Settings;
         std::shared_ptr<Material> m_Material;
 
         struct PassData
@@ -42,8 +42,9 @@ private:
         };
 
     public:
-        XRayPass(const Settings& settings) : m_Settings(settings)
+        XRayPass(const Settings& settings)
         {
+            m_Settings = &settings;
             renderPassEvent = settings.renderPassEvent;
             m_Material = CoreUtils::CreateEngineMaterial(settings.shader);
             m_Material->SetColor("_XRayColor", settings.color);
@@ -58,7 +59,7 @@ private:
             RenderStateBlock state(RenderStateMask::Depth | RenderStateMask::Stencil);
             state.depthState = DepthState(false, isVisible ? CompareFunction::LessEqual
                                                            : CompareFunction::Greater);
-            state.stencilReference = m_Settings.stencilReference;
+            state.stencilReference = m_Settings->stencilReference;
             state.stencilState = stencil;
             return state;
         }
@@ -71,7 +72,7 @@ private:
             RendererListDesc desc(s_ShaderTagIds, renderingData.cullResults(), *cameraData.camera);
             desc.sortingCriteria = cameraData.defaultOpaqueSortFlags;
             desc.renderQueueRange = RenderQueueRange::opaque;
-            desc.layerMask = m_Settings.layerMask;
+            desc.layerMask = m_Settings->layerMask;
             desc.overrideMaterial = m_Material;
             desc.overrideMaterialPassIndex = pass;
             desc.stateBlock = MakeState(pass == k_MarkPass);

@@ -119,6 +119,7 @@ TEST(ComputeShader, RefusesWhatIsNotFinite)
               "shader");
     CommandBuffer cmd;
     EXPECT_THROW(cmd.SetComputeFloatParams(Two(), "_X", {}), ContractError);
+    EXPECT_NO_THROW(cmd.SetComputeFloatParams(Two(), "_X", 1.0f, 2));
 }
 
 TEST(ComputeShader, IsRefusedInASentenceWhereTheDeviceRunsNoKernels)

@@ -290,6 +290,14 @@ TEST_F(MeshInstances, AreAsManyAsInUnityAtMost)
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, more); }),
               "DrawMeshInstanced: 1024 matrices; at most 1023");
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [&] { m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, most, 1024); }),
+              "DrawMeshInstanced: 1024 of 1023 matrices");
+    m_Cmd.Clear();
+    m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, more, 3);
+    m_Context.Begin(m_Report, glm::dvec3(0.0));
+    EXPECT_EQ(Draws().at(0).instanceCount, 3u) << "the first three";
+    m_Cmd.Clear();
     m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, {});
     m_Context.Begin(m_Report, glm::dvec3(0.0));
     EXPECT_TRUE(Draws().empty());

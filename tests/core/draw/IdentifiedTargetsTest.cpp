@@ -305,9 +305,13 @@ TEST_F(IdentifiedTextures, HaveMipLevelsMadeOfWhatIsDrawnLast)
     Execute();
     EXPECT_THAT(m_Report.notes,
                 ElementsAre(testing::HasSubstr("nothing has drawn into it in this frame")));
+    const std::string refusal = "GenerateMips: 'Other' is no render texture with mip levels; a "
+                                "descriptor with useMipMap makes one";
     m_Cmd.GenerateMips(m_Other);
-    EXPECT_EQ(ErrorOfExecution(), "GenerateMips: 'Other' is no render texture with mip levels; a "
-                                  "descriptor with useMipMap makes one");
+    EXPECT_EQ(ErrorOfExecution(), refusal);
+    m_Cmd.Clear();
+    m_Cmd.GenerateMips(m_Other.rt());
+    EXPECT_EQ(ErrorOfExecution(), refusal) << "a RenderTexture is one of Unity's arguments, too";
 }
 
 } // namespace limn

@@ -87,5 +87,16 @@ TEST(MaterialPropertyBlock, GivesWhatWasSetAndElseNothing)
     EXPECT_EQ(block.GetVectorArray(id), (std::vector<glm::vec4>{glm::vec4(1), glm::vec4(2)}));
 }
 
+TEST(MaterialPropertyBlock, MakesAFloatOfAWholeNumber)
+{
+    const ShaderPropertyId id("_Get");
+    MaterialPropertyBlock block;
+    const int width = 6;
+    block.SetFloat(id, width);
+    EXPECT_TRUE(block.HasFloat(id)) << "as in C#, where an int is a float's argument";
+    EXPECT_EQ(block.GetFloat(id), 6.0f);
+    static_assert(requires { block.SetFloat(id, 3u); });
+}
+
 } // namespace
 } // namespace limn

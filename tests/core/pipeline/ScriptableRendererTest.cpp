@@ -334,6 +334,42 @@ TEST_F(ScriptableRendererOrder, CleansUpThePassesBehindOneThatCannot)
     EXPECT_EQ(m_Log.back(), "last.OnCameraCleanup");
 }
 
+/// Notes what it is asked to let go of.
+class DisposedFeature final : public test::LoggingFeature
+{
+public:
+    DisposedFeature(Log& log, bool throws) : LoggingFeature("f", log), m_Seen(log), m_Throws(throws)
+    {
+    }
+    ~DisposedFeature() override { m_Seen.push_back("destroyed"); }
+
+protected:
+    void Dispose(bool disposing) override
+    {
+        m_Seen.push_back(disposing ? "Dispose(true)" : "Dispose(false)");
+        if (m_Throws)
+        {
+            throw std::runtime_error("cannot");
+        }
+    }
+
+private:
+    Log& m_Seen;
+    bool m_Throws;
+};
+
+TEST(ScriptableRenderer, DisposesOfItsFeaturesBeforeTheyGo)
+{
+    Log log;
+    {
+        test::TestRenderer renderer;
+        renderer.AddFeature(std::make_unique<DisposedFeature>(log, true));
+        renderer.AddFeature(std::make_unique<DisposedFeature>(log, false));
+    }
+    EXPECT_THAT(log, ElementsAre("f.Create", "f.Create", "Dispose(true)", "Dispose(true)",
+                                 "destroyed", "destroyed"));
+}
+
 TEST(RenderPassBlock, DividesTheFrameAt150And300And600)
 {
     const auto block = [](int event)

@@ -29,7 +29,9 @@ TEST(RTHandle, IsEmptyUntilItIsAllocated)
 {
     const RTHandle handle;
     EXPECT_FALSE(handle);
+    EXPECT_TRUE(handle == nullptr);
     EXPECT_EQ(handle.rt(), nullptr);
+    EXPECT_TRUE(MaskHandle() != nullptr);
 }
 
 TEST(RTHandle, LetsGoOfTheTextureOnRelease)

@@ -179,7 +179,7 @@ TEST_F(KernelGpu, FindsParametersAsTheyWereSet)
     cmd.SetComputeIntParam(shader, "_Uint", 70000);
     cmd.SetComputeIntParam(shader, "_Bool", 1);
     cmd.SetComputeFloatParams(shader, "_Float2", {2.5f, 3.5f});
-    cmd.SetComputeIntParams(shader, "_Int3", {4, -5, 6});
+    cmd.SetComputeIntParams(shader, "_Int3", 4, -5, 6); // as C# has them
     cmd.SetComputeMatrixParam(shader, "_Matrix", matrix);
     cmd.SetComputeVectorArrayParam(shader, "_Vectors",
                                    {{1, 2, 3, 4}, {9, 9, 9, 9}, {10, 20, 30, 40}});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec4.hpp>
 #include <limits>
+#include <limn/core/Vector.h>
 
 namespace limn
 {

@@ -117,6 +117,12 @@ public:
                            const std::shared_ptr<const Material>& material, int shaderPass,
                            std::span<const glm::mat4> matrices,
                            const MaterialPropertyBlock& properties = {});
+    /// Of the first `count` matrices.
+    /// @throws ContractError as the other, and if there are fewer
+    void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                           const std::shared_ptr<const Material>& material, int shaderPass,
+                           std::span<const glm::mat4> matrices, int count,
+                           const MaterialPropertyBlock& properties = {});
     /// A sub-mesh of the object's renderer, whatever culling, `enabled` and `activeSelf` say, where
     /// the object is now. Nothing where the renderer has no mesh.
     /// @param shaderPass  -1 = all passes of the shader, one after the other
@@ -207,10 +213,18 @@ public:
     /// @throws ContractError  when executed: unless it is a render texture with mip levels
     /// @source Unity: CommandBuffer.GenerateMips (2022.3)
     void GenerateMips(RenderTargetIdentifier rt);
+    void GenerateMips(std::shared_ptr<const RenderTexture> rt)
+    {
+        GenerateMips(RenderTargetIdentifier(std::shared_ptr<const Texture>(std::move(rt))));
+    }
 
     // Setting a global throws ContractError naming it if the value is not finite, or an array
     // without elements.
     void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
+    void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
+    {
+        SetGlobalFloat(id, static_cast<float>(value));
+    }
     void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
@@ -294,6 +308,20 @@ public:
                                ShaderPropertyId id, std::vector<float> values);
     void SetComputeIntParams(const std::shared_ptr<ComputeShader>& computeShader,
                              ShaderPropertyId id, std::vector<int> values);
+    template <detail::FloatArgument First, detail::FloatArgument... More>
+    void SetComputeFloatParams(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, First first, More... more)
+    {
+        SetComputeFloatParams(
+            computeShader, id,
+            std::vector<float>{static_cast<float>(first), static_cast<float>(more)...});
+    }
+    template <std::same_as<int> First, std::same_as<int>... More>
+    void SetComputeIntParams(const std::shared_ptr<ComputeShader>& computeShader,
+                             ShaderPropertyId id, First first, More... more)
+    {
+        SetComputeIntParams(computeShader, id, std::vector<int>{first, more...});
+    }
     /// @param rt  what it stands for when the buffer is executed
     void SetComputeTextureParam(const std::shared_ptr<ComputeShader>& computeShader,
                                 int kernelIndex, ShaderPropertyId id, RenderTargetIdentifier rt);

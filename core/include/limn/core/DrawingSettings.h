@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/FixedList.h>
+#include <limn/core/List.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/SortingSettings.h>
 #include <memory>

@@ -25,11 +25,15 @@ enum class ClearFlag
     None = 0,
     Color = 1,
     Depth = 2,
+    ColorDepth = 3, ///< of RTClearFlags
     Stencil = 4,
     ColorStencil = 5,
     DepthStencil = 6,
     All = 7
 };
+/// The same under the name that CommandBuffer.ClearRenderTarget takes.
+/// Unity: UnityEngine.Rendering.RTClearFlags (2022.3).
+using RTClearFlags = ClearFlag;
 constexpr ClearFlag operator|(ClearFlag a, ClearFlag b)
 {
     return static_cast<ClearFlag>(static_cast<int>(a) | static_cast<int>(b));

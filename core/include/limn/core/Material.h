@@ -36,6 +36,10 @@ public:
     // Setting a value throws ContractError naming material and property if it is not finite, or an
     // array without elements.
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
+    void SetFloat(ShaderPropertyId id, detail::WholeNumber auto value)
+    {
+        SetFloat(id, static_cast<float>(value));
+    }
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
     void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }

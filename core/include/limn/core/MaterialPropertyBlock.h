@@ -39,6 +39,10 @@ class MaterialPropertyBlock
 {
 public:
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
+    void SetFloat(ShaderPropertyId id, detail::WholeNumber auto value)
+    {
+        SetFloat(id, static_cast<float>(value));
+    }
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
     void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }

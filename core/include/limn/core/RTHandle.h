@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -74,6 +75,7 @@ public:
     void Release() { *this = RTHandle(); }
 
     bool operator==(const RTHandle&) const = default;
+    bool operator==(std::nullptr_t) const { return !*this; }
 
 private:
     const std::shared_ptr<const RenderTexture>& ScaledToCamera() const;

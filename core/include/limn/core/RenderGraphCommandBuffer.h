@@ -76,6 +76,14 @@ public:
     {
         m_Native.DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, properties);
     }
+    void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                           const std::shared_ptr<const Material>& material, int shaderPass,
+                           std::span<const glm::mat4> matrices, int count,
+                           const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, count,
+                                   properties);
+    }
     void DrawRenderer(const GameObject& object, const std::shared_ptr<const Material>& material,
                       int submeshIndex = 0, int shaderPass = -1,
                       const MaterialPropertyBlock& properties = {})
@@ -125,6 +133,10 @@ public:
 
     // Globals: @throws ContractError unless the pass does AllowGlobalStateModification.
     void SetGlobalFloat(ShaderPropertyId id, float value) { Globals(id).SetGlobalFloat(id, value); }
+    void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
+    {
+        SetGlobalFloat(id, static_cast<float>(value));
+    }
     void SetGlobalInt(ShaderPropertyId id, int value) { Globals(id).SetGlobalInt(id, value); }
     void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobalInt(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value)
@@ -271,6 +283,18 @@ public:
                              std::vector<int> values)
     {
         m_Cmd.SetComputeIntParams(computeShader, id, std::move(values));
+    }
+    template <detail::FloatArgument First, detail::FloatArgument... More>
+    void SetComputeFloatParams(const Shader& computeShader, ShaderPropertyId id, First first,
+                               More... more)
+    {
+        m_Cmd.SetComputeFloatParams(computeShader, id, first, more...);
+    }
+    template <std::same_as<int> First, std::same_as<int>... More>
+    void SetComputeIntParams(const Shader& computeShader, ShaderPropertyId id, First first,
+                             More... more)
+    {
+        m_Cmd.SetComputeIntParams(computeShader, id, first, more...);
     }
     void SetComputeTextureParam(const Shader& computeShader, int kernelIndex, ShaderPropertyId id,
                                 const RTHandle& rt)

@@ -20,7 +20,7 @@ class ScriptableRenderer
 {
 public:
     ScriptableRenderer() = default;
-    virtual ~ScriptableRenderer() = default;
+    virtual ~ScriptableRenderer();
     ScriptableRenderer(const ScriptableRenderer&) = delete;
     ScriptableRenderer& operator=(const ScriptableRenderer&) = delete;
 

@@ -41,6 +41,14 @@ public:
     /// Only a flag: an inactive feature keeps what it made.
     void SetActive(bool active) { m_Active = active; }
 
+    /// Once, by the renderer that it was added to, before it is destroyed with that.
+    void Dispose() { Dispose(true); }
+
+protected:
+    /// What of the feature destructors do not let go of. What it throws is lost.
+    /// @param disposing  true
+    virtual void Dispose(bool disposing);
+
 private:
     bool m_Active = true;
 };

@@ -54,6 +54,10 @@ public:
     // is executed after the call. A value that is not finite and an array without elements throw
     // ContractError naming it. Any thread. Unity: Shader.SetGlobalFloat and its like (2022.3).
     static void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
+    static void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
+    {
+        SetGlobalFloat(id, static_cast<float>(value));
+    }
     static void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     static void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     static void SetGlobalVector(ShaderPropertyId id, const glm::vec4& v) { SetGlobal(id, v); }

@@ -14,6 +14,12 @@ namespace limn
 namespace detail
 {
 
+/// What C# makes a float of by itself.
+template <typename T>
+concept WholeNumber = std::integral<T> && !std::same_as<T, bool>;
+template <typename T>
+concept FloatArgument = std::same_as<T, float> || WholeNumber<T>;
+
 /// The number of a name, the same for equal names over the whole process; any thread.
 std::uint32_t InternName(std::string_view name);
 const std::string& InternedName(std::uint32_t id);
