@@ -113,6 +113,9 @@ std::string ReadCSharpType(const CSharpToken*& at);
 /// bracket.
 std::string ReadCSharpGenerics(const CSharpToken*& at);
 
+/// Cuts words at the commas outside of brackets.
+std::vector<CSharpWords> SplitArguments(CSharpWords words);
+
 /// Of "List<int>[]" "List".
 std::string_view PlainTypeName(std::string_view type);
 

@@ -107,6 +107,26 @@ std::string ReadCSharpType(const CSharpToken*& at)
     return type;
 }
 
+std::vector<CSharpWords> SplitArguments(CSharpWords words)
+{
+    std::vector<CSharpWords> parts;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < words.size();)
+    {
+        if (words[i].Is(","))
+        {
+            parts.push_back(words.subspan(begin, i - begin));
+            begin = i + 1;
+        }
+        i += words[i].match > 0 ? static_cast<std::size_t>(words[i].match) + 1 : 1;
+    }
+    if (begin < words.size())
+    {
+        parts.push_back(words.subspan(begin));
+    }
+    return parts;
+}
+
 std::string_view PlainTypeName(std::string_view type)
 {
     return type.substr(0, type.find_first_of("<["));

@@ -410,7 +410,8 @@ private:
         }
         const PortEntry* entry = m_Model.table().Find(type, member);
         const bool isSame = entry && entry->verdict == PortVerdict::Same &&
-                            m_Model.CppType(type) == type && entry->result.empty();
+                            m_Model.CppType(type) == type &&
+                            (entry->result.empty() || entry->result == type);
         return isSame ? Result(PortValue{type + "::" + member, type}) : std::nullopt;
     }
 
@@ -422,26 +423,6 @@ private:
 };
 
 } // namespace
-
-std::vector<CSharpWords> SplitArguments(CSharpWords words)
-{
-    std::vector<CSharpWords> parts;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < words.size();)
-    {
-        if (words[i].Is(","))
-        {
-            parts.push_back(words.subspan(begin, i - begin));
-            begin = i + 1;
-        }
-        i += words[i].match > 0 ? static_cast<std::size_t>(words[i].match) + 1 : 1;
-    }
-    if (begin < words.size())
-    {
-        parts.push_back(words.subspan(begin));
-    }
-    return parts;
-}
 
 std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
 {

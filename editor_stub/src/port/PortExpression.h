@@ -34,7 +34,4 @@ std::optional<std::string> PlainText(CSharpWords words);
 /// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.
 std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
 
-/// Cuts words at the commas outside of brackets.
-std::vector<CSharpWords> SplitArguments(CSharpWords words);
-
 } // namespace limn

@@ -68,7 +68,10 @@ void PortedCode::Line(std::string_view line)
 
 void PortedCode::Open(std::string_view line)
 {
-    Line(line);
+    if (!line.empty())
+    {
+        Line(line);
+    }
     Line("{");
     ++m_Indent;
 }

@@ -30,7 +30,7 @@ public:
     std::string text; ///< what is written
 
     void Line(std::string_view line = {}); ///< indented by m_Indent
-    void Open(std::string_view line);      ///< the line, {
+    void Open(std::string_view line = {}); ///< the line if there is one, {
     void Close(std::string_view end = "}");
     void Label(std::string_view line) { text.append(line).append("\n"); } ///< public:
     /// `// TODO: why, place`, and the C# below it as comments.
@@ -84,6 +84,11 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
                                            const CSharpMethod& method);
 /// What the method's parameters and the class's fields stand for.
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
+/// What a parameter or variable of a method is called in C++: nothing that hides a member.
+std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name);
+/// The C# of a method that adds passes to a render graph, as comments, and the passes in C++.
+/// @return false, and writes nothing, where it adds none
+bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// The text between the braces.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 

@@ -20,7 +20,8 @@ std::vector<const CSharpClass*> TopLevel(const PortModel& model, PortRole role)
 std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources)
 {
     PortModel& model = code.model();
-    code.text = "#pragma once\n\n#include <limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
+    code.text = "#pragma once\n\n#include <limn/core/ComputeShader.h>\n#include "
+                "<limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
     std::string from;
     for (const std::string& source : sources)

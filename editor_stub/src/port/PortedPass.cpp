@@ -1,3 +1,4 @@
+#include "port/GraphPasses.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
 {
     static const std::vector<KnownMethod> feature = {
         {"Create", "Create", {}},
+        {"Dispose", "Dispose", {"bool"}},
         {"AddRenderPasses", "AddRenderPasses", {"ScriptableRenderer&", "RenderingData&"}},
         {"SetupRenderPasses",
          "SetupRenderPasses",
@@ -33,15 +35,6 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
         {"FrameCleanup", "FrameCleanup", {"CommandBuffer&"}},
         {"OnFinishCameraStackRendering", "OnFinishCameraStackRendering", {"CommandBuffer&"}}};
     return role == PortRole::Feature ? feature : pass;
-}
-
-/// Names that a parameter would hide.
-std::string ParameterName(const PortModel& model, const CSharpClass& one, const std::string& name)
-{
-    const bool isHiding = one.FindField(name) || name == "renderPassEvent" ||
-                          name == "profilingSampler" || name == "name";
-    const std::string cpp = model.CppName(name);
-    return isHiding && cpp == name ? name + "_" : cpp;
 }
 
 /// Whether it is the older half of a pass that has both: limn would run that one alone.
@@ -116,28 +109,15 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
     code.Close();
 }
 
-/// Notes what renderGraph.AddRasterRenderPass<T>("name", ...) and its like add.
-void NoteGraphPasses(PortedCode& code, const CSharpClass& one, CSharpWords body)
+/// Notes passes of a render graph that stay comments.
+void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
     const PortModel& model = code.model();
-    for (std::size_t i = 0; i < body.size(); ++i)
+    for (const CSharpGraphPass& pass : FindGraphPasses(method))
     {
-        if (!body[i].Is("AddRasterRenderPass") && !body[i].Is("AddUnsafePass") &&
-            !body[i].Is("AddComputePass"))
-        {
-            continue;
-        }
-        std::size_t open = i;
-        while (open < body.size() && !body[open].Is("("))
-        {
-            ++open;
-        }
-        const auto length = open < body.size() ? static_cast<std::size_t>(body[open].match) : 1;
-        const auto arguments =
-            SplitArguments(body.subspan(std::min(open + 1, body.size()), length - 1));
-        code.Done({"graph pass", one.name + "." + std::string(body[i].text),
-                   arguments.empty() ? "" : std::string(TextOf(model.FileOf(one), arguments[0])),
-                   model.Place(one, body[i].location), false});
+        code.Done({"graph pass", one.name + "." + pass.call,
+                   std::string(TextOf(model.FileOf(one), pass.name)),
+                   model.Place(one, pass.location), false});
     }
 }
 
@@ -150,7 +130,6 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     {
         Note(code, one, assignment, false);
     }
-    NoteGraphPasses(code, one, method.body);
     const auto signature = SignatureOf(model, one, method);
     if (!signature || IsCompatibilityMethod(one, method))
     {
@@ -159,10 +138,14 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
                                          "runs it and not RecordRenderGraph"
                                        : ""),
                   place, body);
+        NoteGraphPasses(code, one, method);
         return;
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
-    code.Todo("port", place, body);
+    if (!WriteGraphPasses(code, one, method))
+    {
+        code.Todo("port", place, body);
+    }
     if (signature->result != "void")
     {
         code.Line("return {};");
@@ -176,6 +159,14 @@ bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
 }
 
 } // namespace
+
+std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
+{
+    const bool isHiding = one.FindField(name) || name == "renderPassEvent" ||
+                          name == "profilingSampler" || name == "name";
+    const std::string cpp = model.CppName(name);
+    return isHiding && cpp == name ? name + "_" : cpp;
+}
 
 std::string PortedSignature::Text(const std::string& owner) const
 {
@@ -207,8 +198,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     {
         const auto result =
             method.type == "void" ? std::optional<std::string>("void") : model.CppType(method.type);
-        const bool isDispose = method.name == "Dispose"; // a destructor's work
-        if (method.isProperty || isDispose || (!method.isConstructor() && !result))
+        if (method.isProperty || (!method.isConstructor() && !result))
         {
             return std::nullopt;
         }
@@ -227,7 +217,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     for (std::size_t i = 0; i < types.size(); ++i)
     {
         signature.parameters += (i == 0 ? "[[maybe_unused]] " : ", [[maybe_unused]] ") + types[i] +
-                                " " + ParameterName(model, one, method.parameters[i].name);
+                                " " + LocalName(model, one, method.parameters[i].name);
     }
     signature.parameters += ")";
     return signature;
@@ -247,7 +237,7 @@ PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMe
     }
     for (const CSharpParameter& parameter : method.parameters)
     {
-        scope[parameter.name] = {ParameterName(model, one, parameter.name), parameter.type};
+        scope[parameter.name] = {LocalName(model, one, parameter.name), parameter.type};
     }
     return scope;
 }

@@ -1,5 +1,6 @@
 #include "Paths.h"
 #include "commands/CommandRun.h"
+#include "port/HeaderDocs.h"
 #include "port/HeaderWords.h"
 #include "port/PortingTable.h"
 
@@ -70,7 +71,7 @@ std::string Cells(const Counts& counts)
     return text;
 }
 
-/// The table of a type and what of it is not the same.
+/// The table of types and of their members.
 class Coverage
 {
 public:
@@ -95,7 +96,10 @@ public:
                "| type | of | same | differs | refused | missing |\n"
                "| --- | --- | --- | --- | --- | --- |\n" +
                m_Table + "| **" + std::to_string(m_Types) + " types** | | " +
-               Cells(m_All).substr(2) + "\n\n## What is not the same\n" + m_Details;
+               Cells(m_All).substr(2) +
+               "\n\n## Each member\n\nHow it differs or why it is not there, and what it is "
+               "here: the first sentence that its header has of it.\n" +
+               m_Details;
     }
 
     /// For README.md.
@@ -114,6 +118,9 @@ public:
                " are missing: [the list of them](samples/porting/COVERAGE.md).";
     }
 
+    /// How many members have a sentence of a header.
+    int documented() const { return m_Documented; }
+
 private:
     void Add(const UnityType& type)
     {
@@ -129,11 +136,8 @@ private:
             }
             ++counts.at(static_cast<std::size_t>(entry->verdict));
             ExpectInHeaders(type.name, member, entry->verdict);
-            if (entry->verdict != PortVerdict::Same)
-            {
-                details += "| `" + member + "` | " + ToString(entry->verdict) + " | " +
-                           entry->words + " |\n";
-            }
+            details += "| `" + member + "` | " + ToString(entry->verdict) + " | " + entry->words +
+                       " | " + Here(type.name, member, entry->verdict) + " |\n";
         }
         for (std::size_t i = 0; i < counts.size(); ++i)
         {
@@ -141,9 +145,23 @@ private:
         }
         ++m_Types;
         m_Table += "| " + type.name + " | " + type.version + " " + Cells(counts) + "\n";
-        m_Details += details.empty() ? ""
-                                     : "\n### " + type.name + ", " + type.version +
-                                           "\n\n| member | | |\n| --- | --- | --- |\n" + details;
+        m_Details += details.empty()
+                         ? ""
+                         : "\n### " + type.name + ", " + type.version +
+                               "\n\n| member | | | here |\n| --- | --- | --- | --- |\n" + details;
+    }
+
+    /// In a cell of a table.
+    std::string Here(const std::string& type, const std::string& member, PortVerdict verdict) const
+    {
+        const bool isHere = verdict == PortVerdict::Same || verdict == PortVerdict::Differs;
+        std::string doc = isHere ? m_Docs.Of(CppType(type), member) : "";
+        for (std::size_t at = doc.find('|'); at != std::string::npos; at = doc.find('|', at + 2))
+        {
+            doc.insert(at, "\\");
+        }
+        m_Documented += doc.empty() ? 0 : 1;
+        return doc;
     }
 
     void ExpectInHeaders(const std::string& type, const std::string& member,
@@ -157,10 +175,12 @@ private:
     }
 
     const HeaderWords m_Headers;
+    const HeaderDocs m_Docs;
     std::string m_Table;
     std::string m_Details;
     Counts m_All{};
     int m_Types = 0;
+    mutable int m_Documented = 0;
 };
 
 /// Compares with a file, or writes it where LIMN_UPDATE_GOLDEN says so.
@@ -189,6 +209,19 @@ TEST(Coverage, IsTheOneOfTheTableAndTheReadme)
     ASSERT_NE(begin, std::string::npos);
     readme.replace(begin, readme.find('\n', begin) - begin, coverage.Sentence());
     ExpectText(path, readme);
+}
+
+TEST(Coverage, TakesTheFirstSentenceOfAMembersDocLine)
+{
+    const HeaderDocs docs;
+    EXPECT_EQ(docs.Of("CommandBuffer", "CopyTexture"), "Copies texel for texel");
+    EXPECT_EQ(docs.Of("RenderTextureDescriptor", "useDynamicScale"),
+              "no effect: nothing scales");                            // behind the member
+    EXPECT_EQ(docs.Of("RasterCommandBuffer", "DrawRendererList"), ""); // a @throws alone
+    EXPECT_EQ(docs.Of("UnsafeRenderGraphBuilder", "AllowPassCulling"),
+              "False: what it draws is run whoever reads it."); // a base's
+    EXPECT_EQ(docs.Of("CommandBuffer", "NoSuchMember"), "");
+    EXPECT_GT(Coverage(ReadUnityTypes()).documented(), 200);
 }
 
 TEST(Coverage, ListsNoMemberTwice)

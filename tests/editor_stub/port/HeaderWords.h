@@ -64,7 +64,7 @@ private:
             R"(\b(class|struct|namespace|enum class)\s+(\w+)([^;{}()=]*)\{)");
         static const std::regex k_Word(R"(\w+)");
         static const std::regex k_Base(R"(public\s+(\w+::)*(\w+))");
-        static const std::regex k_Alias(R"(\busing\s+(\w+)\s*=)");
+        static const std::regex k_Alias(R"(\busing\s+(\w+)\s*=\s*(?:\w+::)*(\w+))");
         using Iterator = std::sregex_iterator;
         for (Iterator match(text.begin(), text.end(), k_Class); match != Iterator(); ++match)
         {
@@ -89,6 +89,7 @@ private:
         for (Iterator match(text.begin(), text.end(), k_Alias); match != Iterator(); ++match)
         {
             m_Words[(*match)[1]];
+            m_Bases.emplace((*match)[1], (*match)[2]);
         }
     }
 

@@ -1,5 +1,4 @@
-#include "commands/CommandRun.h"
-#include "commands/WorkingFolder.h"
+#include "port/Ported.h"
 
 #include <cstdlib>
 #include <gmock/gmock.h>
@@ -14,41 +13,6 @@ namespace
 
 using testing::HasSubstr;
 using testing::Not;
-
-struct Ported
-{
-    CommandRun run;
-    std::string header;
-    std::string source;
-    std::string report;
-};
-
-Ported Port(const std::vector<std::string>& files, const std::string& feature)
-{
-    std::vector<std::string> arguments{"port"};
-    arguments.insert(arguments.end(), files.begin(), files.end());
-    arguments.insert(arguments.end(), {"-o", "out"});
-    Ported ported;
-    ported.run = RunCommand(arguments);
-    EXPECT_EQ(0, ported.run.exitCode) << ported.run.err;
-    ported.header = ReadText("out/" + feature + ".h");
-    ported.source = ReadText("out/" + feature + ".cpp");
-    ported.report = ReadText("out/PORTING.md");
-    return ported;
-}
-
-std::string Sample(const std::string& name)
-{
-    return SourcePath("tests/editor_stub/data/port/" + name);
-}
-
-void ExpectAll(const std::string& text, const std::vector<std::string>& parts)
-{
-    for (const std::string& part : parts)
-    {
-        EXPECT_THAT(text, HasSubstr(part));
-    }
-}
 
 /// What is wrong with the C#, as it is printed.
 std::string ProblemOf(const std::string& text)

@@ -43,8 +43,10 @@ TEST(PortingTable, SaysSameOfWhatTheHeadersHaveAndMissingOfWhatTheyHaveNot)
     int missing = 0;
     for (const auto& [key, entry] : UnityPortingTable().entries())
     {
-        const std::string type = key.substr(0, key.find('.'));
-        const std::string member = key.size() > type.size() ? key.substr(type.size() + 1) : "";
+        const std::size_t dot = key.rfind('.');
+        const std::string owner = key.substr(0, dot);
+        const std::string type = owner.substr(owner.rfind('.') + 1); // of "GraphicsBuffer.Target"
+        const std::string member = dot == std::string::npos ? "" : key.substr(dot + 1);
         if (entry.verdict == PortVerdict::Same)
         {
             ++same;
