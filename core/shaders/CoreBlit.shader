@@ -117,5 +117,25 @@ Shader "Hidden/Universal/CoreBlit"
             }
             ENDHLSL
         }
+
+        Pass // "Final" of a texture of another size
+        {
+            Name "FinalBilinear"
+            Tags { "LimnFullScreen" = "_BlitTexture with alpha 1" }
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyOpaqueBilinear
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            half4 CopyOpaqueBilinear(Varyings input) : SV_Target
+            {
+                half4 color = SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, 0);
+                return half4(color.rgb, 1);
+            }
+            ENDHLSL
+        }
     }
 }

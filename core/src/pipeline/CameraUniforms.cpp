@@ -115,15 +115,18 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     const double f = camera.farClipPlane;
     const auto w = static_cast<float>(data.cameraTargetDescriptor.width);
     const auto h = static_cast<float>(data.cameraTargetDescriptor.height);
+    const auto pictureWidth = static_cast<float>(data.pixelWidth);
+    const auto pictureHeight = static_cast<float>(data.pixelHeight);
     SetMatrices(cmd, data);
     Vector(cmd, _WorldSpaceCameraPos, glm::vec4(camera.transform.position(), 0.0f));
     Vector(cmd, _ProjectionParams, glm::vec4(1.0, n, f, Reciprocal(f)));
-    Vector(cmd, _ScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, _ScreenParams,
+           {pictureWidth, pictureHeight, 1.0f + 1.0f / pictureWidth, 1.0f + 1.0f / pictureHeight});
     Vector(cmd, _ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
     Vector(cmd, _ScreenSize, {w, h, 1.0f / w, 1.0f / h});
     Vector(cmd, _ZBufferParams, ZBufferParams(n, f, data.usesReversedZBuffer));
     Vector(cmd, unity_OrthoParams,
-           {camera.orthographicSize * w / h, camera.orthographicSize, 0.0f,
+           {camera.orthographicSize * data.aspectRatio, camera.orthographicSize, 0.0f,
             camera.orthographic ? 1.0f : 0.0f});
     // Row 0 is the top of the picture in every target, so nothing has to be turned.
     Vector(cmd, _ScaleBiasRt, {-1.0f, 1.0f, -1.0f, 1.0f});

@@ -61,6 +61,31 @@ void ExpectSampleCount(int count)
     }
 }
 
+void ExpectRenderScale(float scale)
+{
+    if (!(scale >= 0.1f && scale <= 2.0f))
+    {
+        throw ContractError("UniversalRenderPipeline: renderScale is " + std::to_string(scale) +
+                            "; it must be from 0.1 to 2");
+    }
+}
+
+/// Of this camera's target. Unity: UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
+float RenderScaleOf(const Camera& camera, float renderScale)
+{
+    constexpr float k_Threshold = 0.05f;
+    return camera.cameraType != CameraType::Game || std::abs(1.0f - renderScale) < k_Threshold
+               ? 1.0f
+               : renderScale;
+}
+
+glm::ivec2 PictureSize(const RenderRequest& request)
+{
+    const RenderTexture* target = request.camera->targetTexture.get();
+    return target != nullptr ? glm::ivec2(target->width(), target->height())
+                             : glm::ivec2(request.width, request.height);
+}
+
 /// How many samples the device does of both colour and depth.
 int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor camera)
 {
@@ -72,19 +97,22 @@ int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor c
     return both == color.msaaSamples ? both : SupportedSampleCount(device, camera);
 }
 
-RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, int msaaSampleCount,
-                                               const GraphicsDevice& device, RenderReport& report)
+RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, float renderScale,
+                                               int msaaSampleCount, const GraphicsDevice& device,
+                                               RenderReport& report)
 {
     const Camera& camera = *request.camera;
+    const glm::ivec2 size =
+        glm::max(glm::ivec2(glm::vec2(PictureSize(request)) * renderScale), glm::ivec2(1));
     if (camera.targetTexture)
     {
         const RenderTextureDescriptor& target = camera.targetTexture->descriptor();
-        RenderTextureDescriptor ofTarget(target.width, target.height, target.graphicsFormat, 32);
+        RenderTextureDescriptor ofTarget(size.x, size.y, target.graphicsFormat, 32);
         ofTarget.msaaSamples = target.msaaSamples;
         return ofTarget;
     }
     RenderTextureDescriptor descriptor(
-        request.width, request.height,
+        size.x, size.y,
         camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32);
     if (!camera.allowMSAA || msaaSampleCount == 1)
     {
@@ -113,8 +141,12 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
                                 const RenderTextureDescriptor& descriptor, RenderReport& report)
 {
     const glm::vec2 size(descriptor.width, descriptor.height);
-    const float aspect = size.x / size.y;
+    const glm::ivec2 picture = PictureSize(request);
+    const float aspect = static_cast<float>(picture.x) / static_cast<float>(picture.y);
     RenderingData data;
+    data.cameraData.pixelWidth = picture.x;
+    data.cameraData.pixelHeight = picture.y;
+    data.cameraData.aspectRatio = aspect;
     data.cameraData.renderType = camera.renderType;
     data.cameraData.clearDepth = camera.clearDepth;
     data.cameraData.targetTexture = request.camera->targetTexture;
@@ -125,6 +157,9 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.cameraType = request.camera->cameraType;
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
     data.cameraData.isHdrEnabled = request.camera->allowHDR;
+    data.cameraData.backgroundColor = camera.backgroundColor.linear();
+    data.cameraData.volumeLayerMask = camera.volumeLayerMask;
+    data.cameraData.worldSpaceCameraPos = camera.transform.position();
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.usesReversedZBuffer = UsesReversedZBuffer(renderer);
     data.cameraData.gpuProjectionMatrix =
@@ -260,6 +295,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
 {
     ExpectRenderable(request);
     ExpectSampleCount(msaaSampleCount);
+    ExpectRenderScale(renderScale);
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.notes.clear();
@@ -271,8 +307,9 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     renderer.SetOutput(output);
     result.output = output;
 
+    const float scale = RenderScaleOf(*request.camera, renderScale);
     const RenderTextureDescriptor descriptor =
-        CameraTargetDescriptor(request, msaaSampleCount, *m_Device, result.report);
+        CameraTargetDescriptor(request, scale, msaaSampleCount, *m_Device, result.report);
     RTHandles::SetReferenceSize(descriptor.width, descriptor.height);
     m_TemporaryTextures.BeginFrame();
     m_Context->Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands),
@@ -282,6 +319,11 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
         RenderingData renderingData =
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
+        renderingData.cameraData.renderScale = scale;
+        renderingData.cameraData.maxShadowDistance =
+            shadows.mainLightShadowsSupported ? shadows.shadowDistance : 0.0f;
+        renderingData.postProcessingEnabled = std::ranges::any_of(
+            m_Stack, [](const Camera* each) { return each->renderPostProcessing; });
         renderingData.shadowSettings = shadows;
         renderingData.temporaryTextures = &m_TemporaryTextures;
         NoteBeyondFloat(renderingData.cullResults, result.report);

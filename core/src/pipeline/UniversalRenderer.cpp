@@ -13,8 +13,14 @@ namespace limn
 namespace
 {
 
-constexpr int k_CopyPass = 0;      // "Nearest" of CoreBlit.shader
-constexpr int k_FinalBlitPass = 2; // "Final": opaque
+// Of CoreBlit.shader, for a picture of its target's size, and for another one.
+struct BlitPasses
+{
+    int ofSize;
+    int scaled;
+};
+constexpr BlitPasses k_Copy{0, 1};      // "Nearest", "Bilinear"
+constexpr BlitPasses k_FinalBlit{2, 5}; // "Final", "FinalBilinear": opaque
 
 /// A texture of the renderer's own: nobody sees it after the frame.
 void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descriptor,
@@ -45,7 +51,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
           ForwardShaderTags(), RenderQueueRange::transparent, SortingCriteria::CommonTransparent))
 {
     m_FinalBlitPass = std::make_unique<BlitPass>("Final Blit", RenderPassEvent::AfterRendering + 1,
-                                                 m_CopyMaterial, k_FinalBlitPass);
+                                                 m_CopyMaterial, k_FinalBlit.ofSize);
     m_CameraTextures = std::make_unique<CameraTextures>(m_CopyMaterial);
 }
 
@@ -90,14 +96,12 @@ void UniversalRenderer::MakeTargets(const CameraData& camera)
     AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
     AllocateAttachment(m_Depth, camera.cameraTargetDescriptor, "_CameraDepthAttachment");
     ConfigureCameraTarget(m_Colors[0], m_Depth);
-    if (camera.targetTexture)
-    {
-        m_FinalBlitPass->SetMaterialPass(k_CopyPass, {1.0f, -1.0f, 0.0f, 1.0f}); // bottom row first
-    }
-    else
-    {
-        m_FinalBlitPass->SetMaterialPass(k_FinalBlitPass, {1.0f, 1.0f, 0.0f, 0.0f});
-    }
+    const BlitPasses& passes = camera.targetTexture ? k_Copy : k_FinalBlit;
+    const bool isScaled = color.width != camera.pixelWidth || color.height != camera.pixelHeight;
+    m_FinalBlitPass->SetMaterialPass(isScaled ? passes.scaled : passes.ofSize,
+                                     camera.targetTexture
+                                         ? glm::vec4(1.0f, -1.0f, 0.0f, 1.0f) // bottom row first
+                                         : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
     m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
 }
 

@@ -136,6 +136,11 @@ glm::mat4 Camera::worldToCameraMatrix() const
     return glm::mat4(viewMatrix());
 }
 
+glm::mat4 Camera::cameraToWorldMatrix() const
+{
+    return glm::mat4(glm::inverse(viewMatrix()));
+}
+
 glm::dvec3 Camera::renderOrigin() const
 {
     constexpr double k_Near = 1024.0;

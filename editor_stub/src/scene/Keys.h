@@ -98,6 +98,7 @@ constexpr SceneKey Required(SceneKey key)
 inline constexpr double k_MaxDistance = 1e9; ///< metres
 inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
 inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
+inline constexpr ValueRange k_RenderScales{0.1, 2.0};
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 
 inline constexpr SceneKey k_Position{"position", Vector};
@@ -108,8 +109,10 @@ inline constexpr SceneKey k_Scale{"scale", Scale};
 inline constexpr SceneKey k_Scene[] = {
     {"size", Size, "Width and height in pixels"},
     {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
+    {"renderScale", Number, "The size that cameras draw in, as a share of the picture's",
+     k_RenderScales},
     {"renderPipelineAsset", Text,
-     "Unity's, for its m_MSAA and shadows in place of msaaSampleCount and shadows"},
+     "Unity's, for its m_MSAA, m_RenderScale and shadows in place of these keys"},
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),

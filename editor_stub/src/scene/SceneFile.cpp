@@ -33,9 +33,11 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     SceneAsset& asset = loader.asset;
     AssetDiagnostics& diagnostics = loader.diagnostics;
     const YamlNode* count = map.Find("msaaSampleCount");
+    const YamlNode* scale = map.Find("renderScale");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
     for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
+                                     std::pair(scale, "renderScale: it comes"),
                                      std::pair(shadows, "shadows: they come")})
     {
         if (node && pipeline)
@@ -50,6 +52,7 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         asset.msaaSampleCount =
             ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", diagnostics).value_or(1);
     }
+    map.Read("renderScale", asset.renderScale);
     if (shadows)
     {
         YamlMapReader settings(*shadows, "shadows", diagnostics);
@@ -65,6 +68,7 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         const UnityRenderPipeline loaded =
             loader.references.Read(*pipeline, "renderPipelineAsset", load);
         asset.msaaSampleCount = loaded.msaaSampleCount;
+        asset.renderScale = loaded.renderScale;
         asset.shadows = loaded.shadows;
     }
 }

@@ -23,6 +23,7 @@ StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, Graphic
         m_Volumes.Register(&volume);
     }
     m_Pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+    m_Pipeline.renderScale = m_Asset.renderScale;
     m_Pipeline.shadows = m_Asset.shadows;
 }
 

@@ -11,6 +11,7 @@ namespace limn
 struct UnityRenderPipeline
 {
     int msaaSampleCount = 1; ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
+    float renderScale = 1.0f; ///< m_RenderScale, 0.1 ... 2
     ShadowSettings shadows;  ///< m_ShadowDistance and its like; what it lacks is Unity's default
 };
 

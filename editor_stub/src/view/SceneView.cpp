@@ -114,6 +114,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.compile.isLast = isLast;
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+    pipeline.renderScale = m_Asset.renderScale;
     pipeline.shadows = m_Asset.shadows;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }

@@ -16,21 +16,6 @@ namespace
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Keeps what a feature is told of each camera.
-class CamerasReader : public ScriptableRendererFeature
-{
-public:
-    explicit CamerasReader(std::vector<CameraData>& seen) : m_Seen(seen) {}
-    void Create() override {}
-    void AddRenderPasses(ScriptableRenderer&, RenderingData& data) override
-    {
-        m_Seen.push_back(data.cameraData);
-    }
-
-private:
-    std::vector<CameraData>& m_Seen;
-};
-
 /// Writes down the end of a stack as well.
 class StackPass final : public LoggingPass
 {

@@ -95,6 +95,21 @@ protected:
     }
 };
 
+/// Keeps what a feature is told of each camera.
+class CamerasReader : public ScriptableRendererFeature
+{
+public:
+    explicit CamerasReader(std::vector<CameraData>& seen) : m_Seen(seen) {}
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer&, RenderingData& data) override
+    {
+        m_Seen.push_back(data.cameraData);
+    }
+
+private:
+    std::vector<CameraData>& m_Seen;
+};
+
 /// Renders one camera of 8 x 4 pixels with a TestRenderer, as often as asked.
 class RendererHarness
 {
@@ -114,6 +129,9 @@ public:
         data.cameraData.camera = &camera;
         data.cameraData.cameraType = camera.cameraType;
         data.cameraData.cameraTargetDescriptor = {8, 4, GraphicsFormat::R8G8B8A8_UNorm, 32};
+        data.cameraData.pixelWidth = 8;
+        data.cameraData.pixelHeight = 4;
+        data.cameraData.aspectRatio = 2.0f;
         data.cameraData.renderer = &renderer;
         data.cullResults = cullResults;
         data.report = &report;

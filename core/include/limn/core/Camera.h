@@ -86,6 +86,8 @@ struct Camera
     glm::mat4 worldToCameraMatrix() const;
     /// The same before it is rounded.
     glm::dmat4 viewMatrix() const;
+    /// View to world space. Unity: Camera.cameraToWorldMatrix.
+    glm::mat4 cameraToWorldMatrix() const;
 
     /// What positions are relative to where the picture is made, metres: the corner of a grid of
     /// 8 m next to the camera if that is more than 1024 m away from the world's origin along an

@@ -44,6 +44,11 @@ struct CameraData
     /// wants a plain colour texture sets depthBufferBits to 0 and msaaSamples to 1, as in Unity.
     RenderTextureDescriptor cameraTargetDescriptor;
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
+    int pixelWidth = 0;                     ///< of the picture; the target's is times renderScale
+    int pixelHeight = 0;
+    float aspectRatio = 1.0f;               ///< of the picture, width / height
+    float renderScale = 1.0f;               ///< UniversalRenderPipeline::renderScale, or 1
+    bool isDefaultViewport = true;          ///< cameras draw over the whole picture
     CameraRenderType renderType = CameraRenderType::Base;
     bool clearDepth = true;         ///< Camera::clearDepth, of an overlay
     bool resolveFinalTarget = true; ///< the last camera of its stack: the picture is done
@@ -52,6 +57,7 @@ struct CameraData
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
     glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
     glm::mat4 gpuProjectionMatrix{1.0f};
+    glm::vec3 worldSpaceCameraPos{0.0f}; ///< metres
     /// What positions are relative to on the device: Camera::renderOrigin of the base camera.
     glm::dvec3 renderOrigin{0.0};
     /// Depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1 far.
@@ -60,6 +66,9 @@ struct CameraData
     CameraType cameraType = CameraType::Game;
     bool postProcessEnabled = true; ///< Camera::renderPostProcessing
     bool isHdrEnabled = true;       ///< Camera::allowHDR
+    Color backgroundColor;          ///< Camera::backgroundColor, linear
+    float maxShadowDistance = 0.0f; ///< metres from the camera; 0 = there are no shadows
+    LayerMask volumeLayerMask;      ///< Camera::volumeLayerMask
 
     bool isSceneViewCamera() const { return cameraType == CameraType::SceneView; }
     bool isPreviewCamera() const { return cameraType == CameraType::Preview; }
@@ -68,11 +77,13 @@ struct CameraData
     const glm::mat4& GetGPUProjectionMatrix() const { return gpuProjectionMatrix; }
     /// View to clip space as Unity's scripts see it, whichever way the device has depth: OpenGL's,
     /// z from -w at the near plane to w at the far one.
-    glm::dmat4 GetProjectionMatrix() const
-    {
-        return camera->projectionMatrixFor(static_cast<float>(cameraTargetDescriptor.width) /
-                                           static_cast<float>(cameraTargetDescriptor.height));
-    }
+    glm::dmat4 GetProjectionMatrix() const { return camera->projectionMatrixFor(aspectRatio); }
+    // Nothing jitters.
+    glm::dmat4 GetProjectionMatrixNoJitter() const { return GetProjectionMatrix(); }
+    const glm::mat4& GetGPUProjectionMatrixNoJitter() const { return gpuProjectionMatrix; }
+    // Row 0 is the top of the picture in every target.
+    bool IsCameraProjectionMatrixFlipped() const { return false; }
+    bool IsHandleYFlipped(const RTHandle&) const { return false; }
 
     /// World to clip space with z from w near to 0 far, whichever way round the device's depth is.
     glm::dmat4 reversedViewProjection() const
@@ -88,6 +99,7 @@ struct RenderingData
 {
     CameraData cameraData;
     CullingResults cullResults;
+    bool postProcessingEnabled = true; ///< a camera of the stack has renderPostProcessing on
     /// What is rendered, for whoever has to cull it once more; null where no pipeline renders.
     const Scene* scene = nullptr;
     ShadowSettings shadowSettings; ///< of the pipeline. Unity: RenderingData.shadowData

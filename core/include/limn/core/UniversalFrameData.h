@@ -32,6 +32,9 @@ public:
 class UniversalCameraData final : public ContextItem, public CameraData
 {
 public:
+    int scaledWidth() const { return cameraTargetDescriptor.width; } ///< texels
+    int scaledHeight() const { return cameraTargetDescriptor.height; }
+
     void Reset() override { static_cast<CameraData&>(*this) = CameraData(); }
 };
 

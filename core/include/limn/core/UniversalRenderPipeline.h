@@ -58,6 +58,11 @@ public:
     /// UniversalRenderPipelineAsset.msaaSampleCount.
     int msaaSampleCount = 1;
 
+    /// The size of what cameras draw into, as a share of their picture's, 0.1 ... 2: their picture
+    /// is made of that by bilinear sampling. Within 0.05 of 1, and for cameras of type SceneView,
+    /// Preview and Reflection, it is 1. Unity: UniversalRenderPipelineAsset.renderScale.
+    float renderScale = 1.0f;
+
     /// Of the main light, where it throws any. Unity: UniversalRenderPipelineAsset.
     ShadowSettings shadows;
 

@@ -39,6 +39,7 @@ struct SceneAsset
     int width = 1280; ///< of the picture, pixels
     int height = 720;
     int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
+    float renderScale = 1.0f; ///< UniversalRenderPipeline::renderScale
     ShadowSettings shadows;  ///< UniversalRenderPipeline::shadows
     Scene scene;
     Camera camera;
