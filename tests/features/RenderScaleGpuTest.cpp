@@ -8,7 +8,7 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Side = 16;
+constexpr int k_ScaledSide = 16;
 constexpr glm::dvec3 k_Inside{0.75, 0.0, 0.25};
 constexpr glm::dvec3 k_Outside{0.0, 0.0, 1.0};
 
@@ -16,7 +16,7 @@ constexpr glm::dvec3 k_Outside{0.0, 0.0, 1.0};
 class RenderScaleGpu : public GpuTest
 {
 protected:
-    RenderScaleGpu() : m_Flat(k_Side, k_Side)
+    RenderScaleGpu() : m_Flat(k_ScaledSide, k_ScaledSide)
     {
         m_Flat.Add({4, 4}, {12, 12}, 5.0f, Plain(glm::vec3(k_Inside)));
         m_Flat.camera.backgroundColor = Color(0.0f, 0.0f, 1.0f, 1.0f);
@@ -27,8 +27,8 @@ protected:
         RenderRequest request;
         request.scene = &m_Flat.scene;
         request.camera = &m_Flat.camera;
-        request.width = k_Side;
-        request.height = k_Side;
+        request.width = k_ScaledSide;
+        request.height = k_ScaledSide;
         request.compile.leavesOut = leavesOut;
         m_Pipeline.renderScale = scale;
         m_Pipeline.RenderSingleCamera(m_Renderer, request);
@@ -42,7 +42,7 @@ protected:
         const auto isIn = [side](int i)
         {
             const int texel = std::clamp(i, 0, side - 1);
-            return texel * k_Side >= 4 * side && texel * k_Side < 12 * side;
+            return texel * k_ScaledSide >= 4 * side && texel * k_ScaledSide < 12 * side;
         };
         return isIn(x) && isIn(y) ? k_Inside : k_Outside;
     }
@@ -50,7 +50,7 @@ protected:
     /// Bilinear filtering by its definition.
     static glm::dvec3 Sample(int x, int y, int side)
     {
-        const glm::dvec2 place = (glm::dvec2(x, y) + 0.5) * (1.0 * side / k_Side) - 0.5;
+        const glm::dvec2 place = (glm::dvec2(x, y) + 0.5) * (1.0 * side / k_ScaledSide) - 0.5;
         const glm::ivec2 low(glm::floor(place));
         const glm::dvec2 part = place - glm::dvec2(low);
         return glm::mix(
@@ -70,9 +70,9 @@ protected:
         {
             const Image picture = Draw(scale, leavesOut);
             double worst = 0.0;
-            for (int y = 0; y < k_Side; ++y)
+            for (int y = 0; y < k_ScaledSide; ++y)
             {
-                for (int x = 0; x < k_Side; ++x)
+                for (int x = 0; x < k_ScaledSide; ++x)
                 {
                     const glm::dvec3 wanted = Sample(x, y, side);
                     const Rgba8 texel = Texel8(picture, x, y);

@@ -92,10 +92,10 @@ std::size_t GraphicsBuffer::counterOffset() const
     return (size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
 }
 
-void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t available) const
+void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t available)
 {
-    const std::string text = "'" + m_Name + "': SetData of " + std::to_string(count) +
-                             " elements from " + std::to_string(from) + " to " + std::to_string(to);
+    const std::string text = "SetData of " + std::to_string(count) + " elements from " +
+                             std::to_string(from) + " to " + std::to_string(to);
     if (from < 0 || to < 0 || count < 0)
     {
         Fail(text + "; none of these may be negative");
@@ -106,8 +106,9 @@ void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t availab
     }
 }
 
-void GraphicsBuffer::SetBytes(std::span<const std::byte> bytes, std::size_t offset)
+void GraphicsBuffer::Set(const Part& part)
 {
+    const auto& [bytes, offset] = part;
     if (offset > size() || bytes.size() > size() - offset)
     {
         Fail("'" + m_Name + "': SetData of " + std::to_string(bytes.size()) + " bytes at " +

@@ -3,6 +3,7 @@
 #include <limits>
 #include <limn/core/CommandBuffer.h>
 
+#include "draw/MatrixIds.h"
 #include "material/RequireFinite.h"
 
 namespace limn
@@ -291,9 +292,21 @@ void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
                                               bool setInverseMatrices)
 {
     const glm::mat4 viewProjection(glm::dmat4(gpuProjection) * view);
-    RequireFinite(glm::mat4(view), ShaderPropertyId("unity_MatrixV"), "global ");
-    RequireFinite(viewProjection, ShaderPropertyId("unity_MatrixVP"), "global ");
+    RequireFinite(glm::mat4(view), unity_MatrixV, "global ");
+    RequireFinite(viewProjection, unity_MatrixVP, "global ");
     m_Commands.emplace_back(SetViewProjectionCommand{view, gpuProjection, setInverseMatrices});
+}
+
+void CommandBuffer::SetViewMatrix(const glm::dmat4& view)
+{
+    RequireFinite(glm::mat4(view), unity_MatrixV, "global ");
+    m_Commands.emplace_back(SetViewCommand{view});
+}
+
+void CommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
+{
+    RequireFinite(glm::mat4(proj), glstate_matrix_projection, "global ");
+    m_Commands.emplace_back(SetProjectionCommand{proj});
 }
 
 void CommandBuffer::GenerateMips(RenderTargetIdentifier rt)
@@ -301,9 +314,9 @@ void CommandBuffer::GenerateMips(RenderTargetIdentifier rt)
     m_Commands.emplace_back(GenerateMipsCommand{std::move(rt)});
 }
 
-void CommandBuffer::BeginSample(std::string_view sample)
+void CommandBuffer::BeginSample(SampleName sample)
 {
-    m_Commands.emplace_back(BeginSampleCommand{SampleName(sample)});
+    m_Commands.emplace_back(BeginSampleCommand{sample});
 }
 
 void CommandBuffer::EndSample()

@@ -22,7 +22,30 @@ void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
     }
 }
 
+void ExpectBuffer(const std::shared_ptr<GraphicsBuffer>& buffer, const char* call)
+{
+    if (!buffer)
+    {
+        throw ContractError(std::string(call) + ": the buffer is null");
+    }
+}
+
 } // namespace
+
+void CommandBuffer::SetBufferBytes(const std::shared_ptr<GraphicsBuffer>& buffer,
+                                   const GraphicsBuffer::Part& part)
+{
+    ExpectBuffer(buffer, "SetBufferData");
+    m_Commands.emplace_back(
+        SetBufferDataCommand{buffer, {part.bytes.begin(), part.bytes.end()}, part.offset});
+}
+
+void CommandBuffer::SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
+                                          std::uint32_t counterValue)
+{
+    ExpectBuffer(buffer, "SetBufferCounterValue");
+    m_Commands.emplace_back(SetBufferCounterCommand{buffer, counterValue});
+}
 
 void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
                                     int kernelIndex, int threadGroupsX, int threadGroupsY,

@@ -4,6 +4,7 @@
 #include <limn/core/Scene.h>
 
 #include "draw/ExpectDraw.h"
+#include "draw/MatrixIds.h"
 
 namespace limn
 {
@@ -29,9 +30,6 @@ const std::shared_ptr<const Mesh>& BlitQuad()
 /// @param properties  gets it: what a draw brings along wins over what is global
 void SetBlitMatrices(MaterialPropertyBlock& properties)
 {
-    static const ShaderPropertyId unity_MatrixV{"unity_MatrixV"};
-    static const ShaderPropertyId glstate_matrix_projection{"glstate_matrix_projection"};
-    static const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
     static const ShaderPropertyId limn_Origin{"limn_Origin"};
     // Near and far are given the other way round, which is reversed Z.
     static const glm::mat4 projection = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);

@@ -19,7 +19,7 @@ public:
     using Place = ScriptableRenderContext::Place;
 
     /// @param passName  whose draws these are at the time
-    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals, const std::string& passName)
+    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals, const SampleName& passName)
         : m_Frame(frame), m_Globals(globals), m_Resolver(passName)
     {
     }
@@ -41,6 +41,10 @@ public:
     /// nothing else.
     void TakeShaderGlobals();
     void SetViewProjection(const SetViewProjectionCommand& command);
+    void SetMatrix(const SetViewCommand& command);
+    void SetMatrix(const SetProjectionCommand& command);
+    /// @throws ContractError naming the buffer, if a draw or dispatch of the frame has it already
+    void ExpectUnused(const GraphicsBuffer& buffer, const char* call) const;
     void SetRenderTarget(const SetRenderTargetCommand& command);
     CommonDrawState& commonState() { return m_State; } ///< of what is drawn from now on
     /// @param properties  of the draw; null = none
@@ -112,6 +116,8 @@ private:
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
+    glm::dmat4 m_View{1.0}; ///< what was set last
+    glm::mat4 m_Projection{1.0f};
     CommonDrawState m_State;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     DrawResolver m_Resolver;

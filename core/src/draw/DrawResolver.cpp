@@ -400,9 +400,10 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
     const bool isMade = made != std::end(k_CameraTextures);
     if (m_Noted.insert({shader.id(), id}).second)
     {
-        const std::string subject = "shader '" + shader.name() + "'" +
-                                    (m_PassName.empty() ? "" : " in pass '" + m_PassName + "'") +
-                                    ": texture '" + id.name() + "' is ";
+        const std::string subject =
+            "shader '" + shader.name() + "'" +
+            (m_PassName == SampleName() ? "" : " in pass '" + m_PassName.name() + "'") +
+            ": texture '" + id.name() + "' is ";
         m_Notes->push_back(
             subject + (isMade ? std::string(made->look) +
                                     " everywhere: nothing has written it yet; "

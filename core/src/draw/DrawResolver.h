@@ -45,7 +45,7 @@ class DrawResolver
 {
 public:
     /// @param passName  whose draws these are at the time, for the notes
-    explicit DrawResolver(const std::string& passName) : m_PassName(passName) {}
+    explicit DrawResolver(const SampleName& passName) : m_PassName(passName) {}
 
     /// Begins a frame.
     /// @param notes  gets a sentence for each texture of a shader that nothing gives a value,
@@ -150,7 +150,7 @@ private:
         std::vector<std::string> shaders;
     };
     std::vector<std::string>* m_Notes = nullptr; ///< never null in a frame
-    const std::string& m_PassName;
+    const SampleName& m_PassName;
     std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
     std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
 };

@@ -60,7 +60,7 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
 {
     m_Report = &report;
     m_Origin = origin;
-    m_PassName.clear();
+    m_PassName = {};
     m_Frame = Emptied(std::move(spare));
     m_Frame.usesReversedZBuffer = usesReversedZBuffer;
     m_Globals.Clear();
@@ -111,6 +111,21 @@ void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
                 else if constexpr (std::is_same_v<Command, SetViewProjectionCommand>)
                 {
                     m_Recorder->SetViewProjection(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetViewCommand> ||
+                                   std::is_same_v<Command, SetProjectionCommand>)
+                {
+                    m_Recorder->SetMatrix(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetBufferDataCommand>)
+                {
+                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferData");
+                    c.buffer->Set({c.bytes, c.offset});
+                }
+                else if constexpr (std::is_same_v<Command, SetBufferCounterCommand>)
+                {
+                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferCounterValue");
+                    c.buffer->SetCounterValue(c.value);
                 }
                 else if constexpr (std::is_same_v<Command, SetGlobalCommand>)
                 {
@@ -191,8 +206,7 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
                                             const RenderStateBlock& stateBlock)
 {
     JudgedItems judged = Judge(cullingResults.items, filteringSettings, drawingSettings);
-    m_Report->draws.push_back(
-        {SampleName(m_PassName), filteringSettings, drawingSettings, judged.counts});
+    m_Report->draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
     if (!judged.drawn.empty())
     {
         m_Recorder->TakeShaderGlobals();

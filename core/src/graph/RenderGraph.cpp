@@ -251,6 +251,35 @@ TextureDesc RenderGraph::GetTextureDesc(const TextureHandle& texture) const
     return desc;
 }
 
+RenderTargetInfo RenderGraph::GetRenderTargetInfo(const TextureHandle& texture) const
+{
+    ExpectOfFrame(texture, "GetRenderTargetInfo");
+    const RenderTexture& target = *texture.rt();
+    return {target.width(),
+            target.height(),
+            1,
+            target.descriptor().msaaSamples,
+            target.graphicsFormat(),
+            false};
+}
+
+void RenderGraph::CreateTextureIfInvalid(const TextureDesc& desc, TextureHandle& texture)
+{
+    if (!texture.IsValid())
+    {
+        texture = CreateTexture(desc);
+    }
+}
+
+BufferDesc RenderGraph::GetBufferDesc(const BufferHandle& graphicsBuffer) const
+{
+    ExpectOfFrame(graphicsBuffer, "GetBufferDesc");
+    const GraphicsBuffer& buffer = *graphicsBuffer.buffer();
+    BufferDesc desc(buffer.count(), buffer.stride(), buffer.target());
+    desc.name = buffer.name();
+    return desc;
+}
+
 RendererListHandle RenderGraph::CreateRendererList(const RendererListParams& desc)
 {
     m_State->rendererLists.push_back(desc);

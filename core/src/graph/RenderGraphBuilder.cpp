@@ -122,6 +122,16 @@ TextureHandle BaseRenderGraphBuilder::CreateTransientTexture(const TextureHandle
     return CreateTransientTexture(texture.GetDescriptor(m_Graph));
 }
 
+BufferHandle BaseRenderGraphBuilder::CreateTransientBuffer(const BufferDesc& desc)
+{
+    return UseBuffer(m_Graph.CreateBuffer(desc), AccessFlags::ReadWrite);
+}
+
+BufferHandle BaseRenderGraphBuilder::CreateTransientBuffer(const BufferHandle& computebuffer)
+{
+    return CreateTransientBuffer(m_Graph.GetBufferDesc(computebuffer));
+}
+
 void BaseRenderGraphBuilder::UseRendererList(const RendererListHandle& input)
 {
     m_Pass.rendererLists.push_back(m_Graph.IndexOf(input, Subject(m_Pass, "UseRendererList")));

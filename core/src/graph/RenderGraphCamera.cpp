@@ -27,6 +27,7 @@ void UniversalResourceData::Reset()
     cameraDepthTexture = {};
     cameraNormalsTexture = {};
     cameraOpaqueTexture = {};
+    mainShadowsTexture = {};
 }
 
 DrawingSettings RenderingUtils::CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
@@ -64,7 +65,7 @@ RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderC
         RunPassCode(renderer, pass, graphPass.name, "the render function",
                     [&] { run.Run(graphPass); });
     }
-    context.SetPassName(pass.profilingSampler.name());
+    context.SetPassName(pass.profilingSampler.sampleName());
     const TextureHandle& color = m_FrameData.Get<UniversalResourceData>().cameraColor;
     const std::string subject = "pass '" + pass.profilingSampler.name() + "': cameraColor";
     m_Graph.ExpectOfFrame(color, subject);
@@ -86,6 +87,7 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
     resources.cameraDepthTexture = ImportGlobal(context, "_CameraDepthTexture");
     resources.cameraNormalsTexture = ImportGlobal(context, "_CameraNormalsTexture");
     resources.cameraOpaqueTexture = ImportGlobal(context, "_CameraOpaqueTexture");
+    resources.mainShadowsTexture = ImportGlobal(context, "_MainLightShadowmapTexture");
     static_cast<CameraData&>(m_FrameData.GetOrCreate<UniversalCameraData>()) =
         renderingData.cameraData;
     m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);

@@ -35,6 +35,18 @@ void BaseCommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
     m_Native.SetViewProjectionMatrices(view, gpuProjection, setInverseMatrices);
 }
 
+void BaseCommandBuffer::SetViewMatrix(const glm::dmat4& view)
+{
+    m_Run.ExpectGlobalsAllowed("sets the view matrix");
+    m_Native.SetViewMatrix(view);
+}
+
+void BaseCommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
+{
+    m_Run.ExpectGlobalsAllowed("sets the projection matrix");
+    m_Native.SetProjectionMatrix(proj);
+}
+
 void CoreUtils::DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
                                const MaterialPropertyBlock& properties, int shaderPassId)
 {

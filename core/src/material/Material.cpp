@@ -264,13 +264,6 @@ ShaderPropertyId Material::MainTextureId() const
     return MainProperty(*m_Shader, "MainTexture", "_MainTex");
 }
 
-std::string Material::GetTag(std::string_view tag, bool /*searchFallbacks*/,
-                             std::string_view defaultValue) const
-{
-    const std::string* value = m_Shader->subShader().tags.Find(tag);
-    return value != nullptr ? *value : std::string(defaultValue);
-}
-
 bool Material::HasProperty(ShaderPropertyId id) const
 {
     return FindProperty(*m_Shader, id.name()) != nullptr;

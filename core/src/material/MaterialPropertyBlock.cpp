@@ -83,16 +83,17 @@ std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyI
 
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::string_view owner)
 {
+    if (std::visit([](const auto& v) { return AllFinite()(v) && !HasNoElements()(v); }, value))
+    {
+        return;
+    }
     if (isEmptyArray(value))
     {
         throw ContractError(std::string(owner) + "property '" + id.name() +
                             "' is set to an array without elements");
     }
-    if (!isFinite(value))
-    {
-        throw ContractError(std::string(owner) + "property '" + id.name() +
-                            "' is not finite; NaN and infinity reach no shader");
-    }
+    throw ContractError(std::string(owner) + "property '" + id.name() +
+                        "' is not finite; NaN and infinity reach no shader");
 }
 
 BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size)
@@ -109,6 +110,30 @@ BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offs
     }
     return {std::move(buffer), static_cast<std::uint32_t>(offset),
             static_cast<std::uint32_t>(size)};
+}
+
+template <typename Value>
+void MaterialPropertyBlock::PutValue(ShaderPropertyId id, Value&& value)
+{
+    m_HasBuffers = m_HasBuffers || std::holds_alternative<BufferRange>(value);
+    if (const Slot* slot = FindSlot(id))
+    {
+        m_Values[slot->value] = std::forward<Value>(value);
+        return;
+    }
+    m_Values.push_back(std::forward<Value>(value));
+    m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id),
+                   {id, static_cast<std::uint32_t>(m_Values.size() - 1)});
+}
+
+void MaterialPropertyBlock::Put(ShaderPropertyId id, const ShaderPropertyValue& value)
+{
+    PutValue(id, value);
+}
+
+void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue&& value)
+{
+    PutValue(id, std::move(value));
 }
 
 void MaterialPropertyBlock::Set(ShaderPropertyId id, ShaderPropertyValue value)
@@ -128,19 +153,6 @@ void MaterialPropertyBlock::SetAll(const MaterialPropertyBlock& other)
     {
         Put(slot.id, other.m_Values[slot.value]);
     }
-}
-
-void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue value)
-{
-    m_HasBuffers = m_HasBuffers || std::holds_alternative<BufferRange>(value);
-    const auto slot = std::ranges::lower_bound(m_Slots, id, {}, &Slot::id);
-    if (slot != m_Slots.end() && slot->id == id)
-    {
-        m_Values[slot->value] = std::move(value);
-        return;
-    }
-    m_Values.push_back(std::move(value));
-    m_Slots.insert(slot, {id, static_cast<std::uint32_t>(m_Values.size() - 1)});
 }
 
 void MaterialPropertyBlock::Remove(ShaderPropertyId id)

@@ -97,6 +97,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         }
         m_LightModes.emplace_back(pass.lightMode());
         m_FullScreen.push_back(ReadFullScreenTag(pass, m_Document.file));
+        m_StaysWithinMesh.push_back(StaysWithinMesh(pass));
     }
     m_Initial = std::vector<Variant>(m_SubShader.passes.size());
     m_LastGlobal = std::vector<LastGlobal>(m_SubShader.passes.size());

@@ -386,13 +386,13 @@ void ScriptableRenderer::ExecuteAt(const PassPlace& place, ScriptableRenderConte
 void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
                                            ScriptableRenderPass& pass, RenderingData& renderingData)
 {
-    const std::string& name = pass.profilingSampler.name();
+    const SampleName name = pass.profilingSampler.sampleName();
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     cmd->BeginSample(name);
     BindTargets(*cmd, pass, renderingData.cameraData);
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
-    renderingData.report->passes.push_back({SampleName(name), pass.renderPassEvent});
+    renderingData.report->passes.push_back({name, pass.renderPassEvent});
     RunPassCode(*this, pass, "Execute", [&] { pass.Execute(context, renderingData); });
     cmd->Clear();
     cmd->EndSample();

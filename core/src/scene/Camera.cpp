@@ -96,7 +96,7 @@ glm::dmat4 PerspectiveProjection(const Camera& camera, double aspect)
 }
 
 /// z from w at the near plane to 0 at the far one.
-glm::dmat4 GpuProjection(const Camera& camera, float aspect)
+glm::dmat4 ReversedProjection(const Camera& camera, float aspect)
 {
     const double n = camera.nearClipPlane;
     const double f = camera.farClipPlane;
@@ -119,6 +119,12 @@ glm::dmat4 GpuProjection(const Camera& camera, float aspect)
 }
 
 } // namespace
+
+glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer)
+{
+    const glm::dmat4 reversed = TurnDepth(projection, 0.5);
+    return glm::mat4(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
+}
 
 glm::dmat4 Camera::viewMatrix() const
 {
@@ -153,13 +159,13 @@ glm::dvec3 Camera::renderOrigin() const
 
 glm::mat4 Camera::gpuProjectionMatrix(float aspect, bool usesReversedZBuffer) const
 {
-    const glm::dmat4 reversed = GpuProjection(*this, aspect);
+    const glm::dmat4 reversed = ReversedProjection(*this, aspect);
     return glm::mat4(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
 }
 
 glm::dmat4 Camera::projectionMatrixFor(float aspect) const
 {
-    return TurnDepth(GpuProjection(*this, aspect), 2.0);
+    return TurnDepth(ReversedProjection(*this, aspect), 2.0);
 }
 
 glm::dmat4 Camera::CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const

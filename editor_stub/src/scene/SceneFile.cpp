@@ -36,9 +36,9 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     const YamlNode* scale = map.Find("renderScale");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
-    for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
-                                     std::pair(scale, "renderScale: it comes"),
-                                     std::pair(shadows, "shadows: they come")})
+    for (const auto& [node, what] :
+         {std::pair(count, "msaaSampleCount: the count comes"),
+          std::pair(scale, "renderScale: it comes"), std::pair(shadows, "shadows: they come")})
     {
         if (node && pipeline)
         {

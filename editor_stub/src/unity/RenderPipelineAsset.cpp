@@ -27,7 +27,7 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
     pipeline.msaaSampleCount = count.value_or(1);
     pipeline.shadows.softShadowsSupported = false;       // Unity's default
     YamlMapReader fields(root->fields, "", diagnostics); // it has many more
-    fields.Read("m_RenderScale", pipeline.renderScale, k_RenderScales);
+    fields.Read("m_RenderScale", pipeline.renderScale, scene_keys::k_RenderScales);
     ReadShadowSettings(fields, pipeline.shadows, diagnostics);
     diagnostics.ThrowIfErrors();
     return pipeline;

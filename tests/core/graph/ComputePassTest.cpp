@@ -296,5 +296,33 @@ TEST_F(ComputePass, MaySetGlobalsWhereItSaysSo)
               "AllowGlobalStateModification(true)");
 }
 
+TEST_F(ComputePass, HasATransientBuffer)
+{
+    BufferHandle first;
+    Render(
+        [&](RenderGraph& graph, ContextContainer&)
+        {
+            AddCompute(
+                graph, "Count",
+                [&](auto& builder)
+                {
+                    first = builder.CreateTransientBuffer(BufferDesc(3, 4));
+                    const BufferHandle like = builder.CreateTransientBuffer(first);
+                    EXPECT_NE(like, first);
+                    EXPECT_EQ(graph.GetBufferDesc(like).count, 3);
+                    EXPECT_EQ(graph.GetBufferDesc(like).stride, 4);
+                    builder.AllowPassCulling(false);
+                    builder.EnableAsyncCompute(true);
+                },
+                [=](ComputeCommandBuffer& cmd)
+                {
+                    cmd.SetComputeBufferParam(Count(), 0, "_Counts", first);
+                    cmd.DispatchCompute(Count(), 0, 1, 1, 1);
+                });
+        });
+    ASSERT_EQ(m_Frame.passes.size(), 1u);
+    EXPECT_TRUE(m_Frame.passes[0].isCompute());
+}
+
 } // namespace
 } // namespace limn

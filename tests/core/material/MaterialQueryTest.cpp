@@ -207,5 +207,80 @@ TEST(MaterialMainProperties, AreThoseWithTheAttributesOrTheUsualNames)
     EXPECT_EQ(named.GetTextureOffset("_BaseMap"), glm::vec2(0.5f, 0.25f));
 }
 
+TEST_F(MaterialQueries, ListTheNamesOfAKind)
+{
+    using Names = std::vector<std::string>;
+    using enum MaterialPropertyType;
+    EXPECT_EQ(m_Material.GetPropertyNames(Float), (Names{"_Width", "_Cut", "_Old"}));
+    EXPECT_EQ(m_Material.GetPropertyNames(Int), Names{"_Count"});
+    EXPECT_EQ(m_Material.GetPropertyNames(Vector), (Names{"_Tint", "_Glow", "_Offset"}));
+    EXPECT_EQ(m_Material.GetTexturePropertyNames(), Names{"_Map"});
+    EXPECT_EQ(m_Material.GetTexturePropertyNameIDs(), std::vector{ShaderPropertyId("_Map")});
+    EXPECT_EQ(m_Material.GetPropertyNames(Matrix), Names());
+}
+
+TEST_F(MaterialQueries, OverrideTagsOfTheShader)
+{
+    Material material{test::ShaderOf("Shader \"Test/Tags\" { SubShader { Tags { \"RenderType\" = "
+                                     "\"Opaque\" } Pass { } } }")};
+    material.SetOverrideTag("RENDERTYPE", "Cutout");
+    EXPECT_EQ(material.GetTag("RenderType", true), "Cutout");
+    material.SetOverrideTag("Other", "Value");
+    EXPECT_EQ(material.GetTag("other", false, "none"), "Value");
+    material.SetOverrideTag("RenderType", "");
+    EXPECT_EQ(material.GetTag("RenderType", true), "Opaque");
+}
+
+TEST_F(MaterialQueries, CopyOnlyWhatBothShadersHave)
+{
+    Material other{test::ShaderOf("Shader \"Test/Other\" { Properties { _Width (\"\", Float) = 9\n"
+                                  "_Else (\"\", Float) = 8\n_Map (\"\", 2D) = \"white\" {} } "
+                                  "SubShader { Pass { } } }")};
+    other.SetTextureScale("_Map", {2.0f, 3.0f});
+    other.SetFloat("_Cut", 0.5f); // no property of its shader
+    other.EnableKeyword("_ON");
+    other.SetRenderQueue(3000);
+    m_Material.CopyMatchingPropertiesFromMaterial(other);
+    EXPECT_EQ(m_Material.GetFloat("_Width"), 9.0f);
+    EXPECT_EQ(m_Material.GetFloat("_Cut"), 0.25f);
+    EXPECT_EQ(m_Material.GetTextureScale("_Map"), glm::vec2(2.0f, 3.0f));
+    EXPECT_EQ(m_Material.Find(ShaderPropertyId("_Else")), nullptr);
+    EXPECT_FALSE(m_Material.IsKeywordEnabled("_ON"));
+    EXPECT_EQ(m_Material.rawRenderQueue(), -1);
+    EXPECT_EQ(other.rawRenderQueue(), 3000);
+}
+
+TEST_F(MaterialQueries, LerpNumbersVectorsAndColours)
+{
+    Material start = m_Material;
+    Material end = m_Material;
+    start.SetFloat("_Width", 1.0f);
+    end.SetFloat("_Width", 3.0f);
+    start.SetVector("_Offset", glm::vec4(0.0f));
+    end.SetVector("_Offset", glm::vec4(4.0f));
+    start.SetColor("_Tint", Color(0.0f, 0.0f, 0.0f, 0.0f));
+    end.SetColor("_Tint", Color(1.0f, 0.5f, 0.0f, 1.0f));
+    end.SetInteger("_Count", 44);
+    m_Material.Lerp(start, end, 0.25f);
+    EXPECT_EQ(m_Material.GetFloat("_Width"), 1.5f);
+    EXPECT_EQ(m_Material.GetVector("_Offset"), glm::vec4(1.0f));
+    EXPECT_EQ(m_Material.GetColor("_Tint"), Color(0.25f, 0.125f, 0.0f, 0.25f));
+    EXPECT_EQ(m_Material.GetInteger("_Count"), 4) << "there is nothing between whole numbers";
+    m_Material.Lerp(start, end, 7.0f);
+    EXPECT_EQ(m_Material.GetFloat("_Width"), 3.0f);
+}
+
+TEST_F(MaterialQueries, GiveColoursOfAnArrayAsTheyWereSet)
+{
+    const Color color(0.5f, 0.25f, 1.0f, 0.5f);
+    m_Material.SetColorArray("_Colors", {color});
+    const std::vector<Color> seen = m_Material.GetColorArray("_Colors");
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_NEAR(seen[0].r, color.r, 1e-6);
+    EXPECT_NEAR(seen[0].g, color.g, 1e-6);
+    EXPECT_EQ(seen[0].a, color.a);
+    EXPECT_TRUE(m_Material.GetColorArray("_Width").empty());
+}
+
 } // namespace
 } // namespace limn

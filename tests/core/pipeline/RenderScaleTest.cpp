@@ -100,7 +100,7 @@ TEST_F(RenderScale, OutsideItsRangeIsRefused)
 {
     for (const float scale : {0.0f, 0.09f, 2.1f, std::numeric_limits<float>::quiet_NaN()})
     {
-        EXPECT_THAT(ThrownMessage([&] { Render(scale); }),
+        EXPECT_THAT(ThrownMessage<ContractError>([&] { Render(scale); }),
                     testing::HasSubstr("; it must be from 0.1 to 2"));
     }
 }

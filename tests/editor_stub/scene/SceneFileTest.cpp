@@ -128,8 +128,9 @@ TEST(SceneFile, DrawsAtAnotherSize)
     SceneFolder folder;
     EXPECT_EQ(1.0f, folder.LoadWithCamera("").renderScale);
     EXPECT_EQ(0.5f, folder.LoadWithCamera("renderScale: 0.5\n").renderScale);
-    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderScale: 3\n"),
-                testing::ElementsAre(testing::HasSubstr("2:14: renderScale: 3 is outside 0.1 to 2")));
+    EXPECT_THAT(
+        folder.ProblemsOf("camera:\nrenderScale: 3\n"),
+        testing::ElementsAre(testing::HasSubstr("2:14: scene.renderScale: 3 is outside [0.1, 2]")));
     const auto write = [&](const std::string& scale)
     {
         folder.Write("urp.asset", "%YAML 1.1\n"
@@ -143,11 +144,11 @@ TEST(SceneFile, DrawsAtAnotherSize)
     write("1.5");
     EXPECT_EQ(1.5f, folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").renderScale);
     EXPECT_THAT(folder.ProblemsOf("camera:\nrenderScale: 1\nrenderPipelineAsset: urp.asset\n"),
-                testing::ElementsAre(testing::HasSubstr(
-                    "renderScale: it comes from renderPipelineAsset already")));
+                testing::ElementsAre(
+                    testing::HasSubstr("renderScale: it comes from renderPipelineAsset already")));
     write("0");
     EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
-                testing::Contains(testing::HasSubstr("m_RenderScale: 0 is outside 0.1 to 2")));
+                testing::Contains(testing::HasSubstr("m_RenderScale: 0 is outside [0.1, 2]")));
 }
 
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)

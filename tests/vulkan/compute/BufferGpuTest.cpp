@@ -2,7 +2,9 @@
 
 #include <limn/core/Material.h>
 
+#include <algorithm>
 #include <array>
+#include <gmock/gmock.h>
 
 namespace limn::test
 {
@@ -212,6 +214,63 @@ TEST_F(BufferGpu, CannotBeReadBackBeforeAFrameUsedIt)
 {
     const GraphicsBuffer buffer(GraphicsBuffer::Target::Structured, 1, 4);
     EXPECT_THROW(SharedDevice().ReadBackBuffer(buffer), ContractError);
+}
+
+TEST_F(BufferGpu, TakesDataFromACommandBuffer)
+{
+    const auto shader =
+        MakeKernel("4, 1, 1", "StructuredBuffer<uint> _In; RWStructuredBuffer<uint> _Out;",
+                   "_Out[id.x] = 10 * _In[id.x];");
+    const auto in = MakeBuffer(std::vector<std::uint32_t>{1, 2, 3, 4});
+    const auto out = MakeBuffer(std::vector<std::uint32_t>(4));
+    shader->SetBuffer(0, "_In", in);
+    shader->SetBuffer(0, "_Out", out);
+    const std::vector<std::uint32_t> numbers{7, 8, 9};
+    CommandBuffer cmd;
+    cmd.SetBufferData(in, numbers, 1, 2, 2);
+    cmd.DispatchCompute(shader, 0, 1, 1, 1);
+    EXPECT_EQ(in->bytes()[8], std::byte{3}) << "not before it is executed";
+    RunCommands(cmd);
+    EXPECT_EQ(DataOf<std::uint32_t>(*out), (std::vector<std::uint32_t>{10, 20, 80, 90}));
+    cmd.Clear();
+    cmd.SetBufferData(in, numbers);
+    cmd.DispatchCompute(shader, 0, 1, 1, 1);
+    RunCommands(cmd);
+    EXPECT_EQ(DataOf<std::uint32_t>(*out), (std::vector<std::uint32_t>{70, 80, 90, 90}));
+}
+
+TEST_F(BufferGpu, RefusesDataThatWouldComeBeforeAnEarlierDispatch)
+{
+    const auto shader = MakeKernel("1, 1, 1", "RWStructuredBuffer<uint> _Out;", "_Out[0] = 1;");
+    const auto out = MakeBuffer(std::vector<std::uint32_t>(1));
+    shader->SetBuffer(0, "_Out", out);
+    CommandBuffer cmd;
+    cmd.DispatchCompute(shader, 0, 1, 1, 1);
+    cmd.SetBufferData(out, std::vector<std::uint32_t>{5});
+    EXPECT_THAT([&] { RunCommands(cmd); },
+                testing::ThrowsMessage<ContractError>(
+                    testing::HasSubstr("SetBufferData of 'GraphicsBuffer', which this frame uses "
+                                       "already")));
+    EXPECT_THAT([&] { cmd.SetBufferData(nullptr, std::vector<int>{5}); },
+                testing::ThrowsMessage<ContractError>("SetBufferData: the buffer is null"));
+}
+
+TEST_F(BufferGpu, CountsFromWhatACommandBufferSays)
+{
+    const auto shader =
+        MakeKernel("3, 1, 1", "AppendStructuredBuffer<uint> _Out;", "_Out.Append(id.x + 1);");
+    const auto out = MakeBuffer(std::vector<std::uint32_t>(8), GraphicsBuffer::Target::Append);
+    shader->SetBuffer(0, "_Out", out);
+    CommandBuffer cmd;
+    cmd.SetBufferCounterValue(out, 2);
+    cmd.DispatchCompute(shader, 0, 1, 1, 1);
+    RunCommands(cmd);
+    EXPECT_EQ(out->GetCounterValue(SharedDevice()), 5u);
+    std::vector<std::uint32_t> seen = DataOf<std::uint32_t>(*out);
+    EXPECT_EQ(seen[0] + seen[1], 0u);
+    std::sort(seen.begin() + 2, seen.begin() + 5);
+    EXPECT_EQ(std::vector<std::uint32_t>(seen.begin() + 2, seen.begin() + 5),
+              (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
 } // namespace limn::test

@@ -119,6 +119,10 @@ struct Camera
     glm::dmat4 CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const;
 };
 
+/// What shaders get of a projection with z from -w at the near plane to w at the far one, as
+/// OpenGL has it and Camera::projectionMatrix. Unity: GL.GetGPUProjectionMatrix (2022.3).
+glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer);
+
 /// Depth the other way round: of near 1 ... far 0 comes near 0 ... far 1, and back.
 template <typename Matrix>
 Matrix WithTurnedDepth(Matrix projection)

@@ -290,6 +290,28 @@ public:
                          std::shared_ptr<const GraphicsBuffer> indirectBuffer,
                          std::uint32_t argsOffset);
 
+    /// GraphicsBuffer::SetData, done when the buffer is executed.
+    /// @throws ContractError if the buffer is null; when executed, as SetData does, and if an
+    ///         earlier command of the frame uses the buffer: all of them are run behind it
+    /// @source Unity: CommandBuffer.SetBufferData (2022.3)
+    template <std::ranges::contiguous_range Data>
+    void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data)
+    {
+        SetBufferBytes(buffer, GraphicsBuffer::PartOf(data));
+    }
+    /// @param managedBufferStartIndex, count  which of `data`
+    /// @param graphicsBufferStartIndex        where they go, in elements of `data`
+    template <std::ranges::contiguous_range Data>
+    void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data,
+                       int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
+    {
+        SetBufferBytes(buffer, GraphicsBuffer::PartOf(data, managedBufferStartIndex,
+                                                      graphicsBufferStartIndex, count));
+    }
+    /// GraphicsBuffer::SetCounterValue, as SetBufferData.
+    void SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
+                               std::uint32_t counterValue);
+
     // ComputeShader::SetFloat and its like, done when the buffer is executed: for dispatches behind
     // it, and from then on. @throws ContractError if the shader is null, and as those do
     void SetComputeFloatParam(const std::shared_ptr<ComputeShader>& computeShader,
@@ -347,6 +369,19 @@ public:
     /// RenderingUtils::SetViewAndProjectionMatrices says what.
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
+    /// What UNITY_MATRIX_V, UNITY_MATRIX_P and UNITY_MATRIX_VP are in draws that follow; their
+    /// inverses stay as they are.
+    /// @param view  world to view space, as Camera::worldToCameraMatrix
+    /// @param proj  view to clip space as Camera::projectionMatrix has it, which is OpenGL's
+    /// @throws ContractError if one is not finite
+    /// @source Unity: CommandBuffer.SetViewProjectionMatrices(Matrix4x4, Matrix4x4) (2022.3)
+    void SetViewProjectionMatrices(const glm::dmat4& view, const glm::dmat4& proj)
+    {
+        SetViewMatrix(view);
+        SetProjectionMatrix(proj);
+    }
+    void SetViewMatrix(const glm::dmat4& view);
+    void SetProjectionMatrix(const glm::dmat4& proj);
 
     /// For draws that follow, until the end of the camera; a keyword that is on there chooses
     /// variants as if every material had it on.
@@ -372,7 +407,8 @@ public:
         SetKeyword(GlobalKeyword(keyword), false);
     }
 
-    void BeginSample(std::string_view sample);
+    void BeginSample(std::string_view sample) { BeginSample(SampleName(sample)); }
+    void BeginSample(SampleName sample);
     void EndSample();
     /// @throws ContractError if the innermost sample that this buffer has open has another name
     void EndSample(std::string_view sample);
@@ -390,6 +426,8 @@ private:
     /// @param source  null = none
     void DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
                   const std::shared_ptr<const Material>& material, int pass);
+    void SetBufferBytes(const std::shared_ptr<GraphicsBuffer>& buffer,
+                        const GraphicsBuffer::Part& part);
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
     void SetParam(const std::shared_ptr<ComputeShader>& shader, int kernel, ShaderPropertyId id,
                   ShaderPropertyValue value);

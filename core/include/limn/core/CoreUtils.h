@@ -7,6 +7,7 @@ namespace limn
 {
 
 class ScriptableRenderContext;
+struct Camera;
 
 /// Unity: UnityEngine.Rendering.CoreUtils (core 14).
 namespace CoreUtils
@@ -45,6 +46,16 @@ void SetKeyword(Material& material, const std::string& keyword, bool state);
 /// For lines of C# that go over as they are. @throws ContractError for an empty list
 void DrawRendererList(ScriptableRenderContext& renderContext, CommandBuffer& cmd,
                       const RendererList& rendererList);
+
+// Scene views have neither switch here: there is no editor. Unity: CoreUtils (core 14).
+inline bool IsSceneViewFogEnabled(const Camera&)
+{
+    return true;
+}
+inline bool ArePostProcessesEnabled(const Camera&)
+{
+    return true;
+}
 
 /// How many groups of `divisor` hold `value`. Unity: CoreUtils.DivRoundUp.
 constexpr int DivRoundUp(int value, int divisor)

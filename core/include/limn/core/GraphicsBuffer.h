@@ -62,7 +62,7 @@ public:
     template <std::ranges::contiguous_range Data>
     void SetData(const Data& data)
     {
-        SetBytes(std::as_bytes(Elements(data)), 0);
+        Set(PartOf(data));
     }
     /// @param managedBufferStartIndex, count  which of `data`
     /// @param graphicsBufferStartIndex        where they go, in elements of `data`
@@ -70,12 +70,7 @@ public:
     void SetData(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                  int count)
     {
-        const auto elements = Elements(data);
-        ExpectPart(managedBufferStartIndex, graphicsBufferStartIndex, count, elements.size());
-        const auto part = elements.subspan(static_cast<std::size_t>(managedBufferStartIndex),
-                                           static_cast<std::size_t>(count));
-        SetBytes(std::as_bytes(part), static_cast<std::size_t>(graphicsBufferStartIndex) *
-                                          sizeof(typename decltype(elements)::value_type));
+        Set(PartOf(data, managedBufferStartIndex, graphicsBufferStartIndex, count));
     }
     /// Of a buffer that is appended to or counts.
     /// @throws ContractError if it has none
@@ -104,6 +99,32 @@ public:
     void Dispose() { Release(); }
     bool IsValid() const { return !m_IsReleased; }
 
+    /// What SetData sets.
+    struct Part
+    {
+        std::span<const std::byte> bytes; ///< of `data`
+        std::size_t offset = 0;           ///< bytes of the buffer
+    };
+    template <std::ranges::contiguous_range Data>
+    static Part PartOf(const Data& data)
+    {
+        return {std::as_bytes(Elements(data)), 0};
+    }
+    /// @throws ContractError if one is negative, or `data` has not as many
+    template <std::ranges::contiguous_range Data>
+    static Part PartOf(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
+                       int count)
+    {
+        const auto elements = Elements(data);
+        ExpectPart(managedBufferStartIndex, graphicsBufferStartIndex, count, elements.size());
+        const auto part = elements.subspan(static_cast<std::size_t>(managedBufferStartIndex),
+                                           static_cast<std::size_t>(count));
+        return {std::as_bytes(part), static_cast<std::size_t>(graphicsBufferStartIndex) *
+                                         sizeof(typename decltype(elements)::value_type)};
+    }
+    /// @throws ContractError as SetData does
+    void Set(const Part& part);
+
     // For devices:
 
     /// Bytes that SetData has set.
@@ -130,8 +151,7 @@ private:
         static_assert(std::is_trivially_copyable_v<Element>);
         return std::span<const Element>(std::ranges::data(data), std::ranges::size(data));
     }
-    void ExpectPart(int from, int to, int count, std::size_t available) const;
-    void SetBytes(std::span<const std::byte> bytes, std::size_t offset);
+    static void ExpectPart(int from, int to, int count, std::size_t available);
     void Put(std::span<const std::byte> bytes, std::size_t offset);
     void GetBytes(GraphicsDevice& device, std::span<std::byte> bytes) const;
 

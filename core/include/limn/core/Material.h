@@ -5,12 +5,25 @@
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/Shader.h>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
 
 namespace limn
 {
+
+/// Unity: UnityEngine.MaterialPropertyType (2022.3).
+enum class MaterialPropertyType
+{
+    Float = 0,  ///< Float, Range and Int
+    Int = 1,    ///< Integer
+    Vector = 2, ///< Vector and Color
+    Matrix = 3, ///< of these three a Properties block has none
+    Texture = 4,
+    ConstantBuffer = 5,
+    ComputeBuffer = 6
+};
 
 /// A shader with values for its properties, the defaults of its Properties block to begin with.
 /// Values of names that the shader does not have are kept and do nothing, as in Unity.
@@ -90,6 +103,7 @@ public:
     std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
     std::vector<float> GetFloatArray(ShaderPropertyId id) const;
     std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
+    std::vector<Color> GetColorArray(ShaderPropertyId id) const; ///< sRGB, as SetColorArray's
     std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
     glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 where none was set
     glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 where none was set
@@ -116,12 +130,33 @@ public:
     glm::vec2 mainTextureOffset() const { return GetTextureOffset(MainTextureId()); }
     void SetMainTextureOffset(const glm::vec2& v) { SetTextureOffset(MainTextureId(), v); }
 
-    /// A tag of the shader's SubShader, in any case; `defaultValue` where it has none.
+    // Names of the shader's Properties block, in its order.
+    std::vector<std::string> GetPropertyNames(MaterialPropertyType type) const;
+    std::vector<std::string> GetTexturePropertyNames() const
+    {
+        return GetPropertyNames(MaterialPropertyType::Texture);
+    }
+    std::vector<ShaderPropertyId> GetTexturePropertyNameIDs() const;
+
+    /// What SetOverrideTag set, or else a tag of the shader's SubShader, in any case;
+    /// `defaultValue` where there is none.
     /// @param searchFallbacks  no effect: the SubShader that is drawn with has them
     /// @source Unity: Material.GetTag (2022.3)
     std::string GetTag(std::string_view tag, bool searchFallbacks,
                        std::string_view defaultValue = {}) const;
 
+    /// For GetTag. @param val  empty: the shader's own again
+    /// @source Unity: Material.SetOverrideTag (2022.3)
+    void SetOverrideTag(std::string_view tag, std::string_view val);
+
+    /// Values between those of two materials at t = 0 and 1: what both have as a float, a vector or
+    /// a colour. The rest stays. t is clamped.
+    /// @source Unity: Material.Lerp (2022.3)
+    void Lerp(const Material& start, const Material& end, float t);
+
+    /// The values of another material for the properties that both shaders have.
+    /// @source Unity: Material.CopyMatchingPropertiesFromMaterial (2022.3)
+    void CopyMatchingPropertiesFromMaterial(const Material& mat);
     /// Takes over the values, keywords and render queue of another material, not its shader.
     /// @source Unity: Material.CopyPropertiesFromMaterial (2022.3)
     void CopyPropertiesFromMaterial(const Material& mat);
@@ -163,6 +198,7 @@ public:
     }
 
     /// The queue filtering and sorting go by: the shader's unless set here.
+    int rawRenderQueue() const { return m_RenderQueue; } ///< -1 = the shader's
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }
     /// @param queue  0...5000, or -1 for the shader's
     /// @throws ContractError outside these
@@ -185,8 +221,9 @@ private:
     std::string m_Name;
     std::shared_ptr<const Shader> m_Shader;
     MaterialPropertyBlock m_Values;
-    std::vector<std::string> m_Keywords;       ///< sorted
-    std::vector<std::string> m_DisabledPasses; ///< LightModes in lower case
+    std::vector<std::string> m_Keywords;               ///< sorted
+    std::vector<std::string> m_DisabledPasses;         ///< LightModes in lower case
+    std::map<std::string, std::string> m_OverrideTags; ///< by tag in lower case
     bool m_HasInitialKeywords = true;
     int m_RenderQueue = -1;
     std::uint64_t m_Version = 0;

@@ -80,13 +80,8 @@ public:
     /// The value, or null if none was set. Until the next change.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const
     {
-        // By halves, without branches: nothing foretells which way they go.
-        const Slot* slot = m_Slots.data();
-        for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
-        {
-            slot += count / 2 * static_cast<std::size_t>(!(id < slot[count / 2].id));
-        }
-        return !m_Slots.empty() && slot->id == id ? &m_Values[slot->value] : nullptr;
+        const Slot* slot = FindSlot(id);
+        return slot != nullptr ? &m_Values[slot->value] : nullptr;
     }
 
     // What was set; zeros, an empty array or null where nothing was, or something of another kind.
@@ -124,7 +119,22 @@ private:
         ShaderPropertyId id;
         std::uint32_t value = 0; ///< in m_Values
     };
-    void Put(ShaderPropertyId id, ShaderPropertyValue value);
+    const Slot* FindSlot(ShaderPropertyId id) const
+    {
+        // By halves, without branches: nothing foretells which way they go.
+        const Slot* slot = m_Slots.data();
+        for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
+        {
+            slot += count / 2 * static_cast<std::size_t>(!(id < slot[count / 2].id));
+        }
+        return !m_Slots.empty() && slot->id == id ? slot : nullptr;
+    }
+    friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
+    /// As Set, of a value that is known to be finite.
+    void Put(ShaderPropertyId id, const ShaderPropertyValue& value);
+    void Put(ShaderPropertyId id, ShaderPropertyValue&& value);
+    template <typename Value>
+    void PutValue(ShaderPropertyId id, Value&& value);
 
     std::vector<Slot> m_Slots; ///< by id
     std::vector<ShaderPropertyValue> m_Values;

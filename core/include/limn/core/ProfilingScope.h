@@ -2,6 +2,7 @@
 
 #include <limn/core/CommandBuffer.h>
 #include <string>
+#include <string_view>
 
 namespace limn
 {
@@ -10,15 +11,16 @@ namespace limn
 class ProfilingSampler
 {
 public:
-    explicit ProfilingSampler(std::string name) : m_Name(std::move(name)) {}
-    const std::string& name() const { return m_Name; }
+    explicit ProfilingSampler(std::string_view name) : m_Name(name) {}
+    const std::string& name() const { return m_Name.name(); }
+    SampleName sampleName() const { return m_Name; }
 
     /// Opens and closes the group by hand; a ProfilingScope cannot forget the second.
     void Begin(CommandBuffer& cmd) const { cmd.BeginSample(m_Name); }
     void End(CommandBuffer& cmd) const { cmd.EndSample(); }
 
 private:
-    std::string m_Name;
+    SampleName m_Name;
 };
 
 /// Names everything that `cmd` records while the scope lives. The group may be executed in parts:
@@ -29,7 +31,7 @@ class ProfilingScope
 public:
     ProfilingScope(CommandBuffer& cmd, const ProfilingSampler& sampler) : m_Cmd(cmd)
     {
-        m_Cmd.BeginSample(sampler.name());
+        m_Cmd.BeginSample(sampler.sampleName());
     }
     ~ProfilingScope() { m_Cmd.EndSample(); }
     ProfilingScope(const ProfilingScope&) = delete;

@@ -65,6 +65,30 @@ struct SetViewProjectionCommand
     bool inverses = false;
 };
 
+/// One of the matrices; the other one stays.
+struct SetViewCommand
+{
+    glm::dmat4 view{1.0};
+};
+
+struct SetProjectionCommand
+{
+    glm::dmat4 projection{1.0}; ///< as OpenGL has it: z from -w near to w far
+};
+
+struct SetBufferDataCommand
+{
+    std::shared_ptr<GraphicsBuffer> buffer; ///< never null
+    std::vector<std::byte> bytes;
+    std::size_t offset = 0; ///< bytes
+};
+
+struct SetBufferCounterCommand
+{
+    std::shared_ptr<GraphicsBuffer> buffer; ///< never null
+    std::uint32_t value = 0;
+};
+
 // What names its textures by identifiers, which are looked up when the buffer is executed.
 
 struct GetTemporaryRTCommand
@@ -147,14 +171,14 @@ struct DrawRendererListCommand
     std::shared_ptr<const RendererListParams> list; ///< never null
 };
 
-using RecordedCommand =
-    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
-                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
-                 SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
-                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
-                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
-                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
-                 GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
-                 SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand>;
+using RecordedCommand = std::variant<
+    SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand, EndSampleCommand,
+    RecordedDraw, SetGlobalCommand, SetKeywordCommand, SetViewProjectionCommand,
+    GetTemporaryRTCommand, ReleaseTemporaryRTCommand, SetIdentifiedTargetCommand,
+    SetCameraColorCommand, SetGlobalIdentifierCommand, IdentifiedBlitCommand, CopyDrawCommand,
+    CopyTextureCommand, SetScissorCommand, SetInvertCullingCommand, SetGlobalDepthBiasCommand,
+    DrawRendererListCommand, GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
+    SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand, SetViewCommand,
+    SetProjectionCommand, SetBufferDataCommand, SetBufferCounterCommand>;
 
 } // namespace limn

@@ -71,6 +71,11 @@ public:
     BufferHandle ImportBuffer(const std::shared_ptr<const GraphicsBuffer>& graphicsBuffer);
     /// @throws ContractError if there is no texture, or it is one of an earlier frame
     TextureDesc GetTextureDesc(const TextureHandle& texture) const;
+    RenderTargetInfo GetRenderTargetInfo(const TextureHandle& texture) const;
+    /// Makes a texture where the handle has none. Unity: RenderGraph.CreateTextureIfInvalid.
+    void CreateTextureIfInvalid(const TextureDesc& desc, TextureHandle& texture);
+    /// @throws ContractError if there is no buffer, or it is one of an earlier frame
+    BufferDesc GetBufferDesc(const BufferHandle& graphicsBuffer) const;
     RendererListHandle CreateRendererList(const RendererListParams& desc);
     RendererListHandle CreateRendererList(const RendererListDesc& desc);
 

@@ -31,12 +31,17 @@ public:
     /// A texture that this pass alone reads and writes.
     TextureHandle CreateTransientTexture(const TextureDesc& desc);
     TextureHandle CreateTransientTexture(const TextureHandle& texture);
+    /// A buffer for this pass, with whatever is in it.
+    BufferHandle CreateTransientBuffer(const BufferDesc& desc);
+    BufferHandle CreateTransientBuffer(const BufferHandle& computebuffer);
     void UseRendererList(const RendererListHandle& input);
     /// False: what it draws is run whoever reads it. As by default it is left out where nothing
     /// does.
     void AllowPassCulling(bool value);
     /// True: the pass may set globals, and is not culled.
     void AllowGlobalStateModification(bool value);
+    /// No effect: limn has one queue, and the pass runs where it stands.
+    void EnableAsyncCompute(bool) {}
 
 protected:
     BaseRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass) : m_Graph(graph), m_Pass(pass)
@@ -104,7 +109,18 @@ template <typename PassData>
 class UnsafeRenderGraphBuilder : public BaseRenderGraphBuilder
 {
 public:
-    /// @param function  (PassData&, UnsafeGraphContext&): records the pass, once. It sets its
+    /// As of a raster pass: it is bound when the render function begins.
+    void SetRenderAttachment(const TextureHandle& tex, int index,
+                             AccessFlags flags = AccessFlags::Write)
+    {
+        SetAttachment(tex, index, flags);
+    }
+    void SetRenderAttachmentDepth(const TextureHandle& tex,
+                                  AccessFlags flags = AccessFlags::ReadWrite)
+    {
+        SetDepthAttachment(tex, flags);
+    }
+    /// @param function  (PassData&, UnsafeGraphContext&): records the pass, once. It may set
     ///                  targets itself
     template <std::invocable<PassData&, UnsafeGraphContext&> Function>
     void SetRenderFunc(Function function)
@@ -132,8 +148,6 @@ template <typename PassData>
 class ComputeRenderGraphBuilder : public BaseRenderGraphBuilder
 {
 public:
-    /// limn has one queue: the pass runs where it stands.
-    void EnableAsyncCompute(bool) {}
     /// @param function  (PassData&, ComputeGraphContext&): records the pass, once
     template <std::invocable<PassData&, ComputeGraphContext&> Function>
     void SetRenderFunc(Function function)

@@ -178,6 +178,13 @@ public:
     }
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
+    void SetViewProjectionMatrices(const glm::dmat4& view, const glm::dmat4& proj)
+    {
+        SetViewMatrix(view);
+        SetProjectionMatrix(proj);
+    }
+    void SetViewMatrix(const glm::dmat4& view);
+    void SetProjectionMatrix(const glm::dmat4& proj);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     void SetKeyword(const GlobalKeyword& keyword, bool value)
@@ -245,6 +252,22 @@ public:
                          std::uint32_t argsOffset)
     {
         m_Cmd.DispatchCompute(computeShader, kernelIndex, std::move(indirectBuffer), argsOffset);
+    }
+    template <std::ranges::contiguous_range Data>
+    void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data)
+    {
+        m_Cmd.SetBufferData(buffer, data);
+    }
+    template <std::ranges::contiguous_range Data>
+    void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data,
+                       int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
+    {
+        m_Cmd.SetBufferData(buffer, data, managedBufferStartIndex, graphicsBufferStartIndex, count);
+    }
+    void SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
+                               std::uint32_t counterValue)
+    {
+        m_Cmd.SetBufferCounterValue(buffer, counterValue);
     }
     void SetComputeFloatParam(const Shader& computeShader, ShaderPropertyId id, float value)
     {

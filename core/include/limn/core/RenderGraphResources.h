@@ -113,6 +113,18 @@ struct ImportResourceParams
     Color clearColor = Color::clear; ///< linear
 };
 
+/// What a texture is when it is drawn into.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.RenderTargetInfo (core 17).
+struct RenderTargetInfo
+{
+    int width = 0;  ///< texels
+    int height = 0; ///< texels
+    int volumeDepth = 1;
+    int msaaSamples = 1;                          ///< a texel
+    GraphicsFormat format = GraphicsFormat::None; ///< of the depth, for a depth texture
+    bool bindMS = false;
+};
+
 /// A texture of a camera's render graph, or none: until the camera is done.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.TextureHandle (core 17).
 class TextureHandle

@@ -46,9 +46,9 @@ struct CameraData
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
     int pixelWidth = 0;                     ///< of the picture; the target's is times renderScale
     int pixelHeight = 0;
-    float aspectRatio = 1.0f;               ///< of the picture, width / height
-    float renderScale = 1.0f;               ///< UniversalRenderPipeline::renderScale, or 1
-    bool isDefaultViewport = true;          ///< cameras draw over the whole picture
+    float aspectRatio = 1.0f;      ///< of the picture, width / height
+    float renderScale = 1.0f;      ///< UniversalRenderPipeline::renderScale, or 1
+    bool isDefaultViewport = true; ///< cameras draw over the whole picture
     CameraRenderType renderType = CameraRenderType::Base;
     bool clearDepth = true;         ///< Camera::clearDepth, of an overlay
     bool resolveFinalTarget = true; ///< the last camera of its stack: the picture is done

@@ -44,6 +44,21 @@ struct MeshRenderer
     /// With the pass of LightMode ShadowCaster that its materials' shaders have.
     ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
 
+    /// The first material; null where there is none. Unity: Renderer.sharedMaterial.
+    std::shared_ptr<const Material> sharedMaterial() const
+    {
+        return sharedMaterials.empty() ? nullptr : sharedMaterials.front();
+    }
+    /// The list becomes that of sharedMaterials. Unity: Renderer.GetSharedMaterials (2022.3).
+    void GetSharedMaterials(std::vector<std::shared_ptr<const Material>>& m) const
+    {
+        m.assign(sharedMaterials.begin(), sharedMaterials.end());
+    }
+    void SetSharedMaterials(const std::vector<std::shared_ptr<const Material>>& materials)
+    {
+        sharedMaterials = materials;
+    }
+
     /// Values that win over those of its materials, and of what overrides these. Renderers of
     /// different blocks are separate draws.
     /// @param block  copied; an empty one takes the renderer's away

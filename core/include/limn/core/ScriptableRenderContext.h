@@ -80,7 +80,8 @@ public:
     RendererList CreateRendererList(const RendererListDesc& desc) const;
 
     /// Whose calls these are, for the report.
-    void SetPassName(std::string_view name) { m_PassName = name; }
+    void SetPassName(std::string_view name) { m_PassName = SampleName(name); }
+    void SetPassName(SampleName name) { m_PassName = name; }
 
     /// A place between two commands of the frame, and what held for all draws there.
     struct Place
@@ -109,7 +110,7 @@ private:
 
     RenderReport* m_Report = nullptr;
     glm::dvec3 m_Origin{0.0};
-    std::string m_PassName;
+    SampleName m_PassName;
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;
     std::unique_ptr<DrawRecorder> m_Recorder;

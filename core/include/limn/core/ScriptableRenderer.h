@@ -50,6 +50,15 @@ public:
     const RTHandle& cameraColorTargetHandle() const;
     const RTHandle& cameraDepthTargetHandle() const;
 
+    /// What UNITY_MATRIX_V, UNITY_MATRIX_P and UNITY_MATRIX_VP are in draws that follow.
+    /// @source Unity: ScriptableRenderer.SetCameraMatrices (URP 14)
+    static void SetCameraMatrices(CommandBuffer& cmd, const CameraData& cameraData,
+                                  bool setInverseMatrices)
+    {
+        cmd.SetViewProjectionMatrices(cameraData.viewMatrix, cameraData.gpuProjectionMatrix,
+                                      setInverseMatrices);
+    }
+
     /// The camera's colour with its depth, by an identifier that may be asked for at any time, in
     /// AddRenderPasses as well: what it is when a command is executed.
     /// @source Unity: ScriptableRenderer.cameraColorTarget (URP 8 to 14)

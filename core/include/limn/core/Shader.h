@@ -150,7 +150,10 @@ public:
     /// What the pass promises by the tag LimnFullScreen; null = nothing. As long as the shader.
     const FullScreenTag* fullScreenTag(int passIndex) const;
     /// Whether the pass has the tag LimnWithinMesh.
-    bool staysWithinMesh(int passIndex) const { return StaysWithinMesh(PassAt(passIndex)); }
+    bool staysWithinMesh(int passIndex) const
+    {
+        return m_StaysWithinMesh.at(static_cast<std::size_t>(passIndex));
+    }
 
     /// What compiles the passes; other shaders may be made with it.
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
@@ -214,6 +217,7 @@ private:
     ShaderLabSubShader m_SubShader;
     std::vector<ShaderTagId> m_LightModes;                  ///< by pass
     std::vector<std::optional<FullScreenTag>> m_FullScreen; ///< by pass
+    std::vector<bool> m_StaysWithinMesh;                    ///< by pass
     int m_RenderQueue = 2000;
     mutable std::vector<Variant> m_Initial;       ///< by pass
     mutable std::vector<LastGlobal> m_LastGlobal; ///< by pass

@@ -20,6 +20,7 @@ public:
     TextureHandle cameraDepthTexture;
     TextureHandle cameraNormalsTexture;
     TextureHandle cameraOpaqueTexture;
+    TextureHandle mainShadowsTexture; ///< none in frames without shadows
 
     const TextureHandle& activeColorTexture() const { return cameraColor; }
     const TextureHandle& activeDepthTexture() const { return cameraDepth; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limn/volume/VolumeParameter.h>
 #include <span>
 #include <string>
@@ -31,6 +32,13 @@ public:
 
     /// Reaches the parameters within ObjectParameters too.
     void SetAllOverridesTo(bool state);
+
+    /// Whether a parameter is overridden; an ObjectParameter always is, as in Unity.
+    bool AnyPropertiesIsOverridden() const
+    {
+        return std::ranges::any_of(m_Parameters, [](const VolumeParameter* parameter)
+                                   { return parameter->overrideState(); });
+    }
 
     /// In the order of declaration.
     std::span<VolumeParameter* const> parameters() { return m_Parameters; }

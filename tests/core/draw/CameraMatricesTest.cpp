@@ -1,0 +1,102 @@
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <limn/core/Camera.h>
+
+#include "ThrownMessage.h"
+#include "draw/DrawHarness.h"
+
+namespace limn::test
+{
+namespace
+{
+
+/// What draws see of the matrices that a command buffer sets. Their device has depth reversed.
+class CameraMatrices : public testing::Test
+{
+protected:
+    CameraMatrices() { m_Cmd.SetRenderTarget(m_Target); }
+
+    void Draw() { m_Cmd.DrawProcedural(glm::mat4(1.0f), m_Material, 0, 3); }
+    std::vector<SeenDraw> Execute(bool usesReversedZBuffer = true)
+    {
+        ScriptableRenderContext context(m_Report);
+        context.Begin(m_Report, glm::dvec3(0.0), {}, usesReversedZBuffer);
+        context.ExecuteCommandBuffer(m_Cmd);
+        m_Frame = context.TakeCommands();
+        return DrawsOf(m_Frame);
+    }
+    void ExpectMatrix(const SeenDraw& draw, const char* name, const glm::dmat4& wanted)
+    {
+        const std::vector<float> seen = ReadUniform<float>(m_Frame, draw, name, 16);
+        for (int i = 0; i < 16; ++i)
+        {
+            EXPECT_NEAR(seen[static_cast<std::size_t>(i)], wanted[i / 4][i % 4], 1e-5)
+                << name << ", element " << i;
+        }
+    }
+
+    RenderReport m_Report;
+    CommandBuffer m_Cmd;
+    FrameCommands m_Frame;
+    const RTHandle m_Target{Target("Target", 8, 4)};
+    const std::shared_ptr<const Material> m_Material = std::make_shared<Material>(
+        ShaderWithProgram("",
+                          "float4x4 unity_MatrixV; float4x4 glstate_matrix_projection; float4x4 "
+                          "unity_MatrixVP;",
+                          "unity_MatrixV[0] + glstate_matrix_projection[0] + unity_MatrixVP[0]"));
+    const glm::dmat4 m_View = glm::translate(glm::dmat4(1.0), {1.0, -2.0, -5.0});
+    const glm::dmat4 m_OpenGl = glm::perspectiveRH_NO(glm::radians(60.0), 2.0, 0.5, 20.0);
+    /// glm's own: near 0, far 1, and with the planes exchanged near 1, far 0.
+    const glm::dmat4 m_Standard = glm::perspectiveRH_ZO(glm::radians(60.0), 2.0, 0.5, 20.0);
+    const glm::dmat4 m_Reversed = glm::perspectiveRH_ZO(glm::radians(60.0), 2.0, 20.0, 0.5);
+};
+
+TEST_F(CameraMatrices, AreSetTogether)
+{
+    m_Cmd.SetViewProjectionMatrices(m_View, m_OpenGl);
+    Draw();
+    const auto draws = Execute();
+    ExpectMatrix(draws[0], "unity_MatrixV", m_View);
+    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Reversed);
+    ExpectMatrix(draws[0], "unity_MatrixVP", m_Reversed * m_View);
+}
+
+TEST_F(CameraMatrices, FollowTheDevicesDepth)
+{
+    m_Cmd.SetViewProjectionMatrices(m_View, m_OpenGl);
+    Draw();
+    ExpectMatrix(Execute(false)[0], "unity_MatrixVP", m_Standard * m_View);
+}
+
+TEST_F(CameraMatrices, AreSetOneByOne)
+{
+    const glm::dmat4 other = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -3.0});
+    const glm::dmat4 wide = glm::perspectiveRH_NO(glm::radians(90.0), 2.0, 0.5, 20.0);
+    const glm::dmat4 wideReversed = glm::perspectiveRH_ZO(glm::radians(90.0), 2.0, 20.0, 0.5);
+    m_Cmd.SetViewProjectionMatrices(m_View, m_OpenGl);
+    m_Cmd.SetViewMatrix(other);
+    Draw();
+    m_Cmd.SetProjectionMatrix(wide);
+    Draw();
+    const auto draws = Execute();
+    ExpectMatrix(draws[0], "unity_MatrixVP", m_Reversed * other);
+    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Reversed);
+    ExpectMatrix(draws[1], "unity_MatrixVP", wideReversed * other);
+    ExpectMatrix(draws[1], "unity_MatrixV", other);
+}
+
+TEST_F(CameraMatrices, MustBeFinite)
+{
+    glm::dmat4 broken(1.0);
+    broken[2][1] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(ThrownMessage<ContractError>([&] { m_Cmd.SetViewMatrix(broken); }),
+                testing::HasSubstr("unity_MatrixV"));
+    EXPECT_THAT(ThrownMessage<ContractError>([&] { m_Cmd.SetProjectionMatrix(broken); }),
+                testing::HasSubstr("glstate_matrix_projection"));
+}
+
+} // namespace
+} // namespace limn::test
