@@ -20,10 +20,9 @@ protected:
     CameraMatrices() { m_Cmd.SetRenderTarget(m_Target); }
 
     void Draw() { m_Cmd.DrawProcedural(glm::mat4(1.0f), m_Material, 0, 3); }
-    std::vector<SeenDraw> Execute(bool usesReversedZBuffer = true)
+    std::vector<SeenDraw> Execute()
     {
         ScriptableRenderContext context(m_Report);
-        context.Begin(m_Report, glm::dvec3(0.0), {}, usesReversedZBuffer);
         context.ExecuteCommandBuffer(m_Cmd);
         m_Frame = context.TakeCommands();
         return DrawsOf(m_Frame);
@@ -66,9 +65,16 @@ TEST_F(CameraMatrices, AreSetTogether)
 
 TEST_F(CameraMatrices, FollowTheDevicesDepth)
 {
-    m_Cmd.SetViewProjectionMatrices(m_View, m_OpenGl);
-    Draw();
-    ExpectMatrix(Execute(false)[0], "unity_MatrixVP", m_Standard * m_View);
+    for (const bool isReversed : {true, false})
+    {
+        const glm::mat4 projection = GpuProjection(m_OpenGl, isReversed);
+        for (int i = 0; i < 16; ++i)
+        {
+            EXPECT_NEAR(projection[i / 4][i % 4],
+                        (isReversed ? m_Reversed : m_Standard)[i / 4][i % 4], 1e-6)
+                << i;
+        }
+    }
 }
 
 TEST_F(CameraMatrices, AreSetOneByOne)

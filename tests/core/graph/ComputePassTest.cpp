@@ -314,7 +314,7 @@ TEST_F(ComputePass, HasATransientBuffer)
                     builder.AllowPassCulling(false);
                     builder.EnableAsyncCompute(true);
                 },
-                [=](ComputeCommandBuffer& cmd)
+                [&](ComputeCommandBuffer& cmd)
                 {
                     cmd.SetComputeBufferParam(Count(), 0, "_Counts", first);
                     cmd.DispatchCompute(Count(), 0, 1, 1, 1);

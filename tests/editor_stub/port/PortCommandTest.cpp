@@ -78,7 +78,7 @@ TEST(PortCommand, NamesWhatItDoesNotKnowWithItsPlace)
                " 2 unknown; "});
     ExpectAll(ported.report,
               {"| `CommandBuffer.FrobnicateTwice` | BlurOld.cs:68:21 | **unknown** |",
-               "| `CommandBuffer.SetRandomWriteTarget` | BlurOld.cs:67:21 | missing |"});
+               "| `CommandBuffer.SetRandomWriteTarget` | BlurOld.cs:67:21 | refused |"});
 }
 
 TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
