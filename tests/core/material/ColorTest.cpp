@@ -70,5 +70,22 @@ TEST(Color, IsCalculatedWith)
     EXPECT_NEAR(a.grayscale(), 0.299 * 0.25 + 0.587 * 0.5 + 0.114, 1e-6);
 }
 
+TEST(Color32OfFourBytes, IsAColourAndBack)
+{
+    const Color color = Color32(0, 51, 255, 128);
+    EXPECT_EQ(color.r, 0.0f);
+    EXPECT_FLOAT_EQ(color.g, 0.2f);
+    EXPECT_EQ(color.b, 1.0f);
+    EXPECT_FLOAT_EQ(color.a, 128.0f / 255.0f);
+    for (int byte = 0; byte < 256; ++byte)
+    {
+        const auto part = static_cast<std::uint8_t>(byte);
+        const Color32 before(part, 0, part, 255);
+        EXPECT_EQ(Color32(Color(before)), before);
+    }
+    EXPECT_EQ(Color32(Color(-1.0f, 2.0f, 0.499f, 1.0f)), Color32(0, 255, 127, 255))
+        << "0.499 * 255 = 127.2";
+}
+
 } // namespace
 } // namespace limn

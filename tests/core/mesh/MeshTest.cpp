@@ -138,5 +138,14 @@ TEST(Mesh, ListsEveryProblemAtOnce)
               "mesh 'square': triangles[6]: index 7 of 4 vertices (1 such indices in all)");
 }
 
+TEST(MeshColors, MayHaveFourBytes)
+{
+    MeshData data;
+    data.SetColors(std::vector{Color32(255, 0, 51, 0), Color32(0, 255, 0, 255)});
+    ASSERT_EQ(data.colors.size(), 2u);
+    EXPECT_EQ(data.colors[0], glm::vec4(1.0f, 0.0f, 0.2f, 0.0f));
+    EXPECT_EQ(data.colors[1], glm::vec4(0.0f, 1.0f, 0.0f, 1.0f));
+}
+
 } // namespace
 } // namespace limn

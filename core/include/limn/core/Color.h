@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <limn/core/Vector.h>
 
@@ -102,5 +103,37 @@ inline constexpr Color Color::magenta{1.0f, 0.0f, 1.0f, 1.0f};
 inline constexpr Color Color::yellow{1.0f, 235.0f / 255.0f, 4.0f / 255.0f, 1.0f};
 inline constexpr Color Color::gray{0.5f, 0.5f, 0.5f, 1.0f};
 inline constexpr Color Color::grey{0.5f, 0.5f, 0.5f, 1.0f};
+
+/// A colour of four bytes, 255 = 1. Unity: UnityEngine.Color32 (2022.3).
+struct Color32
+{
+    std::uint8_t r = 0;
+    std::uint8_t g = 0;
+    std::uint8_t b = 0;
+    std::uint8_t a = 0;
+
+    constexpr Color32() = default;
+    constexpr Color32(std::uint8_t r_, std::uint8_t g_, std::uint8_t b_, std::uint8_t a_)
+        : r(r_), g(g_), b(b_), a(a_)
+    {
+    }
+    /// The nearest one; components are held between 0 and 1.
+    Color32(const Color& c) : r(ToByte(c.r)), g(ToByte(c.g)), b(ToByte(c.b)), a(ToByte(c.a)) {}
+    operator Color() const
+    {
+        const auto part = [](std::uint8_t byte)
+        {
+            return static_cast<float>(byte) / 255.0f;
+        };
+        return {part(r), part(g), part(b), part(a)};
+    }
+    bool operator==(const Color32&) const = default;
+
+private:
+    static std::uint8_t ToByte(float part)
+    {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0f, 1.0f) * 255.0f));
+    }
+};
 
 } // namespace limn

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limn/core/Color.h>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,6 +54,17 @@ struct MeshData
     std::vector<glm::vec3> uv8;
     std::vector<std::uint32_t> triangles; ///< three vertex indices a triangle
     std::vector<SubMesh> subMeshes;       ///< empty = one over all of `triangles`
+
+    /// Of four bytes each, as Unity's editor paints them: linear, 255 = 1.
+    /// @source Unity: Mesh.colors32, Mesh.SetColors(List<Color32>) (2022.3)
+    void SetColors(const std::vector<Color32>& inColors)
+    {
+        colors.clear();
+        for (const Color32& color : inColors)
+        {
+            colors.push_back(Color(color).vector());
+        }
+    }
 };
 
 /// Immutable geometry; the device uploads it when a frame first draws it.
