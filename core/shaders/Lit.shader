@@ -61,11 +61,8 @@ Shader "Universal Render Pipeline/Lit"
                 float2 uv : TEXCOORD0;
                 float3 normalWS : TEXCOORD1;
                 float3 viewDirWS : TEXCOORD2;
-            #ifdef _ADDITIONAL_LIGHTS
-                float3 positionWS : TEXCOORD3;
-            #endif
-            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
-                float3 position : TEXCOORD4; // relative to limn_Origin
+            #if defined(_ADDITIONAL_LIGHTS) || defined(MAIN_LIGHT_CALCULATE_SHADOWS)
+                float3 position : TEXCOORD3; // relative to limn_Origin
             #endif
             };
 
@@ -76,10 +73,7 @@ Shader "Universal Render Pipeline/Lit"
                 output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
                 output.normalWS = TransformObjectToWorldNormal(input.normalOS);
                 output.viewDirWS = limn_ObjectToWorldSpaceViewDir(input.positionOS.xyz);
-            #ifdef _ADDITIONAL_LIGHTS
-                output.positionWS = TransformObjectToWorld(input.positionOS.xyz);
-            #endif
-            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
+            #if defined(_ADDITIONAL_LIGHTS) || defined(MAIN_LIGHT_CALCULATE_SHADOWS)
                 output.position = limn_ObjectToRelative(input.positionOS.xyz);
             #endif
                 return output;
@@ -116,7 +110,7 @@ Shader "Universal Render Pipeline/Lit"
             #ifdef _ADDITIONAL_LIGHTS
                 for (int i = 0; i < GetAdditionalLightsCount(); i++)
                 {
-                    Light other = GetAdditionalLight(i, input.positionWS);
+                    Light other = limn_GetAdditionalLightRelative(i, input.position);
                     half lambert = saturate(dot(normal, other.direction));
                     color += other.color * other.distanceAttenuation * lambert *
                              (albedo.rgb + Highlight(normal, other.direction, view));

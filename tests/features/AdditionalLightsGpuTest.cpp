@@ -148,6 +148,35 @@ TEST_F(AdditionalLightsGpu, LightsTheWallFromOutsideOfThePicture)
     ExpectLitByFormula();
 }
 
+TEST_F(AdditionalLightsGpu, LightTheSameFarAwayFromTheWorldsOrigin)
+{
+    Transform away;
+    m_Wall.camera.transform.parent = &away;
+    for (const auto& object : m_Wall.scene.objects())
+    {
+        object->transform.parent = &away;
+    }
+    Light bulb;
+    bulb.transform.localPosition = {-6.25f, 2.5f, 7.125f};
+    bulb.intensity = 5.0f;
+    Light sun;
+    sun.type = LightType::Directional;
+    sun.transform.localRotation = EulerToRotation({30.0f, 20.0f, 0.0f});
+    sun.intensity = 0.3f;
+    lights() = {bulb, sun, Spot({4.25f, 1.5f, 0.0f}, {20.0f, -15.0f, 0.0f})};
+    for (Light& light : lights())
+    {
+        light.transform.parent = &away;
+    }
+    for (const glm::vec3& place : {glm::vec3(0.0f), glm::vec3(1e5f, 2e5f, -1e5f),
+                                   glm::vec3(1e7f, -1e7f, 5e6f), glm::vec3(1e9f, 0.0f, 1e9f)})
+    {
+        SCOPED_TRACE(place.x);
+        away.localPosition = place;
+        ExpectLitByFormula();
+    }
+}
+
 /// How many uniforms of lights what is drawn in a frame has.
 std::size_t LightsOf(const RenderResult& result)
 {

@@ -14,6 +14,7 @@ namespace
 
 const ShaderPropertyId _AdditionalLightsCount{"_AdditionalLightsCount"};
 const ShaderPropertyId _AdditionalLightsPosition{"_AdditionalLightsPosition"};
+const ShaderPropertyId limn_AdditionalLightsPosition{"limn_AdditionalLightsPosition"};
 const ShaderPropertyId _AdditionalLightsColor{"_AdditionalLightsColor"};
 const ShaderPropertyId _AdditionalLightsAttenuation{"_AdditionalLightsAttenuation"};
 const ShaderPropertyId _AdditionalLightsSpotDir{"_AdditionalLightsSpotDir"};
@@ -41,15 +42,19 @@ bool IsSeen(const glm::dvec3& center, double radius, const glm::dmat4& viewProje
 struct LightArrays
 {
     std::vector<glm::vec4> position;
+    std::vector<glm::vec4> relativePosition; // to the camera's renderOrigin
     std::vector<glm::vec4> color;
     std::vector<glm::vec4> attenuation;
     std::vector<glm::vec4> spotDirection;
 
-    void Add(const Light& light, const glm::dmat4& world)
+    /// @param origin  what relative positions are relative to
+    void Add(const Light& light, const glm::dmat4& world, const glm::dvec3& origin)
     {
         const glm::vec4 forward(glm::vec3(glm::normalize(glm::dvec3(world[2]))), 0.0f);
         const bool isDirectional = light.type == LightType::Directional;
         position.push_back(isDirectional ? -forward : glm::vec4(world[3]));
+        const glm::vec4 relative(glm::dvec4(glm::dvec3(world[3]) - origin, 1.0));
+        relativePosition.push_back(isDirectional ? -forward : relative);
         color.emplace_back(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
         glm::vec4 fades(0.0f, 1.0f, 0.0f, 1.0f); // with neither distance nor angle
         if (!isDirectional)
@@ -98,7 +103,7 @@ void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderi
              IsSeen(glm::dvec3(world[3]), static_cast<double>(light.range), viewProjection));
         if (isOn && reaches && ++seen <= k_MaxVisibleAdditionalLights)
         {
-            arrays.Add(light, world);
+            arrays.Add(light, world, camera.renderOrigin);
         }
     }
     if (seen == 0)
@@ -115,6 +120,7 @@ void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderi
     cmd.SetGlobalVector(_AdditionalLightsCount,
                         glm::vec4(static_cast<float>(arrays.position.size()), 0, 0, 0));
     cmd.SetGlobalVectorArray(_AdditionalLightsPosition, std::move(arrays.position));
+    cmd.SetGlobalVectorArray(limn_AdditionalLightsPosition, std::move(arrays.relativePosition));
     cmd.SetGlobalVectorArray(_AdditionalLightsColor, std::move(arrays.color));
     cmd.SetGlobalVectorArray(_AdditionalLightsAttenuation, std::move(arrays.attenuation));
     cmd.SetGlobalVectorArray(_AdditionalLightsSpotDir, std::move(arrays.spotDirection));

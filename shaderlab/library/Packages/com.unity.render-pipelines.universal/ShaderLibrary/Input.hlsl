@@ -52,6 +52,8 @@ cbuffer AdditionalLights
     float4 _AmbientOcclusionParam; // rgb: colour, w: how much direct light it takes
     float4 _GlossyEnvironmentColor;
     float4 _SubtractiveShadowColor;
+    // As _AdditionalLightsPosition, places relative to limn_Origin
+    float4 limn_AdditionalLightsPosition[MAX_VISIBLE_LIGHTS];
 };
 
 #ifdef _LIGHT_LAYERS

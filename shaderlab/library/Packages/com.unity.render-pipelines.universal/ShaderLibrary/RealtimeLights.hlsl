@@ -76,11 +76,9 @@ Light GetMainLight(InputData inputData, float4 shadowMask, AmbientOcclusionFacto
 }
 
 // _AdditionalLightsAttenuation: xy of DistanceAttenuation, zw of AngleAttenuation.
-Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
+Light limn_AdditionalLight(int perObjectLightIndex, float3 toLight)
 {
-    float4 position = _AdditionalLightsPosition[perObjectLightIndex];
     float4 attenuation = _AdditionalLightsAttenuation[perObjectLightIndex];
-    float3 toLight = position.xyz - positionWS * position.w;
     float distanceSqr = max(dot(toLight, toLight), HALF_MIN);
 
     Light light;
@@ -97,6 +95,18 @@ Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
     light.layerMask = 0xFFFFFFFFu;
 #endif
     return light;
+}
+
+Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
+{
+    float4 position = _AdditionalLightsPosition[perObjectLightIndex];
+    return limn_AdditionalLight(perObjectLightIndex, position.xyz - positionWS * position.w);
+}
+// Of a position relative to limn_Origin: as exact far away from the world's origin as near it.
+Light limn_GetAdditionalLightRelative(uint i, float3 position)
+{
+    float4 light = limn_AdditionalLightsPosition[i];
+    return limn_AdditionalLight((int)i, light.xyz - position * light.w);
 }
 
 int GetPerObjectLightIndex(uint index) { return (int)index; }
