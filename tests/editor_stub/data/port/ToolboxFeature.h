@@ -84,7 +84,8 @@ public:
         {
             return;
         }
-        if (cameraData.postProcessEnabled && cameraData.targetTexture == nullptr)
+        if (cameraData.postProcessEnabled && cameraData.renderScale < 1.0f &&
+            cameraData.targetTexture == nullptr)
         {
             m_Blit->ConfigureInput(ScriptableRenderPassInput::Color |
                                    ScriptableRenderPassInput::Depth);
@@ -471,7 +472,8 @@ private:
         mesh.uv4 = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}};
         mesh.uv = std::vector<Vector2>{{0, 0}, {1, 0}, {0, 1}};
         mesh.uv8 = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-        mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+        mesh.SetColors(std::vector<Color32>{Color32(255, 0, 0, 255), Color32(0, 255, 0, 255),
+                                            Color32(0, 0, 255, 255)});
         mesh.triangles = {0, 1, 2};
         return std::make_shared<Mesh>("Quad", mesh);
     }
