@@ -91,7 +91,8 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
     static_cast<CameraData&>(m_FrameData.GetOrCreate<UniversalCameraData>()) =
         renderingData.cameraData;
     m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);
-    m_FrameData.GetOrCreate<UniversalLightData>();
+    static_cast<LightData&>(m_FrameData.GetOrCreate<UniversalLightData>()) =
+        renderingData.lightData;
 }
 
 TextureHandle RenderGraphCamera::ImportGlobal(const ScriptableRenderContext& context,

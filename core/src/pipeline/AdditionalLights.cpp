@@ -39,6 +39,12 @@ bool IsSeen(const glm::dvec3& center, double radius, const glm::dmat4& viewProje
     return true;
 }
 
+Color Bright(const Color& color, float intensity)
+{
+    const Color linear = color.linear();
+    return {linear.r * intensity, linear.g * intensity, linear.b * intensity, 1.0f};
+}
+
 struct LightArrays
 {
     std::vector<glm::vec4> position;
@@ -55,7 +61,7 @@ struct LightArrays
         position.push_back(isDirectional ? -forward : glm::vec4(world[3]));
         const glm::vec4 relative(glm::dvec4(glm::dvec3(world[3]) - origin, 1.0));
         relativePosition.push_back(isDirectional ? -forward : relative);
-        color.emplace_back(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
+        color.push_back(Bright(light.color, light.intensity).vector());
         glm::vec4 fades(0.0f, 1.0f, 0.0f, 1.0f); // with neither distance nor angle
         if (!isDirectional)
         {
@@ -73,6 +79,16 @@ struct LightArrays
     }
 };
 
+/// Left-handed axes of which z is the direction, and x level.
+glm::dmat3 LookAlong(const glm::dvec3& direction)
+{
+    const glm::dvec3 z = glm::normalize(direction);
+    const bool isUpright = std::abs(z.y) > 0.999;
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(isUpright ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), z));
+    return {x, glm::cross(z, x), z};
+}
+
 } // namespace
 
 void ForgetAdditionalLights(CommandBuffer& cmd)
@@ -81,50 +97,79 @@ void ForgetAdditionalLights(CommandBuffer& cmd)
     cmd.DisableKeyword(_ADDITIONAL_LIGHTS);
 }
 
-void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData,
-                                std::vector<std::string>& notes)
+void FindAdditionalLights(const Scene& scene, const CameraData& camera,
+                          std::vector<const Light*>& lights, std::vector<std::string>& notes)
 {
-    const CameraData& camera = renderingData.cameraData;
-    const std::vector<Light>& lights = renderingData.scene->additionalLights;
+    lights.clear();
+    if (scene.additionalLights.empty())
+    {
+        return;
+    }
+    const glm::dmat4 viewProjection = camera.reversedViewProjection();
+    for (const Light& light : scene.additionalLights)
+    {
+        const bool isOn = light.intensity != 0.0f;
+        const bool reaches =
+            light.type == LightType::Directional ||
+            (light.range > 0.0f && IsSeen(glm::dvec3(light.transform.worldMatrix()[3]),
+                                          static_cast<double>(light.range), viewProjection));
+        if (isOn && reaches)
+        {
+            lights.push_back(&light);
+        }
+    }
+    if (lights.size() > k_MaxVisibleAdditionalLights)
+    {
+        notes.push_back(std::to_string(lights.size()) +
+                        " lights reach into the picture, of which the first " +
+                        std::to_string(k_MaxVisibleAdditionalLights) +
+                        " are drawn: shaders have no room for more");
+        lights.resize(k_MaxVisibleAdditionalLights);
+    }
+}
+
+void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData)
+{
+    const std::span<const Light* const> lights = renderingData.lightData.additionalLights;
     if (lights.empty())
     {
         return;
     }
     LightArrays arrays;
-    const glm::dmat4 viewProjection = camera.reversedViewProjection();
-    std::size_t seen = 0;
-    for (const Light& light : lights)
+    for (const Light* light : lights)
     {
-        const glm::dmat4 world = light.transform.worldMatrix();
-        const bool isOn = light.intensity != 0.0f;
-        const bool reaches =
-            light.type == LightType::Directional ||
-            (light.range > 0.0f &&
-             IsSeen(glm::dvec3(world[3]), static_cast<double>(light.range), viewProjection));
-        if (isOn && reaches && ++seen <= k_MaxVisibleAdditionalLights)
-        {
-            arrays.Add(light, world, camera.renderOrigin);
-        }
-    }
-    if (seen == 0)
-    {
-        return;
-    }
-    if (seen > k_MaxVisibleAdditionalLights)
-    {
-        notes.push_back(std::to_string(seen) +
-                        " lights reach into the picture, of which the first " +
-                        std::to_string(k_MaxVisibleAdditionalLights) +
-                        " are drawn: shaders have no room for more");
+        arrays.Add(*light, light->transform.worldMatrix(), renderingData.cameraData.renderOrigin);
     }
     cmd.SetGlobalVector(_AdditionalLightsCount,
-                        glm::vec4(static_cast<float>(arrays.position.size()), 0, 0, 0));
+                        glm::vec4(static_cast<float>(lights.size()), 0, 0, 0));
     cmd.SetGlobalVectorArray(_AdditionalLightsPosition, std::move(arrays.position));
     cmd.SetGlobalVectorArray(limn_AdditionalLightsPosition, std::move(arrays.relativePosition));
     cmd.SetGlobalVectorArray(_AdditionalLightsColor, std::move(arrays.color));
     cmd.SetGlobalVectorArray(_AdditionalLightsAttenuation, std::move(arrays.attenuation));
     cmd.SetGlobalVectorArray(_AdditionalLightsSpotDir, std::move(arrays.spotDirection));
     cmd.EnableKeyword(_ADDITIONAL_LIGHTS);
+}
+
+std::vector<VisibleLight> LightData::visibleLights() const
+{
+    std::vector<VisibleLight> visible;
+    if (mainLightIndex >= 0)
+    {
+        const DirectionalLight& main = scene->mainLight;
+        VisibleLight light;
+        light.finalColor = Bright(main.color, main.intensity);
+        light.localToWorldMatrix = glm::dmat4(LookAlong(glm::dvec3(main.direction)));
+        visible.push_back(light);
+    }
+    for (const Light* light : additionalLights)
+    {
+        const bool isDirectional = light->type == LightType::Directional;
+        const bool isSpot = light->type == LightType::Spot;
+        visible.push_back({light, light->type, Bright(light->color, light->intensity),
+                           light->transform.worldMatrix(), isDirectional ? 0.0f : light->range,
+                           isSpot ? light->spotAngle : 0.0f});
+    }
+    return visible;
 }
 
 } // namespace limn

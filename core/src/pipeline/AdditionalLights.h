@@ -6,13 +6,18 @@
 namespace limn
 {
 
-/// Sets the lights that reach into the camera's view, and _ADDITIONAL_LIGHTS if there are any; a
-/// scene without costs nothing. Every light counts for every object, as in URP's Forward+.
-/// @param notes  for a sentence about lights that are too many
+/// The lights besides the main one that reach into the camera's view, as many as shaders have room
+/// for; a scene without costs nothing.
+/// @param lights  becomes them
+/// @param notes   for a sentence about lights that are too many
+void FindAdditionalLights(const Scene& scene, const CameraData& camera,
+                          std::vector<const Light*>& lights, std::vector<std::string>& notes);
+
+/// Sets those of renderingData.lightData, and _ADDITIONAL_LIGHTS if there are any. Every light
+/// counts for every object, as in URP's Forward+.
 /// @source Unity: ForwardLights.SetupAdditionalLightConstants and
 ///     UniversalRenderPipeline.InitializeLightConstants_Common (URP 14)
-void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData,
-                                std::vector<std::string>& notes);
+void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData);
 
 /// There are none from here on, as at the beginning of a frame.
 void ForgetAdditionalLights(CommandBuffer& cmd);

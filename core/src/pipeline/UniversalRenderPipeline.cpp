@@ -79,6 +79,13 @@ float RenderScaleOf(const Camera& camera, float renderScale)
                : renderScale;
 }
 
+/// Unity: UniversalRenderPipeline.InitializeAdditionalCameraData (URP 14).
+float MaxShadowDistance(const Camera& camera, const ShadowSettings& shadows)
+{
+    const float distance = std::min(shadows.shadowDistance, camera.farClipPlane);
+    return shadows.mainLightShadowsSupported && distance >= camera.nearClipPlane ? distance : 0.0f;
+}
+
 glm::ivec2 PictureSize(const RenderRequest& request)
 {
     const RenderTexture* target = request.camera->targetTexture.get();
@@ -158,7 +165,7 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
     data.cameraData.isHdrEnabled = request.camera->allowHDR;
     data.cameraData.backgroundColor = camera.backgroundColor.linear();
-    data.cameraData.volumeLayerMask = camera.volumeLayerMask;
+    data.cameraData.volumeLayerMask = request.camera->volumeLayerMask;
     data.cameraData.worldSpaceCameraPos = camera.transform.position();
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.usesReversedZBuffer = UsesReversedZBuffer(renderer);
@@ -220,7 +227,7 @@ void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
     }
     SetTimeUniforms(*cmd, request.time);
     SetLightUniforms(*cmd, *request.scene);
-    SetAdditionalLightUniforms(*cmd, renderingData, renderingData.report->notes);
+    SetAdditionalLightUniforms(*cmd, renderingData);
     context.ExecuteCommandBuffer(*cmd);
 }
 
@@ -320,11 +327,11 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
         renderingData.cameraData.renderScale = scale;
-        renderingData.cameraData.maxShadowDistance =
-            shadows.mainLightShadowsSupported ? shadows.shadowDistance : 0.0f;
+        renderingData.cameraData.maxShadowDistance = MaxShadowDistance(*camera, shadows);
         renderingData.postProcessingEnabled = std::ranges::any_of(
             m_Stack, [](const Camera* each) { return each->renderPostProcessing; });
         renderingData.shadowSettings = shadows;
+        FindLights(renderingData);
         renderingData.temporaryTextures = &m_TemporaryTextures;
         NoteBeyondFloat(renderingData.cullResults, result.report);
         Measure(request.timeline, "record",
@@ -335,6 +342,18 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
                 });
     }
     Finish(request, frames, output, result);
+}
+
+void UniversalRenderPipeline::FindLights(RenderingData& renderingData)
+{
+    const Scene& scene = *renderingData.scene;
+    FindAdditionalLights(scene, renderingData.cameraData, m_AdditionalLights,
+                         renderingData.report->notes);
+    LightData& lights = renderingData.lightData;
+    lights.scene = &scene;
+    lights.additionalLights = m_AdditionalLights;
+    lights.additionalLightsCount = static_cast<int>(m_AdditionalLights.size());
+    lights.mainLightIndex = scene.mainLight.intensity != 0.0f ? 0 : -1;
 }
 
 /// Compiles what is recorded and starts it.

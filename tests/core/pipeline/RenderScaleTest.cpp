@@ -129,6 +129,12 @@ TEST_F(RenderScale, CameraDataSayWhatFeaturesAsk)
     EXPECT_EQ(data.volumeLayerMask, LayerMask(6u));
     EXPECT_EQ(data.maxShadowDistance, 17.0f);
     EXPECT_TRUE(data.isDefaultViewport);
+    m_Camera.farClipPlane = 9.0f;
+    EXPECT_EQ(Render(1.0f).maxShadowDistance, 9.0f);
+    m_Camera.nearClipPlane = 0.5f;
+    m_Pipeline.shadows.shadowDistance = 0.4f;
+    EXPECT_EQ(Render(1.0f).maxShadowDistance, 0.0f) << "the view begins behind them";
+    m_Pipeline.shadows.shadowDistance = 4.0f;
     m_Pipeline.shadows.mainLightShadowsSupported = false;
     EXPECT_EQ(Render(1.0f).maxShadowDistance, 0.0f);
 }

@@ -2,9 +2,12 @@
 
 #include <limn/core/Camera.h>
 #include <limn/core/Culling.h>
+#include <limn/core/Light.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/RenderReport.h>
 #include <limn/core/Scene.h>
+#include <span>
+#include <vector>
 
 namespace limn
 {
@@ -67,8 +70,8 @@ struct CameraData
     bool postProcessEnabled = true; ///< Camera::renderPostProcessing
     bool isHdrEnabled = true;       ///< Camera::allowHDR
     Color backgroundColor;          ///< Camera::backgroundColor, linear
-    float maxShadowDistance = 0.0f; ///< metres from the camera; 0 = there are no shadows
-    LayerMask volumeLayerMask;      ///< Camera::volumeLayerMask
+    float maxShadowDistance = 0.0f; ///< metres from the camera; 0 = none reach into its view
+    LayerMask volumeLayerMask;      ///< Camera::volumeLayerMask, of the stack's base camera
 
     bool isSceneViewCamera() const { return cameraType == CameraType::SceneView; }
     bool isPreviewCamera() const { return cameraType == CameraType::Preview; }
@@ -93,12 +96,42 @@ struct CameraData
     }
 };
 
+/// A light that reaches into the camera's view. Unity: UnityEngine.Rendering.VisibleLight (2022.3).
+struct VisibleLight
+{
+    const Light* light = nullptr; ///< as long as the scene's list stays; null = Scene::mainLight
+    LightType lightType = LightType::Directional;
+    Color finalColor;                   ///< linear, with its intensity
+    glm::dmat4 localToWorldMatrix{1.0}; ///< it shines along its +z
+    float range = 0.0f;                 ///< metres; 0 = without end
+    float spotAngle = 0.0f;             ///< degrees; 0 = no spot
+};
+
+/// The lights that shaders get. Unity: UnityEngine.Rendering.Universal.LightData (URP 14).
+struct LightData
+{
+    int mainLightIndex = -1;       ///< of visibleLights(); -1 = the scene's has no intensity
+    int additionalLightsCount = 0; ///< besides the main one
+    /// All of them light every object that they reach, as in URP's Forward+.
+    int maxPerObjectAdditionalLightsCount = k_MaxVisibleAdditionalLights;
+    bool shadeAdditionalLightsPerVertex = false; ///< never
+    bool supportsAdditionalLights = true;
+    bool supportsLightLayers = true;
+
+    /// The main one first, if it is one. Worked out when asked for.
+    std::vector<VisibleLight> visibleLights() const;
+
+    const Scene* scene = nullptr;                   ///< null where no pipeline renders
+    std::span<const Light* const> additionalLights; ///< until the camera is done; none is null
+};
+
 /// What passes and features get to see of the frame; valid during the camera's rendering only.
 /// Unity: UnityEngine.Rendering.Universal.RenderingData (URP 14).
 struct RenderingData
 {
     CameraData cameraData;
     CullingResults cullResults;
+    LightData lightData;
     bool postProcessingEnabled = true; ///< a camera of the stack has renderPostProcessing on
     /// What is rendered, for whoever has to cull it once more; null where no pipeline renders.
     const Scene* scene = nullptr;

@@ -56,12 +56,11 @@ private:
     const RenderingData* m_Data = nullptr; ///< not null in RecordRenderGraph
 };
 
-/// To be handed on: limn's shaders find the scene's light by themselves.
 /// Unity: UnityEngine.Rendering.Universal.UniversalLightData (URP 17).
-class UniversalLightData final : public ContextItem
+class UniversalLightData final : public ContextItem, public LightData
 {
 public:
-    void Reset() override {}
+    void Reset() override { static_cast<LightData&>(*this) = LightData(); }
 };
 
 namespace RenderingUtils

@@ -90,6 +90,7 @@ private:
                      RenderResult& result);
     void Finish(const RenderRequest& request, FrameCache& frames, const RTHandle& output,
                 RenderResult& result);
+    void FindLights(RenderingData& renderingData);
     void FindStack(const Camera& camera, RenderReport& report);
 
     GraphicsDevice* m_Device; ///< never null
@@ -99,6 +100,7 @@ private:
     RenderTexturePool m_TemporaryTextures;
     FrameCache m_Frames;
     std::vector<FrameCache> m_FramesOfSeveral;                   ///< of Render's cameras, as drawn
+    std::vector<const Light*> m_AdditionalLights;                ///< of the last camera
     std::vector<const Camera*> m_Stack;                          ///< of the last frame
     std::vector<std::shared_ptr<const RenderTexture>> m_Outputs; ///< of the last frame
     FrameCommands m_Commands; ///< of the last frame, for the memory of its lists

@@ -1,0 +1,147 @@
+#include "pipeline/RendererHarness.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limn/core/RecordingDevice.h>
+#include <limn/core/UniversalFrameData.h>
+#include <limn/core/UniversalRenderPipeline.h>
+
+namespace limn::test
+{
+namespace
+{
+
+/// Keeps what a feature is told of the lights, old style and new.
+class LightsReader final : public ScriptableRendererFeature
+{
+public:
+    struct Seen
+    {
+        LightData data;
+        std::vector<VisibleLight> lights;
+        int countInGraph = -1;
+    };
+    explicit LightsReader(Seen& seen) : m_Pass(seen) {}
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& data) override
+    {
+        m_Pass.seen.data = data.lightData;
+        m_Pass.seen.lights = data.lightData.visibleLights();
+        renderer.EnqueuePass(m_Pass);
+    }
+
+private:
+    class Pass final : public ScriptableRenderPass
+    {
+    public:
+        explicit Pass(Seen& s) : seen(s) {}
+        void RecordRenderGraph(RenderGraph&, ContextContainer& frameData) override
+        {
+            seen.countInGraph = frameData.Get<UniversalLightData>().additionalLightsCount;
+        }
+        Seen& seen;
+    };
+    Pass m_Pass;
+};
+
+class LightDataOfAFrame : public testing::Test
+{
+protected:
+    LightDataOfAFrame()
+    {
+        m_Renderer.AddFeature(std::make_unique<LightsReader>(m_Seen));
+        m_Request.scene = &m_Scene;
+        m_Request.camera = &m_Camera;
+        m_Request.width = 8;
+        m_Request.height = 8;
+    }
+
+    const LightsReader::Seen& Render()
+    {
+        m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        return m_Seen;
+    }
+
+    Light& Add(LightType type, const glm::vec3& position)
+    {
+        Light& light = m_Scene.additionalLights.emplace_back();
+        light.type = type;
+        light.transform.localPosition = position;
+        light.range = 2.0f;
+        return light;
+    }
+
+    RecordingDevice m_Device;
+    UniversalRenderPipeline m_Pipeline{m_Device};
+    UniversalRenderer m_Renderer{Compiler()};
+    Scene m_Scene;
+    Camera m_Camera;
+    RenderRequest m_Request;
+    RenderResult m_Result;
+    LightsReader::Seen m_Seen;
+};
+
+TEST_F(LightDataOfAFrame, HasTheMainLightAlone)
+{
+    m_Scene.mainLight.direction = {0.0f, 0.0f, 1.0f};
+    m_Scene.mainLight.color = Color(0.5f, 1.0f, 0.0f, 1.0f);
+    m_Scene.mainLight.intensity = 2.0f;
+    const LightsReader::Seen& seen = Render();
+    EXPECT_EQ(seen.data.mainLightIndex, 0);
+    EXPECT_EQ(seen.data.additionalLightsCount, 0);
+    ASSERT_EQ(seen.lights.size(), 1u);
+    const VisibleLight& main = seen.lights[0];
+    EXPECT_EQ(main.light, nullptr);
+    EXPECT_EQ(main.lightType, LightType::Directional);
+    EXPECT_NEAR(main.finalColor.r, 2.0 * 0.21404114, 1e-6) << "sRGB 0.5 is 0.214 (IEC 61966-2-1)";
+    EXPECT_EQ(main.finalColor.g, 2.0f);
+    EXPECT_EQ(main.localToWorldMatrix, glm::dmat4(1.0)) << "it shines along +z, x is level";
+}
+
+TEST_F(LightDataOfAFrame, HasThoseThatReachIntoTheViewInTheirOrder)
+{
+    Add(LightType::Point, {0, 0, -9}); // behind the camera
+    Add(LightType::Spot, {1, 0, 5}).spotAngle = 40.0f;
+    Add(LightType::Point, {0, 0, 6}).intensity = 0.0f;
+    Add(LightType::Directional, {0, 0, -9}).intensity = 3.0f;
+    Add(LightType::Point, {100, 0, 5});
+    m_Scene.mainLight.intensity = 0.0f;
+    const LightsReader::Seen& seen = Render();
+    EXPECT_EQ(seen.data.mainLightIndex, -1);
+    EXPECT_EQ(seen.data.additionalLightsCount, 2);
+    EXPECT_EQ(seen.countInGraph, 2);
+    ASSERT_EQ(seen.lights.size(), 2u);
+    EXPECT_EQ(seen.lights[0].light, &m_Scene.additionalLights[1]);
+    EXPECT_EQ(seen.lights[0].lightType, LightType::Spot);
+    EXPECT_EQ(seen.lights[0].range, 2.0f);
+    EXPECT_EQ(seen.lights[0].spotAngle, 40.0f);
+    EXPECT_EQ(glm::dvec3(seen.lights[0].localToWorldMatrix[3]), glm::dvec3(1, 0, 5));
+    EXPECT_EQ(seen.lights[1].light, &m_Scene.additionalLights[3]);
+    EXPECT_EQ(seen.lights[1].range, 0.0f) << "without end";
+    EXPECT_EQ(seen.lights[1].finalColor.r, 3.0f);
+}
+
+TEST_F(LightDataOfAFrame, HasNoMoreThanShadersHaveRoomFor)
+{
+    for (int i = 0; i < 40; ++i)
+    {
+        Add(LightType::Point, {0, 0, 5});
+    }
+    const LightsReader::Seen& seen = Render();
+    EXPECT_EQ(seen.data.additionalLightsCount, 32);
+    EXPECT_EQ(seen.data.maxPerObjectAdditionalLightsCount, 32);
+    EXPECT_EQ(seen.lights.size(), 33u);
+    EXPECT_THAT(m_Result.report.notes,
+                testing::Contains(testing::HasSubstr("40 lights reach into the picture")));
+}
+
+TEST_F(LightDataOfAFrame, TurnsAMainLightThatShinesDown)
+{
+    m_Scene.mainLight.direction = {0.0f, -1.0f, 0.0f};
+    const glm::dmat4& matrix = Render().lights.at(0).localToWorldMatrix;
+    EXPECT_EQ(glm::dvec3(matrix[2]), glm::dvec3(0, -1, 0));
+    EXPECT_NEAR(glm::determinant(glm::dmat3(matrix)), 1.0, 1e-12);
+}
+
+} // namespace
+} // namespace limn::test
