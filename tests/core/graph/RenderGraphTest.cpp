@@ -488,42 +488,4 @@ TEST_F(RenderGraphFrame, ClearsAnImportedTextureOnlyWhereItIsAskedTo)
     EXPECT_EQ(PassInto(result, "_Cleared").colors[0].clearColor, Color::green);
 }
 
-TEST_F(RenderGraphFrame, RefusesAPassThatHasNeitherWayToDraw)
-{
-    ScriptableRenderPass pass;
-    pass.profilingSampler = ProfilingSampler("Empty");
-    m_Renderer.AddFeature(std::make_unique<test::LoggingFeature>(
-        "f", m_Log, std::vector<ScriptableRenderPass*>{&pass}));
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
-              "pass 'Empty' overrides neither Execute nor RecordRenderGraph");
-}
-
-TEST_F(RenderGraphFrame, BindsWhatAnUnsafePassDeclaresToDrawInto)
-{
-    Add(
-        [](RenderGraph& graph, ContextContainer&)
-        {
-            TextureHandle mask;
-            graph.CreateTextureIfInvalid(Desc("_Mask"), mask);
-            const TextureHandle made = mask;
-            graph.CreateTextureIfInvalid(Desc("_Other"), mask);
-            EXPECT_EQ(mask, made) << "there is one";
-            const RenderTargetInfo info = graph.GetRenderTargetInfo(mask);
-            EXPECT_EQ(info.width, 8);
-            EXPECT_EQ(info.height, 4);
-            EXPECT_EQ(info.msaaSamples, 1);
-            EXPECT_EQ(info.format, GraphicsFormat::R8G8B8A8_UNorm);
-            AddUnsafe(
-                graph, "Mask",
-                [&](auto& builder)
-                {
-                    builder.SetRenderAttachment(mask, 0);
-                    builder.AllowPassCulling(false);
-                },
-                [](UnsafeCommandBuffer& cmd) { Draw(cmd); });
-        });
-    const RenderResult result = Render();
-    EXPECT_EQ(PassInto(result, "_Mask").colors.size(), 1u);
-}
-
 } // namespace limn
