@@ -22,8 +22,8 @@
 #define unity_MatrixMVP UNITY_MATRIX_MVP
 
 #define unity_ProbesOcclusion float4(1, 1, 1, 1)
-#define unity_OcclusionMaskSelector float4(1, 0, 0, 0)
 #define unity_ProbeVolumeParams float4(0, 0, 0, 0)
+static float4 unity_OcclusionMaskSelector = float4(1, 0, 0, 0); // shaders write to it
 static const float4 unity_StereoScaleOffset[2] = {float4(1, 1, 0, 0), float4(1, 1, 0, 0)};
 
 cbuffer UnityPerCameraRare

@@ -101,8 +101,7 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
     {
         if (function.name == entry.name)
         {
-            const std::size_t offset = source.tokens[function.begin].Begin(source.text);
-            const HlslPlace place = PlaceOf(source.text, offset);
+            const HlslPlace place = source.tokens.Place(function.begin);
             throw AssetError(program.file, entry.location,
                              "#pragma " + std::string(StageName(stage)) + ": the function '" +
                                  entry.name + "' is only declared, at " + place.file + ":" +
@@ -126,8 +125,7 @@ StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& functio
     }
     catch (const StageInterfaceError& error)
     {
-        const std::size_t token = function.begin;
-        const HlslPlace place = PlaceOf(source.text, source.tokens[token].Begin(source.text));
+        const HlslPlace place = source.tokens.Place(function.begin);
         throw AssetError(place.file, place.location,
                          std::string(function.name) + ": " + error.message);
     }

@@ -17,8 +17,8 @@ namespace
 
 Diagnostic ErrorAt(const HlslSource& source, std::size_t token, const std::string& message)
 {
-    const std::string_view text = source.tokens[token].text;
-    const HlslPlace place = PlaceOf(source.text, source.tokens[token].Begin(source.text));
+    const std::string_view text = source.tokens.Text(token);
+    const HlslPlace place = source.tokens.Place(token);
     return {Severity::Error, place.file, place.location, "'" + std::string(text) + "': " + message};
 }
 
@@ -27,7 +27,7 @@ std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
 {
     const auto isText = [&](std::size_t index, std::string_view text)
     {
-        return source.tokens[index].text == text;
+        return source.tokens.Text(index) == text;
     };
     std::set<std::string_view> methods;
     for (const HlslStruct& type : source.declarations.structs)
@@ -40,7 +40,7 @@ std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i + 3 < source.tokens.size() && !methods.empty(); ++i)
     {
-        const std::string_view name = source.tokens[i + 2].text;
+        const std::string_view name = source.tokens.Text(i + 2);
         if (isText(i, ")") && isText(i + 1, ".") && isText(i + 3, "(") && methods.count(name) > 0)
         {
             found.push_back(i + 2);
@@ -160,15 +160,15 @@ class StructCounter
 {
 public:
     /// How deep the type does that whose declaration is at hand.
-    std::size_t Take(const std::vector<HlslToken>& tokens, std::size_t index)
+    std::size_t Take(const HlslTokens& tokens, std::size_t index)
     {
         const auto text = [&](std::size_t ahead)
         {
-            return index + ahead < tokens.size() ? tokens[index + ahead].text : std::string_view();
+            return tokens.Text(index + ahead);
         };
         if (text(0) == "struct")
         {
-            m_Next = {tokens[std::min(index + 1, tokens.size() - 1)].text, true, 1};
+            m_Next = {text(1), true, 1};
         }
         else if (text(0) == "typedef" && text(3) == ";")
         {
@@ -187,7 +187,7 @@ public:
         {
             m_Next = {};
         }
-        else if (tokens[index].isWord && (m_Next.isStruct || !m_Open.empty()))
+        else if (tokens.isWord(index) && (m_Next.isStruct || !m_Open.empty()))
         {
             Type& holder = m_Next.isStruct ? m_Next : m_Open.back();
             holder.depth = std::max(holder.depth, DepthOf(text(0)) + 1);
@@ -238,12 +238,11 @@ std::string DescribeDepth(const std::string& most)
 
 } // namespace
 
-void RequireShallow(const std::string& hlsl)
+void RequireShallow(const HlslTokens& tokens)
 {
-    const std::vector<HlslToken> tokens = TokenizeHlsl(hlsl);
     const auto fail = [&](std::size_t token, const std::string& most)
     {
-        const HlslPlace place = PlaceOf(hlsl, tokens[token].Begin(hlsl));
+        const HlslPlace place = tokens.Place(token);
         throw AssetError(place.file, place.location,
                          "HLSL: this is " + DescribeDepth(most) + "; take it apart");
     };
@@ -251,8 +250,7 @@ void RequireShallow(const std::string& hlsl)
     DepthCounter counter;
     for (std::size_t i = 0; i < tokens.size(); ++i)
     {
-        const std::string_view next = i + 1 < tokens.size() ? tokens[i + 1].text : "";
-        if (counter.Take(tokens[i], next) > k_DeepestOperators)
+        if (counter.Take(tokens.all()[i], tokens.Text(i + 1)) > k_DeepestOperators)
         {
             fail(i, std::to_string(k_DeepestBrackets) + " brackets or " +
                         std::to_string(k_DeepestOperators) + " operators");

@@ -13,7 +13,7 @@ namespace limn
 /// themselves for each level, run out of stack.
 ///
 /// @throws AssetError where the text goes too deep
-void RequireShallow(const std::string& hlsl);
+void RequireShallow(const HlslTokens& tokens);
 
 /// Text before it is preprocessed: the line where brackets, around the arguments of macros or in an
 /// `#if`, are nested too deeply for a preprocessor.

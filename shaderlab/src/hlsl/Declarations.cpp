@@ -1,7 +1,8 @@
 #include "hlsl/Declarations.h"
 
+#include "hlsl/Types.h"
+
 #include <algorithm>
-#include <array>
 
 namespace limn
 {
@@ -9,39 +10,12 @@ namespace limn
 namespace
 {
 
-constexpr std::array<std::string_view, 29> k_Modifiers = {
-    "static",     "const",         "uniform",         "extern",
-    "volatile",   "precise",       "shared",          "inline",
-    "row_major",  "column_major",  "nointerpolation", "linear",
-    "centroid",   "noperspective", "sample",          "in",
-    "out",        "inout",         "snorm",           "unorm",
-    "lowp",       "mediump",       "highp",           "groupshared",
-    "point",      "line",          "triangle",        "lineadj",
-    "triangleadj"};
-
-constexpr std::array<std::string_view, 11> k_ObjectTypes = {
-    "Texture", "Sampler", "sampler",           "StructuredBuffer",       "ByteAddressBuffer",
-    "Buffer",  "RW",      "RasterizerOrdered", "AppendStructuredBuffer", "ConsumeStructuredBuffer",
-    "texture"};
-
-bool isModifier(std::string_view word)
-{
-    return std::find(k_Modifiers.begin(), k_Modifiers.end(), word) != k_Modifiers.end();
-}
-
-bool isObjectType(std::string_view type)
-{
-    return std::any_of(k_ObjectTypes.begin(), k_ObjectTypes.end(),
-                       [&](std::string_view start)
-                       { return type.substr(0, start.size()) == start; });
-}
-
 /// Walks the tokens of a file once, declaration by declaration. What it does not understand it
 /// passes over: the compiler behind it judges the code.
 class DeclarationReader
 {
 public:
-    explicit DeclarationReader(const std::vector<HlslToken>& tokens) : m_Tokens(tokens) {}
+    explicit DeclarationReader(const HlslTokens& tokens) : m_Tokens(tokens) {}
 
     HlslDeclarations Read()
     {
@@ -54,24 +28,10 @@ public:
 
 private:
     bool isEnd() const { return m_Index >= m_Tokens.size(); }
-    std::string_view Text(std::size_t ahead = 0) const
-    {
-        return m_Index + ahead < m_Tokens.size() ? m_Tokens[m_Index + ahead].text
-                                                 : std::string_view();
-    }
-    bool isWord() const { return !isEnd() && m_Tokens[m_Index].isWord; }
+    std::string_view Text(std::size_t ahead = 0) const { return m_Tokens.Text(m_Index + ahead); }
+    bool isWord() const { return m_Tokens.isWord(m_Index); }
     /// The source from a token to the one before this.
-    std::string_view Span(std::size_t first) const
-    {
-        const std::size_t end = std::min(m_Index, m_Tokens.size());
-        if (first >= end)
-        {
-            return {};
-        }
-        const char* const begin = m_Tokens[first].text.data();
-        const std::string_view last = m_Tokens[end - 1].text;
-        return {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
-    }
+    std::string_view Span(std::size_t first) const { return m_Tokens.Span(first, m_Index); }
     bool Accept(std::string_view text)
     {
         const bool accepted = Text() == text;
@@ -79,14 +39,15 @@ private:
         return accepted;
     }
 
-    /// From an opening bracket to behind the matching closing one.
-    void SkipBalanced(std::string_view open, std::string_view close)
+    /// From an opening bracket to behind the one that closes it.
+    void SkipBalanced() { m_Index = m_Tokens.AfterBracket(m_Index); }
+    /// From a `<` to behind its `>`.
+    void SkipTemplate()
     {
         int depth = 0;
         do
         {
-            depth += Text() == open ? 1 : 0;
-            depth -= Text() == close ? 1 : 0;
+            depth += Text() == "<" ? 1 : Text() == ">" ? -1 : Text() == ">>" ? -2 : 0;
             ++m_Index;
         } while (depth > 0 && !isEnd());
     }
@@ -97,11 +58,11 @@ private:
         {
             if (Text() == "{")
             {
-                SkipBalanced("{", "}");
+                SkipBalanced();
             }
             else if (Text() == "(")
             {
-                SkipBalanced("(", ")");
+                SkipBalanced();
             }
             else
             {
@@ -117,14 +78,14 @@ private:
         while (Text() == "[")
         {
             const std::size_t first = m_Index;
-            SkipBalanced("[", "]");
+            SkipBalanced();
             attributes.push_back(Span(first));
         }
         if (Text() == "template" && Text(1) == "<")
         {
             m_Result.templates.push_back(m_Index);
             SkipTo("{");
-            SkipBalanced("{", "}");
+            SkipBalanced();
         }
         else if (Text() == "struct" && Text(2) == "{")
         {
@@ -137,11 +98,11 @@ private:
         else if (Accept("typedef"))
         {
             const HlslVariable alias = ReadHead();
-            m_Result.aliases.push_back({alias.name, alias.type});
+            m_Result.aliases.push_back({alias.name, alias.type, alias.templateArgument});
             SkipTo(";");
             Accept(";");
         }
-        else if (Text() == "struct")
+        else if (Text() == "struct" && Text(2) == ";")
         {
             SkipTo(";");
             Accept(";");
@@ -197,7 +158,7 @@ private:
             }
             while (Text() == "[")
             {
-                SkipBalanced("[", "]");
+                SkipBalanced();
             }
             if (SkipUnknownMacro())
             {
@@ -221,12 +182,12 @@ private:
     {
         HlslVariable variable;
         variable.firstToken = m_Index;
-        while (isWord() && isModifier(Text()))
+        while (isWord() && isTypeModifier(Text()))
         {
             variable.modifiers.push_back(Text());
             ++m_Index;
         }
-        if (Text() == "unsigned")
+        if (Text() == "unsigned" || Text() == "struct")
         {
             ++m_Index;
         }
@@ -238,12 +199,12 @@ private:
         if (Text() == "<")
         {
             const std::size_t first = m_Index + 1;
-            SkipBalanced("<", ">");
+            SkipTemplate();
             --m_Index;
             variable.templateArgument = Span(first);
             ++m_Index;
         }
-        while (isWord() && isModifier(Text()))
+        while (isWord() && isTypeModifier(Text()))
         {
             ++m_Index;
         }
@@ -275,7 +236,7 @@ private:
             ++m_Index;
             if (Text() == "(")
             {
-                SkipBalanced("(", ")");
+                SkipBalanced();
             }
             else
             {
@@ -285,11 +246,13 @@ private:
         if (Accept("="))
         {
             const std::size_t first = m_Index;
+            variable.valueToken = first;
             while (!isEnd() && Text() != "," && Text() != ";" && Text() != ")")
             {
                 SkipValue();
             }
             variable.value = Span(first);
+            variable.valueEnd = m_Index;
         }
     }
 
@@ -297,11 +260,11 @@ private:
     {
         if (Text() == "(")
         {
-            SkipBalanced("(", ")");
+            SkipBalanced();
         }
         else if (Text() == "{")
         {
-            SkipBalanced("{", "}");
+            SkipBalanced();
         }
         else
         {
@@ -326,6 +289,7 @@ private:
             variable.dimensions.clear();
             variable.semantic = {};
             variable.value = {};
+            variable.valueToken = 0;
         } while (Accept(","));
         if (Accept(";") && result.size() == known + 1)
         {
@@ -345,7 +309,7 @@ private:
             return false;
         }
         m_Result.unknownMacros.push_back(m_Index++);
-        SkipBalanced("(", ")");
+        SkipBalanced();
         Accept(";");
         return true;
     }
@@ -371,11 +335,11 @@ private:
                                   (variable.Has("const") && !variable.Has("uniform"));
             if (isStatic)
             {
-                m_Result.statics.push_back(variable.name);
                 if (variable.Has("const") && variable.dimensions.empty())
                 {
                     m_Result.constants[std::string(variable.name)] = variable.value;
                 }
+                m_Result.statics.push_back(std::move(variable));
                 continue;
             }
             variable.endToken = m_Index - 1;
@@ -389,6 +353,7 @@ private:
         HlslFunction function;
         function.begin = begin;
         function.returnType = head.type;
+        function.returnArgument = head.templateArgument;
         function.name = head.name;
         Accept("(");
         while (!isEnd() && !Accept(")"))
@@ -410,9 +375,10 @@ private:
             ++m_Index;
         }
         function.hasBody = Text() == "{";
+        function.body = m_Index;
         if (function.hasBody)
         {
-            SkipBalanced("{", "}");
+            SkipBalanced();
         }
         else
         {
@@ -422,7 +388,7 @@ private:
         return function;
     }
 
-    const std::vector<HlslToken>& m_Tokens;
+    const HlslTokens& m_Tokens;
     std::size_t m_Index = 0;
     HlslDeclarations m_Result;
 };
@@ -434,12 +400,20 @@ bool HlslVariable::Has(std::string_view modifier) const
     return std::find(modifiers.begin(), modifiers.end(), modifier) != modifiers.end();
 }
 
-std::string_view HlslDeclarations::ResolveAlias(std::string_view type) const
+std::string_view HlslDeclarations::ResolveAlias(std::string_view type,
+                                                std::string_view* argument) const
 {
     // An alias names what is declared before it, so that one walk backwards resolves chains.
     for (auto alias = aliases.rbegin(); alias != aliases.rend(); ++alias)
     {
-        type = alias->name == type ? alias->type : type;
+        if (alias->name == type)
+        {
+            type = alias->type;
+            if (argument)
+            {
+                *argument = alias->argument;
+            }
+        }
     }
     return type;
 }
@@ -459,7 +433,7 @@ const HlslFunction* HlslDeclarations::FindDefinition(std::string_view name) cons
     return found == functions.end() ? nullptr : &*found;
 }
 
-HlslDeclarations ReadDeclarations(const std::vector<HlslToken>& tokens)
+HlslDeclarations ReadDeclarations(const HlslTokens& tokens)
 {
     return DeclarationReader(tokens).Read();
 }

@@ -19,9 +19,11 @@ struct HlslVariable
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
-    std::string_view value;   ///< behind `=`
-    std::size_t token = 0;    ///< index of the name
-    std::size_t endToken = 0; ///< of a uniform: index of the token that ends its declaration
+    std::string_view value;     ///< behind `=`
+    std::size_t valueToken = 0; ///< the first of it
+    std::size_t valueEnd = 0;   ///< one behind its last
+    std::size_t token = 0;      ///< index of the name
+    std::size_t endToken = 0;   ///< of a uniform: index of the token that ends its declaration
     // Of a declaration with one name at file scope or in a cbuffer: its tokens, `;` included.
     std::size_t firstToken = 0;
     std::size_t lastToken = 0; ///< 0 = the declaration has several names
@@ -33,12 +35,14 @@ struct HlslVariable
 struct HlslFunction
 {
     std::string_view returnType;
+    std::string_view returnArgument; ///< of the template that it is
     std::string_view name;
     std::string_view semantic; ///< of the return value
     std::vector<HlslVariable> parameters;
     std::vector<std::string_view> attributes; ///< each with its brackets
     std::size_t begin = 0;                    ///< first token, attributes included
     std::size_t end = 0;                      ///< one behind the last token
+    std::size_t body = 0;                     ///< its `{`
     bool hasBody = false;
 };
 
@@ -54,6 +58,7 @@ struct HlslAlias
 {
     std::string_view name;
     std::string_view type;
+    std::string_view argument; ///< of the template that it is
 };
 
 /// What preprocessed HLSL declares at file scope. All views point into the source.
@@ -67,16 +72,19 @@ struct HlslDeclarations
     /// Tokens: each name before brackets where a declaration should be, which is a macro unknown.
     std::vector<std::size_t> unknownMacros;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
-    std::vector<std::string_view> statics; ///< names of global variables that are no uniforms
+    std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
     std::vector<std::size_t> templates;    ///< tokens: each `template`
 
     /// The type behind a typedef; other names stay as they are.
-    std::string_view ResolveAlias(std::string_view type) const;
+    ///
+    /// @param argument  gets that of the template that it is; may be null
+    std::string_view ResolveAlias(std::string_view type,
+                                  std::string_view* argument = nullptr) const;
     const HlslStruct* FindStruct(std::string_view name) const;
     const HlslFunction* FindDefinition(std::string_view name) const;
 };
 
-HlslDeclarations ReadDeclarations(const std::vector<HlslToken>& tokens);
+HlslDeclarations ReadDeclarations(const HlslTokens& tokens);
 
 } // namespace limn

@@ -3,93 +3,78 @@
 namespace limn
 {
 
-HlslEditor::HlslEditor(const std::string& text) : m_Text(text), m_Tokens(TokenizeHlsl(text))
+HlslEditor::HlslEditor(const std::string& text)
+    : m_Owned(std::make_unique<const HlslTokens>(text)), m_Tokens(*m_Owned), m_Edit(m_Tokens.size())
 {
-    m_Spelling.reserve(m_Tokens.size());
-    for (const HlslToken& token : m_Tokens)
+}
+
+HlslEditor::HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
+
+std::string& HlslEditor::Spelling(std::size_t index)
+{
+    if (m_Edit[index] == 0)
     {
-        m_Spelling.emplace_back(token.text);
+        m_Spelling.emplace_back(Text(index));
+        m_Edit[index] = static_cast<std::uint32_t>(m_Spelling.size());
     }
+    return m_Spelling[m_Edit[index] - 1];
 }
 
-std::string_view HlslEditor::Text(std::size_t index) const
+std::string HlslEditor::Spelled(std::size_t first, std::size_t end) const
 {
-    return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
-}
-
-bool HlslEditor::isWord(std::size_t index) const
-{
-    return index < m_Tokens.size() && m_Tokens[index].isWord;
-}
-
-std::string_view HlslEditor::Span(std::size_t first, std::size_t end) const
-{
-    if (first >= end)
+    std::string result;
+    for (; first < end; ++first)
     {
-        return {};
+        const std::uint32_t edit = m_Edit[first];
+        result.append(edit == 0 ? Text(first) : m_Spelling[edit - 1]).append(" ");
     }
-    const std::string_view last = m_Tokens[end - 1].text;
-    const std::size_t begin = m_Tokens[first].Begin(m_Text);
-    return std::string_view(m_Text).substr(begin,
-                                           m_Tokens[end - 1].Begin(m_Text) + last.size() - begin);
+    return result;
 }
 
-int HlslEditor::Step(std::size_t index) const
+void HlslEditor::Wrap(std::size_t first, std::size_t end, std::string_view before,
+                      std::string_view after)
 {
-    const std::string_view text = Text(index);
-    return text == "(" || text == "{" || text == "["   ? 1
-           : text == ")" || text == "}" || text == "]" ? -1
-                                                       : 0;
-}
-
-std::size_t HlslEditor::AfterBracket(std::size_t index) const
-{
-    int depth = 0;
-    for (; index < size(); ++index)
-    {
-        depth += Step(index);
-        if (depth <= 0)
-        {
-            return index + 1;
-        }
-    }
-    return index;
-}
-
-std::size_t HlslEditor::FindOutside(std::size_t index, std::string_view mark) const
-{
-    while (index < size() && Text(index) != mark && Step(index) >= 0)
-    {
-        index = Step(index) > 0 ? AfterBracket(index) : index + 1;
-    }
-    return index;
-}
-
-HlslPlace HlslEditor::Place(std::size_t index) const
-{
-    return PlaceOf(m_Text, m_Tokens[index].Begin(m_Text));
+    Spelling(first).insert(0, before);
+    Spelling(end - 1).append(after);
 }
 
 void HlslEditor::Erase(std::size_t first, std::size_t end)
 {
     for (; first < end; ++first)
     {
-        m_Spelling[first].clear();
+        Spelling(first).clear();
     }
 }
 
 std::string HlslEditor::Assemble() const
 {
+    return Assemble(std::vector<bool>(size(), false));
+}
+
+std::string HlslEditor::Assemble(const std::vector<bool>& isLeftOut) const
+{
+    const std::string_view source = m_Tokens.source();
     std::string result;
-    result.reserve(m_Text.size());
+    result.reserve(source.size());
     std::size_t position = 0;
-    for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+    auto inserted = m_Inserted.begin();
+    for (std::size_t i = 0; i < size(); ++i)
     {
-        const std::size_t begin = m_Tokens[i].Begin(m_Text);
-        result.append(m_Text, position, begin - position).append(m_Spelling[i]);
-        position = begin + m_Tokens[i].text.size();
+        const std::string_view text = Text(i);
+        const auto begin = static_cast<std::size_t>(text.data() - source.data());
+        result.append(source.substr(position, begin - position));
+        position = begin + text.size();
+        result.append(i == 0 ? m_Prepended : std::string());
+        if (!isLeftOut[i])
+        {
+            result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
+        }
+        if (inserted != m_Inserted.end() && inserted->first == i)
+        {
+            result.append((inserted++)->second);
+        }
     }
-    return result.append(m_Text, position);
+    return result.append(source.substr(position));
 }
 
 } // namespace limn

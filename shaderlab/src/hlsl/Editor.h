@@ -3,6 +3,10 @@
 #include "hlsl/Tokens.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,33 +21,50 @@ class HlslEditor
 public:
     /// @param text  must outlive this
     explicit HlslEditor(const std::string& text);
+    /// @param tokens  must outlive this
+    explicit HlslEditor(const HlslTokens& tokens);
 
+    const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }
-    /// As written; "" behind the end.
-    std::string_view Text(std::size_t index) const;
-    bool isWord(std::size_t index) const;
-    /// The source from one token to the one before `end`.
-    std::string_view Span(std::size_t first, std::size_t end) const;
-    /// The token after the bracket that closes the one at the index.
-    std::size_t AfterBracket(std::size_t index) const;
-    /// The first of the marks at or after the index that is not in brackets opened after it; where
-    /// a bracket closes that was opened before, that one; else size().
-    std::size_t FindOutside(std::size_t index, std::string_view mark) const;
-    /// Where a token is in the author's file.
-    HlslPlace Place(std::size_t index) const;
+    // As written; see HlslTokens.
+    std::string_view Text(std::size_t index) const { return m_Tokens.Text(index); }
+    bool isWord(std::size_t index) const { return m_Tokens.isWord(index); }
+    int Step(std::size_t index) const { return m_Tokens.Step(index); }
+    std::size_t AfterBracket(std::size_t index) const { return m_Tokens.AfterBracket(index); }
+    std::string_view Span(std::size_t first, std::size_t end) const
+    {
+        return m_Tokens.Span(first, end);
+    }
+    std::size_t FindOutside(std::size_t index, std::string_view mark) const
+    {
+        return m_Tokens.FindOutside(index, mark);
+    }
+    HlslPlace Place(std::size_t index) const { return m_Tokens.Place(index); }
 
     /// What stands in the place of the token.
-    std::string& Spelling(std::size_t index) { return m_Spelling[index]; }
+    std::string& Spelling(std::size_t index);
+    /// What stands in the place of the tokens from one to the one before `end`, blanks between.
+    std::string Spelled(std::size_t first, std::size_t end) const;
+    /// Puts text around what stands in the place of the tokens from one to the one before `end`.
+    void Wrap(std::size_t first, std::size_t end, std::string_view before, std::string_view after);
     void Erase(std::size_t first, std::size_t end);
-    std::string Assemble() const;
+    /// Text behind the token, there even if the token is left out.
+    void Insert(std::size_t index, std::string_view text) { m_Inserted[index] += text; }
 
-    /// +1 for a bracket that opens, -1 for one that closes, else 0.
-    int Step(std::size_t index) const;
+    /// Text before the first token, which may be left out.
+    void Prepend(std::string_view text) { m_Prepended += text; }
+
+    std::string Assemble() const;
+    /// @param isLeftOut  by token; of those only the blanks and what is inserted stay
+    std::string Assemble(const std::vector<bool>& isLeftOut) const;
 
 private:
-    const std::string& m_Text;
-    const std::vector<HlslToken> m_Tokens;
-    std::vector<std::string> m_Spelling; ///< by token
+    std::unique_ptr<const HlslTokens> m_Owned;
+    const HlslTokens& m_Tokens;
+    std::vector<std::uint32_t> m_Edit; ///< by token: one more than its place in m_Spelling, or 0
+    std::deque<std::string> m_Spelling;
+    std::map<std::size_t, std::string> m_Inserted; ///< by token
+    std::string m_Prepended;
 };
 
 } // namespace limn

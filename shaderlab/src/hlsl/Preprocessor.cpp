@@ -54,7 +54,8 @@ void DefineProceduralFunction(std::string& source, const PassProgram& program,
 std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                            std::span<const std::string> keywords)
 {
-    std::string source;
+    // glslang defines it for HLSL too, and whoever asks for it writes GLSL.
+    std::string source = "#undef GL_ARB_gpu_shader5\n";
     for (const auto& [name, value] : k_PredefinedMacros)
     {
         Define(source, name, value);
@@ -206,7 +207,7 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     const bool isRedefined = AllowRedefinitions(diagnostics);
     Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
-    RequireShallow(result);
+    RequireShallow(HlslTokens(result));
     const bool namesStages =
         includer.namesStages() ||
         std::any_of(program.chunks.begin(), program.chunks.end(),

@@ -64,7 +64,7 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
         const bool isOther =
             declarations.FindStruct(uniform.name) ||
             std::any_of(declarations.statics.begin(), declarations.statics.end(),
-                        [&](std::string_view name) { return name == uniform.name; });
+                        [&](const HlslVariable& item) { return item.name == uniform.name; });
         if (isOther && !uniform.isInBuffer)
         {
             repeats.redefinitions.push_back(&uniform);

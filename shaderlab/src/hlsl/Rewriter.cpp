@@ -2,14 +2,17 @@
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "hlsl/Editor.h"
 #include "hlsl/Repeats.h"
+#include "hlsl/Tree.h"
+#include "hlsl/lowering/Lowering.h"
 #include "stages/GeometryEntryWriter.h"
 #include "stages/KernelEntryWriter.h"
 #include "text/Text.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace limn
@@ -18,8 +21,6 @@ namespace limn
 namespace
 {
 
-constexpr std::array<std::string_view, 11> k_Assignments = {
-    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 
 constexpr std::string_view k_StandIn = "[limn_Lacks";
@@ -41,10 +42,14 @@ class Rewriter
 {
 public:
     Rewriter(const HlslSource& source, std::string_view entry)
-        : m_Source(source), m_Tokens(source.tokens)
+        : m_Source(source),
+          m_Tokens(source.tokens),
+          m_Code(source.tokens),
+          m_Lowering(m_Code, source.globals)
     {
         MarkFunctions();
         FindReachable(entry);
+        ReadTrees();
     }
 
     /// What only compute shaders do in limn.
@@ -54,8 +59,7 @@ public:
         {
             if (isWritable(object.type) && isReached(object.name))
             {
-                const std::size_t offset = m_Tokens[object.token].Begin(m_Source.text);
-                const HlslPlace place = PlaceOf(m_Source.text, offset);
+                const HlslPlace place = m_Tokens.Place(object.token);
                 throw UnsupportedProgramError(
                     {Severity::Error, place.file, place.location,
                      "'" + std::string(object.name) + "': a " + std::string(object.type) +
@@ -68,42 +72,75 @@ public:
     /// glslang crashes on them.
     void RefuseBoolMatrices() const
     {
-        ForEachToken(
-            [&](std::size_t i, const HlslStruct*)
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            const std::string_view word = m_Tokens.Text(i);
+            if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x' && !m_IsLeftOut[i])
             {
-                const std::string_view word = Text(i);
-                if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x')
-                {
-                    const HlslPlace place =
-                        PlaceOf(m_Source.text, m_Tokens[i].Begin(m_Source.text));
-                    throw AssetError(place.file, place.location,
-                                     "'" + std::string(word) +
-                                         "': limn has no matrices of bool; use 'float" +
-                                         std::string(word.substr(4)) + "'");
-                }
-            });
+                const HlslPlace place = m_Tokens.Place(i);
+                throw AssetError(place.file, place.location,
+                                 "'" + std::string(word) +
+                                     "': limn has no matrices of bool; use 'float" +
+                                     std::string(word.substr(4)) + "'");
+            }
+        }
     }
 
+    /// Everything that glslang takes for something else.
+    void Lower()
+    {
+        for (const Tree& tree : m_Trees)
+        {
+            m_Lowering.Rename(*tree.resolver, *tree.root);
+            m_Lowering.Lower(*tree.root, tree.variable != nullptr);
+            if (tree.variable && !tree.variable->dimensions.empty())
+            {
+                m_Lowering.LowerInitializer(*tree.root,
+                                            TypeOf(m_Source.declarations, *tree.variable),
+                                            tree.variable->dimensions.front());
+            }
+        }
+        m_Code.Prepend(m_Lowering.functions());
+    }
+
+    /// What the code assigns to is a writable copy; a uniform cannot be.
     void CopyAssignedUniforms()
     {
-        std::map<std::string_view, const HlslVariable*> uniforms;
-        for (const HlslVariable& uniform : m_Source.declarations.uniforms)
+        std::set<const HlslVariable*> written;
+        for (const Tree& tree : m_Trees)
         {
-            uniforms[uniform.name] = &uniform;
+            FindWrittenUniforms(*tree.root, m_Source.tokens, m_Source.globals, written);
         }
-        ForEachToken(
-            [&](std::size_t i, const HlslStruct* owner)
-            {
-                const auto uniform = uniforms.find(m_Tokens[i].text);
-                if (uniform != uniforms.end() && !hasMember(owner, uniform->first) &&
-                    (isAssigned(i) || isOutArgument(i)))
-                {
-                    m_Copied.insert(uniform->second);
-                }
-            });
-        for (const HlslVariable* uniform : m_Copied)
+        for (const HlslVariable* uniform : written)
         {
             Copy(*uniform);
+        }
+    }
+
+    /// What is static and begins with what a function gives is set by the entry function: to
+    /// glslang such a function calls itself.
+    void DelayStaticValues()
+    {
+        std::set<const HlslVariable*> delayed;
+        for (const Tree& tree : m_Trees)
+        {
+            if (!tree.variable || tree.root->kind == HlslNodeKind::List ||
+                !CallsOrNames(*tree.root, delayed))
+            {
+                continue;
+            }
+            const HlslVariable& variable = *tree.variable;
+            delayed.insert(&variable);
+            m_Prologue += std::string(variable.name) + " = " +
+                          m_Code.Spelled(tree.root->first, tree.root->end) + ";\n";
+            m_Code.Erase(tree.root->first - 1, tree.root->end);
+            for (std::size_t i = variable.firstToken; i < variable.token; ++i)
+            {
+                if (m_Tokens.Text(i) == "const")
+                {
+                    m_Code.Spelling(i).clear();
+                }
+            }
         }
     }
 
@@ -112,7 +149,7 @@ public:
     {
         for (const std::size_t token : m_Source.declarations.emptyMembers)
         {
-            m_Renamed[token] = "";
+            m_Code.Spelling(token).clear();
         }
     }
 
@@ -137,11 +174,11 @@ public:
             std::string moved;
             for (std::size_t i = object.firstToken; i <= object.lastToken; ++i)
             {
-                moved.append(" ").append(Text(i));
+                moved.append(" ").append(m_Tokens.Text(i));
             }
             Remove(object);
             const std::size_t end = object.endToken;
-            m_InsertedAfter[Text(end + 1) == ";" ? end + 1 : end] += moved;
+            m_Code.Insert(m_Tokens.Text(end + 1) == ";" ? end + 1 : end, moved);
         }
     }
 
@@ -153,40 +190,45 @@ public:
         {
             for (std::size_t i = function->begin; i < function->end; ++i)
             {
-                const bool isAppend = Text(i) == "Append" && Text(i - 1) == ".";
+                const std::string_view text = m_Tokens.Text(i);
+                const bool isAppend = text == "Append" && m_Tokens.Text(i - 1) == ".";
                 if (isAppend)
                 {
-                    m_InsertedAfter[i + 1] += std::string(k_PackFunction) + "(";
-                    m_Renamed[BehindBracket(i + 1, "(", ")") - 1] = "))";
+                    m_Code.Spelling(i + 1) += std::string(k_PackFunction) + "(";
+                    m_Code.Spelling(m_Tokens.AfterBracket(i + 1) - 1) += ")";
                 }
-                else if (isStream(Text(i)) && Text(i + 1) == "<")
+                else if (isStream(text) && m_Tokens.Text(i + 1) == "<")
                 {
-                    m_Renamed[i + 2] = k_GeometryOutput;
+                    m_Code.Spelling(i + 2) = k_GeometryOutput;
                 }
-                else if (Text(i) == interface.geometry->primitive)
+                else if (text == interface.geometry->primitive)
                 {
-                    m_Renamed[i] = "";
+                    m_Code.Spelling(i).clear();
                 }
-                first = isAppend || isStream(Text(i)) ? std::min(first, function->begin) : first;
+                first = isAppend || isStream(text) ? std::min(first, function->begin) : first;
             }
         }
         if (first > 0)
         {
-            m_InsertedAfter[first - 1] += " " + WriteGeometryTypes(interface, linkage);
+            m_Code.Insert(first - 1, " " + WriteGeometryTypes(interface, linkage));
         }
     }
 
     /// Whether the stage's functions name it.
     bool isReached(std::string_view name) const
     {
-        return std::any_of(m_Reachable.begin(), m_Reachable.end(),
-                           [&](const HlslFunction* item)
-                           {
-                               return std::any_of(m_Tokens.begin() + Offset(item->begin),
-                                                  m_Tokens.begin() + Offset(item->end),
-                                                  [&](const HlslToken& token)
-                                                  { return token.text == name; });
-                           });
+        const auto names = [&](const HlslFunction* function)
+        {
+            for (std::size_t i = function->begin; i < function->end; ++i)
+            {
+                if (m_Tokens.Text(i) == name)
+                {
+                    return true;
+                }
+            }
+            return false;
+        };
+        return std::any_of(m_Reachable.begin(), m_Reachable.end(), names);
     }
 
     /// Takes the marks off, which are no HLSL, and tells what those of reached functions say.
@@ -218,97 +260,31 @@ public:
     }
 
     const std::string& prologue() const { return m_Prologue; }
-
-    /// The source with everything applied. Blanks and directives between tokens stay as they are.
-    std::string Assemble() const
-    {
-        const std::string_view text = m_Source.text;
-        std::string result;
-        result.reserve(text.size());
-        std::size_t position = 0;
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
-        {
-            const std::size_t begin = m_Tokens[i].Begin(text);
-            result.append(text.substr(position, begin - position));
-            position = begin + m_Tokens[i].text.size();
-            const HlslFunction* function = m_FunctionOf[i];
-            if (!function || m_Reachable.count(function) > 0)
-            {
-                const auto renamed = m_Renamed.find(i);
-                result.append(renamed == m_Renamed.end() ? m_Tokens[i].text : renamed->second);
-            }
-            if (const auto inserted = m_InsertedAfter.find(i); inserted != m_InsertedAfter.end())
-            {
-                result.append(inserted->second);
-            }
-        }
-        return result.append(text.substr(position));
-    }
+    std::string Assemble() const { return m_Code.Assemble(m_IsLeftOut); }
 
 private:
+    /// A function's body or a static variable's value.
+    struct Tree
+    {
+        HlslNode* root = nullptr;
+        const HlslVariable* variable = nullptr; ///< null of a body
+        std::unique_ptr<HlslResolver> resolver;
+    };
+
     static bool isWritable(std::string_view type)
     {
-        return type.substr(0, 2) == "RW" || type.substr(0, 17) == "RasterizerOrdered" ||
+        return type.starts_with("RW") || type.starts_with("RasterizerOrdered") ||
                type == "AppendStructuredBuffer" || type == "ConsumeStructuredBuffer";
     }
 
-    /// Calls a function with each token of reached functions and, with their struct, of methods.
-    template <typename F>
-    void ForEachToken(F&& each) const
-    {
-        const auto visit = [&](const HlslFunction& function, const HlslStruct* owner)
-        {
-            for (std::size_t i = function.begin; i < function.end; ++i)
-            {
-                each(i, owner);
-            }
-        };
-        for (const HlslFunction* function : m_Reachable)
-        {
-            visit(*function, nullptr);
-        }
-        for (const HlslStruct& owner : m_Source.declarations.structs)
-        {
-            for (const HlslFunction& method : owner.methods)
-            {
-                visit(method, &owner);
-            }
-        }
-    }
-
-    /// In methods, members hide uniforms.
-    static bool hasMember(const HlslStruct* owner, std::string_view name)
-    {
-        return owner &&
-               std::any_of(owner->members.begin(), owner->members.end(),
-                           [&](const HlslVariable& member) { return member.name == name; });
-    }
-
-    static std::ptrdiff_t Offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
-
     void MarkFunctions()
     {
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
-        {
-            if (const std::string name = AuthorFunctionName(Text(i)); name != Text(i))
-            {
-                m_Renamed[i] = name;
-            }
-        }
         m_FunctionOf.resize(m_Tokens.size(), nullptr);
         for (const HlslFunction& function : m_Source.declarations.functions)
         {
             m_ByName[function.name].push_back(&function);
-            m_Called[function.name].push_back(&function);
-            std::fill(m_FunctionOf.begin() + Offset(function.begin),
-                      m_FunctionOf.begin() + Offset(function.end), &function);
-        }
-        for (const HlslStruct& type : m_Source.declarations.structs)
-        {
-            for (const HlslFunction& method : type.methods)
-            {
-                m_Called[method.name].push_back(&method);
-            }
+            std::fill(m_FunctionOf.begin() + static_cast<std::ptrdiff_t>(function.begin),
+                      m_FunctionOf.begin() + static_cast<std::ptrdiff_t>(function.end), &function);
         }
     }
 
@@ -317,9 +293,19 @@ private:
         Reach(entry);
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
-            if (!m_FunctionOf[i])
+            if (!m_FunctionOf[i] && m_Tokens.isWord(i))
             {
-                Reach(m_Tokens[i].text);
+                Reach(m_Tokens.Text(i));
+            }
+        }
+        m_IsLeftOut.resize(m_Tokens.size());
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            m_IsLeftOut[i] = m_FunctionOf[i] && !m_Reachable.contains(m_FunctionOf[i]);
+            const std::string_view text = m_Tokens.Text(i);
+            if (const std::string name = AuthorFunctionName(text); !m_IsLeftOut[i] && name != text)
+            {
+                m_Code.Spelling(i) = name;
             }
         }
     }
@@ -342,136 +328,117 @@ private:
                 {
                     for (std::size_t i = function->begin; i < function->end; ++i)
                     {
-                        pending.push_back(m_Tokens[i].text);
+                        pending.push_back(m_Tokens.Text(i));
                     }
                 }
             }
         }
     }
 
+    void ReadTrees()
+    {
+        HlslTreeParser parser(m_Tokens, m_Source.declarations, m_Nodes);
+        const auto add = [&](const HlslFunction& function, const HlslStruct* owner)
+        {
+            if (function.hasBody)
+            {
+                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
+                HlslNode* root = parser.ParseBlock(function.body);
+                resolver->ResolveBody(*root, function, owner);
+                m_Trees.push_back({root, nullptr, std::move(resolver)});
+            }
+        };
+        for (const HlslVariable& variable : m_Source.declarations.statics)
+        {
+            if (variable.valueToken > 0)
+            {
+                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
+                HlslNode* root = parser.ParseValue(variable.valueToken, variable.valueEnd);
+                resolver->ResolveValue(*root);
+                m_Trees.push_back({root, &variable, std::move(resolver)});
+            }
+        }
+        for (const HlslFunction& function : m_Source.declarations.functions)
+        {
+            if (m_Reachable.contains(&function))
+            {
+                add(function, nullptr);
+            }
+        }
+        for (const HlslStruct& owner : m_Source.declarations.structs)
+        {
+            for (const HlslFunction& method : owner.methods)
+            {
+                add(method, &owner);
+            }
+        }
+    }
+
+    /// Whether the value calls a function of the author or names one of the variables.
+    bool CallsOrNames(const HlslNode& node, const std::set<const HlslVariable*>& variables) const
+    {
+        const bool isCall = node.kind == HlslNodeKind::Call &&
+                            !m_Source.globals.FindFunctions(m_Tokens.Text(node.token)).empty();
+        if (isCall || (node.kind == HlslNodeKind::Name && variables.contains(node.variable)))
+        {
+            return true;
+        }
+        for (const HlslNode* child = node.child; child; child = child->next)
+        {
+            if (CallsOrNames(*child, variables))
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /// Erases the tokens of `span`, from `token` on.
     void Erase(std::size_t token, std::string_view span)
     {
-        for (; Text(token).data() < span.data() + span.size(); ++token)
+        for (; m_Tokens.Text(token).data() < span.data() + span.size(); ++token)
         {
-            if (Text(token).data() >= span.data())
+            if (m_Tokens.Text(token).data() >= span.data())
             {
-                m_Renamed[token] = "";
+                m_Code.Spelling(token).clear();
             }
         }
     }
 
     void Remove(const HlslVariable& variable)
     {
-        for (std::size_t i = variable.firstToken; i <= variable.lastToken; ++i)
-        {
-            m_Renamed[i] = "";
-        }
-    }
-
-    std::string_view Text(std::size_t index) const
-    {
-        return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
-    }
-
-    bool isAssigned(std::size_t index) const
-    {
-        const std::string_view before = Text(index - 1);
-        const bool isBehindWord =
-            index > 0 && m_Tokens[index - 1].isWord && before != "return" && before != "else";
-        if (before == "." || isBehindWord)
-        {
-            return false; // a member of something else, or the declaration of a local
-        }
-        if (before == "++" || before == "--")
-        {
-            return true;
-        }
-        std::size_t next = index + 1;
-        while (Text(next) == "." || Text(next) == "[")
-        {
-            next = Text(next) == "." ? next + 2 : BehindBracket(next, "[", "]");
-        }
-        const std::string_view mark = Text(next);
-        return mark == "++" || mark == "--" ||
-               std::find(k_Assignments.begin(), k_Assignments.end(), mark) != k_Assignments.end();
-    }
-
-    /// Whether it stands for a parameter that the function called writes to, by itself.
-    bool isOutArgument(std::size_t index) const
-    {
-        std::size_t position = 0;
-        std::size_t open = index;
-        if (Text(index - 1) != "(" && Text(index - 1) != ",")
-        {
-            return false;
-        }
-        for (int depth = 0; open > 0 && depth <= 0;)
-        {
-            const std::string_view text = Text(--open);
-            if (text == ";" || text == "{" || text == "}")
-            {
-                return false;
-            }
-            depth += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
-            position += text == "," && depth == 0 ? 1 : 0;
-        }
-        const auto functions = open > 0 ? m_Called.find(Text(open - 1)) : m_Called.end();
-        return functions != m_Called.end() &&
-               std::any_of(functions->second.begin(), functions->second.end(),
-                           [&](const HlslFunction* function)
-                           {
-                               const auto& parameters = function->parameters;
-                               return position < parameters.size() &&
-                                      (parameters[position].Has("out") ||
-                                       parameters[position].Has("inout"));
-                           });
-    }
-
-    std::size_t BehindBracket(std::size_t index, std::string_view open,
-                              std::string_view close) const
-    {
-        int depth = 0;
-        do
-        {
-            depth += Text(index) == open ? 1 : 0;
-            depth -= Text(index) == close ? 1 : 0;
-            ++index;
-        } while (depth > 0 && index < m_Tokens.size());
-        return index;
+        m_Code.Erase(variable.firstToken, variable.lastToken + 1);
     }
 
     void Copy(const HlslVariable& uniform)
     {
         const std::string copy = "limn_copy" + std::string(uniform.name);
-        std::string& inserted = m_InsertedAfter[uniform.endToken];
-        inserted += " static " + std::string(uniform.type) + " " + copy;
+        std::string declaration = " static " + std::string(uniform.type) + " " + copy;
         for (const std::string_view size : uniform.dimensions)
         {
-            inserted += "[" + std::string(size) + "]";
+            declaration += "[" + std::string(size) + "]";
         }
-        inserted += ";";
+        m_Code.Insert(uniform.endToken, declaration + ";");
         m_Prologue += copy + " = " + std::string(uniform.name) + ";\n";
-        ForEachToken(
-            [&](std::size_t i, const HlslStruct* owner)
+        for (const HlslNode& node : m_Nodes)
+        {
+            if (node.kind == HlslNodeKind::Name && !node.local && node.variable == &uniform)
             {
-                if (Text(i) == uniform.name && Text(i - 1) != "." &&
-                    !hasMember(owner, uniform.name))
-                {
-                    m_Renamed[i] = copy;
-                }
-            });
+                m_Code.Spelling(node.token) = copy;
+            }
+        }
     }
 
     const HlslSource& m_Source;
-    const std::vector<HlslToken>& m_Tokens;
+    const HlslTokens& m_Tokens;
+    HlslEditor m_Code;
+    HlslLowering m_Lowering;
+    HlslNodes m_Nodes;
+    std::vector<Tree> m_Trees;
     std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
+    std::vector<bool> m_IsLeftOut;                 ///< by token: of functions out of reach
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
-    std::map<std::string_view, std::vector<const HlslFunction*>> m_Called; ///< methods as well
     std::set<const HlslFunction*> m_Reachable;
-    std::set<const HlslVariable*> m_Copied;
-    std::map<std::size_t, std::string> m_Renamed;       ///< token index → new text
-    std::map<std::size_t, std::string> m_InsertedAfter; ///< token index → text
     std::string m_Prologue;
 };
 
@@ -479,8 +446,9 @@ private:
 
 HlslSource::HlslSource(std::string preprocessed)
     : text(std::move(preprocessed)),
-      tokens(TokenizeHlsl(text)),
-      declarations(ReadDeclarations(tokens))
+      tokens(text),
+      declarations(ReadDeclarations(tokens)),
+      globals(declarations)
 {
 }
 
@@ -496,6 +464,8 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
+    rewriter.Lower();
+    rewriter.DelayStaticValues();
     if (interface.geometry)
     {
         rewriter.TakeGeometryApart(interface, linkage);
@@ -509,8 +479,7 @@ std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
 {
     const auto fail = [&](const std::string& message)
     {
-        const HlslPlace place =
-            PlaceOf(source.text, source.tokens[kernel.begin].Begin(source.text));
+        const HlslPlace place = source.tokens.Place(kernel.begin);
         throw AssetError(place.file, place.location,
                          "'" + std::string(kernel.name) + "': " + message);
     };
@@ -530,6 +499,8 @@ std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
+    rewriter.Lower();
+    rewriter.DelayStaticValues();
     rewriter.TakeAttributes(kernel);
     return rewriter.Assemble() + WriteKernelEntry(kernel, rewriter.prologue());
 }

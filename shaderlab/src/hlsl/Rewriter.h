@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hlsl/Declarations.h"
+#include "hlsl/Resolver.h"
 #include "stages/EntryPointWriter.h"
 
 #include <memory>
@@ -18,8 +19,9 @@ struct HlslSource
     HlslSource& operator=(const HlslSource&) = delete;
 
     const std::string text;
-    const std::vector<HlslToken> tokens; ///< into text
+    const HlslTokens tokens;             ///< into text
     const HlslDeclarations declarations; ///< into text
+    const HlslGlobals globals;           ///< into declarations
 };
 
 /// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies

@@ -2,6 +2,7 @@
 
 #include "text/Text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -109,6 +110,76 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset)
         line = end + 1;
     }
     return place;
+}
+
+HlslTokens::HlslTokens(std::string_view source)
+    : m_Source(source),
+      m_Tokens(TokenizeHlsl(source)),
+      m_Partner(m_Tokens.size(), static_cast<std::uint32_t>(m_Tokens.size()))
+{
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t i = 0; i < m_Tokens.size(); ++i)
+    {
+        const int step = Step(i);
+        if (step > 0)
+        {
+            open.push_back(i);
+        }
+        else if (step < 0 && !open.empty())
+        {
+            m_Partner[i] = open.back();
+            m_Partner[open.back()] = i;
+            open.pop_back();
+        }
+    }
+}
+
+std::string_view HlslTokens::Span(std::size_t first, std::size_t end) const
+{
+    if (first >= end || first >= size())
+    {
+        return {};
+    }
+    const char* const begin = Text(first).data();
+    const std::string_view last = Text(std::min(end, size()) - 1);
+    return {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
+}
+
+int HlslTokens::Step(std::size_t index) const
+{
+    const std::string_view text = Text(index);
+    const char mark = text.size() == 1 ? text[0] : ' ';
+    const bool isOpen = mark == '(' || mark == '[' || mark == '{';
+    const bool isClose = mark == ')' || mark == ']' || mark == '}';
+    return isOpen ? 1 : isClose ? -1 : 0;
+}
+
+std::size_t HlslTokens::AfterBracket(std::size_t index) const
+{
+    if (Step(index) <= 0)
+    {
+        return std::min(index + 1, size());
+    }
+    return std::min<std::size_t>(m_Partner[index] + std::size_t{1}, size());
+}
+
+std::size_t HlslTokens::MatchingOpen(std::size_t index) const
+{
+    return Step(index) < 0 && m_Partner[index] < index ? m_Partner[index] : index;
+}
+
+std::size_t HlslTokens::FindOutside(std::size_t index, std::string_view mark) const
+{
+    while (index < size() && Text(index) != mark && Step(index) >= 0)
+    {
+        index = AfterBracket(index);
+    }
+    return std::min(index, size());
+}
+
+HlslPlace HlslTokens::Place(std::size_t index) const
+{
+    return PlaceOf(m_Source, m_Tokens[index].Begin(m_Source));
 }
 
 } // namespace limn

@@ -116,6 +116,7 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                  const std::string& shaderFile)
     : m_Options(options)
 {
+    m_ShaderFolder = std::filesystem::path(shaderFile).parent_path();
     const std::filesystem::path file = std::filesystem::absolute(shaderFile);
     for (const std::filesystem::path& folder : options.includeFolders)
     {
@@ -204,6 +205,7 @@ std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string
             candidates.push_back(package->second / include.substr(nameEnd + 1));
         }
     }
+    candidates.push_back(m_ShaderFolder / include); // Unity's compiler looks there as well
     candidates.push_back(m_Options.projectRoot / include);
     if (m_UnityProject)
     {

@@ -36,9 +36,9 @@ std::uint64_t HashLibrary();
 /// Why a file is not included, for a message: what refusal() says, or that there is no such file.
 std::string ReasonNotIncluded(std::string_view name, std::string_view refusal);
 
-/// Finds what #include names, the way Unity does: beside the including file, then from the project
-/// root and its packages, from the Unity project around the shader, and in the built-in library;
-/// names may differ in case. One resolver serves one compilation.
+/// Finds what #include names, the way Unity does: beside the including file, beside the .shader
+/// file, from the project root and its packages, from the Unity project around the shader, and in
+/// the built-in library; names may differ in case. One resolver serves one compilation.
 class IncludeResolver
 {
 public:
@@ -68,6 +68,7 @@ private:
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
 
     const ShaderCompilerOptions& m_Options;
+    std::filesystem::path m_ShaderFolder;
     FileRoots m_Roots;
     std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
     std::vector<IncludeDependency> m_Dependencies;

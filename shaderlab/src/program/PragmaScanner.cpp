@@ -142,17 +142,14 @@ private:
         {
             return;
         }
-        if (name == "vertex")
+        EntryPoint* const entry = name == "vertex"     ? &m_Program.vertex
+                                  : name == "fragment" ? &m_Program.fragment
+                                  : name == "geometry" ? &m_Program.geometry
+                                                       : nullptr;
+        if (entry)
         {
-            m_Program.vertex = {std::string(TakeWord(rest)), m_Location};
-        }
-        else if (name == "fragment")
-        {
-            m_Program.fragment = {std::string(TakeWord(rest)), m_Location};
-        }
-        else if (name == "geometry")
-        {
-            m_Program.geometry = {std::string(TakeWord(rest)), m_Location};
+            const std::string_view function = TakeWord(rest);
+            *entry = {std::string(function.substr(0, function.find(';'))), m_Location};
         }
         else if (name == "target" && TargetNumber(text) > 0)
         {

@@ -2,7 +2,6 @@
 
 #include "hlsl/Declarations.h"
 #include "hlsl/Tokens.h"
-#include "hlsl/rewrites/Rewrites.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
 #include "spirv/HalfPrecision.h"
@@ -198,22 +197,6 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
                      "program: the HLSL compiler makes invalid SPIR-V of it: " + problem.message);
 }
 
-/// The functions that glslang has found no overload of.
-std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
-{
-    constexpr std::string_view k_Reason = "': no matching overloaded function found";
-    std::set<std::string> names;
-    for (const Diagnostic& diagnostic : diagnostics)
-    {
-        const std::size_t reason = diagnostic.message.find(k_Reason);
-        if (reason != std::string::npos && diagnostic.message[0] == '\'')
-        {
-            names.insert(diagnostic.message.substr(1, reason - 1));
-        }
-    }
-    return names;
-}
-
 /// Linking knows no places: a message that begins with a function's name gets the function's.
 [[noreturn]] void ThrowUnlinked(std::string_view log, const std::string& file,
                                 const std::string& hlsl)
@@ -225,7 +208,7 @@ std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
     catch (const AssetError& error)
     {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
-        const std::vector<HlslToken> tokens = TokenizeHlsl(hlsl);
+        const HlslTokens tokens(hlsl);
         const HlslDeclarations declarations = ReadDeclarations(tokens);
         for (Diagnostic& diagnostic : diagnostics)
         {
@@ -236,7 +219,7 @@ std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
                     : nullptr;
             if (function && diagnostic.location.line == 0)
             {
-                const HlslPlace place = PlaceOf(hlsl, tokens[function->begin].Begin(hlsl));
+                const HlslPlace place = tokens.Place(function->begin);
                 diagnostic.file = place.file;
                 diagnostic.location = place.location;
             }
@@ -245,9 +228,11 @@ std::set<std::string> UnmatchedCalls(const std::vector<Diagnostic>& diagnostics)
     }
 }
 
-std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
-                                 const std::string& file, bool halfIs16Bit,
-                                 std::vector<Diagnostic>& warnings)
+} // namespace
+
+std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
+                                      const std::string& file, bool halfIs16Bit,
+                                      std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const char* const text = hlsl.c_str();
@@ -283,33 +268,6 @@ std::vector<std::uint32_t> Build(const std::string& hlsl, ShaderStage stage,
         ThrowInvalid(program, stage, file, *problem);
     }
     return spirv;
-}
-
-} // namespace
-
-std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
-                                      const std::string& file, bool halfIs16Bit,
-                                      std::vector<Diagnostic>& warnings)
-{
-    // glslang stops at the first call that it cannot make.
-    std::set<std::string> unmatched;
-    for (std::string text = hlsl;;)
-    {
-        try
-        {
-            return Build(text, stage, file, halfIs16Bit, warnings);
-        }
-        catch (const AssetError& error)
-        {
-            unmatched.merge(UnmatchedCalls(error.diagnostics()));
-            std::string converted = AddConversions(hlsl, unmatched);
-            if (converted == text)
-            {
-                throw;
-            }
-            text = std::move(converted);
-        }
-    }
 }
 
 } // namespace limn

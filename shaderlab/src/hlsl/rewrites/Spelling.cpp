@@ -67,6 +67,11 @@ private:
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
+        else if (word == "struct" && isWord(index + 1) && Text(index + 2) != "{" &&
+                 Text(index + 2) != ":" && Text(index + 2) != ";")
+        {
+            m_Code.Spelling(index).clear(); // before the name of a type, as in C
+        }
         else if (word == "noise" && Text(index + 1) == "(")
         {
             // The language has a function of this name that no device knows; glslang crashes on it.
@@ -180,11 +185,8 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
     text = SpellEnums(std::move(text));
     text = CopyBaseMembers(std::move(text));
     text = TakeStaticMembers(std::move(text));
-    text = GroupInitializers(std::move(text));
     text = TakeUniformParameters(
         std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});
-    text = HoistLoopVariables(std::move(text));
-    text = SpellMatrices(std::move(text));
     return Speller(text).Spell();
 }
 

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "hlsl/Declarations.h"
+#include "hlsl/Tree.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace limn
+{
+
+/// What is declared at file scope, by name. Views and pointers into the declarations.
+class HlslGlobals
+{
+public:
+    explicit HlslGlobals(const HlslDeclarations& declarations);
+
+    const HlslDeclarations& declarations() const { return m_Declarations; }
+    /// A uniform, object or static variable; null where there is none.
+    const HlslVariable* FindVariable(std::string_view name) const;
+    bool isUniform(const HlslVariable* variable) const;
+    /// All functions of the name, bodies or not.
+    std::span<const HlslFunction* const> FindFunctions(std::string_view name) const;
+    /// Methods of any struct.
+    std::span<const HlslFunction* const> FindMethods(std::string_view name) const;
+
+private:
+    using Functions = std::unordered_map<std::string_view, std::vector<const HlslFunction*>>;
+
+    const HlslDeclarations& m_Declarations;
+    std::unordered_map<std::string_view, const HlslVariable*> m_Variables;
+    Functions m_Functions;
+    Functions m_Methods;
+};
+
+/// Which of the overloads a call with these types means, as the language chooses: the fewest and
+/// least conversions. Null where none takes as many, or where a type that would decide is unknown.
+const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
+                                   std::span<const HlslFunction* const> overloads,
+                                   std::span<const HlslType> arguments);
+
+/// What the names in a tree stand for, and the types of its expressions.
+///
+/// A variable that a `for` declares lives to the end of the block around the loop, as Unity's
+/// compilers have it; the newest of a name is meant.
+class HlslResolver
+{
+public:
+    /// @param tokens   outlive this, as do
+    /// @param globals  the names outside of functions
+    HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals);
+
+    /// @param owner  of a method, else null
+    void ResolveBody(HlslNode& body, const HlslFunction& function, const HlslStruct* owner);
+    /// The value of a global variable.
+    void ResolveValue(HlslNode& value);
+
+    /// Declarators whose names glslang takes for something else, so that they and what stands for
+    /// them need another: of loops, used behind their loop; and of variables whose value names
+    /// another one of the same name.
+    const std::vector<HlslNode*>& renamed() const { return m_Renamed; }
+
+private:
+    struct Entry
+    {
+        HlslNode* local = nullptr;
+        const HlslVariable* variable = nullptr;
+        HlslType type;
+        bool hasEnded = false; ///< the loop that declares it
+    };
+
+    void Open() { m_Scopes.emplace_back(); }
+    void Close();
+    void Declare(std::string_view name, const Entry& entry);
+    void ResolveStatement(HlslNode& node);
+    void ResolveFor(HlslNode& node);
+    void ResolveDeclaration(HlslNode& node);
+    void ResolveChildren(HlslNode& node);
+    void ResolveExpression(HlslNode& node);
+    void ResolveName(HlslNode& node);
+    void Rename(HlslNode& declarator);
+    HlslType CallType(const HlslNode& node, std::span<const HlslType> arguments) const;
+    HlslType MemberType(const HlslType& owner, std::string_view name) const;
+    HlslType BinaryType(const HlslNode& node) const;
+    HlslType ObjectMethodType(const HlslType& object, std::string_view method) const;
+    HlslType ElementType(HlslType type) const;
+
+    const HlslTokens& m_Tokens;
+    const HlslGlobals& m_Globals;
+    std::unordered_map<std::string_view, std::vector<Entry>> m_Names;
+    std::vector<std::vector<std::string_view>> m_Scopes; ///< what each declares
+    std::vector<HlslNode*> m_Renamed;
+};
+
+} // namespace limn

@@ -1,0 +1,390 @@
+#include "hlsl/Types.h"
+
+#include "text/Text.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::pair<std::string_view, HlslScalar> k_Scalars[] = {
+    {"float", HlslScalar::Float},     {"half", HlslScalar::Half},
+    {"int", HlslScalar::Int},         {"uint", HlslScalar::Uint},
+    {"bool", HlslScalar::Bool},       {"min16float", HlslScalar::Half},
+    {"min10float", HlslScalar::Half}, {"min16int", HlslScalar::Int},
+    {"min12int", HlslScalar::Int},    {"min16uint", HlslScalar::Uint},
+    {"double", HlslScalar::Double},   {"dword", HlslScalar::Uint},
+    {"float16_t", HlslScalar::Half},  {"float32_t", HlslScalar::Float},
+};
+
+bool isSize(char c)
+{
+    return c >= '1' && c <= '4';
+}
+
+template <std::size_t N>
+bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Functions of the language by what they give. Those that are not here give what is not known.
+constexpr std::array<std::string_view, 61> k_LikeArguments = {"abs",
+                                                              "acos",
+                                                              "asin",
+                                                              "atan",
+                                                              "atan2",
+                                                              "ceil",
+                                                              "clamp",
+                                                              "cos",
+                                                              "cosh",
+                                                              "ddx",
+                                                              "ddx_coarse",
+                                                              "ddx_fine",
+                                                              "ddy",
+                                                              "ddy_coarse",
+                                                              "ddy_fine",
+                                                              "degrees",
+                                                              "exp",
+                                                              "exp2",
+                                                              "fma",
+                                                              "floor",
+                                                              "fmod",
+                                                              "frac",
+                                                              "frexp",
+                                                              "fwidth",
+                                                              "ldexp",
+                                                              "lerp",
+                                                              "log",
+                                                              "log10",
+                                                              "log2",
+                                                              "mad",
+                                                              "max",
+                                                              "min",
+                                                              "modf",
+                                                              "normalize",
+                                                              "pow",
+                                                              "radians",
+                                                              "rcp",
+                                                              "round",
+                                                              "rsqrt",
+                                                              "saturate",
+                                                              "sin",
+                                                              "sinh",
+                                                              "smoothstep",
+                                                              "sqrt",
+                                                              "step",
+                                                              "tan",
+                                                              "tanh",
+                                                              "trunc",
+                                                              "faceforward",
+                                                              "reflect",
+                                                              "refract",
+                                                              "countbits",
+                                                              "reversebits",
+                                                              "firstbithigh",
+                                                              "firstbitlow",
+                                                              "QuadReadAcrossX",
+                                                              "QuadReadAcrossY",
+                                                              "QuadReadAcrossDiagonal",
+                                                              "WaveReadLaneFirst",
+                                                              "WaveActiveSum",
+                                                              "WaveActiveMax"};
+
+constexpr std::array<std::string_view, 8> k_IntegerLikeArguments = {
+    "abs", "clamp", "countbits", "max", "min", "reversebits", "firstbithigh", "firstbitlow"};
+
+constexpr std::array<std::string_view, 4> k_FloatScalars = {"length", "distance", "dot",
+                                                            "determinant"};
+constexpr std::array<std::string_view, 3> k_Truths = {"isnan", "isinf", "isfinite"};
+constexpr std::array<std::string_view, 2> k_Truth = {"any", "all"};
+
+HlslType PromoteAll(std::span<const HlslType> arguments)
+{
+    HlslType result = arguments.front();
+    for (const HlslType& argument : arguments.subspan(1))
+    {
+        result = Promote(result, argument);
+    }
+    return result;
+}
+
+HlslScalar FloatOf(HlslScalar scalar)
+{
+    return scalar >= HlslScalar::Literal ? scalar : HlslScalar::Float;
+}
+
+/// Rows and columns multiplied away.
+HlslType ProductType(const HlslType& left, const HlslType& right)
+{
+    const HlslScalar scalar = FloatOf(std::max(left.scalar, right.scalar));
+    if (left.isScalar() || right.isScalar())
+    {
+        const HlslType& other = left.isScalar() ? right : left;
+        return other.Of(scalar);
+    }
+    if (left.isVector() && right.isVector())
+    {
+        return HlslType::Number(scalar);
+    }
+    if (left.isVector())
+    {
+        return HlslType::Number(scalar, right.columns);
+    }
+    return right.isVector() ? HlslType::Number(scalar, left.rows)
+                            : HlslType::Number(scalar, right.columns, left.rows);
+}
+
+/// "_m03_m13" or "_14_24": how many elements; 0 of another word.
+int CountElements(std::string_view word)
+{
+    const std::size_t size = word.starts_with("_m") ? 4 : 3;
+    const bool isWhole = !word.empty() && word.size() % size == 0;
+    for (std::size_t i = 0; isWhole && i < word.size(); i += size)
+    {
+        if (word[i] != '_' || !isDigit(word[i + size - 1]) || !isDigit(word[i + size - 2]))
+        {
+            return 0;
+        }
+    }
+    return isWhole ? static_cast<int>(word.size() / size) : 0;
+}
+
+} // namespace
+
+HlslType HlslType::Number(HlslScalar scalar, int columns, int rows)
+{
+    HlslType type;
+    type.kind = Kind::Number;
+    type.scalar = scalar;
+    type.rows = static_cast<std::uint8_t>(rows);
+    type.columns = static_cast<std::uint8_t>(columns);
+    return type;
+}
+
+HlslType HlslType::As(int newColumns, int newRows) const
+{
+    return Number(scalar, newColumns, newRows);
+}
+
+HlslType HlslType::Of(HlslScalar newScalar) const
+{
+    return Number(newScalar, columns, rows);
+}
+
+std::string HlslType::Spelling() const
+{
+    constexpr std::string_view k_Names[] = {"",      "bool",  "int",   "uint",
+                                            "float", "float", "float", "double"};
+    std::string text(k_Names[static_cast<std::size_t>(scalar)]);
+    if (rows > 0)
+    {
+        return text + std::to_string(rows) + "x" + std::to_string(columns);
+    }
+    return columns > 1 ? text + std::to_string(columns) : text;
+}
+
+std::optional<HlslType> NumberType(std::string_view word)
+{
+    if (word == "vector" || word == "matrix")
+    {
+        return HlslType::Number(HlslScalar::Float, 4, word == "matrix" ? 4 : 0);
+    }
+    for (const auto& [name, scalar] : k_Scalars)
+    {
+        if (!word.starts_with(name))
+        {
+            continue;
+        }
+        const std::string_view size = word.substr(name.size());
+        if (size.empty())
+        {
+            return HlslType::Number(scalar);
+        }
+        if (size.size() == 1 && isSize(size[0]))
+        {
+            return HlslType::Number(scalar, size[0] - '0');
+        }
+        if (size.size() == 3 && isSize(size[0]) && size[1] == 'x' && isSize(size[2]))
+        {
+            return HlslType::Number(scalar, size[2] - '0', size[0] - '0');
+        }
+    }
+    return std::nullopt;
+}
+
+bool isObjectType(std::string_view word)
+{
+    constexpr std::array<std::string_view, 14> k_Starts = {"Texture",
+                                                           "Sampler",
+                                                           "sampler",
+                                                           "StructuredBuffer",
+                                                           "ByteAddressBuffer",
+                                                           "Buffer",
+                                                           "RW",
+                                                           "RasterizerOrdered",
+                                                           "AppendStructuredBuffer",
+                                                           "ConsumeStructuredBuffer",
+                                                           "texture",
+                                                           "PointStream",
+                                                           "LineStream",
+                                                           "TriangleStream"};
+    return std::any_of(k_Starts.begin(), k_Starts.end(),
+                       [&](std::string_view start) { return word.starts_with(start); });
+}
+
+bool isTypeModifier(std::string_view word)
+{
+    constexpr std::array<std::string_view, 29> k_Modifiers = {
+        "static",     "const",         "uniform",         "extern",
+        "volatile",   "precise",       "shared",          "inline",
+        "row_major",  "column_major",  "nointerpolation", "linear",
+        "centroid",   "noperspective", "sample",          "in",
+        "out",        "inout",         "snorm",           "unorm",
+        "lowp",       "mediump",       "highp",           "groupshared",
+        "point",      "line",          "triangle",        "lineadj",
+        "triangleadj"};
+    return Contains(k_Modifiers, word);
+}
+
+HlslType Promote(const HlslType& left, const HlslType& right)
+{
+    if (!left.isNumber() || !right.isNumber())
+    {
+        return {};
+    }
+    const HlslScalar scalar = std::max(left.scalar, right.scalar);
+    if (left.isScalar() || right.isScalar())
+    {
+        return (left.isScalar() ? right : left).Of(scalar);
+    }
+    if (left.isMatrix() != right.isMatrix())
+    {
+        return {}; // equal numbers of elements are possible; who needs them writes a cast
+    }
+    return HlslType::Number(scalar, std::min(left.columns, right.columns),
+                            std::min(left.rows, right.rows));
+}
+
+HlslType IntrinsicType(std::string_view name, std::span<const HlslType> arguments)
+{
+    if (name.starts_with("tex"))
+    {
+        constexpr std::string_view k_Starts[] = {"tex1D", "tex2D", "tex3D", "texCUBE"};
+        const bool isSample =
+            std::any_of(std::begin(k_Starts), std::end(k_Starts),
+                        [&](std::string_view start) { return name.starts_with(start); });
+        return isSample ? HlslType::Number(HlslScalar::Float, 4) : HlslType();
+    }
+    if (arguments.empty() || !std::all_of(arguments.begin(), arguments.end(),
+                                          [](const HlslType& type) { return type.isNumber(); }))
+    {
+        return {};
+    }
+    const HlslType& first = arguments.front();
+    if (Contains(k_Truth, name))
+    {
+        return HlslType::Number(HlslScalar::Bool);
+    }
+    if (Contains(k_Truths, name))
+    {
+        return first.Of(HlslScalar::Bool);
+    }
+    if (name == "asint" || name == "asuint" || name == "asfloat" || name == "sign")
+    {
+        return first.Of(name == "asuint"    ? HlslScalar::Uint
+                        : name == "asfloat" ? HlslScalar::Float
+                                            : HlslScalar::Int);
+    }
+    if (name == "f16tof32" || name == "f32tof16")
+    {
+        return first.Of(name == "f16tof32" ? HlslScalar::Float : HlslScalar::Uint);
+    }
+    if (name == "transpose")
+    {
+        return first.isMatrix() ? first.As(first.rows, first.columns) : HlslType();
+    }
+    if (name == "mul" && arguments.size() == 2)
+    {
+        return ProductType(first, arguments[1]);
+    }
+    if (name == "refract")
+    {
+        return PromoteAll(arguments.first(std::min<std::size_t>(arguments.size(), 2)));
+    }
+    const HlslType all = PromoteAll(arguments);
+    if (name == "cross")
+    {
+        return all.isNumber() ? HlslType::Number(FloatOf(all.scalar), 3) : HlslType();
+    }
+    if (Contains(k_FloatScalars, name))
+    {
+        const bool isInteger = name == "dot" && !all.isFloating();
+        return all.isNumber() ? HlslType::Number(isInteger ? all.scalar : FloatOf(all.scalar))
+                              : HlslType();
+    }
+    if (Contains(k_LikeArguments, name) && all.isNumber())
+    {
+        return Contains(k_IntegerLikeArguments, name) ? all : all.Of(FloatOf(all.scalar));
+    }
+    return {};
+}
+
+bool isComponentwise(std::string_view intrinsic)
+{
+    constexpr std::array<std::string_view, 4> k_OfVectors = {"normalize", "faceforward", "reflect",
+                                                             "refract"};
+    return Contains(k_LikeArguments, intrinsic) && !Contains(k_OfVectors, intrinsic);
+}
+
+HlslType MethodType(const HlslType& object, std::string_view method)
+{
+    const bool isTexel =
+        method == "Load" || (method.starts_with("Sample") && !method.starts_with("SampleCmp"));
+    if (object.kind != HlslType::Kind::Object)
+    {
+        return {};
+    }
+    if (method.starts_with("SampleCmp"))
+    {
+        return HlslType::Number(HlslScalar::Float);
+    }
+    if (object.name == "ByteAddressBuffer" || object.name == "RWByteAddressBuffer")
+    {
+        const bool isLoad = method.starts_with("Load") && method.size() <= 5;
+        const int size = method.size() == 5 && isSize(method[4]) ? method[4] - '0' : 1;
+        return isLoad ? HlslType::Number(HlslScalar::Uint, size) : HlslType();
+    }
+    if (!isTexel)
+    {
+        return method.starts_with("Gather") && object.element.empty()
+                   ? HlslType::Number(HlslScalar::Float, 4)
+                   : HlslType();
+    }
+    return object.element.empty() ? HlslType::Number(HlslScalar::Float, 4)
+                                  : NumberType(object.element).value_or(HlslType());
+}
+
+HlslType SwizzleType(const HlslType& type, std::string_view letters)
+{
+    if (!type.isNumber())
+    {
+        return {};
+    }
+    if (type.isMatrix())
+    {
+        const int count = CountElements(letters);
+        return count > 0 && count <= 4 ? type.As(count) : HlslType();
+    }
+    const bool isKnown =
+        letters.size() <= 4 && (letters.find_first_not_of("xyzw") == letters.npos ||
+                                letters.find_first_not_of("rgba") == letters.npos);
+    return isKnown ? type.As(static_cast<int>(letters.size())) : HlslType();
+}
+
+} // namespace limn

@@ -1,0 +1,77 @@
+#include "hlsl/lowering/Lowering.h"
+
+#include <vector>
+
+namespace limn
+{
+
+void HlslLowering::LowerCall(HlslNode& node)
+{
+    const std::string_view name = Text(node.token);
+    const bool isMethod = node.kind == HlslNodeKind::Method;
+    HlslNode* const first = isMethod ? node.child->next : node.child;
+    auto functions =
+        isMethod ? std::span<const HlslFunction* const>() : m_Globals.FindFunctions(name);
+    functions = functions.empty() ? m_Globals.FindMethods(name) : functions;
+    if (functions.empty())
+    {
+        if ((name == "any" || name == "all") && first)
+        {
+            LowerTruth(node);
+        }
+        else if (!isMethod)
+        {
+            LowerMatrixFunction(node);
+        }
+        return;
+    }
+    std::vector<HlslType> types;
+    for (const HlslNode* argument = first; argument; argument = argument->next)
+    {
+        types.push_back(argument->type);
+    }
+    const HlslFunction* function = ChooseOverload(m_Globals.declarations(), functions, types);
+    std::size_t index = 0;
+    for (HlslNode* argument = first; argument && function; argument = argument->next)
+    {
+        LowerArgument(*argument, function->parameters[index++]);
+    }
+}
+
+/// Of numbers, and of one value only, `any` and `all` ask whether they are not 0.
+void HlslLowering::LowerTruth(HlslNode& node)
+{
+    const HlslType& given = node.child->type;
+    if (given.isScalar())
+    {
+        m_Code.Spelling(node.token) = "(bool)";
+    }
+    else if (given.isVector() && given.scalar != HlslScalar::Bool)
+    {
+        Wrap(*node.child, "(" + given.Of(HlslScalar::Bool).Spelling() + ")(", ")");
+    }
+}
+
+/// The language cuts what is larger than the parameter; glslang only from vector to vector.
+void HlslLowering::LowerArgument(HlslNode& argument, const HlslVariable& parameter)
+{
+    const HlslType wanted = TypeOf(m_Globals.declarations(), parameter);
+    const HlslType& given = argument.type;
+    if (!wanted.isNumber() || !given.isNumber() || parameter.Has("out") || parameter.Has("inout"))
+    {
+        return;
+    }
+    const bool isCut = wanted.isScalar() && !given.isScalar();
+    const bool isOther = wanted.isMatrix() && given.isMatrix() &&
+                         (wanted.rows != given.rows || wanted.columns != given.columns);
+    if (isCut || (isOther && given.isFloating()))
+    {
+        Wrap(argument, "(" + wanted.Spelling() + ")(", ")");
+    }
+    else if (isOther || (wanted.isMatrix() && given.isScalar()))
+    {
+        Wrap(argument, CastFunction(wanted) + "(", ")");
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hlsl/Editor.h"
+#include "hlsl/Resolver.h"
+#include "hlsl/Tree.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace limn
+{
+
+/// Spells what Unity's compilers take and glslang does not, or takes for something else, another
+/// way: in resolved trees, by the types of their expressions. What has no known type stays.
+class HlslLowering
+{
+public:
+    /// @param code     gets the edits
+    /// @param globals  outlive this
+    HlslLowering(HlslEditor& code, const HlslGlobals& globals);
+
+    /// A function's body, or a global variable's value.
+    ///
+    /// @param isInitial  in the value of something static, where glslang crashes on calls
+    void Lower(HlslNode& node, bool isInitial);
+    /// Gives a declared variable and what stands for it a name of its own.
+    void Rename(const HlslResolver& resolver, HlslNode& root);
+    /// The value of `type name[] = { … }` at file scope.
+    void LowerInitializer(HlslNode& value, const HlslType& type, std::string_view dimension);
+
+    /// Declarations of the functions that the edits call; they belong before all code.
+    const std::string& functions() const { return m_Functions; }
+
+private:
+    std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
+    void Wrap(const HlslNode& node, std::string_view before, std::string_view after);
+    /// Writes a function that is called by the edits, once.
+    void Need(const std::string& text);
+
+    void LowerNode(HlslNode& node, bool isInitial);
+    // Loops.cpp
+    void Hoist(const HlslNode& loop);
+    // Matrices.cpp
+    void LowerCast(HlslNode& node, bool isInitial);
+    void LowerConstruct(HlslNode& node, bool isInitial);
+    void LowerSwizzle(HlslNode& node, bool isInitial);
+    void LowerMatrixOperator(HlslNode& node);
+    void LowerMatrixFunction(HlslNode& node);
+    std::string CastFunction(const HlslType& type);
+    // Calls.cpp
+    void LowerCall(HlslNode& node);
+    void LowerTruth(HlslNode& node);
+    void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
+    // Initializers.cpp
+    void LowerDeclarator(HlslNode& node);
+    void SplitItem(HlslNode& item, int components);
+
+    HlslEditor& m_Code;
+    const HlslGlobals& m_Globals;
+    std::set<std::string> m_Known;
+    std::string m_Functions;
+};
+
+/// The uniforms that a resolved tree writes to: assigns to, in whole or in part, or hands to a
+/// parameter that a function gives something back by.
+void FindWrittenUniforms(const HlslNode& root, const HlslTokens& tokens, const HlslGlobals& globals,
+                         std::set<const HlslVariable*>& written);
+
+} // namespace limn
