@@ -14,22 +14,6 @@
 #define fixed3x4 float3x4
 #define fixed4x3 float4x3
 #define fixed4x4 float4x4
-#define sampler2D_half sampler2D
-#define sampler2D_float sampler2D
-#define sampler3D_half sampler3D
-#define sampler3D_float sampler3D
-#define samplerCUBE_half samplerCUBE
-#define samplerCUBE_float samplerCUBE
-#define Texture2D_half Texture2D
-#define Texture2D_float Texture2D
-#define Texture2DArray_half Texture2DArray
-#define Texture2DArray_float Texture2DArray
-#define Texture3D_half Texture3D
-#define Texture3D_float Texture3D
-#define TextureCube_half TextureCube
-#define TextureCube_float TextureCube
-#define TextureCubeArray_half TextureCubeArray
-#define TextureCubeArray_float TextureCubeArray
 
 #define UNITY_SEPARATE_TEXTURE_SAMPLER 1
 #define UNITY_ATTEN_CHANNEL r

@@ -2,27 +2,23 @@
 // (k_PredefinedMacros).
 #pragma once
 
-// As on Unity's desktop targets, half is float. Macros rather than the compiler's own half, which
-// marks values as low precision and lets a driver compute them with fewer bits. With
-// ShaderCompilerOptions::halfIs16Bit what is marked becomes 16 bits; matrices do not.
-#if defined(LIMN_REAL_HALF)
-#define half min16float
-#define half1 min16float1
-#define half2 min16float2
-#define half3 min16float3
-#define half4 min16float4
-#else
-#define half float
-#define half1 float1
-#define half2 float2
-#define half3 float3
-#define half4 float4
-#endif
-#define half2x2 float2x2
-#define half3x3 float3x3
-#define half3x4 float3x4
-#define half4x3 float4x3
-#define half4x4 float4x4
+// Unity's compilers know textures and samplers by their precision too.
+#define sampler2D_half sampler2D
+#define sampler2D_float sampler2D
+#define sampler3D_half sampler3D
+#define sampler3D_float sampler3D
+#define samplerCUBE_half samplerCUBE
+#define samplerCUBE_float samplerCUBE
+#define Texture2D_half Texture2D
+#define Texture2D_float Texture2D
+#define Texture2DArray_half Texture2DArray
+#define Texture2DArray_float Texture2DArray
+#define Texture3D_half Texture3D
+#define Texture3D_float Texture3D
+#define TextureCube_half TextureCube
+#define TextureCube_float TextureCube
+#define TextureCubeArray_half TextureCubeArray
+#define TextureCubeArray_float TextureCubeArray
 
 // limn::DrawConstants; the generated entry functions read them.
 [[vk::push_constant]] cbuffer limn_PushConstants

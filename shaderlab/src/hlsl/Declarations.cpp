@@ -355,6 +355,7 @@ private:
         function.returnType = head.type;
         function.returnArgument = head.templateArgument;
         function.name = head.name;
+        function.token = head.token;
         Accept("(");
         while (!isEnd() && !Accept(")"))
         {

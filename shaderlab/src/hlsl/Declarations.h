@@ -40,6 +40,7 @@ struct HlslFunction
     std::string_view semantic; ///< of the return value
     std::vector<HlslVariable> parameters;
     std::vector<std::string_view> attributes; ///< each with its brackets
+    std::size_t token = 0;                    ///< index of the name
     std::size_t begin = 0;                    ///< first token, attributes included
     std::size_t end = 0;                      ///< one behind the last token
     std::size_t body = 0;                     ///< its `{`

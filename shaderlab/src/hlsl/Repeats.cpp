@@ -1,5 +1,7 @@
 #include "hlsl/Repeats.h"
 
+#include "hlsl/Types.h"
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -9,9 +11,17 @@ namespace limn
 namespace
 {
 
+/// half is float.
+bool isSameType(std::string_view a, std::string_view b)
+{
+    const auto first = NumberType(a);
+    const auto second = NumberType(b);
+    return a == b || (first && second && first->Spelling() == second->Spelling());
+}
+
 bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
 {
-    return a.type == b.type && a.templateArgument == b.templateArgument &&
+    return isSameType(a.type, b.type) && a.templateArgument == b.templateArgument &&
            a.dimensions == b.dimensions;
 }
 

@@ -40,6 +40,21 @@ std::optional<int> Distance(const HlslType& from, const HlslType& to)
     return distance;
 }
 
+/// half counting as float.
+bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
+{
+    const auto isSame = [](const HlslVariable& left, const HlslVariable& right)
+    {
+        const auto first = NumberType(left.type);
+        const auto second = NumberType(right.type);
+        return left.dimensions.size() == right.dimensions.size() &&
+               (left.type == right.type ||
+                (first && second && first->Spelling() == second->Spelling()));
+    };
+    return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                      b.parameters.end(), isSame);
+}
+
 } // namespace
 
 HlslGlobals::HlslGlobals(const HlslDeclarations& declarations) : m_Declarations(declarations)
@@ -62,6 +77,46 @@ HlslGlobals::HlslGlobals(const HlslDeclarations& declarations) : m_Declarations(
             m_Methods[method.name].push_back(&method);
         }
     }
+    for (const auto& [name, overloads] : m_Functions)
+    {
+        if (overloads.size() > 1)
+        {
+            TellHalfApart(overloads);
+        }
+    }
+}
+
+void HlslGlobals::TellHalfApart(std::span<const HlslFunction* const> overloads)
+{
+    const auto halves = [](const HlslFunction& function)
+    {
+        std::string text;
+        for (const HlslVariable& parameter : function.parameters)
+        {
+            const auto type = NumberType(parameter.type);
+            text += type && type->scalar == HlslScalar::Half ? 'h' : 'f';
+        }
+        return text;
+    };
+    for (const HlslFunction* function : overloads)
+    {
+        const std::string own = halves(*function);
+        const auto isOther = [&](const HlslFunction* other)
+        {
+            return halves(*other) != own && hasSameParameters(*function, *other) &&
+                   std::ranges::count(halves(*other), 'h') < std::ranges::count(own, 'h');
+        };
+        if (std::any_of(overloads.begin(), overloads.end(), isOther))
+        {
+            m_Spellings[function] = "limn_" + own + "_" + std::string(function->name);
+        }
+    }
+}
+
+const std::string* HlslGlobals::FindSpelling(const HlslFunction& function) const
+{
+    const auto found = m_Spellings.find(&function);
+    return found == m_Spellings.end() ? nullptr : &found->second;
 }
 
 const HlslVariable* HlslGlobals::FindVariable(std::string_view name) const

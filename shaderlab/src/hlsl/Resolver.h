@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -27,13 +28,20 @@ public:
     /// Methods of any struct.
     std::span<const HlslFunction* const> FindMethods(std::string_view name) const;
 
+    /// What an overload is called that differs from another one in half for float only, which
+    /// glslang takes for a second definition; null of others.
+    const std::string* FindSpelling(const HlslFunction& function) const;
+
 private:
+    void TellHalfApart(std::span<const HlslFunction* const> overloads);
+
     using Functions = std::unordered_map<std::string_view, std::vector<const HlslFunction*>>;
 
     const HlslDeclarations& m_Declarations;
     std::unordered_map<std::string_view, const HlslVariable*> m_Variables;
     Functions m_Functions;
     Functions m_Methods;
+    std::unordered_map<const HlslFunction*, std::string> m_Spellings;
 };
 
 /// Which of the overloads a call with these types means, as the language chooses: the fewest and

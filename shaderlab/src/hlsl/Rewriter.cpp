@@ -92,12 +92,19 @@ public:
         for (const Tree& tree : m_Trees)
         {
             m_Lowering.Rename(*tree.resolver, *tree.root);
-            m_Lowering.Lower(*tree.root, tree.variable != nullptr);
+            m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
             if (tree.variable && !tree.variable->dimensions.empty())
             {
                 m_Lowering.LowerInitializer(*tree.root,
                                             TypeOf(m_Source.declarations, *tree.variable),
                                             tree.variable->dimensions.front());
+            }
+        }
+        for (const HlslFunction& function : m_Source.declarations.functions)
+        {
+            if (const std::string* spelling = m_Source.globals.FindSpelling(function))
+            {
+                m_Code.Spelling(function.token) = *spelling;
             }
         }
         m_Code.Prepend(m_Lowering.functions());
@@ -119,18 +126,28 @@ public:
 
     /// What is static and begins with what a function gives is set by the entry function: to
     /// glslang such a function calls itself.
-    void DelayStaticValues()
+    void FindDelayedStatics()
     {
-        std::set<const HlslVariable*> delayed;
         for (const Tree& tree : m_Trees)
         {
-            if (!tree.variable || tree.root->kind == HlslNodeKind::List ||
-                !CallsOrNames(*tree.root, delayed))
+            if (tree.variable && tree.root->kind != HlslNodeKind::List &&
+                CallsOrNames(*tree.root, m_Delayed))
+            {
+                m_Delayed.insert(tree.variable);
+            }
+        }
+    }
+
+    /// @pre Lower(): the values move as they are spelled by then.
+    void DelayStatics()
+    {
+        for (const Tree& tree : m_Trees)
+        {
+            if (!m_Delayed.contains(tree.variable))
             {
                 continue;
             }
             const HlslVariable& variable = *tree.variable;
-            delayed.insert(&variable);
             m_Prologue += std::string(variable.name) + " = " +
                           m_Code.Spelled(tree.root->first, tree.root->end) + ";\n";
             m_Code.Erase(tree.root->first - 1, tree.root->end);
@@ -439,6 +456,7 @@ private:
     std::vector<bool> m_IsLeftOut;                 ///< by token: of functions out of reach
     std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
     std::set<const HlslFunction*> m_Reachable;
+    std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
     std::string m_Prologue;
 };
 
@@ -464,8 +482,9 @@ std::string RewriteStage(const HlslSource& source, ShaderStage stage,
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
+    rewriter.FindDelayedStatics();
     rewriter.Lower();
-    rewriter.DelayStaticValues();
+    rewriter.DelayStatics();
     if (interface.geometry)
     {
         rewriter.TakeGeometryApart(interface, linkage);
@@ -499,8 +518,9 @@ std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
     rewriter.RemoveRepeatedDeclarations();
     rewriter.MoveObjectsOutOfBuffers();
     rewriter.CopyAssignedUniforms();
+    rewriter.FindDelayedStatics();
     rewriter.Lower();
-    rewriter.DelayStaticValues();
+    rewriter.DelayStatics();
     rewriter.TakeAttributes(kernel);
     return rewriter.Assemble() + WriteKernelEntry(kernel, rewriter.prologue());
 }

@@ -21,4 +21,10 @@ EShLanguage GlslangStage(ShaderStage stage);
 /// blocks).
 void SetEnvironment(glslang::TShader& shader, ShaderStage stage);
 
+/// Definitions that come before a program, no lines of it: what `half` is. As on Unity's desktop
+/// targets it is float. Macros rather than the compiler's own half, which marks values as low
+/// precision and lets a driver compute them with fewer bits; with 16 bits that is what is wanted,
+/// and matrices stay float.
+const char* HalfPreamble(bool halfIs16Bit);
+
 } // namespace limn

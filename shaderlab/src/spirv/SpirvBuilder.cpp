@@ -241,6 +241,7 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     glslang::TShader shader(GlslangStage(stage));
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
     SetEnvironment(shader, stage);
+    shader.setPreamble(HalfPreamble(halfIs16Bit));
     shader.setEntryPoint("main");
     shader.setSourceEntryPoint(std::string(k_EntryName).c_str());
     shader.setAutoMapBindings(true);

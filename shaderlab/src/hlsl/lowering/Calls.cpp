@@ -31,6 +31,10 @@ void HlslLowering::LowerCall(HlslNode& node)
         types.push_back(argument->type);
     }
     const HlslFunction* function = ChooseOverload(m_Globals.declarations(), functions, types);
+    if (const std::string* spelling = function ? m_Globals.FindSpelling(*function) : nullptr)
+    {
+        m_Code.Spelling(node.token) = *spelling;
+    }
     std::size_t index = 0;
     for (HlslNode* argument = first; argument && function; argument = argument->next)
     {
@@ -68,7 +72,7 @@ void HlslLowering::LowerArgument(HlslNode& argument, const HlslVariable& paramet
     {
         Wrap(argument, "(" + wanted.Spelling() + ")(", ")");
     }
-    else if (isOther || (wanted.isMatrix() && given.isScalar()))
+    else if (!m_IsInitial && (isOther || (wanted.isMatrix() && given.isScalar())))
     {
         Wrap(argument, CastFunction(wanted) + "(", ")");
     }

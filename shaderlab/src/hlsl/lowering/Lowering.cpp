@@ -29,23 +29,25 @@ void HlslLowering::Lower(HlslNode& node, bool isInitial)
     {
         Lower(*child, isInitial || isStatic);
     }
-    LowerNode(node, isInitial || isStatic);
+    m_IsInitial = isInitial || isStatic;
+    LowerNode(node);
 }
 
-void HlslLowering::LowerNode(HlslNode& node, bool isInitial)
+void HlslLowering::LowerNode(HlslNode& node)
 {
     switch (node.kind)
     {
     case HlslNodeKind::Cast:
-        LowerCast(node, isInitial);
+        LowerCast(node);
         break;
     case HlslNodeKind::Construct:
-        LowerConstruct(node, isInitial);
+        LowerConstruct(node);
         break;
     case HlslNodeKind::Member:
-        LowerSwizzle(node, isInitial);
+        LowerSwizzle(node);
         break;
     case HlslNodeKind::Binary:
+    case HlslNodeKind::Assign:
         LowerMatrixOperator(node);
         break;
     case HlslNodeKind::Prefix:

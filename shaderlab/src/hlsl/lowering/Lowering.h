@@ -38,15 +38,16 @@ private:
     /// Writes a function that is called by the edits, once.
     void Need(const std::string& text);
 
-    void LowerNode(HlslNode& node, bool isInitial);
+    void LowerNode(HlslNode& node);
     // Loops.cpp
     void Hoist(const HlslNode& loop);
     // Matrices.cpp
-    void LowerCast(HlslNode& node, bool isInitial);
-    void LowerConstruct(HlslNode& node, bool isInitial);
-    void LowerSwizzle(HlslNode& node, bool isInitial);
+    void LowerCast(HlslNode& node);
+    void LowerConstruct(HlslNode& node);
+    void LowerSwizzle(HlslNode& node);
     void LowerMatrixOperator(HlslNode& node);
     void LowerMatrixFunction(HlslNode& node);
+    std::string MultiplyFunction(const HlslType& type);
     std::string CastFunction(const HlslType& type);
     // Calls.cpp
     void LowerCall(HlslNode& node);
@@ -58,6 +59,7 @@ private:
 
     HlslEditor& m_Code;
     const HlslGlobals& m_Globals;
+    bool m_IsInitial = false; ///< in the value of something static, where no call may stand
     std::set<std::string> m_Known;
     std::string m_Functions;
 };

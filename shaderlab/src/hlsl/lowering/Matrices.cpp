@@ -99,7 +99,7 @@ std::string HlslLowering::CastFunction(const HlslType& type)
 }
 
 /// Of an integer cast to a matrix glslang takes the bits for floats.
-void HlslLowering::LowerCast(HlslNode& node, bool isInitial)
+void HlslLowering::LowerCast(HlslNode& node)
 {
     if (!node.type.isMatrix() || !node.child ||
         (node.child->type.isMatrix() && node.child->type.isFloating()))
@@ -107,7 +107,7 @@ void HlslLowering::LowerCast(HlslNode& node, bool isInitial)
         return;
     }
     const std::size_t operand = node.child->first;
-    if (!isInitial)
+    if (!m_IsInitial)
     {
         m_Code.Erase(node.first, operand);
         // The preprocessor leaves no blank between `return` and a bracket.
@@ -121,13 +121,13 @@ void HlslLowering::LowerCast(HlslNode& node, bool isInitial)
 }
 
 /// A cast as a constructor: with several values it is one as glslang knows it.
-void HlslLowering::LowerConstruct(HlslNode& node, bool isInitial)
+void HlslLowering::LowerConstruct(HlslNode& node)
 {
     if (!node.type.isMatrix() || node.CountChildren() != 1)
     {
         return;
     }
-    if (!isInitial)
+    if (!m_IsInitial)
     {
         const std::size_t open = m_Code.FindOutside(node.first, "(");
         m_Code.Erase(node.first, open);
@@ -140,7 +140,7 @@ void HlslLowering::LowerConstruct(HlslNode& node, bool isInitial)
 }
 
 /// What glslang makes of several elements of a matrix is not valid SPIR-V.
-void HlslLowering::LowerSwizzle(HlslNode& node, bool isInitial)
+void HlslLowering::LowerSwizzle(HlslNode& node)
 {
     const HlslType& matrix = node.child->type;
     if (!matrix.isMatrix() || node.type.isScalar() || !node.type.isNumber() || isTarget(node))
@@ -150,7 +150,7 @@ void HlslLowering::LowerSwizzle(HlslNode& node, bool isInitial)
     const std::string_view letters = Text(node.token);
     const std::vector<std::string_view> elements = MatrixElements(letters);
     const std::size_t dot = node.token - 1;
-    if (!isInitial)
+    if (!m_IsInitial)
     {
         const std::string function = "limn" + std::string(letters);
         Need(WriteSwizzle(matrix, node.type, elements, function));
@@ -168,35 +168,58 @@ void HlslLowering::LowerSwizzle(HlslNode& node, bool isInitial)
     m_Code.Spelling(node.first) = node.type.Spelling() + "(" + values + ")";
 }
 
-/// Of matrices of two sizes both count as far as the smaller goes.
+/// Of matrices of two sizes both count as far as the smaller goes, and `*` is of their elements: to
+/// glslang it is their product.
 void HlslLowering::LowerMatrixOperator(HlslNode& node)
 {
-    if (!node.child->next || Text(node.token) == ",")
+    HlslNode* const left = node.child;
+    HlslNode* const right = left->next;
+    const std::string_view text = Text(node.token);
+    if (!right || !left->type.isMatrix() || !right->type.isMatrix() || text == ",")
     {
         return;
     }
-    const HlslType& left = node.child->type;
-    const HlslType& right = node.child->next->type;
-    if (!left.isMatrix() || !right.isMatrix())
+    const bool isAssignment = node.kind == HlslNodeKind::Assign;
+    const HlslType type =
+        isAssignment ? left->type
+                     : left->type.As(std::min(left->type.columns, right->type.columns),
+                                     std::min(left->type.rows, right->type.rows));
+    for (HlslNode* operand : {left, right})
     {
-        return;
-    }
-    const int rows = std::min(left.rows, right.rows);
-    const int columns = std::min(left.columns, right.columns);
-    for (HlslNode* operand : {node.child, node.child->next})
-    {
-        if (operand->type.rows != rows || operand->type.columns != columns)
+        if (operand->type.rows != type.rows || operand->type.columns != type.columns)
         {
-            Wrap(*operand, "(" + operand->type.As(columns, rows).Spelling() + ")(", ")");
+            Wrap(*operand, "(" + type.Of(operand->type.scalar).Spelling() + ")(", ")");
         }
     }
+    if (m_IsInitial || (text != "*" && text != "*="))
+    {
+        return;
+    }
+    const std::string function = MultiplyFunction(type.Of(HlslScalar::Float));
+    const std::string before = isAssignment ? m_Code.Spelled(left->first, left->end) + "= " : "";
+    m_Code.Spelling(node.token) = ",";
+    Wrap(node, before + function + "(", ")");
+}
+
+std::string HlslLowering::MultiplyFunction(const HlslType& type)
+{
+    std::string rows;
+    for (int row = 0; row < type.rows; ++row)
+    {
+        const std::string index = "[" + std::to_string(row) + "]";
+        rows += (row > 0 ? ", a" : "a") + index + " * b" + index;
+    }
+    const std::string name = type.Spelling();
+    Need(name + " limn_multiply(" + name + " a, " + name + " b) { return " + name + "(" + rows +
+         "); } ");
+    return "limn_multiply";
 }
 
 /// What works on each element of a matrix has no SPIR-V: it is called for each row.
 void HlslLowering::LowerMatrixFunction(HlslNode& node)
 {
     const std::string_view name = Text(node.token);
-    if (!node.type.isMatrix() || !isComponentwise(name))
+    if (m_IsInitial || !node.type.isMatrix() || !isComponentwise(name))
     {
         return;
     }

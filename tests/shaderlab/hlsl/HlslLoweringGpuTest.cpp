@@ -1,0 +1,157 @@
+#include "DialectGpuSupport.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Values of what function bodies are lowered to by their types (shaderlab/src/hlsl/lowering), each
+// against what the language says of it.
+
+namespace limn::test
+{
+
+namespace
+{
+
+/// A formula that looks at a only.
+Oracle OfA(std::function<Values(const glm::dvec4&)> formula)
+{
+    return [formula = std::move(formula)](const glm::dvec4& a, auto&, auto&)
+    {
+        return formula(a);
+    };
+}
+
+} // namespace
+
+TEST_F(HlslDialectValues, ConditionsAreNumbersCutToIntegers)
+{
+    FunctionGrid grid(R"(
+        float Pick(float x)
+        {
+            switch (x * 2) { case 0: return 10; case 1: { x = 20; break; } default: x = 30; }
+            return x;
+        })");
+    // Whatever is cut off is cut towards 0.
+    grid.Add("Pick(a.x)", Combine({-0.4, 0.0, 0.3, 0.5, 0.9, 1.5}),
+             OfA(
+                 [](const glm::dvec4& a)
+                 {
+                     const int cut = static_cast<int>(a.x * 2);
+                     return cut == 0 ? 10.0 : cut == 1 ? 20.0 : 30.0;
+                 }));
+    grid.Add("any(step(0.5, a.xy)) ? 1 : 0", k_Inputs,
+             OfA([](const glm::dvec4& a) { return a.x >= 0.5 || a.y >= 0.5 ? 1.0 : 0.0; }));
+    grid.Add("all(a.xy * a.xy) ? 1 : 0", k_Inputs,
+             OfA([](const glm::dvec4& a) { return a.x != 0.0 && a.y != 0.0 ? 1.0 : 0.0; }));
+    grid.Add("any(a.x) + 2 * all(a.y > 0.5)", k_Inputs,
+             OfA([](const glm::dvec4& a)
+                 { return (a.x != 0.0 ? 1.0 : 0.0) + (a.y > 0.5 ? 2.0 : 0.0); }));
+    grid.Add("-(a.x > 0.5)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return a.x > 0.5 ? -1.0 : 0.0; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, NamesStandForWhatIsDeclaredBeforeThem)
+{
+    FunctionGrid grid(R"(
+        float _Scale;
+        float Own(float x) { float _Scale = _Scale * 2; _Scale += x; return _Scale; }
+        float Inner(float x) { float y = x; { float y = y + 1; x = y; } return x * 10 + y; }
+        float4 Doubled() { return _Scale * 2; }
+        static float4 s_Doubled = Doubled();
+        static const float s_Sum = s_Doubled.x + _Scale;
+        void Add(inout float2 sum, float x) { sum += x; }
+        float4 _Sum;
+        float2 Written(float x) { Add(_Sum.zw, x); return _Sum.zw; }
+        float Shadowed(float _Sum) { _Sum += 1; return _Sum; })");
+    grid.SetGlobal("_Scale", {3});
+    grid.SetGlobal("_Sum", {1, 2, 3, 4});
+    grid.Add("Own(a.x)", k_Inputs, OfA([](const glm::dvec4& a) { return 6.0 + a.x; }));
+    grid.Add("Inner(a.x)", k_Inputs, OfA([](const glm::dvec4& a) { return 11 * a.x + 10; }));
+    grid.Add("s_Doubled.x + 100 * s_Sum", k_Once, OfA([](auto&) { return 906.0; }));
+    grid.Add("Written(a.x)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec2(3 + a.x, 4 + a.x); }));
+    grid.Add("Shadowed(a.x)", k_Inputs, OfA([](const glm::dvec4& a) { return a.x + 1; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
+{
+    FunctionGrid grid(R"(
+        float4 Lists(float4 v)
+        {
+            float2 parts[] = {v, v.x, 7, v.yz};
+            return float4(parts[0].y, parts[1].x, parts[2].x * parts[2].y, parts[3].y);
+        })");
+    grid.Add("Lists(a)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(a.y, a.z, a.x * 7, a.z); }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, FunctionsAndOperatorsOfMatricesWorkOnEachElement)
+{
+    FunctionGrid grid(R"(
+        float2x3 M(float4 v) { return float2x3(v.xyz, v.yzw); }
+        float4x4 Large(float4 v) { return float4x4(v, v.yzwx, v.zwxy, v.wxyz); }
+        float First(float3x3 m) { return m[0].x + m[2].z; }
+        float3x3 Scaled(float4 v, float4 w) { float3x3 m = Large(v); m *= (float3x3)Large(w); return m; })");
+    grid.Add("lerp(M(a), M(b), 0.25)[1]", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             { return 0.75 * glm::dvec3(a.y, a.z, a.w) + 0.25 * glm::dvec3(b.y, b.z, b.w); });
+    grid.Add("clamp(M(a), 0.25, M(b) + 1)[0]", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             {
+                 const auto one = [](double x, double most)
+                 {
+                     return std::min(std::max(x, 0.25), most + 1);
+                 };
+                 return glm::dvec3(one(a.x, b.x), one(a.y, b.y), one(a.z, b.z));
+             });
+    grid.Add("((float3x3)Large(a) * Large(b))[2]", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             { return glm::dvec3(a.z * b.z, a.w * b.w, a.x * b.x); });
+    grid.Add("Scaled(a, b)[1]", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             {
+                 return glm::dvec3(a.y * b.y, a.z * b.z, a.w * b.w);
+             });
+    grid.Add("(M(a) / (M(b) + 20) + M(a) - M(b))[0]", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             {
+                 const auto one = [](double x, double y)
+                 {
+                     return x / (y + 20) + x - y;
+                 };
+                 return glm::dvec3(one(a.x, b.x), one(a.y, b.y), one(a.z, b.z));
+             });
+    grid.Add("First(Large(a))", k_Inputs, OfA([](const glm::dvec4& a) { return a.x + a.x; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, OverloadsOfHalfAndFloatAreTwoFunctions)
+{
+    FunctionGrid grid(R"(
+        half Which(half x) { return 1; }
+        float Which(float x) { return 2; }
+        half2 Both(half2 a, half b);
+        float2 Both(float2 a, float b) { return a * b; }
+        half2 Both(half2 a, half b) { return Both((float2)a, (float)b) + 1; }
+        half4 _Half; float4 _Float;)");
+    grid.SetGlobal("_Half", {2, 3, 4, 5});
+    grid.SetGlobal("_Float", {2, 3, 4, 5});
+    for (const std::string argument : {"(half)a.x", "_Half.y", "_Half.x * 0.5", "1.5h"})
+    {
+        grid.Add("Which(" + argument + ")", k_Once, OfA([](auto&) { return 1.0; }));
+    }
+    for (const std::string argument : {"a.x", "_Float.y", "_Half.x * _Float.x", "1.5f", "1.5"})
+    {
+        grid.Add("Which(" + argument + ")", k_Once, OfA([](auto&) { return 2.0; }));
+    }
+    grid.Add("Both(_Half.xy, _Half.z)", k_Once, OfA([](auto&) { return glm::dvec2(9, 13); }));
+    grid.Add("Both(_Float.xy, _Float.z)", k_Once, OfA([](auto&) { return glm::dvec2(8, 12); }));
+    grid.Run();
+    grid.options.halfIs16Bit = true;
+    grid.Run();
+}
+
+} // namespace limn::test
