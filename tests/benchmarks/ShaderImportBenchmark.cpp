@@ -156,6 +156,7 @@ void RunGlslang(const std::string& hlsl, std::string_view entry, ShaderStage sta
     glslang::TShader shader(GlslangStage(stage));
     shader.setStrings(&text, 1);
     SetEnvironment(shader, stage);
+    shader.setPreamble(HalfPreamble(false));
     shader.setEntryPoint("main");
     shader.setSourceEntryPoint(std::string(entry).c_str());
     shader.setAutoMapBindings(true);
@@ -204,8 +205,8 @@ struct Steps
             ReadStageInterface(source.declarations, *source.declarations.FindDefinition("frag"),
                                ShaderStage::Fragment);
         const StageLinkage linkage = LinkStages(vertexInterface, nullptr, fragmentInterface);
-        vertexHlsl = RewriteStage(source, ShaderStage::Vertex, vertexInterface, linkage);
-        fragmentHlsl = RewriteStage(source, ShaderStage::Fragment, fragmentInterface, linkage);
+        vertexHlsl = RewriteStage(source, ShaderStage::Vertex, vertexInterface, linkage).text;
+        fragmentHlsl = RewriteStage(source, ShaderStage::Fragment, fragmentInterface, linkage).text;
         const std::chrono::duration<double, std::milli> rewriting =
             std::chrono::steady_clock::now() - start;
         times.Add("ms_rewrite", rewriting.count());
@@ -213,9 +214,9 @@ struct Steps
                       [&]
                       {
                           pass.vertexSpirv = BuildSpirv(vertexHlsl, ShaderStage::Vertex,
-                                                        program.file, pass.diagnostics);
+                                                        program.file, false, pass.diagnostics);
                           pass.fragmentSpirv = BuildSpirv(fragmentHlsl, ShaderStage::Fragment,
-                                                          program.file, pass.diagnostics);
+                                                          program.file, false, pass.diagnostics);
                       });
         std::vector<std::string> messages;
         times.Measure("ms_reflect",

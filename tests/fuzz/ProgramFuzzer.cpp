@@ -78,7 +78,7 @@ void Rewrite(const std::string& text, ShaderStage stage)
                 LinkStages(stage == ShaderStage::Vertex ? interface : other,
                            stage == ShaderStage::Geometry ? &interface : nullptr,
                            stage == ShaderStage::Fragment ? interface : other);
-            Require(!RewriteStage(source, stage, interface, linkage).empty(),
+            Require(!RewriteStage(source, stage, interface, linkage).text.empty(),
                     "nothing was written");
         }
         catch (const StageInterfaceError& error)

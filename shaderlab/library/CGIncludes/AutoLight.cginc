@@ -1,6 +1,7 @@
 // What arrives of the light of a pass. The main light is directional and throws no shadows; POINT,
 // SPOT and the cookie keywords read the textures that Unity names for them.
 #pragma once
+#define AUTOLIGHT_INCLUDED
 #include "HLSLSupport.cginc"
 #include "UnityShadowLibrary.cginc"
 
@@ -34,6 +35,7 @@ half UnityComputeForwardShadows(float2 lightmapUV, float3 worldPos, float4 scree
 
 // Falloff and cookie of the light
 #if defined(POINT) || defined(SPOT) || defined(POINT_COOKIE) || defined(DIRECTIONAL_COOKIE)
+#define _LightMatrix0 unity_WorldToLight // as Unity's upgrade of old shaders has it
 cbuffer limn_LightOfPass
 {
     unityShadowCoord4x4 unity_WorldToLight;

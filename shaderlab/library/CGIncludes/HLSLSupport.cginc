@@ -1,6 +1,7 @@
 // Spellings of the old shading language, and the texture macros of the built-in pipeline. A texture
 // t that is declared with its sampler has the sampler samplert.
 #pragma once
+#define HLSL_SUPPORT_INCLUDED
 #include "limn/OldSampling.hlsl"
 #include "limn/Platform.hlsl"
 
@@ -37,6 +38,7 @@
 #define UNITY_DECLARE_TEX2D_NOSAMPLER_HALF(tex) Texture2D tex
 #define UNITY_DECLARE_TEX2D_NOSAMPLER_INT(tex) Texture2D<int4> tex
 #define UNITY_DECLARE_TEX2D_NOSAMPLER_UINT(tex) Texture2D<uint4> tex
+#define UNITY_SAMPLE_1CHANNEL(map, uv) tex2D((map), (uv)).r
 #define UNITY_SAMPLE_TEX2D(tex, uv) tex.Sample(sampler##tex, uv)
 #define UNITY_SAMPLE_TEX2D_LOD(tex, uv, lod) tex.SampleLevel(sampler##tex, uv, lod)
 #define UNITY_SAMPLE_TEX2D_SAMPLER(tex, smp, uv) tex.Sample(sampler##smp, uv)

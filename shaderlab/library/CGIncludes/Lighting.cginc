@@ -1,4 +1,5 @@
 #pragma once
+#define LIGHTING_INCLUDED
 #include "UnityLightingCommon.cginc"
 #include "UnityGlobalIllumination.cginc"
 

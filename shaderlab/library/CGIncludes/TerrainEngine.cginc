@@ -1,6 +1,7 @@
 // How the grass and the trees of a terrain move. Scripts set the globals that the editor's terrain
 // sets: limn has no terrain of its own.
 #pragma once
+#define TERRAIN_ENGINE_INCLUDED
 #include "UnityCG.cginc"
 
 fixed4 _WavingTint;

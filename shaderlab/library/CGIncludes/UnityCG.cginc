@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_CG_INCLUDED
 #include "UnityShaderVariables.cginc"
 #include "UnityShaderUtilities.cginc"
 #include "UnityInstancing.cginc"

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_DEFERRED_LIBRARY_INCLUDED
 #include "UnityShadowLibrary.cginc"
 
 UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture);

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_GBUFFER_INCLUDED
 
 struct UnityStandardData
 {

@@ -1,6 +1,7 @@
 // Light that does not come straight from a lamp. Without reflection probes and light maps it is the
 // ambient light, from all sides alike.
 #pragma once
+#define UNITY_GLOBAL_ILLUMINATION_INCLUDED
 #include "UnityImageBasedLighting.cginc"
 #include "UnityStandardUtils.cginc"
 #include "UnityShadowLibrary.cginc"

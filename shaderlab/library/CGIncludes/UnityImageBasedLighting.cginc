@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_IMAGE_BASED_LIGHTING_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
 #include "UnityStandardBRDF.cginc"

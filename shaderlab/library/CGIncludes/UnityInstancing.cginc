@@ -1,5 +1,6 @@
 // The macros themselves are in limn/Platform.hlsl: instances are told apart by limn_DrawIndex.
 #pragma once
+#define UNITY_INSTANCING_INCLUDED
 #include "UnityShaderVariables.cginc"
 
 #define DEFAULT_UNITY_VERTEX_INPUT_INSTANCE_ID

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_LIGHTING_COMMON_INCLUDED
 #include "UnityShaderVariables.cginc"
 
 // By these names the pipeline and the material give them.

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_PBS_LIGHTING_INCLUDED
 #include "UnityShaderVariables.cginc"
 #include "UnityStandardConfig.cginc"
 #include "UnityLightingCommon.cginc"

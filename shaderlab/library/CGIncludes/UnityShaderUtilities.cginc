@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_SHADER_UTILITIES_INCLUDED
 #include "UnityShaderVariables.cginc"
 
 float4 UnityWorldToClipPos(float3 pos) { return limn_RelativeToClip(pos - limn_Origin.xyz); }

@@ -1,9 +1,21 @@
 // The built-in pipeline's names of the values that limn feeds, and those that shaders name although
 // limn has no such thing: lights besides the main one, light maps, reflection probes, two eyes.
 #pragma once
+#define UNITY_SHADER_VARIABLES_INCLUDED
 #include "HLSLSupport.cginc"
 #include "limn/PerDraw.hlsl"
+// Names that only URP has are the author's own here.
+#define _TimeParameters limn_TimeParameters
+#define _ScaledScreenParams limn_ScaledScreenParams
+#define _ScreenSize limn_ScreenSize
+#define _ScaleBiasRt limn_ScaleBiasRt
+#define _GlobalMipBias limn_GlobalMipBias
 #include "limn/Globals.hlsl"
+#undef _TimeParameters
+#undef _ScaledScreenParams
+#undef _ScreenSize
+#undef _ScaleBiasRt
+#undef _GlobalMipBias
 #include "limn/RelativeSpaces.hlsl"
 
 #if defined(DIRECTIONAL) || defined(DIRECTIONAL_COOKIE)
@@ -59,6 +71,7 @@ cbuffer UnityShadows
 cbuffer UnityLightmaps
 {
     float4 unity_LightmapST;
+    float4 unity_LightmapFade;
     float4 unity_DynamicLightmapST;
     float4 unity_Lightmap_HDR;
     float4 unity_DynamicLightmap_HDR;

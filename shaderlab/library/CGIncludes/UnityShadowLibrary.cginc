@@ -1,5 +1,6 @@
 // There are no shadow maps and no light maps: everything is lit.
 #pragma once
+#define UNITY_BUILTIN_SHADOW_LIBRARY_INCLUDED
 #include "UnityCG.cginc"
 
 #define unityShadowCoord float

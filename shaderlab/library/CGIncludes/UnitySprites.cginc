@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_SPRITES_INCLUDED
 #include "UnityCG.cginc"
 
 CBUFFER_START(UnityPerDrawSprite)

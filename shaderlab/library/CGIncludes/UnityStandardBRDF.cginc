@@ -2,6 +2,7 @@
 // term fitted for mobile devices (BRDF2), Phong (BRDF3). Unity reads BRDF3's highlight from a texture
 // (unity_NHxRoughness) that limn does not have: here it is normalised Phong.
 #pragma once
+#define UNITY_STANDARD_BRDF_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
 #include "UnityLightingCommon.cginc"

@@ -1,6 +1,7 @@
 // The Standard shader's forward passes: main light, ambient light, emission, fog; and one pass per
 // further light.
 #pragma once
+#define UNITY_STANDARD_CORE_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityShaderVariables.cginc"
 #include "UnityStandardConfig.cginc"

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_STANDARD_CORE_FORWARD_INCLUDED
 #include "UnityStandardConfig.cginc"
 #include "UnityStandardCore.cginc"
 

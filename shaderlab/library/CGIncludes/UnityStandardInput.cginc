@@ -1,5 +1,6 @@
 // Properties and textures of the Standard shader, for shaders that vary it.
 #pragma once
+#define UNITY_STANDARD_INPUT_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
 #include "UnityPBSLighting.cginc"

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_STANDARD_META_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardInput.cginc"
 #include "UnityMetaPass.cginc"

@@ -1,6 +1,7 @@
 // Particles that one draw multiplies out of a buffer. limn draws no particles: as in Unity where
 // procedural instancing is off, each vertex is what the mesh says.
 #pragma once
+#define UNITY_STANDARD_PARTICLE_INSTANCING_INCLUDED
 #include "UnityCG.cginc"
 
 void vertInstancingSetup() {}

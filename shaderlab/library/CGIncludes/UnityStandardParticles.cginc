@@ -1,6 +1,7 @@
 // The vertex and fragment functions of Particles/Standard Unlit, and the parts that shaders which
 // vary it use. Each macro works on `albedo`, as Unity's do; the keywords are those of Unity's material.
 #pragma once
+#define UNITY_STANDARD_PARTICLES_INCLUDED
 #include "UnityPBSLighting.cginc"
 #include "UnityStandardParticleInstancing.cginc"
 

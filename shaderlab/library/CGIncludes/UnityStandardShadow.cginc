@@ -1,6 +1,7 @@
 // The Standard shader's shadow caster. What is cut out throws no shadow; what is transparent throws
 // one where it is at least half opaque.
 #pragma once
+#define UNITY_STANDARD_SHADOW_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityShaderVariables.cginc"
 #include "UnityStandardConfig.cginc"

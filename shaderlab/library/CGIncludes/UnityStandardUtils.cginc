@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_STANDARD_UTILS_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
 

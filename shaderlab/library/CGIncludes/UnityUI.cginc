@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_UI_INCLUDED
 #include "UnityCG.cginc"
 
 // 1 inside clipRect (x and y of the lower corner, then of the upper one), 0 outside.

@@ -205,10 +205,14 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
 
 /// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
 /// signature of the author's.
+///
+/// @param hlsl  what was compiled: the compiler stops at the first name that it does not know
 void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& error,
-                    const PassProgram& program, const EntryPoint& entry)
+                    const RewrittenHlsl& hlsl, const PassProgram& program, const EntryPoint& entry)
 {
-    for (Diagnostic diagnostic : error.diagnostics())
+    std::vector<Diagnostic> found = error.diagnostics();
+    found.insert(found.end(), hlsl.undeclared.begin(), hlsl.undeclared.end());
+    for (Diagnostic diagnostic : found)
     {
         if (diagnostic.file == k_EntryFile)
         {
@@ -227,6 +231,14 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& erro
     }
 }
 
+void AddStandIns(ShaderProgram& pass, const PassProgram& program, const RewrittenHlsl& hlsl)
+{
+    for (const std::string& standIn : hlsl.standIns)
+    {
+        pass.diagnostics.push_back({Severity::Note, program.file, {}, standIn});
+    }
+}
+
 std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? pass.vertexSpirv
@@ -241,21 +253,17 @@ void BuildStages(ShaderProgram& pass, const PassProgram& program, const Stages& 
     std::vector<Diagnostic> diagnostics;
     for (const Stage& stage : stages)
     {
-        std::vector<std::string> standIns;
-        const std::string hlsl =
-            RewriteStage(*stage.source, stage.stage, stage.interface, linkage, &standIns);
-        for (std::string& standIn : standIns)
-        {
-            pass.diagnostics.push_back({Severity::Note, program.file, {}, std::move(standIn)});
-        }
+        const RewrittenHlsl hlsl =
+            RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
+        AddStandIns(pass, program, hlsl);
         try
         {
             SpirvOf(pass, stage.stage) =
-                BuildSpirv(hlsl, stage.stage, program.file, halfIs16Bit, pass.diagnostics);
+                BuildSpirv(hlsl.text, stage.stage, program.file, halfIs16Bit, pass.diagnostics);
         }
         catch (const AssetError& error)
         {
-            AddDiagnostics(diagnostics, error, program, EntryOf(program, stage.stage));
+            AddDiagnostics(diagnostics, error, hlsl, program, EntryOf(program, stage.stage));
         }
     }
     if (!diagnostics.empty())
@@ -322,23 +330,19 @@ ShaderProgram BuildKernel(const PassProgram& program, std::span<const std::strin
     const HlslSource source(
         PreprocessHlsl(program, ShaderStage::Compute, keywords, resolver, kernel.diagnostics).text);
     RequireSound(source);
-    std::vector<std::string> standIns;
-    const std::string hlsl =
-        RewriteKernel(source, FindEntry(program, source, ShaderStage::Compute), &standIns);
-    for (std::string& standIn : standIns)
-    {
-        kernel.diagnostics.push_back({Severity::Note, program.file, {}, std::move(standIn)});
-    }
+    const RewrittenHlsl hlsl =
+        RewriteKernel(source, FindEntry(program, source, ShaderStage::Compute));
+    AddStandIns(kernel, program, hlsl);
     const bool halfIs16Bit = std::ranges::count(keywords, k_RealHalfMacro) > 0;
     std::vector<Diagnostic> errors;
     try
     {
-        kernel.computeSpirv =
-            BuildSpirv(hlsl, ShaderStage::Compute, program.file, halfIs16Bit, kernel.diagnostics);
+        kernel.computeSpirv = BuildSpirv(hlsl.text, ShaderStage::Compute, program.file, halfIs16Bit,
+                                         kernel.diagnostics);
     }
     catch (const AssetError& error)
     {
-        AddDiagnostics(errors, error, program, program.kernel);
+        AddDiagnostics(errors, error, hlsl, program, program.kernel);
         throw AssetError(std::move(errors));
     }
     std::vector<std::string> messages;

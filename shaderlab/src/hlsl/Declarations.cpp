@@ -291,9 +291,13 @@ private:
             variable.value = {};
             variable.valueToken = 0;
         } while (Accept(","));
-        if (Accept(";") && result.size() == known + 1)
+        if (Accept(";"))
         {
-            result.back().lastToken = m_Index - 1;
+            for (std::size_t i = known; i < result.size(); ++i)
+            {
+                result[i].semicolon = m_Index - 1;
+                result[i].lastToken = result.size() == known + 1 ? m_Index - 1 : 0;
+            }
         }
         else if (m_Index == start)
         {

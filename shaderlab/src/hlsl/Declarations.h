@@ -27,6 +27,7 @@ struct HlslVariable
     // Of a declaration with one name at file scope or in a cbuffer: its tokens, `;` included.
     std::size_t firstToken = 0;
     std::size_t lastToken = 0; ///< 0 = the declaration has several names
+    std::size_t semicolon = 0; ///< that ends the declaration, however many names it has
     bool isInBuffer = false;   ///< a member of a cbuffer; endToken is the buffer's end
 
     bool Has(std::string_view modifier) const;

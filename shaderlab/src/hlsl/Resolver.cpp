@@ -359,7 +359,7 @@ void HlslResolver::ResolveExpression(HlslNode& node)
         break;
     }
     case HlslNodeKind::Member:
-        node.type = MemberType(first(), m_Tokens.Text(node.token));
+        node.type = MemberType(node);
         break;
     case HlslNodeKind::Index:
         node.type = ElementType(first());
@@ -398,6 +398,10 @@ void HlslResolver::ResolveName(HlslNode& node)
     {
         node.variable = m_Globals.FindVariable(name);
         node.type = node.variable ? TypeOf(m_Globals.declarations(), *node.variable) : HlslType();
+        if (!node.variable)
+        {
+            m_Unknown.push_back({node.token, "unknown variable"});
+        }
         return;
     }
     // Where the newest is a loop's number, and what is meant has members, it is the one it hides.
@@ -427,13 +431,17 @@ void HlslResolver::ResolveName(HlslNode& node)
     node.type = meant->type;
 }
 
-HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> arguments) const
+HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> arguments)
 {
     const std::string_view name = m_Tokens.Text(node.token);
     auto functions = m_Globals.FindFunctions(name);
     functions = functions.empty() ? m_Globals.FindMethods(name) : functions;
     if (functions.empty())
     {
+        if (!isIntrinsic(name))
+        {
+            m_Unknown.push_back({node.token, "no matching overloaded function found"});
+        }
         return IntrinsicType(name, arguments);
     }
     const HlslFunction* function = ChooseOverload(m_Globals.declarations(), functions, arguments);
@@ -442,20 +450,26 @@ HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> 
                : HlslType();
 }
 
-HlslType HlslResolver::MemberType(const HlslType& owner, std::string_view name) const
+HlslType HlslResolver::MemberType(const HlslNode& node)
 {
+    const HlslType& owner = node.child->type;
+    const std::string_view name = m_Tokens.Text(node.token);
     if (owner.dimensions > 0 || owner.kind != HlslType::Kind::Struct)
     {
         return SwizzleType(owner, name);
     }
     const HlslStruct* type = m_Globals.declarations().FindStruct(owner.name);
-    if (!type)
+    const auto isName = [&](const HlslVariable& item)
     {
+        return item.name == name;
+    };
+    const auto member = std::find_if(type->members.begin(), type->members.end(), isName);
+    if (member == type->members.end())
+    {
+        m_Unknown.push_back({node.token, "no such field in structure"});
         return {};
     }
-    const auto member = std::find_if(type->members.begin(), type->members.end(),
-                                     [&](const HlslVariable& item) { return item.name == name; });
-    return member == type->members.end() ? HlslType() : TypeOf(m_Globals.declarations(), *member);
+    return TypeOf(m_Globals.declarations(), *member);
 }
 
 HlslType HlslResolver::ObjectMethodType(const HlslType& object, std::string_view method) const

@@ -71,6 +71,14 @@ public:
     /// another one of the same name.
     const std::vector<HlslNode*>& renamed() const { return m_Renamed; }
 
+    struct Unknown
+    {
+        std::size_t token = 0;
+        std::string_view problem; ///< in glslang's words, which stops at the first
+    };
+    /// Names of variables, functions and members that nobody declares.
+    const std::vector<Unknown>& unknown() const { return m_Unknown; }
+
 private:
     struct Entry
     {
@@ -90,8 +98,8 @@ private:
     void ResolveExpression(HlslNode& node);
     void ResolveName(HlslNode& node);
     void Rename(HlslNode& declarator);
-    HlslType CallType(const HlslNode& node, std::span<const HlslType> arguments) const;
-    HlslType MemberType(const HlslType& owner, std::string_view name) const;
+    HlslType CallType(const HlslNode& node, std::span<const HlslType> arguments);
+    HlslType MemberType(const HlslNode& node);
     HlslType BinaryType(const HlslNode& node) const;
     HlslType ObjectMethodType(const HlslType& object, std::string_view method) const;
     HlslType ElementType(HlslType type) const;
@@ -101,6 +109,7 @@ private:
     std::unordered_map<std::string_view, std::vector<Entry>> m_Names;
     std::vector<std::vector<std::string_view>> m_Scopes; ///< what each declares
     std::vector<HlslNode*> m_Renamed;
+    std::vector<Unknown> m_Unknown;
 };
 
 } // namespace limn

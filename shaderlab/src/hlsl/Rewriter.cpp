@@ -69,6 +69,41 @@ public:
         }
     }
 
+    /// All that every stage needs.
+    void Rewrite()
+    {
+        TakeStandIns();
+        RefuseBoolMatrices();
+        RemoveEmptyMembers();
+        RemoveRepeatedDeclarations();
+        MoveObjectsOutOfBuffers();
+        CopyAssignedUniforms();
+        FindDelayedStatics();
+        Lower();
+        DelayStatics();
+    }
+
+    RewrittenHlsl Finish(const std::string& entry) const
+    {
+        RewrittenHlsl result{m_Code.Assemble(m_IsLeftOut) + entry, m_StandIns, {}};
+        std::map<std::size_t, std::string_view> unknown; // in the order of the text
+        for (const Tree& tree : m_Trees)
+        {
+            for (const HlslResolver::Unknown& name : tree.resolver->unknown())
+            {
+                unknown[name.token] = name.problem;
+            }
+        }
+        for (const auto& [token, problem] : unknown)
+        {
+            const HlslPlace place = m_Tokens.Place(token);
+            result.undeclared.push_back(
+                {Severity::Error, place.file, place.location,
+                 "'" + std::string(m_Tokens.Text(token)) + "': " + std::string(problem)});
+        }
+        return result;
+    }
+
     /// glslang crashes on them.
     void RefuseBoolMatrices() const
     {
@@ -182,18 +217,16 @@ public:
     /// there.
     void MoveObjectsOutOfBuffers()
     {
+        std::size_t last = 0; // declaration: several names may have one
         for (const HlslVariable& object : m_Source.declarations.objects)
         {
-            if (!object.isInBuffer || object.lastToken == 0)
+            if (!object.isInBuffer || object.semicolon == 0 || object.semicolon == last)
             {
                 continue;
             }
-            std::string moved;
-            for (std::size_t i = object.firstToken; i <= object.lastToken; ++i)
-            {
-                moved.append(" ").append(m_Tokens.Text(i));
-            }
-            Remove(object);
+            last = object.semicolon;
+            const std::string moved = " " + m_Code.Spelled(object.firstToken, object.semicolon + 1);
+            m_Code.Erase(object.firstToken, object.semicolon + 1);
             const std::size_t end = object.endToken;
             m_Code.Insert(m_Tokens.Text(end + 1) == ";" ? end + 1 : end, moved);
         }
@@ -249,7 +282,7 @@ public:
     }
 
     /// Takes the marks off, which are no HLSL, and tells what those of reached functions say.
-    void TakeStandIns(std::vector<std::string>* standIns)
+    void TakeStandIns()
     {
         for (const HlslFunction* function : m_Reachable)
         {
@@ -258,10 +291,7 @@ public:
                 if (attribute.starts_with(k_StandIn))
                 {
                     Erase(function->begin, attribute);
-                    if (standIns != nullptr)
-                    {
-                        standIns->push_back(DescribeStandIn(attribute));
-                    }
+                    m_StandIns.push_back(DescribeStandIn(attribute));
                 }
             }
         }
@@ -277,7 +307,6 @@ public:
     }
 
     const std::string& prologue() const { return m_Prologue; }
-    std::string Assemble() const { return m_Code.Assemble(m_IsLeftOut); }
 
 private:
     /// A function's body or a static variable's value.
@@ -458,6 +487,7 @@ private:
     std::set<const HlslFunction*> m_Reachable;
     std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
     std::string m_Prologue;
+    std::vector<std::string> m_StandIns;
 };
 
 } // namespace
@@ -470,31 +500,21 @@ HlslSource::HlslSource(std::string preprocessed)
 {
 }
 
-std::string RewriteStage(const HlslSource& source, ShaderStage stage,
-                         const StageInterface& interface, const StageLinkage& linkage,
-                         std::vector<std::string>* standIns)
+RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
+                           const StageInterface& interface, const StageLinkage& linkage)
 {
     Rewriter rewriter(source, interface.function->name);
-    rewriter.TakeStandIns(standIns);
     rewriter.RefuseWritable();
-    rewriter.RefuseBoolMatrices();
-    rewriter.RemoveEmptyMembers();
-    rewriter.RemoveRepeatedDeclarations();
-    rewriter.MoveObjectsOutOfBuffers();
-    rewriter.CopyAssignedUniforms();
-    rewriter.FindDelayedStatics();
-    rewriter.Lower();
-    rewriter.DelayStatics();
+    rewriter.Rewrite();
     if (interface.geometry)
     {
         rewriter.TakeGeometryApart(interface, linkage);
     }
-    return rewriter.Assemble() + WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
-                                                 rewriter.isReached(k_DrawIndex));
+    return rewriter.Finish(WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
+                                           rewriter.isReached(k_DrawIndex)));
 }
 
-std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
-                          std::vector<std::string>* standIns)
+RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel)
 {
     const auto fail = [&](const std::string& message)
     {
@@ -512,17 +532,9 @@ std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
         fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
              "nothing, so give it the value as a parameter");
     }
-    rewriter.TakeStandIns(standIns);
-    rewriter.RefuseBoolMatrices();
-    rewriter.RemoveEmptyMembers();
-    rewriter.RemoveRepeatedDeclarations();
-    rewriter.MoveObjectsOutOfBuffers();
-    rewriter.CopyAssignedUniforms();
-    rewriter.FindDelayedStatics();
-    rewriter.Lower();
-    rewriter.DelayStatics();
+    rewriter.Rewrite();
     rewriter.TakeAttributes(kernel);
-    return rewriter.Assemble() + WriteKernelEntry(kernel, rewriter.prologue());
+    return rewriter.Finish(WriteKernelEntry(kernel, rewriter.prologue()));
 }
 
 } // namespace limn

@@ -24,24 +24,30 @@ struct HlslSource
     const HlslGlobals globals;           ///< into declarations
 };
 
+struct RewrittenHlsl
+{
+    std::string text;
+    /// "uses X, which limn does not have: Y" for each function that the entry function reaches and
+    /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
+    /// that name.
+    std::vector<std::string> standIns;
+    /// Names that nobody declares: mistakes if the compiler finds any, which stops at the first.
+    std::vector<Diagnostic> undeclared;
+};
+
 /// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
 /// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
 ///
 /// Functions out of reach have to go because they may use what only the other stage has (ddx,
 /// clip). Line breaks and #line directives stay, so that positions of messages hold.
 ///
-/// @param standIns  gets "uses X, which limn does not have: Y" for each function that the entry
-///                  function reaches and that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`,
-///                  because it does less than Unity's of that name; may be null
 /// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
-std::string RewriteStage(const HlslSource& source, ShaderStage stage,
-                         const StageInterface& interface, const StageLinkage& linkage,
-                         std::vector<std::string>* standIns = nullptr);
+RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
+                           const StageInterface& interface, const StageLinkage& linkage);
 
 /// The same for a kernel, with everything that it may write to.
 ///
 /// @throws AssetError  where it reads what only draws have, or lacks its [numthreads(x, y, z)]
-std::string RewriteKernel(const HlslSource& source, const HlslFunction& kernel,
-                          std::vector<std::string>* standIns = nullptr);
+RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel);
 
 } // namespace limn

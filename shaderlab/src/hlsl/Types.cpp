@@ -335,6 +335,46 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
     return {};
 }
 
+bool isIntrinsic(std::string_view name)
+{
+    constexpr std::array<std::string_view, 28> k_Others = {"abort",
+                                                           "asdouble",
+                                                           "asfloat",
+                                                           "asint",
+                                                           "asuint",
+                                                           "clip",
+                                                           "cross",
+                                                           "dst",
+                                                           "errorf",
+                                                           "f16tof32",
+                                                           "f32tof16",
+                                                           "isfinite",
+                                                           "isinf",
+                                                           "isnan",
+                                                           "lit",
+                                                           "msad4",
+                                                           "mul",
+                                                           "noise",
+                                                           "printf",
+                                                           "sign",
+                                                           "sincos",
+                                                           "transpose",
+                                                           "D3DCOLORtoUBYTE4",
+                                                           "CheckAccessFullyMapped",
+                                                           "NonUniformResourceIndex",
+                                                           "GetRenderTargetSampleCount",
+                                                           "GetRenderTargetSamplePosition",
+                                                           "limn_Lacks"};
+    constexpr std::array<std::string_view, 9> k_Starts = {
+        "tex1D", "tex2D", "tex3D",  "texCUBE", "Interlocked", "EvaluateAttribute",
+        "Wave",  "Quad",  "Process"};
+    return Contains(k_LikeArguments, name) || Contains(k_FloatScalars, name) ||
+           Contains(k_Truth, name) || Contains(k_Others, name) || name.ends_with("MemoryBarrier") ||
+           name.ends_with("MemoryBarrierWithGroupSync") ||
+           std::any_of(k_Starts.begin(), k_Starts.end(),
+                       [&](std::string_view start) { return name.starts_with(start); });
+}
+
 bool isComponentwise(std::string_view intrinsic)
 {
     constexpr std::array<std::string_view, 4> k_OfVectors = {"normalize", "faceforward", "reflect",

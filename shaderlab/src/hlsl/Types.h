@@ -78,6 +78,9 @@ HlslType Promote(const HlslType& left, const HlslType& right);
 /// What a function of the language gives; unknown where it is none.
 HlslType IntrinsicType(std::string_view name, std::span<const HlslType> arguments);
 
+/// Whether the language has a function of the name.
+bool isIntrinsic(std::string_view name);
+
 /// Whether a function of the language takes matrices, each element by itself.
 bool isComponentwise(std::string_view intrinsic);
 

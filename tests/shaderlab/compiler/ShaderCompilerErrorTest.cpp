@@ -184,6 +184,23 @@ TEST(ShaderCompilerError, RefusesSurfaceShaders)
                             "supported; write a vertex and a fragment function"));
 }
 
+TEST(ShaderCompilerError, ReportsEveryNameThatNobodyDeclares)
+{
+    const std::vector<std::string> messages = CompileMessages(
+        Program("struct v2f { float4 pos : SV_Position; float2 uv : TEXCOORD0; };\n"
+                "v2f vert(float4 p : POSITION) { v2f o; o.pos = p; o.uv = Nowhere(p); return o; }\n"
+                "float4 frag(v2f i) : SV_Target\n{\n"
+                "    float2 uv = i.uw * _Scale;\n"
+                "    return Neither(uv) + lerp(uv.x, missing, 1);\n}"));
+    EXPECT_THAT(messages,
+                testing::UnorderedElementsAre(
+                    "t.shader:2:59: error: 'Nowhere': no matching overloaded function found",
+                    "t.shader:5:19: error: 'uw': no such field in structure",
+                    "t.shader:5:24: error: '_Scale': unknown variable",
+                    "t.shader:6:12: error: 'Neither': no matching overloaded function found",
+                    "t.shader:6:37: error: 'missing': unknown variable"));
+}
+
 TEST(ShaderCompilerError, RefusesWhatWouldBeInvalidSpirv)
 {
     // Vulkan takes an offset of a sampled texel only where it is a constant.

@@ -51,6 +51,25 @@ TEST_F(HlslDialectValues, ConditionsAreNumbersCutToIntegers)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, PartsOfANumberMayBeIntegers)
+{
+    FunctionGrid grid(R"(
+        float2 Parts(float x) { int e; float m = frexp(x, e); return float2(m, e); }
+        float2 Whole(float x) { int2 n; float2 r = modf(float2(x, 1), n); return float2(r.x, n.x); })");
+    grid.Add("Parts(a.x)", Combine({1.0, 0.75, 10.0, -3.0}),
+             OfA(
+                 [](const glm::dvec4& a)
+                 {
+                     int exponent = 0;
+                     const double mantissa = std::frexp(a.x, &exponent);
+                     return glm::dvec2(mantissa, exponent);
+                 }));
+    grid.Add("Whole(a.x)", Combine({1.25, 0.75, 10.0, -3.5}),
+             OfA([](const glm::dvec4& a)
+                 { return glm::dvec2(a.x - std::trunc(a.x), std::trunc(a.x)); }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, NamesStandForWhatIsDeclaredBeforeThem)
 {
     FunctionGrid grid(R"(
@@ -112,9 +131,7 @@ TEST_F(HlslDialectValues, FunctionsAndOperatorsOfMatricesWorkOnEachElement)
              { return glm::dvec3(a.z * b.z, a.w * b.w, a.x * b.x); });
     grid.Add("Scaled(a, b)[1]", k_Inputs,
              [](const glm::dvec4& a, const glm::dvec4& b, auto&)
-             {
-                 return glm::dvec3(a.y * b.y, a.z * b.z, a.w * b.w);
-             });
+             { return glm::dvec3(a.y * b.y, a.z * b.z, a.w * b.w); });
     grid.Add("(M(a) / (M(b) + 20) + M(a) - M(b))[0]", k_Inputs,
              [](const glm::dvec4& a, const glm::dvec4& b, auto&)
              {

@@ -20,10 +20,10 @@ std::string Describe(const HlslTokens& tokens, const HlslNode& node)
     const bool isCall = node.kind == HlslNodeKind::Call || node.kind == HlslNodeKind::Method;
     const bool isOfType = node.kind == HlslNodeKind::Cast || node.kind == HlslNodeKind::Construct;
     std::string text = "(";
-    text += isOfType                           ? node.type.Spelling()
-            : isCall                           ? std::string(tokens.Text(node.token)) + "()"
+    text += isOfType                            ? node.type.Spelling()
+            : isCall                            ? std::string(tokens.Text(node.token)) + "()"
             : node.kind == HlslNodeKind::Member ? "." + std::string(tokens.Text(node.token))
-                                               : std::string(tokens.Text(node.token));
+                                                : std::string(tokens.Text(node.token));
     for (const HlslNode* child = node.child; child; child = child->next)
     {
         text += " " + Describe(tokens, *child);
@@ -33,8 +33,8 @@ std::string Describe(const HlslTokens& tokens, const HlslNode& node)
 
 std::string Describe(const std::string& expression)
 {
-    const HlslSource source("struct S { float a; }; typedef float3x3 Basis; float x = " +
-                            expression + ";");
+    const HlslSource source(
+        "struct S { float a; }; typedef float3x3 Basis; float x = " + expression + ";");
     HlslNodes nodes;
     HlslTreeParser parser(source.tokens, source.declarations, nodes);
     const HlslVariable& variable = source.declarations.uniforms.front();

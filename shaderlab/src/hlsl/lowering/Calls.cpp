@@ -21,6 +21,7 @@ void HlslLowering::LowerCall(HlslNode& node)
         }
         else if (!isMethod)
         {
+            LowerParts(node);
             LowerMatrixFunction(node);
         }
         return;
@@ -53,6 +54,25 @@ void HlslLowering::LowerTruth(HlslNode& node)
     else if (given.isVector() && given.scalar != HlslScalar::Bool)
     {
         Wrap(*node.child, "(" + given.Of(HlslScalar::Bool).Spelling() + ")(", ")");
+    }
+}
+
+/// `frexp` and `modf` give a part back by a parameter; where that is an integer, glslang crashes.
+void HlslLowering::LowerParts(HlslNode& node)
+{
+    const std::string name(Text(node.token));
+    if ((name != "frexp" && name != "modf") || node.CountChildren() != 2)
+    {
+        return;
+    }
+    const HlslType& part = node.child->next->type;
+    if (part.isNumber() && !part.isMatrix() && !part.isFloating())
+    {
+        const std::string type = part.Of(HlslScalar::Float).Spelling();
+        Need(type + " limn_" + name + "(" + type + " x, out " + part.Spelling() + " part) { " +
+             type + " p; " + type + " rest = " + name + "(x, p); part = (" + part.Spelling() +
+             ")p; return rest; } ");
+        m_Code.Spelling(node.token) = "limn_" + name;
     }
 }
 

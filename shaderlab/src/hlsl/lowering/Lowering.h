@@ -52,6 +52,7 @@ private:
     // Calls.cpp
     void LowerCall(HlslNode& node);
     void LowerTruth(HlslNode& node);
+    void LowerParts(HlslNode& node);
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
     // Initializers.cpp
     void LowerDeclarator(HlslNode& node);

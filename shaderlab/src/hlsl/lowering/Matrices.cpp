@@ -180,10 +180,10 @@ void HlslLowering::LowerMatrixOperator(HlslNode& node)
         return;
     }
     const bool isAssignment = node.kind == HlslNodeKind::Assign;
-    const HlslType type =
-        isAssignment ? left->type
-                     : left->type.As(std::min(left->type.columns, right->type.columns),
-                                     std::min(left->type.rows, right->type.rows));
+    const HlslType type = isAssignment
+                              ? left->type
+                              : left->type.As(std::min(left->type.columns, right->type.columns),
+                                              std::min(left->type.rows, right->type.rows));
     for (HlslNode* operand : {left, right})
     {
         if (operand->type.rows != type.rows || operand->type.columns != type.columns)

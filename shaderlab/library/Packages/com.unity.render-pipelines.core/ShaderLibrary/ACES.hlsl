@@ -2,6 +2,7 @@
 // transform (version 1.0.3) that AcesTonemap in Color.hlsl is made of. Names are the Academy's.
 // "unity" is linear Rec. 709, ACES is ACES2065-1 with primaries AP0, ACEScg has primaries AP1.
 #pragma once
+#define __ACES__
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

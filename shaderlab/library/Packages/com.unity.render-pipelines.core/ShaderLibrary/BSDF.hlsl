@@ -1,5 +1,6 @@
 // Terms of reflection. Roughness is the square of perceptual roughness.
 #pragma once
+#define UNITY_BSDF_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_COLOR_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ACES.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"

@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_COMMON_INCLUDED
 
 // float on every platform limn draws on.
 #define REAL_IS_HALF 0

@@ -1,5 +1,6 @@
 // Geometry of lights and of directions about a surface.
 #pragma once
+#define UNITY_COMMON_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

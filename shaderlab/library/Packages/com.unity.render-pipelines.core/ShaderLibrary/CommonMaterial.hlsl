@@ -1,5 +1,6 @@
 // Roughness, smoothness, and normals from several sources.
 #pragma once
+#define UNITY_COMMON_MATERIAL_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

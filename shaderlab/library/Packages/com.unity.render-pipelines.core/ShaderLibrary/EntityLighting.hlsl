@@ -1,5 +1,6 @@
 // Light that was computed beforehand: harmonics, light maps, reflection probes.
 #pragma once
+#define UNITY_ENTITY_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SphericalHarmonics.hlsl"

@@ -1,5 +1,6 @@
 // Smoother reading of textures than one bilinear sample gives.
 #pragma once
+#define UNITY_FILTERING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

@@ -1,3 +1,4 @@
 // No target of limn has regions of lower resolution: as in Unity without such a device, there is
 // nothing here.
 #pragma once
+#define UNITY_FOVEATED_RENDERING_INCLUDED

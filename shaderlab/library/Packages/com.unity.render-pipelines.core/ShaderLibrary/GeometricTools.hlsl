@@ -1,5 +1,6 @@
 // Rays against simple bodies, distances, and triangles against frusta.
 #pragma once
+#define UNITY_GEOMETRICTOOLS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

@@ -1,5 +1,6 @@
 // Samplers whose name says what they do.
 #pragma once
+#define UNITY_CORE_SAMPLERS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

@@ -1,5 +1,6 @@
 // Light from pictures of the surroundings.
 #pragma once
+#define UNITY_IMAGE_BASED_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"

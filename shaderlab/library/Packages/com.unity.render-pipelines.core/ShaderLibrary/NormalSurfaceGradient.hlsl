@@ -1,5 +1,6 @@
 // Morten Mikkelsen's surface gradients: bumps from several sources add up, then bend a normal.
 #pragma once
+#define UNITY_NORMAL_SURFACE_GRADIENT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

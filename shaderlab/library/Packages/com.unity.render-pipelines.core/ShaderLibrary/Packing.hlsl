@@ -1,5 +1,6 @@
 // Vectors and numbers in the few bits of a texture.
 #pragma once
+#define UNITY_PACKING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 

@@ -1,5 +1,6 @@
 // Numbers that look random and are the same on every run.
 #pragma once
+#define UNITY_RANDOM_INCLUDED
 
 // Bob Jenkins' one-at-a-time hash over the bits of a number, and of several in turn.
 uint JenkinsHash(uint x)

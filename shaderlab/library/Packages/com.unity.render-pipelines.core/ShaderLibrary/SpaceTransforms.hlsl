@@ -1,5 +1,6 @@
 // OS, WS, VS, CS: object, world, view and clip space. View space looks down -z.
 #pragma once
+#define UNITY_SPACE_TRANSFORMS_INCLUDED
 
 float4x4 GetObjectToWorldMatrix() { return UNITY_MATRIX_M; }
 float4x4 GetWorldToObjectMatrix() { return UNITY_MATRIX_I_M; }

@@ -1,5 +1,6 @@
 // Light by direction as spherical harmonics of orders 0 to 2 (Ramamoorthi and Hanrahan 2001).
 #pragma once
+#define UNITY_SPHERICAL_HARMONICS_INCLUDED
 
 #include "limn/SphericalHarmonics.hlsl"
 

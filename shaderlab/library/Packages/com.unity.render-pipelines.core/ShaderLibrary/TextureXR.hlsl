@@ -1,2 +1,3 @@
 #pragma once
+#define UNITY_TEXTUREXR_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/API/Vulkan.hlsl"

@@ -1,3 +1,4 @@
 // Instancing needs nothing from the author here; the macros are in limn/Platform.hlsl.
 #pragma once
+#define UNITY_INSTANCING_INCLUDED
 #include "limn/Platform.hlsl"

@@ -1,6 +1,7 @@
 // Light in fog. Optical depth is the integral of the extinction along a way; the transmittance is
 // e to the power of minus that.
 #pragma once
+#define UNITY_VOLUME_RENDERING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
 

@@ -1,5 +1,6 @@
 // How much ambient light reaches a point, by a texture of the screen.
 #pragma once
+#define AMBIENT_OCCLUSION_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"

@@ -1,5 +1,6 @@
 // How a surface reflects: a diffuse part, a highlight of facets (GGX), and surroundings.
 #pragma once
+#define UNIVERSAL_BRDF_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"

@@ -1,5 +1,6 @@
 // Lights are looped over one after another; nothing sorts them into tiles.
 #pragma once
+#define UNIVERSAL_CLUSTERING_INCLUDED
 
 #ifndef USE_FORWARD_PLUS
 #define USE_FORWARD_PLUS 0

@@ -1,4 +1,5 @@
 #pragma once
+#define UNIVERSAL_PIPELINE_CORE_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Packing.hlsl"

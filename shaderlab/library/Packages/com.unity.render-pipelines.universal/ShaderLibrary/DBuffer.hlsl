@@ -1,5 +1,6 @@
 // There are no decals: surfaces stay as they are.
 #pragma once
+#define UNIVERSAL_DBUFFER_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"
 

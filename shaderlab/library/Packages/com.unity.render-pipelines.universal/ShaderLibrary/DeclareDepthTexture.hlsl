@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_DECLARE_DEPTH_TEXTURE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
 TEXTURE2D_X_FLOAT(_CameraDepthTexture);

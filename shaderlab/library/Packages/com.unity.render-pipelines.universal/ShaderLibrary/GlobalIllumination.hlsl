@@ -1,6 +1,7 @@
 // Ambient light. There are no light maps and no reflection probes: what is reflected is the ambient
 // light from that side.
 #pragma once
+#define UNIVERSAL_GLOBAL_ILLUMINATION_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/EntityLighting.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ImageBasedLighting.hlsl"

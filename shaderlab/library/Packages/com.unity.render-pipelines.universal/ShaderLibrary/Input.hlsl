@@ -1,4 +1,5 @@
 #pragma once
+#define UNIVERSAL_INPUT_INCLUDED
 
 #define MAX_VISIBLE_LIGHTS_UBO 32
 #define MAX_VISIBLE_LIGHTS 32

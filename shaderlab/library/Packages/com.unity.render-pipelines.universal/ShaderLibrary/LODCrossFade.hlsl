@@ -1,5 +1,6 @@
 // Objects change their level of detail at once.
 #pragma once
+#define UNIVERSAL_PIPELINE_LODCROSSFADE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
 void LODFadeCrossFade(float4 positionCS)

@@ -1,6 +1,7 @@
 // The pass that bakes light: it writes a surface's colour into its light map. limn bakes nothing;
 // the names are there for shaders that have such a pass.
 #pragma once
+#define UNIVERSAL_META_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/BRDF.hlsl"

@@ -1,6 +1,7 @@
 // What particle shaders do with their colours and coordinates. A shader that calls
 // InitParticleParams declares VaryingsParticle and _BaseColor before.
 #pragma once
+#define UNIVERSAL_PARTICLES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"

@@ -1,5 +1,6 @@
 // limn draws particles as meshes, never instanced from a buffer of particles.
 #pragma once
+#define UNIVERSAL_PARTICLESINSTANCING_INCLUDED
 
 void ParticleInstancingSetup() {}
 void vertInstancingSetup() {}

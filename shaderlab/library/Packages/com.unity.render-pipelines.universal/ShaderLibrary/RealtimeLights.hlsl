@@ -1,5 +1,6 @@
 // The main light, and lights besides it.
 #pragma once
+#define UNIVERSAL_REALTIME_LIGHTS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"

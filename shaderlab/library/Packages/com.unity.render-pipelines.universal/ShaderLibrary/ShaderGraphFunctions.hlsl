@@ -1,5 +1,6 @@
 // What the nodes of shader graphs call.
 #pragma once
+#define UNITY_GRAPHFUNCTIONS_LW_INCLUDED
 
 #define SHADERGRAPH_SAMPLE_SCENE_DEPTH(uv) shadergraph_LWSampleSceneDepth(uv)
 #define SHADERGRAPH_SAMPLE_SCENE_COLOR(uv) shadergraph_LWSampleSceneColor(uv)

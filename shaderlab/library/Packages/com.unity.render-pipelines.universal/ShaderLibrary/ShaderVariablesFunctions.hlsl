@@ -1,4 +1,5 @@
 #pragma once
+#define UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 
 // Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
 float4 ComputeScreenPos(float4 positionCS)

@@ -1,5 +1,6 @@
 // The shadow of the main light. All is lit unless a shadow map and its strength are set.
 #pragma once
+#define UNIVERSAL_SHADOWS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 

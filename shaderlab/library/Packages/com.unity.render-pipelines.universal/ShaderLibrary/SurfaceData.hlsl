@@ -1,4 +1,5 @@
 #pragma once
+#define UNIVERSAL_SURFACE_DATA_INCLUDED
 
 // What a surface is like at one point.
 struct SurfaceData

@@ -1,5 +1,6 @@
 // The textures that most lit shaders have, and how they are read.
 #pragma once
+#define UNIVERSAL_INPUT_SURFACE_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"

@@ -1,6 +1,7 @@
 // The targets of a deferred pass. limn draws forward; the names are there for shaders that have
 // such a pass.
 #pragma once
+#define UNIVERSAL_GBUFFERUTIL_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/BRDF.hlsl"

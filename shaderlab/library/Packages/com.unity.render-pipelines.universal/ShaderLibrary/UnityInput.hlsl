@@ -1,6 +1,7 @@
 // Names that Unity feeds: those that limn feeds too, and constants for what it does not have (light
 // maps, probes besides the ambient light, motion, a second eye).
 #pragma once
+#define UNIVERSAL_SHADER_VARIABLES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 #include "limn/PerDraw.hlsl"

@@ -1,5 +1,6 @@
 // The vertex function of passes that bake light.
 #pragma once
+#define UNIVERSAL_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/MetaInput.hlsl"
 

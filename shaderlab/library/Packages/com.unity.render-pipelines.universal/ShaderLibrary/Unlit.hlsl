@@ -1,4 +1,5 @@
 #pragma once
+#define UNIVERSAL_UNLIT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 
 // The colour as it is, brightened by emission.

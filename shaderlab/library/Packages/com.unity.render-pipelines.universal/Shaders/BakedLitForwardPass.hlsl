@@ -1,5 +1,6 @@
 // Ambient light alone.
 #pragma once
+#define UNIVERSAL_BAKEDLIT_FORWARD_PASS_INCLUDED
 
 #include "limn/ForwardPass.hlsl"
 

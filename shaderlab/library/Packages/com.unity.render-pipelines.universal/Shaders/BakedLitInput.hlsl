@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Baked Lit.
 #pragma once
+#define UNIVERSAL_BAKEDLIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
 

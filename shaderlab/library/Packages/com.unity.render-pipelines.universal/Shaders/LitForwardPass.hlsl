@@ -1,5 +1,6 @@
 // Physically based lighting of LitInput.hlsl.
 #pragma once
+#define UNIVERSAL_FORWARD_LIT_PASS_INCLUDED
 
 #if defined(_PARALLAXMAP)
 #define REQUIRES_TANGENT_SPACE_VIEW_DIR_INTERPOLATOR

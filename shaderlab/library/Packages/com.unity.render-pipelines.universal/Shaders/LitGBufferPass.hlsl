@@ -1,5 +1,6 @@
 // The deferred pass of LitInput.hlsl.
 #pragma once
+#define UNIVERSAL_LIT_GBUFFER_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/Shaders/LitForwardPass.hlsl"

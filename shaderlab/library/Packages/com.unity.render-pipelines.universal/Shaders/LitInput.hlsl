@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Lit, and the surface they make.
 #pragma once
+#define UNIVERSAL_LIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"

@@ -1,5 +1,6 @@
 // What LitInput.hlsl gives to baked light.
 #pragma once
+#define UNIVERSAL_LIT_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
 

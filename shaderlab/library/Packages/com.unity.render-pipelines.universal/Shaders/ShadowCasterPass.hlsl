@@ -1,5 +1,6 @@
 // Depth seen from a light.
 #pragma once
+#define UNIVERSAL_SHADOW_CASTER_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"

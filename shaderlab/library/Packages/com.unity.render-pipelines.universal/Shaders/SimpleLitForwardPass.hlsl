@@ -1,5 +1,6 @@
 // Lambert and Blinn-Phong lighting of SimpleLitInput.hlsl.
 #pragma once
+#define UNIVERSAL_SIMPLE_LIT_PASS_INCLUDED
 
 #include "limn/ForwardPass.hlsl"
 

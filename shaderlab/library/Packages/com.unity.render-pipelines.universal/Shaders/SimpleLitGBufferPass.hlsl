@@ -1,5 +1,6 @@
 // The deferred pass of SimpleLitInput.hlsl.
 #pragma once
+#define UNIVERSAL_SIMPLE_LIT_GBUFFER_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
 

@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Simple Lit, and the surface they make.
 #pragma once
+#define UNIVERSAL_SIMPLE_LIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
 

@@ -1,5 +1,6 @@
 // Unlit: texture times colour, and fog.
 #pragma once
+#define URP_UNLIT_FORWARD_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Unlit.hlsl"
 

@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Unlit.
 #pragma once
+#define UNIVERSAL_UNLIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
 

@@ -1,5 +1,6 @@
 // What a surface of one colour gives to baked light.
 #pragma once
+#define UNIVERSAL_UNLIT_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
 

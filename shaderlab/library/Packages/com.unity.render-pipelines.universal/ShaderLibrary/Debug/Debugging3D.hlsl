@@ -1,5 +1,6 @@
 // There are no debug views: these names do nothing.
 #pragma once
+#define UNIVERSAL_DEBUGGING3D_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Debug/DebuggingCommon.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/BRDF.hlsl"

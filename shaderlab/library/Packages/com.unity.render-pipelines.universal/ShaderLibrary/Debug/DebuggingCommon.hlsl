@@ -1,5 +1,6 @@
 // There are no debug views: these names do nothing.
 #pragma once
+#define UNIVERSAL_DEBUGGING_COMMON_INCLUDED
 
 #define DEBUGLIGHTINGFEATUREFLAGS_NONE 0
 #define DEBUGLIGHTINGFEATUREFLAGS_GLOBAL_ILLUMINATION 1

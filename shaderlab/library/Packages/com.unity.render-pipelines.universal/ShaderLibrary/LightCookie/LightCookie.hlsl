@@ -1,5 +1,6 @@
 // Lights have no cookies: they shine white through.
 #pragma once
+#define UNIVERSAL_LIGHT_COOKIE_INCLUDED
 
 [limn_Lacks("light cookies", "lights shine white through them")]
 float3 SampleMainLightCookie(float3 samplePositionWS) { return float3(1, 1, 1); }

@@ -1,6 +1,7 @@
 // What the passes after the scene share: Blit.hlsl's vertex functions, and the steps of grading, each
 // from the colour of one pixel. The keywords are those of URP's own passes.
 #pragma once
+#define UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
 #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
