@@ -30,6 +30,17 @@ const EmbeddedFile* FindEmbedded(std::string_view path)
     return nullptr;
 }
 
+/// Whether the built-in library has files below the folder.
+bool isInLibrary(std::string_view folder)
+{
+    const auto files = embedded::ShaderLibrary();
+    return std::any_of(files.begin(), files.end(),
+                       [&](const EmbeddedFile& file) {
+                           return EqualsIgnoringCase(
+                               std::string_view(file.path).substr(0, folder.size()), folder);
+                       });
+}
+
 /// The path with each part spelt as the disk has it, where one differs in case only.
 std::optional<std::filesystem::path> FindIgnoringCase(const std::filesystem::path& path)
 {
@@ -114,7 +125,11 @@ std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
 
 IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                  const std::string& shaderFile)
-    : m_Options(options)
+    : m_Options(options),
+      m_UnityProject(UnityProjectOf(std::filesystem::absolute(shaderFile))),
+      m_Packages(std::filesystem::absolute(shaderFile),
+                 m_UnityProject || options.projectRoot.empty() ? m_UnityProject
+                                                               : options.projectRoot)
 {
     m_ShaderFolder = std::filesystem::path(shaderFile).parent_path();
     const std::filesystem::path file = std::filesystem::absolute(shaderFile);
@@ -124,7 +139,6 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
     }
     m_Roots.Add(options.projectRoot);
     m_Roots.Add(file.parent_path());
-    m_UnityProject = UnityProjectOf(file);
     if (m_UnityProject)
     {
         m_Roots.Add(*m_UnityProject);
@@ -168,6 +182,10 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
             return IncludedFile{std::string(file->path), std::string(file->text)};
         }
     }
+    if (auto file = FindInPackage(path))
+    {
+        return file;
+    }
     // Last, because it lists folders.
     for (const std::filesystem::path& candidate : candidates)
     {
@@ -178,6 +196,39 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
         }
     }
     return std::nullopt;
+}
+
+/// `Packages/name/…` of a package that the project brings along. What the built-in library stands
+/// in for is taken from there only: limn feeds the values that its own files name.
+std::optional<IncludedFile> IncludeResolver::FindInPackage(std::string_view include)
+{
+    constexpr std::string_view k_Packages = "Packages/";
+    const std::size_t end = std::min(include.find('/', k_Packages.size()), include.size());
+    if (!include.starts_with(k_Packages) || end == include.size() ||
+        isInLibrary(include.substr(0, end + 1)))
+    {
+        return std::nullopt;
+    }
+    const std::string name(include.substr(k_Packages.size(), end - k_Packages.size()));
+    const std::filesystem::path* folder = m_Packages.Find(name);
+    for (const std::filesystem::path& manifest : m_Packages.manifests())
+    {
+        AddDependency({manifest.generic_string(), HashFile(manifest.string())});
+    }
+    if (!folder)
+    {
+        return std::nullopt;
+    }
+    m_Roots.Add(*folder);
+    return ReadFromDisk((*folder / include.substr(end + 1)).lexically_normal());
+}
+
+void IncludeResolver::AddDependency(const IncludeDependency& dependency)
+{
+    if (std::find(m_Dependencies.begin(), m_Dependencies.end(), dependency) == m_Dependencies.end())
+    {
+        m_Dependencies.push_back(dependency);
+    }
 }
 
 std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
@@ -238,11 +289,7 @@ std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem:
             text = std::move(content.bytes);
         }
     }
-    const IncludeDependency dependency{name, text ? HashContent(*text) : 0};
-    if (std::find(m_Dependencies.begin(), m_Dependencies.end(), dependency) == m_Dependencies.end())
-    {
-        m_Dependencies.push_back(dependency);
-    }
+    AddDependency({name, text ? HashContent(*text) : 0});
     if (!text)
     {
         return std::nullopt;

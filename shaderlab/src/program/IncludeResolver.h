@@ -1,5 +1,7 @@
 #pragma once
 
+#include "program/PackageFolders.h"
+
 #include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ShaderCompiler.h>
@@ -66,11 +68,14 @@ private:
     std::vector<std::filesystem::path> Candidates(const std::string& include,
                                                   const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
+    std::optional<IncludedFile> FindInPackage(std::string_view include);
+    void AddDependency(const IncludeDependency& dependency);
 
     const ShaderCompilerOptions& m_Options;
     std::filesystem::path m_ShaderFolder;
     FileRoots m_Roots;
     std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
+    PackageFolders m_Packages;
     std::vector<IncludeDependency> m_Dependencies;
     std::string m_Refusal;
 };

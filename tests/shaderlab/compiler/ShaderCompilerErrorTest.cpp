@@ -194,7 +194,7 @@ TEST(ShaderCompilerError, ReportsEveryNameThatNobodyDeclares)
                 "    return Neither(uv) + lerp(uv.x, missing, 1);\n}"));
     EXPECT_THAT(messages,
                 testing::UnorderedElementsAre(
-                    "t.shader:2:59: error: 'Nowhere': no matching overloaded function found",
+                    "t.shader:2:58: error: 'Nowhere': no matching overloaded function found",
                     "t.shader:5:19: error: 'uw': no such field in structure",
                     "t.shader:5:24: error: '_Scale': unknown variable",
                     "t.shader:6:12: error: 'Neither': no matching overloaded function found",

@@ -3,9 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 // What shaders of public projects failed on, a case for each cause, in words of our own. The values
 // are HlslLoweringGpuTest's.
 
@@ -133,21 +130,6 @@ TEST(UnseenShaders, CompileWhereUnitysCompilersTakeThem)
         SCOPED_TRACE(item.cause);
         EXPECT_NO_THROW(CompileValid(k_Vertex + item.hlsl, ProgramLanguage::Cg));
     }
-}
-
-TEST(UnseenShaders, FindNestedIncludesFromTheFolderOfTheShader)
-{
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "limn_nested_includes";
-    std::filesystem::create_directories(folder / "inc");
-    std::ofstream(folder / "inc" / "a.hlsl") << "#include \"inc/b.hlsl\"\n";
-    std::ofstream(folder / "inc" / "b.hlsl") << "float4 Blue() { return float4(0, 0, 1, 1); }\n";
-    PassProgram program = Program("#include \"inc/a.hlsl\"\n" + k_Vertex +
-                                  "float4 frag(v2f i) : SV_Target { return Blue(); }");
-    program.file = (folder / "t.shader").string();
-    ShaderCompiler compiler;
-    EXPECT_NO_THROW(compiler.Compile(program));
-    std::filesystem::remove_all(folder);
 }
 
 } // namespace limn::test

@@ -38,6 +38,48 @@ protected:
     test::TemporaryFolder folder;
 };
 
+TEST_F(Include, FindsNestedFilesFromTheFolderOfTheShader)
+{
+    folder.Write("project/Assets/Shaders/sub/a.hlsl", "#include \"sub/b.hlsl\"\n");
+    folder.Write("project/Assets/Shaders/sub/b.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"sub/a.hlsl\""), ElementsAre());
+}
+
+TEST_F(Include, FindsPackagesByTheNameInTheirManifest)
+{
+    const std::string manifest = "{\"name\": \"com.me.NAME\", \"version\": \"1.0.0\"}";
+    const auto manifestOf = [&](const std::string& name)
+    {
+        return std::string(manifest).replace(manifest.find("NAME"), 4, name);
+    };
+    folder.Write("project/Packages/src/package.json", manifestOf("own"));
+    folder.Write("project/Packages/src/Lib/a.hlsl", "#include \"Packages/com.me.cached/b.hlsl\"\n");
+    folder.Write("project/Library/PackageCache/com.me.cached@1.2.3/package.json",
+                 manifestOf("cached"));
+    folder.Write("project/Library/PackageCache/com.me.cached@1.2.3/b.hlsl", "#define VALUE 1\n");
+    folder.Write("project/Packages/broken/package.json", "{\"name\": ");
+    EXPECT_THAT(Compile("#include \"Packages/com.me.own/Lib/a.hlsl\""), ElementsAre());
+    EXPECT_THAT(Compile("#include \"Packages/com.me.other/a.hlsl\""),
+                ElementsAre(HasSubstr("no such file \"Packages/com.me.other/a.hlsl\"")));
+    // What limn stands in for is not mixed with a copy in the cache.
+    folder.Write("project/Library/PackageCache/urp/package.json",
+                 "{\"name\": \"com.unity.render-pipelines.universal\"}");
+    folder.Write("project/Library/PackageCache/urp/Extra.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"Packages/com.unity.render-pipelines.universal/Extra.hlsl\""),
+                ElementsAre(HasSubstr("no such file")));
+}
+
+TEST_F(Include, FindsThePackageThatTheShaderItselfIsPartOf)
+{
+    folder.Write("MyRepository/package.json", "{\"name\": \"com.me.repository\"}");
+    folder.Write("MyRepository/ShaderLibrary/a.hlsl", "#define VALUE 1\n");
+    PassProgram program =
+        test::Program("#include \"Packages/com.me.repository/ShaderLibrary/a.hlsl\"" + k_Functions);
+    program.file = Path("MyRepository/Shaders/t.shader");
+    ShaderCompiler compiler;
+    EXPECT_NO_THROW(compiler.Compile(program));
+}
+
 TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"sub/b.hlsl\"\n");
