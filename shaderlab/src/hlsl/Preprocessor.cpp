@@ -207,7 +207,6 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     const bool isRedefined = AllowRedefinitions(diagnostics);
     Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
-    RequireShallow(HlslTokens(result));
     const bool namesStages =
         includer.namesStages() ||
         std::any_of(program.chunks.begin(), program.chunks.end(),

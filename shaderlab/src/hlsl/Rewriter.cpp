@@ -3,8 +3,9 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "hlsl/Editor.h"
+#include "hlsl/Reach.h"
 #include "hlsl/Repeats.h"
-#include "hlsl/Tree.h"
+#include "hlsl/TreeParser.h"
 #include "hlsl/lowering/Lowering.h"
 #include "stages/GeometryEntryWriter.h"
 #include "stages/KernelEntryWriter.h"
@@ -45,19 +46,29 @@ public:
         : m_Source(source),
           m_Tokens(source.tokens),
           m_Code(source.tokens),
-          m_Lowering(m_Code, source.globals)
+          m_Lowering(m_Code, source.globals),
+          m_Reach(source.tokens, source.declarations, entry)
     {
-        MarkFunctions();
-        FindReachable(entry);
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            const std::string_view text = m_Tokens.Text(i);
+            const std::string name = AuthorFunctionName(text);
+            if (name != text && !m_Reach.isLeftOut()[i])
+            {
+                m_Code.Spelling(i) = name;
+            }
+        }
         ReadTrees();
     }
+
+    const HlslReach& reach() const { return m_Reach; }
 
     /// What only compute shaders do in limn.
     void RefuseWritable() const
     {
         for (const HlslVariable& object : m_Source.declarations.objects)
         {
-            if (isWritable(object.type) && isReached(object.name))
+            if (isWritable(object.type) && m_Reach.Names(object.name))
             {
                 const HlslPlace place = m_Tokens.Place(object.token);
                 throw UnsupportedProgramError(
@@ -85,7 +96,7 @@ public:
 
     RewrittenHlsl Finish(const std::string& entry) const
     {
-        RewrittenHlsl result{m_Code.Assemble(m_IsLeftOut) + entry, m_StandIns, {}};
+        RewrittenHlsl result{m_Code.Assemble(m_Reach.isLeftOut()) + entry, m_StandIns, {}};
         std::map<std::size_t, std::string_view> unknown; // in the order of the text
         for (const Tree& tree : m_Trees)
         {
@@ -110,7 +121,8 @@ public:
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
             const std::string_view word = m_Tokens.Text(i);
-            if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x' && !m_IsLeftOut[i])
+            if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x' &&
+                !m_Reach.isLeftOut()[i])
             {
                 const HlslPlace place = m_Tokens.Place(i);
                 throw AssetError(place.file, place.location,
@@ -236,7 +248,7 @@ public:
     void TakeGeometryApart(const StageInterface& interface, const StageLinkage& linkage)
     {
         std::size_t first = interface.function->begin;
-        for (const HlslFunction* function : m_Reachable)
+        for (const HlslFunction* function : m_Reach.functions())
         {
             for (std::size_t i = function->begin; i < function->end; ++i)
             {
@@ -264,27 +276,10 @@ public:
         }
     }
 
-    /// Whether the stage's functions name it.
-    bool isReached(std::string_view name) const
-    {
-        const auto names = [&](const HlslFunction* function)
-        {
-            for (std::size_t i = function->begin; i < function->end; ++i)
-            {
-                if (m_Tokens.Text(i) == name)
-                {
-                    return true;
-                }
-            }
-            return false;
-        };
-        return std::any_of(m_Reachable.begin(), m_Reachable.end(), names);
-    }
-
     /// Takes the marks off, which are no HLSL, and tells what those of reached functions say.
     void TakeStandIns()
     {
-        for (const HlslFunction* function : m_Reachable)
+        for (const HlslFunction* function : m_Reach.functions())
         {
             for (const std::string_view attribute : function->attributes)
             {
@@ -323,64 +318,6 @@ private:
                type == "AppendStructuredBuffer" || type == "ConsumeStructuredBuffer";
     }
 
-    void MarkFunctions()
-    {
-        m_FunctionOf.resize(m_Tokens.size(), nullptr);
-        for (const HlslFunction& function : m_Source.declarations.functions)
-        {
-            m_ByName[function.name].push_back(&function);
-            std::fill(m_FunctionOf.begin() + static_cast<std::ptrdiff_t>(function.begin),
-                      m_FunctionOf.begin() + static_cast<std::ptrdiff_t>(function.end), &function);
-        }
-    }
-
-    void FindReachable(std::string_view entry)
-    {
-        Reach(entry);
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
-        {
-            if (!m_FunctionOf[i] && m_Tokens.isWord(i))
-            {
-                Reach(m_Tokens.Text(i));
-            }
-        }
-        m_IsLeftOut.resize(m_Tokens.size());
-        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
-        {
-            m_IsLeftOut[i] = m_FunctionOf[i] && !m_Reachable.contains(m_FunctionOf[i]);
-            const std::string_view text = m_Tokens.Text(i);
-            if (const std::string name = AuthorFunctionName(text); !m_IsLeftOut[i] && name != text)
-            {
-                m_Code.Spelling(i) = name;
-            }
-        }
-    }
-
-    /// All overloads of a name at once: which one is called is not for us to find out.
-    void Reach(std::string_view name)
-    {
-        std::vector<std::string_view> pending = {name};
-        while (!pending.empty())
-        {
-            const auto found = m_ByName.find(pending.back());
-            pending.pop_back();
-            if (found == m_ByName.end())
-            {
-                continue;
-            }
-            for (const HlslFunction* function : found->second)
-            {
-                if (m_Reachable.insert(function).second)
-                {
-                    for (std::size_t i = function->begin; i < function->end; ++i)
-                    {
-                        pending.push_back(m_Tokens.Text(i));
-                    }
-                }
-            }
-        }
-    }
-
     void ReadTrees()
     {
         HlslTreeParser parser(m_Tokens, m_Source.declarations, m_Nodes);
@@ -406,7 +343,7 @@ private:
         }
         for (const HlslFunction& function : m_Source.declarations.functions)
         {
-            if (m_Reachable.contains(&function))
+            if (m_Reach.functions().contains(&function))
             {
                 add(function, nullptr);
             }
@@ -479,12 +416,9 @@ private:
     const HlslTokens& m_Tokens;
     HlslEditor m_Code;
     HlslLowering m_Lowering;
+    const HlslReach m_Reach;
     HlslNodes m_Nodes;
     std::vector<Tree> m_Trees;
-    std::vector<const HlslFunction*> m_FunctionOf; ///< by token; null at file scope
-    std::vector<bool> m_IsLeftOut;                 ///< by token: of functions out of reach
-    std::map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
-    std::set<const HlslFunction*> m_Reachable;
     std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
     std::string m_Prologue;
     std::vector<std::string> m_StandIns;
@@ -511,7 +445,7 @@ RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
         rewriter.TakeGeometryApart(interface, linkage);
     }
     return rewriter.Finish(WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
-                                           rewriter.isReached(k_DrawIndex)));
+                                           rewriter.reach().Names(k_DrawIndex)));
 }
 
 RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel)
@@ -527,7 +461,7 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
         fail("a kernel says how many threads a group has; write '[numthreads(8, 8, 1)]' before it");
     }
     Rewriter rewriter(source, kernel.name);
-    if (rewriter.isReached(k_DrawIndex))
+    if (rewriter.reach().Names(k_DrawIndex))
     {
         fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
              "nothing, so give it the value as a parameter");

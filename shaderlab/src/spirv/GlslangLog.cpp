@@ -44,7 +44,7 @@ bool Consume(std::string_view& text, std::string_view start)
 }
 
 /// " const 3-component vector of float" becomes "float3", " temp 4X4 matrix of float" "float4x4".
-std::string HlslType(std::string_view type)
+std::string HlslTypeName(std::string_view type)
 {
     type = Trim(type);
     for (const std::string_view qualifier :
@@ -78,7 +78,7 @@ std::string SpellTypes(std::string_view text)
             break;
         }
         result += text.substr(0, open + 1);
-        result += HlslType(text.substr(open + 1, close - open - 1)) + "'";
+        result += HlslTypeName(text.substr(open + 1, close - open - 1)) + "'";
         text.remove_prefix(close + 1);
     }
     return result.append(text);

@@ -1,5 +1,6 @@
 #include "stages/StageInterface.h"
 
+#include "hlsl/Types.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -20,41 +21,17 @@ struct BuiltInType
     bool isMatrix = false;
 };
 
-constexpr std::pair<std::string_view, std::string_view> k_Scalars[] = {
-    {"float", "float"}, {"half", "float"},       {"double", "float"},     {"fixed", "float"},
-    {"real", "float"},  {"min16float", "float"}, {"min10float", "float"}, {"uint", "uint"},
-    {"int", "int"},     {"min16uint", "uint"},   {"min16int", "int"},     {"min12int", "int"},
-    {"dword", "uint"},  {"bool", "bool"},
-};
-
 std::optional<BuiltInType> ReadBuiltInType(std::string_view name)
 {
-    for (const auto& [spelling, scalar] : k_Scalars)
+    const auto type = NumberType(name);
+    if (!type)
     {
-        if (name.substr(0, spelling.size()) != spelling)
-        {
-            continue;
-        }
-        const std::string_view rest = name.substr(spelling.size());
-        const auto digit = [&](std::size_t i)
-        {
-            return rest[i] - '0';
-        };
-        const bool first = !rest.empty() && rest[0] >= '1' && rest[0] <= '4';
-        if (rest.empty())
-        {
-            return BuiltInType{std::string(scalar)};
-        }
-        if (rest.size() == 1 && first)
-        {
-            return BuiltInType{std::string(scalar), 1, digit(0)};
-        }
-        if (rest.size() == 3 && first && rest[1] == 'x' && rest[2] >= '1' && rest[2] <= '4')
-        {
-            return BuiltInType{std::string(scalar), digit(0), digit(2), true};
-        }
+        return std::nullopt;
     }
-    return std::nullopt;
+    // Stages hand over floats: a device need not know smaller or larger ones.
+    const HlslType scalar = type->isFloating() ? type->As(1).Of(HlslScalar::Float) : type->As(1);
+    return BuiltInType{scalar.Spelling(), std::max<int>(type->rows, 1), type->columns,
+                       type->isMatrix()};
 }
 
 struct Semantic

@@ -2,7 +2,7 @@
 
 #include <hlsl/Resolver.h>
 #include <hlsl/Rewriter.h>
-#include <hlsl/Tree.h>
+#include <hlsl/TreeParser.h>
 #include <hlsl/lowering/Lowering.h>
 
 #include <string>

@@ -20,12 +20,12 @@ constexpr std::pair<std::string_view, std::string_view> k_TextureTypes[] = {
 class OldFormTaker
 {
 public:
-    OldFormTaker(const std::string& text, std::vector<Diagnostic>& warnings)
-        : m_Code(text), m_Warnings(warnings)
+    OldFormTaker(HlslEditor& code, std::vector<Diagnostic>& warnings)
+        : m_Code(code), m_Warnings(warnings)
     {
     }
 
-    std::string Take()
+    void Take()
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
@@ -39,7 +39,6 @@ public:
                 TakeWord(i);
             }
         }
-        return m_Code.Assemble();
     }
 
 private:
@@ -125,7 +124,7 @@ private:
         m_Code.Erase(first, m_Code.AfterBracket(open));
     }
 
-    HlslEditor m_Code;
+    HlslEditor& m_Code;
     std::vector<Diagnostic>& m_Warnings;
     int m_Depth = 0; ///< brackets around the token
     bool m_isInConstants = false;
@@ -133,9 +132,9 @@ private:
 
 } // namespace
 
-std::string TakeOldForms(std::string text, std::vector<Diagnostic>& warnings)
+void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings)
 {
-    return OldFormTaker(text, warnings).Take();
+    OldFormTaker(code, warnings).Take();
 }
 
 } // namespace limn

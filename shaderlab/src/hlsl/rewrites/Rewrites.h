@@ -2,6 +2,9 @@
 
 #include <limn/shaderlab/Diagnostic.h>
 #include <limn/shaderlab/PassProgram.h>
+
+#include "hlsl/Editor.h"
+
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,9 +16,11 @@ namespace limn
 // Each is in a file of its own; RespellForGlslang, in Spelling.cpp, calls all.
 
 /// Preprocessed HLSL with what Unity's compilers take and glslang does not spelt another way:
-/// variables called `line` or `triangle`, swizzles of several elements of a matrix, samplers
-/// without a texture declared as `sampler`, and what the headers that are included by its source
-/// tell. Lines stay where they are.
+/// variables called `line` or `triangle`, samplers without a texture declared as `sampler`, and
+/// what the functions below tell. What needs types is done later, see lowering/Lowering.h. Lines
+/// stay where they are.
+///
+/// @throws AssetError  where the text is nested too deeply
 std::string RespellForGlslang(std::string text, const PassProgram& program,
                               std::vector<Diagnostic>& warnings);
 
@@ -23,12 +28,11 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
 /// is all that they mean; glslang does not read them. Lines stay where they are.
 std::string SpellEnums(std::string text);
 
-/// Preprocessed HLSL without the declarations of Direct3D 9's effects that later compilers read
-/// over: states in `sampler_state { … }` or behind a sampler's name (a warning each), the texture
-/// types `texture`, `texture2D`, `textureCUBE`; `unsigned int` is `uint`, and `row_major` says
-/// nothing of a uniform matrix, whose elements limn sets by row and column. Lines stay where they
-/// are.
-std::string TakeOldForms(std::string text, std::vector<Diagnostic>& warnings);
+/// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
+/// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
+/// `texture2D`, `textureCUBE`; `unsigned int` is `uint`, and `row_major` says nothing of a uniform
+/// matrix, whose elements limn sets by row and column.
+void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 
 /// Preprocessed HLSL in which `struct B : A` has a copy of A's members in front of its own, and
 /// names A no more: glslang reads over the base. Lines stay where they are.

@@ -1,10 +1,12 @@
 #include "hlsl/rewrites/Rewrites.h"
 
+#include "hlsl/Checks.h"
 #include "hlsl/Editor.h"
 #include "text/Text.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,9 +44,9 @@ bool Contains(const std::array<std::string_view, N>& words, std::string_view wor
 class Speller
 {
 public:
-    explicit Speller(const std::string& text) : m_Code(text) {}
+    explicit Speller(HlslEditor& code) : m_Code(code) {}
 
-    std::string Spell()
+    void Spell()
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
@@ -53,7 +55,6 @@ public:
                 SpellWord(i);
             }
         }
-        return m_Code.Assemble();
     }
 
 private:
@@ -173,7 +174,7 @@ private:
         return false;
     }
 
-    HlslEditor m_Code;
+    HlslEditor& m_Code;
 };
 
 } // namespace
@@ -181,13 +182,21 @@ private:
 std::string RespellForGlslang(std::string text, const PassProgram& program,
                               std::vector<Diagnostic>& warnings)
 {
-    text = TakeOldForms(std::move(text), warnings);
-    text = SpellEnums(std::move(text));
-    text = CopyBaseMembers(std::move(text));
-    text = TakeStaticMembers(std::move(text));
-    text = TakeUniformParameters(
-        std::move(text), {program.vertex.name, program.geometry.name, program.fragment.name});
-    return Speller(text).Spell();
+    auto code = std::make_unique<HlslEditor>(text);
+    RequireShallow(code->tokens());
+    std::string rewritten = SpellEnums(text);
+    rewritten = CopyBaseMembers(std::move(rewritten));
+    rewritten = TakeStaticMembers(std::move(rewritten));
+    rewritten = TakeUniformParameters(
+        std::move(rewritten), {program.vertex.name, program.geometry.name, program.fragment.name});
+    if (rewritten != text) // as hardly ever
+    {
+        text = std::move(rewritten);
+        code = std::make_unique<HlslEditor>(text);
+    }
+    TakeOldForms(*code, warnings);
+    Speller(*code).Spell();
+    return code->Assemble();
 }
 
 } // namespace limn

@@ -1,0 +1,181 @@
+#include "hlsl/Globals.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace limn
+{
+
+namespace
+{
+
+/// How far a type is from the one wanted, the least first; nothing where it cannot be converted.
+std::optional<int> Distance(const HlslType& from, const HlslType& to)
+{
+    constexpr int k_Truncation = 1000;
+    constexpr int k_OtherSize = 100;
+    if (from.kind == to.kind && from.dimensions == to.dimensions &&
+        (from == to || from.kind == HlslType::Kind::Object))
+    {
+        return 0; // which textures and samplers fit is not told apart
+    }
+    if (!from.isNumber() || !to.isNumber() || from.components() < to.components())
+    {
+        const bool isSpread = from.isScalar() && to.isNumber();
+        if (!isSpread)
+        {
+            return std::nullopt;
+        }
+    }
+    int distance = from.scalar == to.scalar                                          ? 0
+                   : from.isFloating() && to.isFloating() && from.scalar < to.scalar ? 1
+                   : from.isFloating() == to.isFloating()                            ? 2
+                                                                                     : 4;
+    const bool isSameSize = from.rows == to.rows && from.columns == to.columns;
+    if (!isSameSize)
+    {
+        distance += from.components() > to.components() ? k_Truncation : k_OtherSize;
+    }
+    return distance;
+}
+
+/// half counting as float.
+bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
+{
+    const auto isSame = [](const HlslVariable& left, const HlslVariable& right)
+    {
+        const auto first = NumberType(left.type);
+        const auto second = NumberType(right.type);
+        return left.dimensions.size() == right.dimensions.size() &&
+               (left.type == right.type ||
+                (first && second && first->Spelling() == second->Spelling()));
+    };
+    return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                      b.parameters.end(), isSame);
+}
+
+} // namespace
+
+HlslGlobals::HlslGlobals(const HlslDeclarations& declarations) : m_Declarations(declarations)
+{
+    for (const auto* list : {&declarations.uniforms, &declarations.objects, &declarations.statics})
+    {
+        for (const HlslVariable& variable : *list)
+        {
+            m_Variables[variable.name] = &variable;
+        }
+    }
+    for (const HlslFunction& function : declarations.functions)
+    {
+        m_Functions[function.name].push_back(&function);
+    }
+    for (const HlslStruct& type : declarations.structs)
+    {
+        for (const HlslFunction& method : type.methods)
+        {
+            m_Methods[method.name].push_back(&method);
+        }
+    }
+    for (const auto& [name, overloads] : m_Functions)
+    {
+        if (overloads.size() > 1)
+        {
+            TellHalfApart(overloads);
+        }
+    }
+}
+
+void HlslGlobals::TellHalfApart(std::span<const HlslFunction* const> overloads)
+{
+    const auto halves = [](const HlslFunction& function)
+    {
+        std::string text;
+        for (const HlslVariable& parameter : function.parameters)
+        {
+            const auto type = NumberType(parameter.type);
+            text += type && type->scalar == HlslScalar::Half ? 'h' : 'f';
+        }
+        return text;
+    };
+    for (const HlslFunction* function : overloads)
+    {
+        const std::string own = halves(*function);
+        const auto isOther = [&](const HlslFunction* other)
+        {
+            return halves(*other) != own && hasSameParameters(*function, *other) &&
+                   std::ranges::count(halves(*other), 'h') < std::ranges::count(own, 'h');
+        };
+        if (std::any_of(overloads.begin(), overloads.end(), isOther))
+        {
+            m_Spellings[function] = "limn_" + own + "_" + std::string(function->name);
+        }
+    }
+}
+
+const std::string* HlslGlobals::FindSpelling(const HlslFunction& function) const
+{
+    const auto found = m_Spellings.find(&function);
+    return found == m_Spellings.end() ? nullptr : &found->second;
+}
+
+const HlslVariable* HlslGlobals::FindVariable(std::string_view name) const
+{
+    const auto found = m_Variables.find(name);
+    return found == m_Variables.end() ? nullptr : found->second;
+}
+
+bool HlslGlobals::isUniform(const HlslVariable* variable) const
+{
+    const std::vector<HlslVariable>& uniforms = m_Declarations.uniforms;
+    return variable && !uniforms.empty() && variable >= uniforms.data() &&
+           variable < uniforms.data() + uniforms.size();
+}
+
+std::span<const HlslFunction* const> HlslGlobals::FindFunctions(std::string_view name) const
+{
+    const auto found = m_Functions.find(name);
+    return found == m_Functions.end() ? std::span<const HlslFunction* const>() : found->second;
+}
+
+std::span<const HlslFunction* const> HlslGlobals::FindMethods(std::string_view name) const
+{
+    const auto found = m_Methods.find(name);
+    return found == m_Methods.end() ? std::span<const HlslFunction* const>() : found->second;
+}
+
+const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
+                                   std::span<const HlslFunction* const> overloads,
+                                   std::span<const HlslType> arguments)
+{
+    const HlslFunction* best = nullptr;
+    int least = 0;
+    bool isTie = false;
+    for (const HlslFunction* function : overloads)
+    {
+        if (function->parameters.size() != arguments.size())
+        {
+            continue;
+        }
+        std::optional<int> sum = 0;
+        for (std::size_t i = 0; i < arguments.size() && sum; ++i)
+        {
+            const HlslType wanted = TypeOf(declarations, function->parameters[i]);
+            const bool isKnown = arguments[i].kind != HlslType::Kind::Unknown &&
+                                 wanted.kind != HlslType::Kind::Unknown;
+            const std::optional<int> distance =
+                isKnown ? Distance(arguments[i], wanted) : std::optional(0);
+            sum = distance ? std::optional(*sum + *distance) : std::nullopt;
+        }
+        const bool isSame = best && sum && *sum == least;
+        isTie = isSame ? isTie || best->hasBody == function->hasBody : isTie;
+        if (sum && (!best || *sum < least || (isSame && function->hasBody)))
+        {
+            isTie = isTie && isSame;
+            best = function;
+            least = *sum;
+        }
+    }
+    return isTie ? nullptr : best;
+}
+
+} // namespace limn

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "hlsl/Tree.h"
+
+#include <cstddef>
+#include <string_view>
+#include <unordered_set>
+
+namespace limn
+{
+
+/// Reads the statements of functions and the values of variables. Text that it does not know
+/// becomes Unknown nodes up to the end of the statement or bracket.
+class HlslTreeParser
+{
+public:
+    /// @param tokens        outlive this, as do
+    /// @param declarations  which tell the names of types
+    HlslTreeParser(const HlslTokens& tokens, const HlslDeclarations& declarations,
+                   HlslNodes& nodes);
+
+    /// From a `{` on.
+    HlslNode* ParseBlock(std::size_t open);
+    /// An expression or { list } from one token to the one before `end`.
+    HlslNode* ParseValue(std::size_t first, std::size_t end);
+
+private:
+    std::string_view Text(std::size_t ahead = 0) const { return m_Tokens.Text(m_Index + ahead); }
+    bool isWord(std::size_t ahead = 0) const { return m_Tokens.isWord(m_Index + ahead); }
+    bool isEnd() const { return m_Index >= m_End; }
+    HlslNode* Make(HlslNodeKind kind, std::size_t first);
+    /// Where the parser is now is behind the node.
+    HlslNode* Close(HlslNode* node);
+    static void Add(HlslNode* parent, HlslNode* child);
+    HlslNode* Accept(HlslNode* node, std::string_view text);
+    /// Nothing before `end` was left unread.
+    HlslNode* ReadUnknown(std::size_t first, std::size_t end);
+
+    // Statements
+    HlslNode* ReadStatement();
+    HlslNode* ReadWordStatement(std::size_t first);
+    HlslNode* ReadBlock(std::size_t first);
+    HlslNode* ReadLoop(HlslNodeKind kind, std::size_t first);
+    HlslNode* ReadFor(std::size_t first);
+    HlslNode* ReadDo(std::size_t first);
+    HlslNode* ReadLabel(std::size_t first);
+    HlslNode* ReadSimple(std::size_t first);
+    HlslNode* ReadDeclaration(std::size_t first);
+    HlslNode* ReadDeclarator(HlslType type);
+    HlslNode* ReadCondition();
+    void SkipAttributes();
+    bool isDeclaration() const;
+    std::size_t EndOfStatement() const;
+
+    // Expressions
+    HlslNode* ReadExpression();
+    HlslNode* ReadAssignment();
+    HlslNode* ReadBinary(int precedence);
+    HlslNode* ReadPrefix();
+    HlslNode* ReadCast();
+    HlslNode* ReadPostfix();
+    HlslNode* ReadPrimary();
+    HlslNode* ReadArguments(HlslNode* node, std::string_view close);
+
+    /// Of the type at the index, template arguments and `unsigned` included; the index behind it,
+    /// or 0 where there is none.
+    std::size_t ReadType(std::size_t index, HlslType& type) const;
+    bool isTypeName(std::size_t index) const;
+    bool isOperand(std::size_t index) const;
+
+    const HlslTokens& m_Tokens;
+    const HlslDeclarations& m_Declarations;
+    HlslNodes& m_Nodes;
+    std::unordered_set<std::string_view> m_TypeNames; ///< of the author
+    std::size_t m_Index = 0;
+    std::size_t m_End = 0;
+};
+
+} // namespace limn
