@@ -74,8 +74,8 @@ HlslNode* HlslTreeParser::ReadExpression()
     {
         HlslNode* node = Make(HlslNodeKind::Binary, left->first);
         ++m_Index;
-        Add(node, left);
-        Add(node, ReadAssignment());
+        node->Add(left);
+        node->Add(ReadAssignment());
         left = Close(node);
     }
     return left;
@@ -88,12 +88,12 @@ HlslNode* HlslTreeParser::ReadAssignment()
     {
         HlslNode* node = Make(HlslNodeKind::Ternary, left->first);
         ++m_Index;
-        Add(node, left);
-        Add(node, ReadAssignment());
+        node->Add(left);
+        node->Add(ReadAssignment());
         if (Text() == ":")
         {
             ++m_Index;
-            Add(node, ReadAssignment());
+            node->Add(ReadAssignment());
         }
         left = Close(node);
     }
@@ -101,8 +101,8 @@ HlslNode* HlslTreeParser::ReadAssignment()
     {
         HlslNode* node = Make(HlslNodeKind::Assign, left->first);
         ++m_Index;
-        Add(node, left);
-        Add(node, ReadAssignment());
+        node->Add(left);
+        node->Add(ReadAssignment());
         left = Close(node);
     }
     return left;
@@ -120,8 +120,8 @@ HlslNode* HlslTreeParser::ReadBinary(int precedence)
         }
         HlslNode* node = Make(HlslNodeKind::Binary, left->first);
         ++m_Index;
-        Add(node, left);
-        Add(node, ReadBinary(own + 1));
+        node->Add(left);
+        node->Add(ReadBinary(own + 1));
         left = Close(node);
     }
     return left;
@@ -133,7 +133,7 @@ HlslNode* HlslTreeParser::ReadPrefix()
     {
         HlslNode* node = Make(HlslNodeKind::Prefix, m_Index);
         ++m_Index;
-        Add(node, ReadPrefix());
+        node->Add(ReadPrefix());
         return Close(node);
     }
     if (Text() == "(" && !isEnd())
@@ -155,7 +155,7 @@ HlslNode* HlslTreeParser::ReadCast()
     const std::size_t behind = m_Tokens.AfterBracket(m_Index);
     ReadType(m_Index + 1, node->type);
     m_Index = behind;
-    Add(node, ReadPrefix());
+    node->Add(ReadPrefix());
     return Close(node);
 }
 
@@ -170,20 +170,20 @@ HlslNode* HlslTreeParser::ReadPostfix()
         {
             ++m_Index;
             node = Make(Text(1) == "(" ? HlslNodeKind::Method : HlslNodeKind::Member, value->first);
-            Add(node, value);
+            node->Add(value);
             ++m_Index;
             value = node->kind == HlslNodeKind::Method ? ReadArguments(node, ")") : Close(node);
         }
         else if (text == "[")
         {
             node = Make(HlslNodeKind::Index, value->first);
-            Add(node, value);
+            node->Add(value);
             value = ReadArguments(node, "]");
         }
         else if (text == "++" || text == "--")
         {
             node = Make(HlslNodeKind::Postfix, value->first);
-            Add(node, value);
+            node->Add(value);
             ++m_Index;
             value = Close(node);
         }
@@ -205,7 +205,7 @@ HlslNode* HlslTreeParser::ReadArguments(HlslNode* node, std::string_view close)
     {
         HlslNode* argument = ReadAssignment();
         const std::size_t comma = std::min(m_Tokens.FindOutside(m_Index, ","), last);
-        Add(node, m_Index == comma ? argument : ReadUnknown(argument->first, comma));
+        node->Add(m_Index == comma ? argument : ReadUnknown(argument->first, comma));
         m_Index = comma + (comma < last ? 1 : 0);
     }
     m_Index = behind;
@@ -229,7 +229,7 @@ HlslNode* HlslTreeParser::ReadPrimary()
         HlslNode* node = Make(HlslNodeKind::Paren, first);
         ++m_Index;
         HlslNode* value = ReadExpression();
-        Add(node, m_Index + 1 == behind ? value : ReadUnknown(value->first, behind - 1));
+        node->Add(m_Index + 1 == behind ? value : ReadUnknown(value->first, behind - 1));
         m_Index = behind;
         return Close(node);
     }

@@ -231,31 +231,25 @@ void HlslResolver::ResolveName(HlslNode& node)
         }
         return;
     }
-    // Where the newest is a loop's number, and what is meant has members, it is the one it hides.
     const std::string_view next = m_Tokens.Text(node.token + 1);
-    const bool hasMembers = next == "." || next == "[";
-    const Entry* meant = nullptr;
-    for (auto entry = found->second.rbegin(); entry != found->second.rend(); ++entry)
+    const Entry& meant = Meant(found->second, next == "." || next == "[");
+    if (meant.hasEnded && meant.local)
     {
-        const bool isNumber = entry->type.isNumber();
-        if (!entry->hasEnded && (!meant || hasMembers || !isNumber))
-        {
-            meant = &*entry;
-            break;
-        }
-        meant = meant ? meant : &*entry;
-        if (!entry->hasEnded)
-        {
-            break;
-        }
+        Rename(*meant.local);
     }
-    if (meant->hasEnded && meant->local)
-    {
-        Rename(*meant->local);
-    }
-    node.local = meant->local;
-    node.variable = meant->variable;
-    node.type = meant->type;
+    node.local = meant.local;
+    node.variable = meant.variable;
+    node.type = meant.type;
+}
+
+/// The newest, unless that is the number of a loop that is over, where a number cannot be meant.
+const HlslResolver::Entry& HlslResolver::Meant(const std::vector<Entry>& entries, bool hasMembers)
+{
+    const auto lasting = std::find_if(entries.rbegin(), entries.rend(),
+                                      [](const Entry& entry) { return !entry.hasEnded; });
+    const bool isOther = entries.back().hasEnded && lasting != entries.rend() &&
+                         (hasMembers || !lasting->type.isNumber());
+    return isOther ? *lasting : entries.back();
 }
 
 HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> arguments)

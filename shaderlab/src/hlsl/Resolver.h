@@ -59,6 +59,7 @@ private:
     void ResolveExpression(HlslNode& node);
     void ResolveName(HlslNode& node);
     void Rename(HlslNode& declarator);
+    static const Entry& Meant(const std::vector<Entry>& entries, bool hasMembers);
     HlslType CallType(const HlslNode& node, std::span<const HlslType> arguments);
     HlslType MemberType(const HlslNode& node);
     HlslType BinaryType(const HlslNode& node) const;

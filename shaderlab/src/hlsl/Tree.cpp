@@ -15,6 +15,13 @@ HlslNode* HlslNode::Child(std::size_t index) const
     return node;
 }
 
+void HlslNode::Add(HlslNode* added)
+{
+    added->parent = this;
+    (last ? last->next : child) = added;
+    last = added;
+}
+
 std::size_t HlslNode::CountChildren() const
 {
     std::size_t count = 0;

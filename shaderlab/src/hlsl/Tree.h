@@ -53,6 +53,7 @@ struct HlslNode
     std::uint32_t end = 0; ///< one behind its last token
     std::uint32_t token = 0;
     HlslNode* child = nullptr; ///< first
+    HlslNode* last = nullptr;  ///< child
     HlslNode* next = nullptr;  ///< its sibling
     HlslNode* parent = nullptr;
     /// Of an expression or a declarator. A cast's and a construct's is known from the text, the
@@ -63,6 +64,7 @@ struct HlslNode
     const HlslVariable* variable = nullptr; ///< a parameter, member or global
 
     HlslNode* Child(std::size_t index) const;
+    void Add(HlslNode* added);
     std::size_t CountChildren() const;
 };
 

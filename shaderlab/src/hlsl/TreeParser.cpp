@@ -65,17 +65,6 @@ HlslNode* HlslTreeParser::Close(HlslNode* node)
     return node;
 }
 
-void HlslTreeParser::Add(HlslNode* parent, HlslNode* child)
-{
-    child->parent = parent;
-    HlslNode** link = &parent->child;
-    while (*link)
-    {
-        link = &(*link)->next;
-    }
-    *link = child;
-}
-
 HlslNode* HlslTreeParser::ReadUnknown(std::size_t first, std::size_t end)
 {
     HlslNode* node = Make(HlslNodeKind::Unknown, first);
@@ -87,13 +76,10 @@ HlslNode* HlslTreeParser::ReadBlock(std::size_t first)
 {
     HlslNode* block = Make(HlslNodeKind::Block, first);
     const std::size_t close = m_Tokens.AfterBracket(m_Index) - 1;
-    HlslNode* last = nullptr;
-    for (++m_Index; m_Index < close;)
+    ++m_Index;
+    while (m_Index < close)
     {
-        HlslNode* statement = ReadStatement();
-        statement->parent = block; // Add() would walk the whole list each time
-        (last ? last->next : block->child) = statement;
-        last = statement;
+        block->Add(ReadStatement());
     }
     m_Index = close + 1;
     return Close(block);
@@ -179,15 +165,15 @@ HlslNode* HlslTreeParser::ReadLoop(HlslNodeKind kind, std::size_t first)
 {
     HlslNode* node = Make(kind, first);
     ++m_Index;
-    Add(node, ReadCondition());
+    node->Add(ReadCondition());
     if (!isEnd())
     {
-        Add(node, ReadStatement());
+        node->Add(ReadStatement());
     }
     if (kind == HlslNodeKind::If && Text() == "else" && !isEnd())
     {
         ++m_Index;
-        Add(node, ReadStatement());
+        node->Add(ReadStatement());
     }
     return Close(node);
 }
@@ -210,14 +196,14 @@ HlslNode* HlslTreeParser::ReadFor(std::size_t first)
                                            : ReadExpression();
         const bool isDeclared = part->kind == HlslNodeKind::Declaration;
         m_Index += !isDeclared && Text() == mark ? 1 : 0;
-        Add(node, part);
+        node->Add(part);
     }
     if (m_Index != behind)
     {
         m_Index = behind;
         return ReadUnknown(first, EndOfStatement());
     }
-    Add(node, ReadStatement());
+    node->Add(ReadStatement());
     return Close(node);
 }
 
@@ -225,11 +211,11 @@ HlslNode* HlslTreeParser::ReadDo(std::size_t first)
 {
     HlslNode* node = Make(HlslNodeKind::Do, first);
     ++m_Index;
-    Add(node, ReadStatement());
+    node->Add(ReadStatement());
     if (Text() == "while")
     {
         ++m_Index;
-        Add(node, ReadCondition());
+        node->Add(ReadCondition());
     }
     m_Index += Text() == ";" ? 1 : 0;
     return Close(node);
@@ -241,7 +227,7 @@ HlslNode* HlslTreeParser::ReadLabel(std::size_t first)
     if (Text(0) == "case")
     {
         ++m_Index;
-        Add(node, ReadExpression());
+        node->Add(ReadExpression());
     }
     else
     {
@@ -262,7 +248,7 @@ HlslNode* HlslTreeParser::ReadSimple(std::size_t first)
     if (m_Index < mark)
     {
         HlslNode* value = ReadExpression();
-        Add(node, m_Index == mark ? value : ReadUnknown(value->first, mark));
+        node->Add(m_Index == mark ? value : ReadUnknown(value->first, mark));
     }
     m_Index = end;
     return Close(node);
@@ -295,7 +281,7 @@ HlslNode* HlslTreeParser::ReadDeclaration(std::size_t first)
     const std::size_t end = EndOfStatement();
     while (m_Index < end)
     {
-        Add(node, ReadDeclarator(type));
+        node->Add(ReadDeclarator(type));
         if (Text() != ",")
         {
             break;
@@ -324,7 +310,7 @@ HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
         ++m_Index;
         HlslNode* value = ReadAssignment();
         const bool isWhole = Text() == "," || Text() == ";" || Text() == ")";
-        Add(node, isWhole ? value
+        node->Add(isWhole ? value
                           : ReadUnknown(value->first,
                                         std::min(m_Tokens.FindOutside(m_Index, ";"), m_End)));
     }

@@ -31,9 +31,7 @@ private:
     HlslNode* Make(HlslNodeKind kind, std::size_t first);
     /// Where the parser is now is behind the node.
     HlslNode* Close(HlslNode* node);
-    static void Add(HlslNode* parent, HlslNode* child);
-    HlslNode* Accept(HlslNode* node, std::string_view text);
-    /// Nothing before `end` was left unread.
+    /// From one token to the one before `end`, where it goes on.
     HlslNode* ReadUnknown(std::size_t first, std::size_t end);
 
     // Statements

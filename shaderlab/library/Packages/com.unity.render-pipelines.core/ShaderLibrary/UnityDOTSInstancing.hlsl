@@ -1,0 +1,4 @@
+// Instancing of entities. limn has none, so that DOTS_INSTANCING_ON, which all of it hangs on, is never
+// defined.
+#pragma once
+#define UNITY_DOTS_INSTANCING_INCLUDED
