@@ -72,6 +72,21 @@ protected:
     }
 };
 
+TEST_F(HalfPrecisionGpu, RoundsInProgramsOfUrpToo)
+{
+    // URP's Common.hlsl says that min16float is float where there is no half.
+    FunctionGrid grid(
+        "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
+        "float Rounded(float x) { half h = x; return h; }\n");
+    grid.options = SmallHalf();
+    grid.Add(
+        "Rounded(a.x)", Combine(k_Numbers),
+        [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
+        { return Values(ToHalf(a.x)); },
+        Tolerance{0.0, 1e-30});
+    grid.Run();
+}
+
 TEST_F(HalfPrecisionGpu, RoundsWhatIsAssignedPassedAndReturned)
 {
     FunctionGrid grid(k_Functions);
