@@ -114,8 +114,9 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
     }
 }
 
-/// As for Unity's compilers, which take the new meaning, defining a macro anew is no error.
-bool AllowRedefinitions(std::vector<Diagnostic>& diagnostics)
+/// What is no error to Unity's compilers: a macro defined anew, which has its new meaning from
+/// there on, and numbers of more than 32 bits, which are cut; see RespellForGlslang.
+bool AllowWhatUnityAllows(std::vector<Diagnostic>& diagnostics)
 {
     bool hasAny = false;
     for (Diagnostic& diagnostic : diagnostics)
@@ -126,6 +127,12 @@ bool AllowRedefinitions(std::vector<Diagnostic>& diagnostics)
             diagnostic = {Severity::Warning, diagnostic.file, diagnostic.location,
                           "'" + diagnostic.message.substr(name) +
                               "': this #define changes its meaning, from here on"};
+            hasAny = true;
+        }
+        else if (diagnostic.message == "hexadecimal literal too big")
+        {
+            diagnostic.severity = Severity::Warning;
+            diagnostic.message = "this number has more than 32 bits; only the lowest 32 count";
             hasAny = true;
         }
     }
@@ -204,8 +211,8 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
              "for"});
     }
     std::vector<Diagnostic> diagnostics = ReadGlslangLog(shader.getInfoLog(), program.file);
-    const bool isRedefined = AllowRedefinitions(diagnostics);
-    Judge(good || isRedefined, std::move(diagnostics), program, includer.hasMissing(), warnings);
+    const bool isAllowed = AllowWhatUnityAllows(diagnostics);
+    Judge(good || isAllowed, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
     const bool namesStages =
         includer.namesStages() ||

@@ -94,6 +94,13 @@ TEST_F(HlslDialectValues, NamesStandForWhatIsDeclaredBeforeThem)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, NumbersOfMoreThan32BitsAreCut)
+{
+    FunctionGrid grid("uint Cut() { return 0x1F00000012u; } uint Whole() { return 0x00000000FF; }");
+    grid.Add("Cut() + 1000 * Whole()", k_Once, OfA([](auto&) { return 255018.0; }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
 {
     FunctionGrid grid(R"(

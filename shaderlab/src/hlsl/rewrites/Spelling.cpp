@@ -54,6 +54,10 @@ public:
             {
                 SpellWord(i);
             }
+            else if (Text(i).starts_with("0x") || Text(i).starts_with("0X"))
+            {
+                CutNumber(i);
+            }
         }
     }
 
@@ -105,6 +109,18 @@ private:
         else if ((word == "vector" || word == "matrix") && Text(index + 1) == "<")
         {
             SplitTemplateEnd(index + 2);
+        }
+    }
+
+    /// To its lowest 32 bits, eight digits.
+    void CutNumber(std::size_t index)
+    {
+        const std::string_view text = Text(index).substr(2);
+        const std::size_t size =
+            std::min(text.find_first_not_of("0123456789abcdefABCDEF"), text.size());
+        if (size > 8)
+        {
+            m_Code.Spelling(index) = "0x" + std::string(text.substr(size - 8));
         }
     }
 
