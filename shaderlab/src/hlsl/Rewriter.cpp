@@ -355,6 +355,23 @@ private:
                 add(method, &owner);
             }
         }
+        RequireEnds(parser.unended());
+    }
+
+    void RequireEnds(const std::vector<std::size_t>& unended) const
+    {
+        std::vector<Diagnostic> diagnostics;
+        for (const std::size_t token : unended)
+        {
+            const HlslPlace place = m_Tokens.Place(token);
+            diagnostics.push_back(
+                {Severity::Error, place.file, place.location,
+                 "'" + std::string(m_Tokens.Text(token)) + "': a ';' is missing before it"});
+        }
+        if (!diagnostics.empty())
+        {
+            throw AssetError(std::move(diagnostics));
+        }
     }
 
     /// Whether the value calls a function of the author or names one of the variables.

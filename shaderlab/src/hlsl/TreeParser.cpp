@@ -309,6 +309,10 @@ HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
     {
         ++m_Index;
         HlslNode* value = ReadAssignment();
+        if (isWord() && m_Tokens.Text(m_Index - 1) != ")") // `(type)word` may be of a type unknown
+        {
+            m_Unended.push_back(m_Index);
+        }
         const bool isWhole = Text() == "," || Text() == ";" || Text() == ")";
         node->Add(isWhole ? value
                           : ReadUnknown(value->first,

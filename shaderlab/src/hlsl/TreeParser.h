@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 namespace limn
 {
@@ -21,6 +22,10 @@ public:
 
     /// From a `{` on.
     HlslNode* ParseBlock(std::size_t open);
+    /// Tokens of what was read that go on where a declaration ends: words before which a `;` is
+    /// missing. glslang reads over that.
+    const std::vector<std::size_t>& unended() const { return m_Unended; }
+
     /// An expression or { list } from one token to the one before `end`.
     HlslNode* ParseValue(std::size_t first, std::size_t end);
 
@@ -70,6 +75,7 @@ private:
     const HlslDeclarations& m_Declarations;
     HlslNodes& m_Nodes;
     std::unordered_set<std::string_view> m_TypeNames; ///< of the author
+    std::vector<std::size_t> m_Unended;
     std::size_t m_Index = 0;
     std::size_t m_End = 0;
 };

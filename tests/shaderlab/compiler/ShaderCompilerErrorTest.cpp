@@ -100,7 +100,7 @@ TEST(ShaderCompilerError, ReportsAMissingSemicolonOnce)
     EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position\n"
                                         "{\n float a = 1\n return a; }\n"
                                         "float4 frag() : SV_Target { return 1; }")),
-                ElementsAre("t.shader:4: error: ';' expected"));
+                ElementsAre("t.shader:4:2: error: 'return': a ';' is missing before it"));
 }
 
 TEST(ShaderCompilerError, AsksForTheFunctionThatAPragmaNames)
@@ -182,6 +182,18 @@ TEST(ShaderCompilerError, RefusesSurfaceShaders)
     EXPECT_THAT(CompileMessages(program),
                 ElementsAre("t.shader:2:1: error: #pragma surface: surface shaders are not "
                             "supported; write a vertex and a fragment function"));
+}
+
+TEST(ShaderCompilerError, ReportsDeclarationsThatDoNotEnd)
+{
+    // The compiler reads over them and what follows.
+    EXPECT_THAT(
+        CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                                "float4 frag() : SV_Target\n{\n"
+                                "    float a = 1\n    float b = 2;\n"
+                                "    float2 c = a * b d = 3; return a;\n}")),
+        ElementsAre("t.shader:5:5: error: 'float': a ';' is missing before it",
+                    "t.shader:6:22: error: 'd': a ';' is missing before it"));
 }
 
 TEST(ShaderCompilerError, ReportsEveryNameThatNobodyDeclares)
