@@ -130,6 +130,7 @@ private:
 
     void ReadConstantBuffer()
     {
+        const std::string_view name = Text(1);
         while (!isEnd() && Text() != "{")
         {
             ++m_Index;
@@ -139,6 +140,7 @@ private:
         {
             member.endToken = m_Index - 1;
             member.isInBuffer = true;
+            member.buffer = name;
             auto& list = isObjectType(member.type) ? m_Result.objects : m_Result.uniforms;
             list.push_back(std::move(member));
         }

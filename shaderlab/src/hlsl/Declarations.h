@@ -29,6 +29,7 @@ struct HlslVariable
     std::size_t lastToken = 0; ///< 0 = the declaration has several names
     std::size_t semicolon = 0; ///< that ends the declaration, however many names it has
     bool isInBuffer = false;   ///< a member of a cbuffer; endToken is the buffer's end
+    std::string_view buffer;   ///< its name
 
     bool Has(std::string_view modifier) const;
 };

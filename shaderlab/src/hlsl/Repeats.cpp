@@ -25,10 +25,15 @@ bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
            a.dimensions == b.dimensions;
 }
 
-/// Whether one declaration may go because the other says the same.
-bool isRemovable(const HlslVariable& variable)
+/// Which of two equal ones stays: a member of a buffer, and of limn's before an author's, as the
+/// others count on its layout; else the first.
+bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
 {
-    return !variable.isInBuffer && variable.lastToken > 0;
+    if (first.isInBuffer != second.isInBuffer)
+    {
+        return first.isInBuffer;
+    }
+    return first.buffer.starts_with("limn_") || !second.buffer.starts_with("limn_");
 }
 
 } // namespace
@@ -46,13 +51,13 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
             return;
         }
         const bool isSame = isSameDeclaration(*other, variable);
-        if (isSame && isRemovable(variable))
+        const bool isStaying = isStayingBefore(*other, variable);
+        if (isSame && isStaying && variable.lastToken > 0)
         {
             repeats.superfluous.push_back(&variable);
         }
-        else if (isSame && isRemovable(*other))
+        else if (isSame && !isStaying && other->lastToken > 0)
         {
-            // A member of a buffer stays: the others count on the buffer's layout.
             repeats.superfluous.push_back(other);
             other = &variable;
         }

@@ -219,10 +219,33 @@ public:
 
     void RemoveRepeatedDeclarations()
     {
+        std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
+        for (const auto* list : {&m_Source.declarations.uniforms, &m_Source.declarations.objects})
+        {
+            for (const HlslVariable& variable : *list)
+            {
+                left[variable.endToken] += variable.isInBuffer ? 1 : 0;
+            }
+        }
         for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
         {
-            Remove(*variable);
+            m_Code.Erase(variable->firstToken, variable->lastToken + 1);
+            if (variable->isInBuffer && --left[variable->endToken] == 0)
+            {
+                RemoveBuffer(variable->endToken);
+            }
         }
+    }
+
+    /// `cbuffer name { }` with nothing in it, which glslang does not read.
+    void RemoveBuffer(std::size_t close)
+    {
+        std::size_t first = m_Tokens.MatchingOpen(close);
+        while (first > 0 && m_Tokens.Text(first) != "cbuffer" && m_Tokens.Text(first) != "tbuffer")
+        {
+            --first;
+        }
+        m_Code.Erase(first, close + (m_Tokens.Text(close + 1) == ";" ? 2 : 1));
     }
 
     /// Textures and the like are no members of a buffer to glslang, though HLSL lets them stand
@@ -403,11 +426,6 @@ private:
                 m_Code.Spelling(token).clear();
             }
         }
-    }
-
-    void Remove(const HlslVariable& variable)
-    {
-        m_Code.Erase(variable.firstToken, variable.lastToken + 1);
     }
 
     void Copy(const HlslVariable& uniform)

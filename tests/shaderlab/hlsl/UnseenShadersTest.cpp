@@ -85,6 +85,11 @@ constexpr Case k_HlslCases[] = {
         #error this is not GLSL
         #endif
         float4 frag(v2f i) : SV_Target { return 1; })"},
+    {"members of the library's buffers declared in others", R"(
+        cbuffer UnityPerDraw { half4 unity_SHAr; float4 _Own; half4 unity_SHAg; };
+        cbuffer UnityPerFrame { float4 _Time; };
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+        float4 frag(v2f i) : SV_Target { return unity_SHAr + _Own + _Time; })"},
     {"a const sampler", R"(
         uniform const sampler2D _Map;
         float4 frag(v2f i) : SV_Target { return tex2D(_Map, i.uv); })"},

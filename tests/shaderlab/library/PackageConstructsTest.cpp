@@ -2,6 +2,7 @@
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
+#include <gmock/gmock.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
 namespace limn::test
@@ -26,6 +27,27 @@ TEST(ShaderLibraryPackages, MayBeOnesThatAreWrittenAsUnitysAre)
         EXPECT_EQ(ValidationMessages(pass->fragmentSpirv), "");
         EXPECT_EQ(Messages(pass->diagnostics), std::vector<std::string>{});
     }
+}
+
+// What the fork declares and limn feeds is limn's: its buffers, and the elements of each draw.
+TEST(ShaderLibraryPackages, MayBeForksThatComeWithoutTheCorePackage)
+{
+    const std::filesystem::path folder = SourcePath("tests/shaderlab/packages");
+    const ShaderLabDocument document = LoadShaderLab(folder / "Fork.shader");
+    ShaderCompilerOptions options;
+    options.packages["com.unity.render-pipelines.universal"] = folder / "fork";
+    ShaderCompiler compiler(options);
+    const auto pass = compiler.Compile(*document.subShaders.front().passes.front().program);
+    EXPECT_EQ(ValidationMessages(pass->vertexSpirv), "");
+    EXPECT_EQ(ValidationMessages(pass->fragmentSpirv), "");
+    std::vector<std::string> buffers;
+    for (const UniformBuffer& buffer : pass->layout.buffers)
+    {
+        buffers.push_back(buffer.name);
+    }
+    EXPECT_THAT(buffers, testing::UnorderedElementsAre("limn_PerCamera", "limn_PerFrameLighting"));
+    EXPECT_THAT(pass->layout.storageBuffers,
+                testing::Contains(testing::Field(&StorageBufferBinding::name, "limn_PerDraw")));
 }
 
 } // namespace limn::test

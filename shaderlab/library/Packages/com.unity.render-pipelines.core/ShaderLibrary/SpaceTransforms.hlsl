@@ -1,6 +1,10 @@
 // OS, WS, VS, CS: object, world, view and clip space. View space looks down -z.
 #pragma once
 #define UNITY_SPACE_TRANSFORMS_INCLUDED
+// Forks of the universal package come without limn's UnityInput.hlsl.
+#include "limn/PerDraw.hlsl"
+#include "limn/Globals.hlsl"
+#include "limn/RelativeSpaces.hlsl"
 
 float4x4 GetObjectToWorldMatrix() { return UNITY_MATRIX_M; }
 float4x4 GetWorldToObjectMatrix() { return UNITY_MATRIX_I_M; }
