@@ -33,6 +33,7 @@ Shader "Universal Render Pipeline/Lit"
             #pragma fragment LitFragment
             #pragma multi_compile _ _ADDITIONAL_LIGHTS
             #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE
+            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
             #pragma shader_feature_local _RECEIVE_SHADOWS_OFF
 
@@ -112,7 +113,8 @@ Shader "Universal Render Pipeline/Lit"
                 {
                     Light other = limn_GetAdditionalLightRelative(i, input.position);
                     half lambert = saturate(dot(normal, other.direction));
-                    color += other.color * other.distanceAttenuation * lambert *
+                    half lit = other.distanceAttenuation * other.shadowAttenuation;
+                    color += other.color * lit * lambert *
                              (albedo.rgb + Highlight(normal, other.direction, view));
                 }
             #endif
@@ -131,6 +133,7 @@ Shader "Universal Render Pipeline/Lit"
 
             HLSLPROGRAM
             #pragma vertex ShadowPassVertex
+            #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #pragma fragment ShadowPassFragment
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/Shaders/ShadowCasterPass.hlsl"

@@ -10,8 +10,10 @@ namespace
 
 constexpr int k_WallWidth = 40;
 constexpr int k_WallHeight = 24;
+constexpr int k_Panels = 4;
+constexpr float k_PanelWidth = 10.0f;
 
-/// A wall seen from in front, a pixel a metre: its middle is at (0, 0, 10).
+/// A wall of upright panels seen from in front, a pixel a metre: its middle is at (0, 0, 10).
 class AdditionalLightsGpu : public GpuTest
 {
 protected:
@@ -23,15 +25,21 @@ protected:
         const auto material = std::make_shared<Material>(shader);
         material->SetVector(ShaderPropertyId("_BaseColor"), {0.6f, 0.3f, 0.9f, 1.0f});
         material->SetFloat(ShaderPropertyId("_Smoothness"), 0.0f); // no highlight
-        m_Wall.Add({0, 0}, {k_WallWidth, k_WallHeight}, 10, material);
+        for (int panel = 0; panel < k_Panels; ++panel)
+        {
+            const float left = k_PanelWidth * static_cast<float>(panel);
+            m_Wall.Add({left, 0}, {left + k_PanelWidth, k_WallHeight}, 10, material);
+        }
         m_Wall.scene.mainLight.intensity = 0.2f;
     }
 
     std::vector<Light>& lights() { return m_Wall.scene.additionalLights; }
 
     /// The wall's picture against the one without lights and what they add to it in double.
-    void ExpectLitByFormula()
+    /// @param limit  how many light a panel, the brightest; at most 8
+    void ExpectLitByFormula(int limit = 4)
     {
+        m_Run.SetLightLimit(limit);
         std::vector<Light> all = std::exchange(lights(), {});
         const Field dark = m_Run.Color(nullptr);
         lights() = all;
@@ -44,7 +52,7 @@ protected:
                 const glm::dvec3 place(x + 0.5 - k_WallWidth / 2.0, k_WallHeight / 2.0 - y - 0.5,
                                        10.0);
                 glm::dvec3 added(0.0);
-                for (const Light& light : all)
+                for (const Light& light : BrightestOn(x / 10, all, limit))
                 {
                     added += Received(light, place) * glm::dvec3(0.6, 0.3, 0.9);
                 }
@@ -59,6 +67,32 @@ protected:
             }
         }
         EXPECT_GT(most, 0.05) << "nothing is lit";
+    }
+
+    /// Of points and directional lights: their strength at the nearest point of a panel.
+    static std::vector<Light> BrightestOn(int panel, std::vector<Light> all, int limit)
+    {
+        const auto strength = [&](const Light& light)
+        {
+            if (light.type == LightType::Directional)
+            {
+                return static_cast<double>(light.intensity);
+            }
+            const glm::dvec3 place(light.transform.localPosition);
+            const double left = panel * 10.0 - 20.0;
+            const glm::dvec3 nearest(std::clamp(place.x, left, left + 10.0),
+                                     std::clamp(place.y, -12.0, 12.0), 10.0);
+            const double distance = glm::distance(place, nearest);
+            const double window =
+                std::max(1.0 - std::pow(distance / static_cast<double>(light.range), 4), 0.0);
+            return static_cast<double>(light.intensity) * window * window / (distance * distance);
+        };
+        if (all.size() > static_cast<std::size_t>(limit))
+        {
+            std::ranges::stable_sort(all, std::greater(), strength);
+            all.resize(static_cast<std::size_t>(limit));
+        }
+        return all;
     }
 
     /// Karis 2013: the inverse square, to 0 at the range; a spot's cone squared; Lambert.
@@ -210,7 +244,7 @@ TEST_F(AdditionalLightsGpu, SaysThatTheyAreTooMany)
 {
     Light light;
     light.transform.localPosition = {0.0f, 0.0f, 5.0f};
-    light.intensity = 0.1f;
+    light.intensity = 1.0f;
     lights().assign(33, light);
     m_Run.Render(nullptr);
     EXPECT_THAT(m_Run.result().report.notes,
@@ -218,6 +252,51 @@ TEST_F(AdditionalLightsGpu, SaysThatTheyAreTooMany)
                                   "drawn: shaders have no room for more"));
     lights().pop_back();
     ExpectLitByFormula();
+}
+
+TEST_F(AdditionalLightsGpu, AreTheBrightestOnesOfEachPanel)
+{
+    Light sun;
+    sun.type = LightType::Directional;
+    sun.transform.localRotation = EulerToRotation({30.0f, 20.0f, 0.0f});
+    sun.intensity = 0.02f;
+    lights() = {sun};
+    for (int i = 0; i < 20; ++i)
+    {
+        Light& bulb = lights().emplace_back();
+        bulb.transform.localPosition = {2.0f * static_cast<float>(i) - 19.0f,
+                                        static_cast<float>(i * 7 % 20) - 10.0f, 7.5f};
+        bulb.intensity = 0.5f + 0.25f * static_cast<float>(i % 7);
+        bulb.range = 14.0f;
+        bulb.color = {1.0f, 0.1f * static_cast<float>(i % 10), 0.3f, 1.0f};
+    }
+    for (const int limit : {1, 3, 4, 8})
+    {
+        SCOPED_TRACE(limit);
+        ExpectLitByFormula(limit);
+    }
+    m_Run.SetLightLimit(0);
+    const Field none = m_Run.Color(nullptr);
+    EXPECT_EQ(LightsOf(m_Run.result()), 0u);
+    lights().clear();
+    EXPECT_EQ(CountDifferent(none, m_Run.Color(nullptr)), 0);
+}
+
+TEST_F(AdditionalLightsGpu, AreTheSameBitForBitWhereNoPanelHasMoreThanTheLimit)
+{
+    for (int i = 0; i < 8; ++i)
+    {
+        Light& bulb = lights().emplace_back();
+        bulb.transform.localPosition = {5.0f * static_cast<float>(i) - 17.5f, 3.0f, 8.0f};
+        bulb.range = 6.0f; // four of them reach a panel
+        bulb.intensity = 1.0f + static_cast<float>(i);
+    }
+    m_Run.SetLightLimit(8);
+    const Field all = m_Run.Color(nullptr);
+    m_Run.SetLightLimit(4);
+    EXPECT_EQ(CountDifferent(all, m_Run.Color(nullptr)), 0);
+    m_Run.SetLightLimit(3);
+    EXPECT_GT(CountDifferent(all, m_Run.Color(nullptr)), 0);
 }
 
 } // namespace

@@ -86,6 +86,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_AreKeywordsOld = true;
     m_Origin = origin;
     m_State = {};
+    m_ObjectLights.Begin({}, 0);
     m_ShaderGlobalsVersion = 0;
     m_ShaderGlobals.clear();
     m_Depth = nullptr;
@@ -220,8 +221,8 @@ void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>
 }
 
 DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
-                               const MaterialPropertyBlock* properties,
-                               const RenderStateBlock& stateBlock, const RecordedDraw* recorded)
+                               const DrawProperties& properties, const RenderStateBlock& stateBlock,
+                               const RecordedDraw* recorded)
 {
     m_HasDraws = true;
     ExpectSameDepth(material);
@@ -236,7 +237,8 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     draw.state.offsetUnits += m_State.depthBias;
     draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);
-    PropertySources sources{properties, &material, &m_Globals};
+    PropertySources sources{properties.own, &material, &m_Globals};
+    sources.lights = properties.lights;
     sources.arguments =
         recorded != nullptr && recorded->arguments.buffer ? &recorded->arguments : nullptr;
     draw.bindings =
@@ -279,8 +281,8 @@ std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
 
 void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
 {
-    DrawSetup setup =
-        LookUp(*recorded.material, recorded.shaderPass, properties, RenderStateBlock(), &recorded);
+    DrawSetup setup = LookUp(*recorded.material, recorded.shaderPass, {properties},
+                             RenderStateBlock(), &recorded);
     const PerDrawData perDraw =
         MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
     setup.fullScreen = Promise(recorded, properties, setup.state);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "draw/DrawResolver.h"
+#include "draw/ObjectLights.h"
 
 #include <functional>
 #include <limn/core/CommandBuffer.h>
@@ -11,6 +12,13 @@
 
 namespace limn
 {
+
+/// What wins over a material's values; null = nothing.
+struct DrawProperties
+{
+    const MaterialPropertyBlock* own = nullptr;    ///< of the draw, or its renderer
+    const MaterialPropertyBlock* lights = nullptr; ///< of ObjectLights
+};
 
 /// Looks recorded draws up and appends them to the frame.
 class DrawRecorder
@@ -62,9 +70,8 @@ public:
     /// What all draws of this pass have in common.
     /// @param recorded  one that may be procedural or indirect; null = there is none
     /// @throws AssetError if the pass does not compile
-    DrawSetup LookUp(const Material& material, int shaderPass,
-                     const MaterialPropertyBlock* properties, const RenderStateBlock& stateBlock,
-                     const RecordedDraw* recorded = nullptr);
+    DrawSetup LookUp(const Material& material, int shaderPass, const DrawProperties& properties,
+                     const RenderStateBlock& stateBlock, const RecordedDraw* recorded = nullptr);
     /// The material's values with another shader; the same one as long as each frame asks for it.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);
@@ -81,7 +88,8 @@ public:
     std::uint32_t Add(const std::shared_ptr<const Mesh>& mesh);
 
     FrameCommands& frame() { return m_Frame; }
-    bool hasDepth() const { return m_Depth != nullptr; } ///< in the bound target
+    ObjectLights& objectLights() { return m_ObjectLights; } ///< of this camera
+    bool hasDepth() const { return m_Depth != nullptr; }    ///< in the bound target
 
 private:
     void Take(ShaderPropertyId id, const ShaderPropertyValue& value);
@@ -120,6 +128,7 @@ private:
     glm::mat4 m_Projection{1.0f};
     CommonDrawState m_State;
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
+    ObjectLights m_ObjectLights;
     DrawResolver m_Resolver;
     struct MeshPlace
     {

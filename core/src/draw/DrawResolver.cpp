@@ -77,7 +77,11 @@ void RequireTriangles(const PropertyLayout& layout, const PropertySources& sourc
 
 const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
 {
-    const ShaderPropertyValue* value = block != nullptr ? block->Find(id) : nullptr;
+    const ShaderPropertyValue* value = lights != nullptr ? lights->Find(id) : nullptr;
+    if (value == nullptr && block != nullptr)
+    {
+        value = block->Find(id);
+    }
     if (value == nullptr)
     {
         value = material != nullptr ? material->Find(id) : compute->values().Find(id);
@@ -128,7 +132,8 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
     m_HasResolved = true;
     const Material& material = *sources.material;
     const ProgramIds& ids = IdsOf(pass, material.shader()->name());
-    if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr)
+    if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr ||
+        sources.lights != nullptr)
     {
         return Build(ids, sources, uniformData);
     }

@@ -31,6 +31,7 @@ struct PropertySources
     const ComputeShader* compute = nullptr;         ///< null = a draw's
     int kernel = 0;
     const BufferRange* arguments = nullptr; ///< of an indirect draw or dispatch; null = another one
+    const MaterialPropertyBlock* lights = nullptr; ///< what an object has of them, before all else
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
     bool HasBuffers() const; ///< else no value is one

@@ -1,5 +1,6 @@
 #include "draw/ObjectDraws.h"
 
+#include "draw/Emptied.h"
 #include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
 #include "scene/RendererTable.h"
@@ -16,20 +17,11 @@ namespace limn
 namespace
 {
 
-/// A list that keeps its memory for the thread's next call of this file's functions. Each kind is
-/// used by one at a time.
-template <typename Value>
-std::vector<Value>& Emptied()
-{
-    static thread_local std::vector<Value> list;
-    list.clear();
-    return list;
-}
-
 /// A pass of a material, looked up once for all objects that are drawn with it.
 struct ObjectPass
 {
     std::shared_ptr<const Material> material;
+    const MaterialPropertyBlock* properties = nullptr; ///< of the renderer; null = none
     int shaderPass = 0;
     DrawSetup draw; ///< not mirrored
     /// Not mirrored and mirrored: in the frame's table; none = not there yet.
@@ -47,6 +39,12 @@ bool Compiles(const Material& material, int pass, const std::vector<std::string>
     {
         return false;
     }
+}
+
+bool ReadsObjectLights(const ShaderProgram& program)
+{
+    return std::ranges::any_of(program.layout.buffers, [](const UniformBuffer& buffer)
+                               { return buffer.name == "limn_ObjectLights"; });
 }
 
 /// The passes of one DrawRenderers call. Its memory is kept for the thread's next one.
@@ -95,19 +93,34 @@ public:
         }
     }
 
+    /// The same pass for objects with these lights, if it looks at them.
+    /// @param lights  of ObjectLights
+    std::uint32_t WithLights(std::uint32_t index, const MaterialPropertyBlock& lights)
+    {
+        if (!ReadsObjectLights(*m_Passes[index].draw.program))
+        {
+            return index;
+        }
+        const std::shared_ptr<const Material> material = m_Passes[index].material;
+        m_Properties = m_Passes[index].properties;
+        return Add(material, m_Passes[index].shaderPass, &lights);
+    }
+
     std::vector<ObjectPass>& passes() { return m_Passes; }
 
 private:
-    std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass)
+    std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass,
+                      const MaterialPropertyBlock* lights = nullptr)
     {
-        Known& known = m_Index.known[{material.get(), m_Properties, shaderPass}];
+        Known& known = m_Index.known[{material.get(), m_Properties, lights, shaderPass}];
         if (known.call != m_Index.call)
         {
             known = {m_Index.call, static_cast<std::uint32_t>(m_Passes.size())};
             m_Passes.push_back(
                 {material,
+                 m_Properties,
                  shaderPass,
-                 m_Recorder.LookUp(*material, shaderPass, m_Properties, m_StateBlock),
+                 m_Recorder.LookUp(*material, shaderPass, {m_Properties, lights}, m_StateBlock),
                  {}});
         }
         return known.index;
@@ -122,6 +135,7 @@ private:
     {
         const Material* material = nullptr;
         const MaterialPropertyBlock* properties = nullptr;
+        const MaterialPropertyBlock* lights = nullptr;
         int shaderPass = 0;
 
         bool operator==(const Key&) const = default;
@@ -131,7 +145,8 @@ private:
         std::size_t operator()(const Key& key) const
         {
             const std::hash<const void*> hash;
-            return (hash(key.material) * 31 + hash(key.properties)) * 31 +
+            const std::size_t blocks = hash(key.properties) * 31 + hash(key.lights);
+            return (hash(key.material) * 31 + blocks) * 31 +
                    static_cast<std::size_t>(key.shaderPass);
         }
     };
@@ -252,151 +267,109 @@ std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
 namespace
 {
 
-/// Puts runs of rows into batches.
-class BatchMaker
+/// Cuts runs where the lights of their rows change, if what they draw looks at them.
+class LightSplitter
 {
 public:
-    BatchMaker(const RendererTable& table, const std::vector<std::uint32_t>& commutes)
-        : m_Table(table), m_Commutes(commutes), m_Parts(table.meshParts().size())
+    /// @param passesOf  by class; what is drawn with lights is appended
+    LightSplitter(const RendererItems& items, PassList& passes,
+                  std::vector<std::vector<std::uint32_t>>& passesOf, ObjectLights& lights)
+        : m_Items(items),
+          m_Passes(passes),
+          m_PassesOf(passesOf),
+          m_Lights(lights),
+          m_Next(static_cast<std::uint32_t>(items.table()->classes().size()))
     {
-        const std::size_t kinds = commutes.size() * m_Parts * 2;
-        m_Remembers = kinds <= k_MostKinds;
-        if (m_Remembers && kinds > m_Memory.seen.size())
-        {
-            m_Memory.seen.resize(kinds);
-        }
-        constexpr std::uint32_t k_Most = std::uint32_t{1} << 31;
-        if (m_Memory.stretch > k_Most)
-        {
-            std::ranges::fill(m_Memory.seen, Seen());
-            m_Memory.stretch = 0;
-        }
-        ++m_Memory.stretch;
+        ++m_Memory.call;
     }
 
-    /// Rows of one class that follow upon each other, for one pass.
-    void Add(std::uint32_t pass, std::uint32_t classIndex, std::uint32_t first, std::uint32_t count)
+    /// Until the thread's next call.
+    std::span<const ClassRun> Split(std::span<const ClassRun> runs)
     {
-        const RendererTable::RowClass& rowClass = m_Table.classes()[classIndex];
-        const std::size_t kind =
-            (pass * m_Parts + rowClass.meshPart) * 2 + (rowClass.isMirrored ? 1 : 0);
-        if (m_Runs.empty() || kind != m_LastKind)
+        for (const ClassRun& run : runs)
         {
-            m_LastKind = kind;
-            m_Batch = BatchOf(kind, pass, rowClass);
+            const auto& passes = m_PassesOf[run.passes];
+            if (std::ranges::none_of(
+                    passes, [&](std::uint32_t pass)
+                    { return ReadsObjectLights(*m_Passes.passes()[pass].draw.program); }))
+            {
+                m_Runs.push_back(run);
+                continue;
+            }
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
+            {
+                Add(run.rowClass, i);
+            }
         }
-        m_Batches[m_Batch].count += count;
-        m_Runs.push_back({m_Batch, first, count});
-    }
-
-    /// @param rows     what the runs are of
-    /// @param batched  those of the batches are appended
-    std::span<const ObjectBatch> Take(const std::vector<std::uint32_t>& rows,
-                                      std::vector<std::uint32_t>& batched)
-    {
-        std::uint32_t first = 0;
-        for (ObjectBatch& batch : m_Batches)
-        {
-            batch.first = first;
-            first += std::exchange(batch.count, 0);
-        }
-        const std::size_t offset = batched.size();
-        batched.resize(offset + first);
-        std::uint32_t* out = batched.data() + offset;
-        for (const Run& run : m_Runs)
-        {
-            ObjectBatch& batch = m_Batches[run.batch];
-            std::copy_n(rows.begin() + run.first, run.count, out + batch.first + batch.count);
-            batch.count += run.count;
-        }
-        return m_Batches;
+        return m_Runs;
     }
 
 private:
-    struct Run
+    void Add(std::uint32_t rowClass, std::uint32_t item)
     {
-        std::uint32_t batch = 0;
-        std::uint32_t first = 0; ///< among the items
-        std::uint32_t count = 0;
-    };
-    /// The batch of a kind, if it belongs to the current stretch of draws that may change places.
-    struct Seen
+        const RendererTable& table = *m_Items.table();
+        const std::uint32_t row = m_Items.rows()[item];
+        const ObjectLights::Set set = m_Lights.Find(table.origin() + glm::dvec3(table.center(row)),
+                                                    glm::dvec3(table.extent(row)));
+        const std::uint32_t passes = PassesOf(rowClass, set);
+        if (!m_Runs.empty() && m_Runs.back().passes == passes &&
+            m_Runs.back().first + m_Runs.back().count == item)
+        {
+            ++m_Runs.back().count;
+            return;
+        }
+        m_Runs.push_back({rowClass, item, 1, passes});
+    }
+
+    std::uint32_t PassesOf(std::uint32_t rowClass, ObjectLights::Set set)
     {
-        std::uint32_t stretch = 0;
-        std::uint32_t batch = 0;
+        Known& known = m_Memory.known[std::uint64_t{rowClass} << 32 | set];
+        if (known.call != m_Memory.call)
+        {
+            known = {m_Memory.call, m_Next};
+            m_PassesOf.resize(std::max(m_PassesOf.size(), std::size_t{m_Next} + 1));
+            std::vector<std::uint32_t>& lit = m_PassesOf[m_Next++];
+            lit.clear();
+            for (const std::uint32_t pass : m_PassesOf[rowClass])
+            {
+                lit.push_back(m_Passes.WithLights(pass, m_Lights.ValuesOf(set)));
+            }
+        }
+        return known.passes;
+    }
+
+    struct Known
+    {
+        std::uint64_t call = 0; ///< the last that had it
+        std::uint32_t passes = 0;
     };
-    /// Of all calls: each begins a stretch of its own, so that nothing has to be cleared for few
-    /// draws out of many kinds.
+    /// By class and set, of all calls: an earlier one's are there for their memory only.
     struct Memory
     {
-        std::vector<Seen> seen; ///< by kind
-        std::uint32_t stretch = 0;
+        std::uint64_t call = 0;
+        std::unordered_map<std::uint64_t, Known> known;
     };
     static Memory& MemoryOfThread()
     {
         static thread_local Memory memory;
+        constexpr std::size_t k_Most = 1 << 16;
+        if (memory.known.size() > k_Most)
+        {
+            memory.known.clear();
+        }
         return memory;
     }
-    /// With more, only neighbours are put together.
-    static constexpr std::size_t k_MostKinds = 1 << 22;
 
-    std::uint32_t BatchOf(std::size_t kind, std::uint32_t pass,
-                          const RendererTable::RowClass& rowClass)
-    {
-        const std::uint32_t number = rowClass.isAgain ? 0 : m_Commutes[pass];
-        m_Memory.stretch += number == 0 || number != m_Number || !m_Remembers ? 1 : 0;
-        m_Number = number;
-        if (m_Remembers && m_Memory.seen[kind].stretch == m_Memory.stretch)
-        {
-            return m_Memory.seen[kind].batch;
-        }
-        m_Batches.push_back({pass, rowClass.meshPart, rowClass.isMirrored, 0, 0});
-        const auto batch = static_cast<std::uint32_t>(m_Batches.size() - 1);
-        if (m_Remembers)
-        {
-            m_Memory.seen[kind] = {m_Memory.stretch, batch};
-        }
-        return batch;
-    }
-
-    const RendererTable& m_Table;
-    const std::vector<std::uint32_t>& m_Commutes;
-    const std::size_t m_Parts;
+    const RendererItems& m_Items;
+    PassList& m_Passes;
+    std::vector<std::vector<std::uint32_t>>& m_PassesOf;
+    ObjectLights& m_Lights;
+    std::uint32_t m_Next;
     Memory& m_Memory = MemoryOfThread();
-    bool m_Remembers = false; ///< kinds that were not the last
-    std::vector<Run>& m_Runs = Emptied<Run>();
-    std::vector<ObjectBatch>& m_Batches = Emptied<ObjectBatch>();
-    std::size_t m_LastKind = 0;
-    std::uint32_t m_Batch = 0;
-    std::uint32_t m_Number = 0;
+    std::vector<ClassRun>& m_Runs = Emptied<ClassRun>();
 };
 
 } // namespace
-
-std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
-                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
-                                         const std::vector<std::uint32_t>& commutes,
-                                         std::vector<std::uint32_t>& rows)
-{
-    BatchMaker maker(*items.table(), commutes);
-    for (const ClassRun& run : runs)
-    {
-        const std::vector<std::uint32_t>& passes = passesOf[run.rowClass];
-        if (passes.size() == 1)
-        {
-            maker.Add(passes.front(), run.rowClass, run.first, run.count);
-            continue;
-        }
-        for (std::uint32_t row = run.first; row < run.first + run.count; ++row)
-        {
-            for (const std::uint32_t pass : passes)
-            {
-                maker.Add(pass, run.rowClass, row, 1);
-            }
-        }
-    }
-    return maker.Take(items.rows(), rows);
-}
 
 void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
                  const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
@@ -416,6 +389,10 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
             const RendererTable::RowClass& rowClass = table.classes()[run.rowClass];
             passes.AddOf(rowClass.material, rowClass.properties.get(), passesOf[run.rowClass]);
         }
+    }
+    if (recorder.objectLights().isNeeded())
+    {
+        runs = LightSplitter(items, passes, passesOf, recorder.objectLights()).Split(runs);
     }
     std::vector<std::uint32_t>& commutes = Emptied<std::uint32_t>();
     for (const ObjectPass& pass : passes.passes())

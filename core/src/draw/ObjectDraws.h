@@ -23,6 +23,7 @@ struct ClassRun
     std::uint32_t rowClass = 0; ///< of the table: the first of those that they have
     std::uint32_t first = 0;    ///< among the items
     std::uint32_t count = 0;
+    std::uint32_t passes = 0; ///< of what is drawn: the class's number, unless lights differ
 };
 
 /// Sort, and what it finds: all runs, until the thread's next call.
@@ -32,7 +33,7 @@ std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettin
 /// the place of the first; others only where they follow upon each other.
 /// @param items     in the order in which they are drawn
 /// @param runs      all of them
-/// @param passesOf  by the table's class: the passes that each of its rows draws, in this order
+/// @param passesOf  by ClassRun::passes: the passes that each of its rows draws, in this order
 /// @param commutes  by pass: passes of equal numbers other than 0 give the same picture in any
 ///                  order
 /// @param rows      the batches' rows of the table are appended

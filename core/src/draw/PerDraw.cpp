@@ -3,6 +3,7 @@
 #include "material/RequireFinite.h"
 
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -39,7 +40,8 @@ PerDrawData MakePerDrawData(const glm::dmat4& localToWorld, RenderingLayerMask r
 glm::dmat4 RelativeTo(const glm::dvec3& origin, const glm::dmat4& view)
 {
     glm::dmat4 relative = view;
-    relative[3] += glm::dvec4(glm::dmat3(view) * origin, 0.0);
+    const glm::dvec3 w(view[0].w, view[1].w, view[2].w);
+    relative[3] += glm::dvec4(glm::dmat3(view) * origin, glm::dot(w, origin));
     return relative;
 }
 

@@ -12,8 +12,8 @@ namespace limn
 PerDrawData MakePerDrawData(const glm::dmat4& localToWorld, RenderingLayerMask renderingLayers,
                             const glm::dvec3& origin);
 
-/// A view matrix for positions relative to `origin`: without rounding, and so without translation,
-/// where the origin is the camera of Camera::viewMatrix.
+/// A view matrix, or one of view and projection, for positions relative to `origin`: without
+/// rounding, and so without translation, where the origin is the camera of Camera::viewMatrix.
 glm::dmat4 RelativeTo(const glm::dvec3& origin, const glm::dmat4& view);
 
 } // namespace limn

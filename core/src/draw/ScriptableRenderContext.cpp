@@ -68,6 +68,11 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
     m_Identified->EndCamera();
 }
 
+void ScriptableRenderContext::SetObjectLights(std::span<const Light* const> lights, int limit)
+{
+    m_Recorder->objectLights().Begin(lights, limit);
+}
+
 void ScriptableRenderContext::BeginCamera(CameraTargets camera)
 {
     m_Recorder->BeginCamera();

@@ -158,7 +158,7 @@ private:
     {
         if (m_Runs.empty() || m_Runs.back().rowClass != first)
         {
-            m_Runs.push_back({first, static_cast<std::uint32_t>(place), 0});
+            m_Runs.push_back({first, static_cast<std::uint32_t>(place), 0, first});
         }
         ++m_Runs.back().count;
     }

@@ -28,6 +28,7 @@ void UniversalResourceData::Reset()
     cameraNormalsTexture = {};
     cameraOpaqueTexture = {};
     mainShadowsTexture = {};
+    additionalShadowsTexture = {};
 }
 
 DrawingSettings RenderingUtils::CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
@@ -88,6 +89,7 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
     resources.cameraNormalsTexture = ImportGlobal(context, "_CameraNormalsTexture");
     resources.cameraOpaqueTexture = ImportGlobal(context, "_CameraOpaqueTexture");
     resources.mainShadowsTexture = ImportGlobal(context, "_MainLightShadowmapTexture");
+    resources.additionalShadowsTexture = ImportGlobal(context, "_AdditionalLightsShadowmapTexture");
     static_cast<CameraData&>(m_FrameData.GetOrCreate<UniversalCameraData>()) =
         renderingData.cameraData;
     m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);

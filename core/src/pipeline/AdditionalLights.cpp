@@ -1,5 +1,7 @@
 #include "pipeline/AdditionalLights.h"
 
+#include "draw/ObjectLights.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -93,7 +95,7 @@ glm::dmat3 LookAlong(const glm::dvec3& direction)
 
 void ForgetAdditionalLights(CommandBuffer& cmd)
 {
-    cmd.SetGlobalVector(_AdditionalLightsCount, glm::vec4(0.0f));
+    cmd.SetGlobalVector(_AdditionalLightsCount, glm::vec4(0.0f)); // shaders look at the smaller one
     cmd.DisableKeyword(_ADDITIONAL_LIGHTS);
 }
 
@@ -128,10 +130,13 @@ void FindAdditionalLights(const Scene& scene, const CameraData& camera,
     }
 }
 
-void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData)
+void SetAdditionalLightUniforms(ScriptableRenderContext& context, CommandBuffer& cmd,
+                                const RenderingData& renderingData)
 {
     const std::span<const Light* const> lights = renderingData.lightData.additionalLights;
-    if (lights.empty())
+    const int limit = renderingData.lightData.maxPerObjectAdditionalLightsCount;
+    context.SetObjectLights(lights, limit);
+    if (lights.empty() || limit == 0)
     {
         return;
     }
@@ -140,8 +145,8 @@ void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderi
     {
         arrays.Add(*light, light->transform.worldMatrix(), renderingData.cameraData.renderOrigin);
     }
-    cmd.SetGlobalVector(_AdditionalLightsCount,
-                        glm::vec4(static_cast<float>(lights.size()), 0, 0, 0));
+    cmd.SetGlobalVector(_AdditionalLightsCount, glm::vec4(static_cast<float>(limit), 0, 0, 0));
+    SetObjectLights(cmd, ObjectLights::FirstOf(std::min(static_cast<int>(lights.size()), limit)));
     cmd.SetGlobalVectorArray(_AdditionalLightsPosition, std::move(arrays.position));
     cmd.SetGlobalVectorArray(limn_AdditionalLightsPosition, std::move(arrays.relativePosition));
     cmd.SetGlobalVectorArray(_AdditionalLightsColor, std::move(arrays.color));

@@ -2,6 +2,7 @@
 
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/RenderingData.h>
+#include <limn/core/ScriptableRenderContext.h>
 
 namespace limn
 {
@@ -13,11 +14,11 @@ namespace limn
 void FindAdditionalLights(const Scene& scene, const CameraData& camera,
                           std::vector<const Light*>& lights, std::vector<std::string>& notes);
 
-/// Sets those of renderingData.lightData, and _ADDITIONAL_LIGHTS if there are any. Every light
-/// counts for every object, as in URP's Forward+.
+/// Sets those of renderingData.lightData, and _ADDITIONAL_LIGHTS if objects get any of them.
 /// @source Unity: ForwardLights.SetupAdditionalLightConstants and
 ///     UniversalRenderPipeline.InitializeLightConstants_Common (URP 14)
-void SetAdditionalLightUniforms(CommandBuffer& cmd, const RenderingData& renderingData);
+void SetAdditionalLightUniforms(ScriptableRenderContext& context, CommandBuffer& cmd,
+                                const RenderingData& renderingData);
 
 /// There are none from here on, as at the beginning of a frame.
 void ForgetAdditionalLights(CommandBuffer& cmd);

@@ -2,6 +2,7 @@
 
 #include "draw/PerDraw.h"
 #include "pipeline/CameraUniforms.h"
+#include "pipeline/ShadowConstants.h"
 #include "scene/RendererTable.h"
 
 #include <algorithm>
@@ -96,30 +97,6 @@ double NearestOf(const CullingResults& casters, const glm::dmat4& view)
     return nearest;
 }
 
-SoftShadowQuality QualityOf(const DirectionalLight& light, const ShadowSettings& settings)
-{
-    return light.softShadowQuality == SoftShadowQuality::UsePipelineSettings
-               ? settings.softShadowQuality
-               : light.softShadowQuality;
-}
-bool IsSoft(const DirectionalLight& light, const ShadowSettings& settings)
-{
-    return light.shadows == LightShadows::Soft && settings.softShadowsSupported;
-}
-
-/// _ShadowBias: metres along the light and along the normal, negative. A wider filter looks that
-/// much farther down a slope.
-glm::vec4 ShadowBias(const DirectionalLight& light, const ShadowSettings& settings,
-                     double texelSize)
-{
-    const glm::vec2 texels = light.usePipelineSettings
-                                 ? glm::vec2(settings.shadowDepthBias, settings.shadowNormalBias)
-                                 : glm::vec2(light.shadowBias, light.shadowNormalBias);
-    const auto quality = static_cast<int>(QualityOf(light, settings));
-    const double reach = IsSoft(light, settings) ? quality + 0.5 : 1.0;
-    return glm::vec4(glm::dvec2(texels) * (-texelSize * reach), 0.0, 0.0);
-}
-
 /// Light space to the shadow map's texture coordinates and depth.
 glm::dmat4 ToTexture(const ShadowCascade& cascade, const glm::ivec2& size, bool usesReversedZBuffer)
 {
@@ -130,16 +107,6 @@ glm::dmat4 ToTexture(const ShadowCascade& cascade, const glm::ivec2& size, bool 
     toTexture[1][1] = -0.5 * scale.y; // its first row is the top one
     toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
     return toTexture * cascade.Projection(usesReversedZBuffer);
-}
-
-/// For the square of a distance: 0 where it begins to fade, 1 where shadows end.
-glm::vec2 FadeScaleAndBias(double distance, double border)
-{
-    const double end = distance * distance;
-    const double begin = end * (1.0 - border) * (1.0 - border);
-    constexpr double k_Sharp = 1000.0;
-    return border < 1e-4 ? glm::vec2(k_Sharp, -end * k_Sharp)
-                         : glm::vec2(1.0 / (end - begin), -begin / (end - begin));
 }
 
 } // namespace
@@ -244,24 +211,14 @@ void MainLightShadowCasterPass::DrawCascade(ScriptableRenderContext& context,
     cmd->SetViewport(cascade.tile);
     RenderingUtils::SetViewAndProjectionMatrices(
         *cmd, cascade.view, glm::mat4(cascade.Projection(data.usesReversedZBuffer)), false);
-    cmd->SetGlobalVector(_ShadowBias,
-                         ShadowBias(light, renderingData.shadowSettings, cascade.TexelSize()));
+    cmd->SetGlobalVector(
+        _ShadowBias, ShadowBias(LookOf(light), renderingData.shadowSettings, cascade.TexelSize()));
     cmd->SetGlobalVector(_LightDirection, glm::vec4(-light.direction, 0.0f));
     context.ExecuteCommandBuffer(*cmd);
 
     const DrawingSettings drawing =
         CreateDrawingSettings(k_ShadowCaster, renderingData, SortingCriteria::CommonOpaque);
-    const FilteringSettings filtering(RenderQueueRange::all);
-    if (!m_Casters[index].plain.items.empty())
-    {
-        context.DrawRenderers(m_Casters[index].plain, drawing, filtering);
-    }
-    if (!m_Casters[index].twoSided.items.empty())
-    {
-        RenderStateBlock bothSides(RenderStateMask::Raster);
-        bothSides.rasterState.cullingMode = CullMode::Off;
-        context.DrawRenderers(m_Casters[index].twoSided, drawing, filtering, bothSides);
-    }
+    DrawShadowCasters(context, drawing, m_Casters[index].plain, m_Casters[index].twoSided);
 }
 
 void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
@@ -295,20 +252,18 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
     cmd.SetGlobalVectorArray(limn_CascadeCenters, std::move(centers));
     cmd.SetGlobalVector(_CascadeShadowSplitSphereRadii, radii);
 
-    const bool isSoft = IsSoft(light, settings);
+    const int softness = SoftnessOf(LookOf(light), settings);
     const glm::vec2 fade = FadeScaleAndBias(ShadowDistance(camera, settings),
                                             static_cast<double>(settings.cascadeBorder));
     cmd.SetGlobalVector(_MainLightShadowParams,
-                        {light.shadowStrength,
-                         isSoft ? static_cast<float>(QualityOf(light, settings)) : 0.0f, fade.x,
-                         fade.y});
+                        {light.shadowStrength, static_cast<float>(softness), fade.x, fade.y});
     const glm::vec2 texel = 1.0f / glm::vec2(size);
     const glm::vec2 half = 0.5f * texel;
     cmd.SetGlobalVector(_MainLightShadowOffset0, {-half.x, -half.y, half.x, -half.y});
     cmd.SetGlobalVector(_MainLightShadowOffset1, {-half.x, half.y, half.x, half.y});
     cmd.SetGlobalVector(_MainLightShadowmapSize, {texel.x, texel.y, size.x, size.y});
     cmd.EnableKeyword(m_Cascades.size() > 1 ? _MAIN_LIGHT_SHADOWS_CASCADE : _MAIN_LIGHT_SHADOWS);
-    cmd.SetKeyword(_SHADOWS_SOFT, isSoft);
+    cmd.SetKeyword(_SHADOWS_SOFT, softness > 0);
 }
 
 } // namespace limn

@@ -196,6 +196,9 @@ void ExpectValid(const ShadowSettings& s)
 {
     Expect(s.mainLightShadowmapResolution >= 64 && s.mainLightShadowmapResolution <= 8192,
            "mainLightShadowmapResolution", "64...8192");
+    Expect(s.additionalLightsShadowmapResolution >= 64 &&
+               s.additionalLightsShadowmapResolution <= 8192,
+           "additionalLightsShadowmapResolution", "64...8192");
     Expect(s.shadowDistance >= 0.0f && std::isfinite(s.shadowDistance), "shadowDistance",
            "0 or more");
     Expect(s.shadowCascadeCount >= 1 && s.shadowCascadeCount <= k_MostCascades,

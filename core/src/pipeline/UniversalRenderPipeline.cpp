@@ -1,4 +1,5 @@
 #include "pipeline/AdditionalLights.h"
+#include "pipeline/AdditionalLightsShadowCasterPass.h"
 #include "pipeline/CameraUniforms.h"
 #include "pipeline/MainLightShadowCasterPass.h"
 
@@ -67,6 +68,15 @@ void ExpectRenderScale(float scale)
     {
         throw ContractError("UniversalRenderPipeline: renderScale is " + std::to_string(scale) +
                             "; it must be from 0.1 to 2");
+    }
+}
+
+void ExpectLightLimit(int count)
+{
+    if (count < 0 || count > k_MaxPerObjectLights)
+    {
+        throw ContractError("UniversalRenderPipeline: maxAdditionalLightsCount is " +
+                            std::to_string(count) + "; it must be from 0 to 8");
     }
 }
 
@@ -224,10 +234,11 @@ void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
     {
         ForgetAdditionalLights(*cmd);
         MainLightShadowCasterPass::Forget(*cmd);
+        AdditionalLightsShadowCasterPass::Forget(*cmd);
     }
     SetTimeUniforms(*cmd, request.time);
     SetLightUniforms(*cmd, *request.scene);
-    SetAdditionalLightUniforms(*cmd, renderingData);
+    SetAdditionalLightUniforms(context, *cmd, renderingData);
     context.ExecuteCommandBuffer(*cmd);
 }
 
@@ -303,6 +314,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     ExpectRenderable(request);
     ExpectSampleCount(msaaSampleCount);
     ExpectRenderScale(renderScale);
+    ExpectLightLimit(maxAdditionalLightsCount);
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.notes.clear();
@@ -353,6 +365,7 @@ void UniversalRenderPipeline::FindLights(RenderingData& renderingData)
     lights.scene = &scene;
     lights.additionalLights = m_AdditionalLights;
     lights.additionalLightsCount = static_cast<int>(m_AdditionalLights.size());
+    lights.maxPerObjectAdditionalLightsCount = maxAdditionalLightsCount;
     lights.mainLightIndex = scene.mainLight.intensity != 0.0f ? 0 : -1;
 }
 

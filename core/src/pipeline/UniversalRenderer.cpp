@@ -1,3 +1,4 @@
+#include "pipeline/AdditionalLightsShadowCasterPass.h"
 #include "pipeline/CameraTextures.h"
 #include "pipeline/DrawSkyboxPass.h"
 #include "pipeline/MainLightShadowCasterPass.h"
@@ -42,6 +43,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
       m_CopyMaterial(CoreUtils::CreateEngineMaterial(
           FindBuiltinShader("Hidden/Universal/CoreBlit", m_Compiler))),
       m_MainLightShadowCasterPass(std::make_unique<MainLightShadowCasterPass>()),
+      m_AdditionalLightsShadowCasterPass(std::make_unique<AdditionalLightsShadowCasterPass>()),
       m_OpaquePass(std::make_unique<DrawObjectsPass>(
           "Draw Opaque Objects", RenderPassEvent::BeforeRenderingOpaques, ForwardShaderTags(),
           RenderQueueRange::opaque, SortingCriteria::CommonOpaque)),
@@ -75,6 +77,10 @@ void UniversalRenderer::Setup(ScriptableRenderContext&, RenderingData& rendering
     if (m_MainLightShadowCasterPass->Setup(renderingData))
     {
         EnqueuePass(*m_MainLightShadowCasterPass);
+    }
+    if (m_AdditionalLightsShadowCasterPass->Setup(renderingData))
+    {
+        EnqueuePass(*m_AdditionalLightsShadowCasterPass);
     }
     EnqueuePass(*m_OpaquePass);
     if (DrawSkyboxPass::HasSky(renderingData))

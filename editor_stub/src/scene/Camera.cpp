@@ -58,7 +58,8 @@ void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics
     }
 }
 
-void ReadLightShadows(SceneMapReader& map, DirectionalLight& light, AssetDiagnostics& diagnostics)
+template <typename AnyLight>
+void ReadLightShadows(SceneMapReader& map, AnyLight& light, AssetDiagnostics& diagnostics)
 {
     if (const YamlNode* node = map.Find("shadows"))
     {
@@ -183,6 +184,8 @@ void ReadLights(const YamlNode& node, SceneLoader& loader)
         map.Read("range", light.range);
         map.Read("spotAngle", light.spotAngle);
         map.Read("innerSpotAngle", light.innerSpotAngle);
+        ReadLightShadows(map, light, diagnostics);
+        map.Read("shadowNearPlane", light.shadowNearPlane);
         map.Finish();
         loader.asset.scene.additionalLights.push_back(std::move(light));
     }

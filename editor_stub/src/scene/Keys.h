@@ -35,6 +35,7 @@ enum class SceneValue
 {
     Bool,
     Number,
+    Integer,
     Text,
     Texts,
     Color,
@@ -99,6 +100,7 @@ inline constexpr double k_MaxDistance = 1e9; ///< metres
 inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
 inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
 inline constexpr ValueRange k_RenderScales{0.1, 2.0};
+inline constexpr ValueRange k_LightLimits{0.0, 8.0};
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 
 inline constexpr SceneKey k_Position{"position", Vector};
@@ -111,13 +113,16 @@ inline constexpr SceneKey k_Scene[] = {
     {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
     {"renderScale", Number, "The size that cameras draw in, as a share of the picture's",
      k_RenderScales},
+    {"maxAdditionalLightsCount", Integer, "How many of `lights` light an object: the brightest",
+     k_LightLimits},
     {"renderPipelineAsset", Text,
-     "Unity's, for its m_MSAA, m_RenderScale and shadows in place of these keys"},
+     "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
+     "place of these keys"},
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),
     {"light", Light, "The main one, infinitely far away"},
-    {"shadows", Shadows, "Those of the main light, if it throws any"},
+    {"shadows", Shadows, "Those of the lights that throw any"},
     {"lights", Lights, "Those besides the main one"},
     {"ambientLight", Color},
     {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
@@ -177,16 +182,26 @@ inline constexpr SceneKey k_OverlayCamera[] = {
     k_VolumeLayerMask,
     k_VolumeTrigger};
 
-inline constexpr SceneKey k_Light[] = {
-    k_Rotation,
-    {"color", Color},
-    {"intensity", Number, "", {0.0, 1e6}},
-    {"shadows", LightShadows},
-    {"shadowStrength", Number, "The share of its light that shadows take", {0.0, 1.0}},
-    {"softShadowQuality", LightShadowQuality},
-    {"usePipelineSettings", Bool, "For the biases, in place of those that follow"},
-    {"shadowBias", Number, "Texels of the shadow map, along the light", {0.0, 10.0}},
-    {"shadowNormalBias", Number, "Texels of the shadow map, along the normal", {0.0, 10.0}}};
+inline constexpr SceneKey k_ShadowKind{"shadows", LightShadows};
+inline constexpr SceneKey k_ShadowStrength{
+    "shadowStrength", Number, "The share of its light that shadows take", {0.0, 1.0}};
+inline constexpr SceneKey k_SoftShadowQuality{"softShadowQuality", LightShadowQuality};
+inline constexpr SceneKey k_UsePipelineSettings{"usePipelineSettings", Bool,
+                                                "For the biases, in place of those that follow"};
+inline constexpr SceneKey k_ShadowBias{
+    "shadowBias", Number, "Texels of the shadow map, along the light", {0.0, 10.0}};
+inline constexpr SceneKey k_ShadowNormalBias{
+    "shadowNormalBias", Number, "Texels of the shadow map, along the normal", {0.0, 10.0}};
+
+inline constexpr SceneKey k_Light[] = {k_Rotation,
+                                       {"color", Color},
+                                       {"intensity", Number, "", {0.0, 1e6}},
+                                       k_ShadowKind,
+                                       k_ShadowStrength,
+                                       k_SoftShadowQuality,
+                                       k_UsePipelineSettings,
+                                       k_ShadowBias,
+                                       k_ShadowNormalBias};
 
 inline constexpr SceneKey k_AdditionalLight[] = {
     {"type", LightType},
@@ -196,7 +211,14 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     {"intensity", Number, "", {0.0, 1e6}},
     {"range", Number, "Metres from which on it lights nothing", k_Lengths},
     {"spotAngle", Number, "Where a spot's light ends, degrees across", {1.0, 179.0}},
-    {"innerSpotAngle", Number, "Up to where a spot's light is full, degrees across", {0.0, 179.0}}};
+    {"innerSpotAngle", Number, "Up to where a spot's light is full, degrees across", {0.0, 179.0}},
+    k_ShadowKind,
+    k_ShadowStrength,
+    k_SoftShadowQuality,
+    {"shadowNearPlane", Number, "Metres to where its shadow map's depth begins", {0.01, 10.0}},
+    k_UsePipelineSettings,
+    k_ShadowBias,
+    k_ShadowNormalBias};
 
 /// A renderer has one of these.
 inline constexpr SceneKey k_Renderer[] = {{"rendererData", Text}, {"features", Features}};

@@ -34,11 +34,13 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     AssetDiagnostics& diagnostics = loader.diagnostics;
     const YamlNode* count = map.Find("msaaSampleCount");
     const YamlNode* scale = map.Find("renderScale");
+    const YamlNode* lights = map.Find("maxAdditionalLightsCount");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
-    for (const auto& [node, what] :
-         {std::pair(count, "msaaSampleCount: the count comes"),
-          std::pair(scale, "renderScale: it comes"), std::pair(shadows, "shadows: they come")})
+    for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
+                                     std::pair(scale, "renderScale: it comes"),
+                                     std::pair(lights, "maxAdditionalLightsCount: it comes"),
+                                     std::pair(shadows, "shadows: they come")})
     {
         if (node && pipeline)
         {
@@ -53,6 +55,12 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
             ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", diagnostics).value_or(1);
     }
     map.Read("renderScale", asset.renderScale);
+    if (lights)
+    {
+        asset.maxAdditionalLightsCount =
+            ReadInt(*lights, "maxAdditionalLightsCount", diagnostics, scene_keys::k_LightLimits)
+                .value_or(0);
+    }
     if (shadows)
     {
         YamlMapReader settings(*shadows, "shadows", diagnostics);
@@ -69,6 +77,7 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
             loader.references.Read(*pipeline, "renderPipelineAsset", load);
         asset.msaaSampleCount = loaded.msaaSampleCount;
         asset.renderScale = loaded.renderScale;
+        asset.maxAdditionalLightsCount = loaded.maxAdditionalLightsCount;
         asset.shadows = loaded.shadows;
     }
 }

@@ -21,6 +21,10 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
     visit("m_MainLightShadowsSupported", s.mainLightShadowsSupported, ValueRange{}, "");
     visit("m_MainLightShadowmapResolution", s.mainLightShadowmapResolution,
           ValueRange{64.0, 8192.0}, "Texels along a side of the shadow map");
+    visit("m_AdditionalLightShadowsSupported", s.additionalLightShadowsSupported, ValueRange{},
+          "Of spots and points");
+    visit("m_AdditionalLightsShadowmapResolution", s.additionalLightsShadowmapResolution,
+          ValueRange{64.0, 8192.0}, "Texels along a side of the shadow map of spots and points");
     visit("m_ShadowDistance", s.shadowDistance, ValueRange{0.0, 1e9},
           "Metres from the camera to where shadows end");
     visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0}, "");

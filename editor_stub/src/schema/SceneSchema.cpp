@@ -135,6 +135,8 @@ private:
             return BoolSchema();
         case SceneValue::Number:
             return NumberSchema(key.range);
+        case SceneValue::Integer:
+            return IntegerSchema(key.range);
         case SceneValue::Text:
             return TextSchema();
         case SceneValue::Texts:

@@ -25,9 +25,12 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
         ReadEnum(*root->fields.Find("m_MSAA"), k_MsaaQualities, "m_MSAA", diagnostics);
     UnityRenderPipeline pipeline;
     pipeline.msaaSampleCount = count.value_or(1);
-    pipeline.shadows.softShadowsSupported = false;       // Unity's default
+    pipeline.shadows.softShadowsSupported = false; // Unity's defaults
+    pipeline.shadows.additionalLightShadowsSupported = false;
     YamlMapReader fields(root->fields, "", diagnostics); // it has many more
     fields.Read("m_RenderScale", pipeline.renderScale, scene_keys::k_RenderScales);
+    fields.Read("m_AdditionalLightsPerObjectLimit", pipeline.maxAdditionalLightsCount,
+                scene_keys::k_LightLimits);
     ReadShadowSettings(fields, pipeline.shadows, diagnostics);
     diagnostics.ThrowIfErrors();
     return pipeline;

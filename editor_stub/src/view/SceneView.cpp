@@ -115,6 +115,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     pipeline.renderScale = m_Asset.renderScale;
+    pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.shadows = m_Asset.shadows;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }

@@ -129,10 +129,23 @@ TEST_F(LightDataOfAFrame, HasNoMoreThanShadersHaveRoomFor)
     }
     const LightsReader::Seen& seen = Render();
     EXPECT_EQ(seen.data.additionalLightsCount, 32);
-    EXPECT_EQ(seen.data.maxPerObjectAdditionalLightsCount, 32);
+    EXPECT_EQ(seen.data.maxPerObjectAdditionalLightsCount, 4) << "URP's default";
     EXPECT_EQ(seen.lights.size(), 33u);
     EXPECT_THAT(m_Result.report.notes,
                 testing::Contains(testing::HasSubstr("40 lights reach into the picture")));
+}
+
+TEST_F(LightDataOfAFrame, SaysHowManyAnObjectMayHave)
+{
+    m_Pipeline.maxAdditionalLightsCount = 7;
+    EXPECT_EQ(Render().data.maxPerObjectAdditionalLightsCount, 7);
+    for (const int count : {-1, 9})
+    {
+        m_Pipeline.maxAdditionalLightsCount = count;
+        EXPECT_THAT([&] { Render(); }, testing::ThrowsMessage<ContractError>(
+                                           "UniversalRenderPipeline: maxAdditionalLightsCount is " +
+                                           std::to_string(count) + "; it must be from 0 to 8"));
+    }
 }
 
 TEST_F(LightDataOfAFrame, TurnsAMainLightThatShinesDown)

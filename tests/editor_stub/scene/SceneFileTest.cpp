@@ -151,6 +151,37 @@ TEST(SceneFile, DrawsAtAnotherSize)
                 testing::Contains(testing::HasSubstr("m_RenderScale: 0 is outside [0.1, 2]")));
 }
 
+TEST(SceneFile, LimitsTheLightsOfAnObject)
+{
+    SceneFolder folder;
+    EXPECT_EQ(4, folder.LoadWithCamera("").maxAdditionalLightsCount);
+    EXPECT_EQ(7, folder.LoadWithCamera("maxAdditionalLightsCount: 7\n").maxAdditionalLightsCount);
+    EXPECT_THAT(folder.ProblemsOf("camera:\nmaxAdditionalLightsCount: 9\n"),
+                testing::ElementsAre(
+                    testing::HasSubstr("2:27: maxAdditionalLightsCount: 9 is outside [0, 8]")));
+    const auto write = [&](const std::string& limit)
+    {
+        folder.Write("urp.asset", "%YAML 1.1\n"
+                                  "%TAG !u! tag:unity3d.com,2011:\n"
+                                  "--- !u!114 &11400000\n"
+                                  "MonoBehaviour:\n"
+                                  "  m_MSAA: 1\n"
+                                  "  m_AdditionalLightsPerObjectLimit: " +
+                                      limit + "\n");
+    };
+    write("2");
+    EXPECT_EQ(2,
+              folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").maxAdditionalLightsCount);
+    EXPECT_THAT(
+        folder.ProblemsOf("camera:\nmaxAdditionalLightsCount: 1\nrenderPipelineAsset: urp.asset\n"),
+        testing::ElementsAre(testing::HasSubstr(
+            "maxAdditionalLightsCount: it comes from renderPipelineAsset already")));
+    write("9");
+    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
+                testing::Contains(
+                    testing::HasSubstr("m_AdditionalLightsPerObjectLimit: 9 is outside [0, 8]")));
+}
+
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)
 {
     SceneFolder folder;

@@ -28,6 +28,33 @@ TEST(ShadowFile, TheLightSaysHowItsShadowsAre)
                 testing::SizeIs(2));
 }
 
+TEST(ShadowFile, OtherLightsSayHowTheirShadowsAre)
+{
+    SceneFolder folder;
+    const SceneAsset asset = folder.LoadWithCamera(
+        "lights:\n"
+        "  - {shadows: Hard, shadowStrength: 0.25, shadowNearPlane: 0.5}\n"
+        "  - {type: Spot, shadows: Soft, softShadowQuality: Low, usePipelineSettings: false,\n"
+        "     shadowBias: 2, shadowNormalBias: 3}\n"
+        "  - {}\n"
+        "shadows: {additionalLightShadowsSupported: false}\n");
+    EXPECT_FALSE(asset.shadows.additionalLightShadowsSupported);
+    const std::vector<Light>& lights = asset.scene.additionalLights;
+    ASSERT_EQ(3u, lights.size());
+    EXPECT_EQ(LightShadows::Hard, lights[0].shadows);
+    EXPECT_EQ(0.25f, lights[0].shadowStrength);
+    EXPECT_EQ(0.5f, lights[0].shadowNearPlane);
+    EXPECT_EQ(LightShadows::Soft, lights[1].shadows);
+    EXPECT_EQ(SoftShadowQuality::Low, lights[1].softShadowQuality);
+    EXPECT_FALSE(lights[1].usePipelineSettings);
+    EXPECT_EQ(2.0f, lights[1].shadowBias);
+    EXPECT_EQ(3.0f, lights[1].shadowNormalBias);
+    EXPECT_EQ(LightShadows::None, lights[2].shadows);
+    EXPECT_THAT(
+        folder.ProblemsOf("camera: {}\nlights:\n  - {shadows: Smooth, shadowNearPlane: 0}\n"),
+        testing::SizeIs(2));
+}
+
 TEST(ShadowFile, TheSceneSaysHowAllShadowsAreInEitherSpelling)
 {
     SceneFolder folder;
@@ -66,6 +93,7 @@ TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)
                               "  m_MSAA: 4\n"
                               "  m_MainLightShadowsSupported: 1\n"
                               "  m_MainLightShadowmapResolution: 4096\n"
+                              "  m_AdditionalLightsShadowmapResolution: 1024\n"
                               "  m_ShadowDistance: 150\n"
                               "  m_ShadowCascadeCount: 4\n"
                               "  m_Cascade2Split: 0.25\n"
@@ -78,6 +106,8 @@ TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)
                               "  m_SoftShadowQuality: 3\n");
     ShadowSettings wanted;
     wanted.mainLightShadowmapResolution = 4096;
+    wanted.additionalLightShadowsSupported = false; // Unity's default
+    wanted.additionalLightsShadowmapResolution = 1024;
     wanted.shadowDistance = 150.0f;
     wanted.shadowCascadeCount = 4;
     wanted.cascadeBorder = 0.1f;

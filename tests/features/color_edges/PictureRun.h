@@ -29,6 +29,7 @@ public:
         return static_cast<Feature&>(m_Renderer.AddFeature(std::move(feature)));
     }
     void SetSamples(int count) { m_Pipeline.msaaSampleCount = count; }
+    void SetLightLimit(int count) { m_Pipeline.maxAdditionalLightsCount = count; }
     void SetShadows(const ShadowSettings& shadows) { m_Pipeline.shadows = shadows; }
 
     /// @param leavesOut  whether the frame compiler may leave things out

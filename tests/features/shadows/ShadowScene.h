@@ -22,6 +22,7 @@ Attenuation(const std::string& light = "GetMainLight(TransformWorldToShadowCoord
         "HLSLPROGRAM\n"
         "#pragma vertex Vert\n#pragma fragment Frag\n"
         "#pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE\n"
+        "#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS\n"
         "#pragma multi_compile _ _SHADOWS_SOFT\n"
         "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl\"\n"
         "struct V { float4 p : SV_POSITION; float3 world : TEXCOORD0; };\n"

@@ -205,7 +205,9 @@ TEST_F(LightingLibrary, ReachesNoFurtherThanALightsRangeAndCone)
     const double outer = std::cos(40 * M_PI / 180);
     const auto scale = static_cast<float>(1 / (inner - outer));
     const auto offset = static_cast<float>(-outer / (inner - outer));
-    grid.SetGlobal("_AdditionalLightsCount", {2, 0, 0, 0});
+    grid.SetGlobal("_AdditionalLightsCount", {4, 0, 0, 0});
+    grid.SetGlobal("limn_LightCount", {2, 0, 0, 0});
+    grid.SetGlobal("unity_LightIndices", {0, 1, 0, 0, 0, 0, 0, 0});
     grid.SetGlobal("_AdditionalLightsPosition", {1, 2, 3, 1, 0, 5, 0, 1});
     grid.SetGlobal("_AdditionalLightsColor", {1, 2, 3, 0, 4, 4, 4, 0});
     grid.SetGlobal("_AdditionalLightsAttenuation", {0.01f, 0, 0, 1, 0.01f, 0, scale, offset});
@@ -235,6 +237,20 @@ TEST_F(LightingLibrary, ReachesNoFurtherThanALightsRangeAndCone)
              { return glm::normalize(glm::dvec3(1, 2, 3) - glm::dvec3(a)); });
     grid.Add("float4(GetAdditionalLight(1, a.xyz).color, GetAdditionalLightsCount())", points,
              [](auto&, auto&, auto&) { return glm::dvec4(4, 4, 4, 2); });
+    grid.Run();
+}
+
+TEST_F(LightingLibrary, HasTheLightsOfTheObjectInTheirOrder)
+{
+    FunctionGrid grid(LIMN_URP("Lighting"));
+    grid.SetGlobal("_AdditionalLightsCount", {7, 0, 0, 0});
+    grid.SetGlobal("limn_LightCount", {6, 0, 0, 0});
+    grid.SetGlobal("unity_LightIndices", {3, 4, 9, 10, 17, 31, 0, 0});
+    const double indices[] = {3, 4, 9, 10, 17, 31};
+    grid.Add("GetPerObjectLightIndex((uint)a.x)", Combine({0.0, 1.0, 2.0, 3.0, 4.0, 5.0}),
+             [&](auto& a, auto&, auto&) { return indices[static_cast<int>(a.x)]; });
+    grid.Add("float4(GetAdditionalLightsCount(), unity_LightData.yz, 0)", Combine({0.0}),
+             [](auto&, auto&, auto&) { return glm::dvec4(6, 6, 1, 0); });
     grid.Run();
 }
 
@@ -295,7 +311,8 @@ TEST_F(LightingLibrary, ShadesPhysicallyBased)
             return UniversalFragmentPBR(inputData, surfaceData);
         })");
     SetLights(grid);
-    grid.SetGlobal("_AdditionalLightsCount", {1, 0, 0, 0});
+    grid.SetGlobal("_AdditionalLightsCount", {4, 0, 0, 0});
+    grid.SetGlobal("limn_LightCount", {1, 0, 0, 0});
     grid.SetGlobal("_AdditionalLightsPosition", {0, 0, 1, 0}); // a direction
     grid.SetGlobal("_AdditionalLightsColor", {0.5f, 0.5f, 0.5f, 0});
     grid.SetGlobal("_AdditionalLightsAttenuation", {0, 0, 0, 1});

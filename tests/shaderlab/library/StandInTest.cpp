@@ -77,11 +77,6 @@ TEST(StandIn, IsNotedWhereAKeywordBringsItIn)
     EXPECT_THAT(NotesOf("SAMPLE_GI(p.xy, p.xyz, p.xyz)", {"LIGHTMAP_ON"}),
                 ElementsAre("lit.shader: note: uses light maps, which limn does not have: the "
                             "ambient light stands in for them"));
-    EXPECT_THAT(NotesOf("AdditionalLightRealtimeShadow(0, p.xyz).xxx"), IsEmpty());
-    EXPECT_THAT(
-        NotesOf("AdditionalLightRealtimeShadow(0, p.xyz).xxx", {"_ADDITIONAL_LIGHT_SHADOWS"}),
-        ElementsAre("lit.shader: note: uses shadows of additional lights, which limn does "
-                    "not have: they light everything"));
 }
 
 } // namespace

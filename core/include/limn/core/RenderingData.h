@@ -112,8 +112,8 @@ struct LightData
 {
     int mainLightIndex = -1;       ///< of visibleLights(); -1 = the scene's has no intensity
     int additionalLightsCount = 0; ///< besides the main one
-    /// All of them light every object that they reach, as in URP's Forward+.
-    int maxPerObjectAdditionalLightsCount = k_MaxVisibleAdditionalLights;
+    int maxPerObjectAdditionalLightsCount =
+        0; ///< UniversalRenderPipeline::maxAdditionalLightsCount
     bool shadeAdditionalLightsPerVertex = false; ///< never
     bool supportsAdditionalLights = true;
     bool supportsLightLayers = true;

@@ -3,8 +3,10 @@
 #include <functional>
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/Culling.h>
+#include <limn/core/Light.h>
 #include <limn/core/RenderReport.h>
 #include <limn/core/RendererList.h>
+#include <span>
 
 namespace limn
 {
@@ -55,6 +57,12 @@ public:
     /// @param usesReversedZBuffer  see ShaderCompilerOptions
     void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {},
                bool usesReversedZBuffer = true);
+
+    /// DrawRenderers gives each object the brightest of these, at most so many of them. Where there
+    /// are no more than that, and for draws by command buffers, what is global holds.
+    /// @param lights  what shaders call the additional lights; none is null, at most 32
+    /// @param limit   0...8
+    void SetObjectLights(std::span<const Light* const> lights, int limit);
 
     /// From here to EndCamera identifiers in command buffers stand for these.
     void BeginCamera(CameraTargets camera);

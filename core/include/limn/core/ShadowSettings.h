@@ -16,15 +16,18 @@ enum class SoftShadowQuality
     High = 3
 };
 
-/// The shadows of the main light, for all scenes of a pipeline; the names without `m_` and the
+/// The shadows of lights, for all scenes of a pipeline; the names without `m_` and the
 /// defaults are those of UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14),
 /// which begins without soft shadows.
 struct ShadowSettings
 {
     bool mainLightShadowsSupported = true;
     int mainLightShadowmapResolution = 2048; ///< texels along a side of all cascades, 64...8192
-    float shadowDistance = 50.0f;            ///< metres from the camera to where shadows end, >= 0
-    int shadowCascadeCount = 1;              ///< 1...4
+    /// Of spots and points, on one map. Unity's assets begin with false.
+    bool additionalLightShadowsSupported = true;
+    int additionalLightsShadowmapResolution = 2048; ///< texels along a side of it, 64...8192
+    float shadowDistance = 50.0f; ///< metres from the camera to where shadows end, >= 0
+    int shadowCascadeCount = 1;   ///< 1...4
     // Where the cascades but the last end, as shares of the distance, each above the one before.
     float cascade2Split = 0.25f;
     glm::vec2 cascade3Split{0.1f, 0.3f};

@@ -20,7 +20,9 @@ public:
     TextureHandle cameraDepthTexture;
     TextureHandle cameraNormalsTexture;
     TextureHandle cameraOpaqueTexture;
-    TextureHandle mainShadowsTexture; ///< none in frames without shadows
+    // None in frames without such shadows.
+    TextureHandle mainShadowsTexture;
+    TextureHandle additionalShadowsTexture; ///< of spots and points
 
     const TextureHandle& activeColorTexture() const { return cameraColor; }
     const TextureHandle& activeDepthTexture() const { return cameraDepth; }

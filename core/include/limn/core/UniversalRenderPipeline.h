@@ -63,6 +63,10 @@ public:
     /// Preview and Reflection, it is 1. Unity: UniversalRenderPipelineAsset.renderScale.
     float renderScale = 1.0f;
 
+    /// By how many lights besides the main one an object is lit at most, 0 ... 8: the brightest
+    /// where it is. Unity: UniversalRenderPipelineAsset.maxAdditionalLightsCount.
+    int maxAdditionalLightsCount = 4;
+
     /// Of the main light, where it throws any. Unity: UniversalRenderPipelineAsset.
     ShadowSettings shadows;
 

@@ -7,6 +7,7 @@
 namespace limn
 {
 
+class AdditionalLightsShadowCasterPass;
 class BlitPass;
 class CameraTextures;
 class DrawObjectsPass;
@@ -15,11 +16,11 @@ class MainLightShadowCasterPass;
 class RenderGraph;
 class TextureHandle;
 
-/// URP's forward renderer in small: the main light's shadow map where something shows shadows
-/// (event 50), opaque objects (250), the skybox if the camera shows one (350), transparent objects
-/// (450), final copy to the output (1001) behind the last camera of a stack; and before them what
-/// makes the camera's depth, normals and opaque colour, in frames that draw with a shader that
-/// reads these. Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
+/// URP's forward renderer in small: shadow maps where something shows shadows (event 50), opaque
+/// objects (250), the skybox if the camera shows one (350), transparent objects (450), final copy
+/// to the output (1001) behind the last camera of a stack; and before them what makes the camera's
+/// depth, normals and opaque colour, in frames that draw with a shader that reads these. Unity:
+/// UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
 public:
@@ -62,6 +63,7 @@ private:
     std::size_t m_Current = 0;        ///< of them, what cameraColorTargetHandle gives
     RTHandle m_Depth;
     std::unique_ptr<MainLightShadowCasterPass> m_MainLightShadowCasterPass;
+    std::unique_ptr<AdditionalLightsShadowCasterPass> m_AdditionalLightsShadowCasterPass;
     std::unique_ptr<DrawObjectsPass> m_OpaquePass;
     std::unique_ptr<DrawSkyboxPass> m_SkyboxPass;
     std::unique_ptr<DrawObjectsPass> m_TransparentPass;

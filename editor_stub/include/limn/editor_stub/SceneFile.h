@@ -38,9 +38,10 @@ struct SceneAsset
     std::filesystem::path path;
     int width = 1280; ///< of the picture, pixels
     int height = 720;
-    int msaaSampleCount = 1;  ///< UniversalRenderPipeline::msaaSampleCount
-    float renderScale = 1.0f; ///< UniversalRenderPipeline::renderScale
-    ShadowSettings shadows;   ///< UniversalRenderPipeline::shadows
+    int msaaSampleCount = 1;          ///< UniversalRenderPipeline::msaaSampleCount
+    float renderScale = 1.0f;         ///< UniversalRenderPipeline::renderScale
+    int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount
+    ShadowSettings shadows;           ///< UniversalRenderPipeline::shadows
     Scene scene;
     Camera camera;
     LayerNames layers;

@@ -43,7 +43,7 @@ struct VertexNormalInputs
 // Lights besides the main one. A scene has none until something sets these values.
 cbuffer AdditionalLights
 {
-    float4 _AdditionalLightsCount; // x
+    float4 _AdditionalLightsCount; // x: of an object, at most
     float4 _AdditionalLightsPosition[MAX_VISIBLE_LIGHTS]; // w: 0 for a direction, 1 for a place
     float4 _AdditionalLightsColor[MAX_VISIBLE_LIGHTS];
     float4 _AdditionalLightsAttenuation[MAX_VISIBLE_LIGHTS]; // see GetAdditionalPerObjectLight

@@ -103,15 +103,22 @@ Light GetAdditionalPerObjectLight(int perObjectLightIndex, float3 positionWS)
     float4 position = _AdditionalLightsPosition[perObjectLightIndex];
     return limn_AdditionalLight(perObjectLightIndex, position.xyz - positionWS * position.w);
 }
+int GetPerObjectLightIndex(uint index)
+{
+    return (int)unity_LightIndices[index >> 2u][index & 3u];
+}
 // Of a position relative to limn_Origin: as exact far away from the world's origin as near it.
 Light limn_GetAdditionalLightRelative(uint i, float3 position)
 {
-    float4 light = limn_AdditionalLightsPosition[i];
-    return limn_AdditionalLight((int)i, light.xyz - position * light.w);
+    int index = GetPerObjectLightIndex(i);
+    float4 light = limn_AdditionalLightsPosition[index];
+    Light seen = limn_AdditionalLight(index, light.xyz - position * light.w);
+    seen.shadowAttenuation =
+        limn_AdditionalLightShadowRelative(index, position, seen.direction);
+    return seen;
 }
 
-int GetPerObjectLightIndex(uint index) { return (int)index; }
-int GetAdditionalLightsCount() { return (int)min(_AdditionalLightsCount.x, MAX_VISIBLE_LIGHTS); }
+int GetAdditionalLightsCount() { return (int)min(_AdditionalLightsCount.x, unity_LightData.y); }
 
 Light GetAdditionalLight(uint i, float3 positionWS)
 {

@@ -1,10 +1,12 @@
-// The shadow of the main light. All is lit unless a shadow map and its strength are set.
+// Shadows of lights. All is lit unless a shadow map and its strength are set.
 #pragma once
 #define UNIVERSAL_SHADOWS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonTexture.hlsl"
 
 #define MAX_SHADOW_CASCADES 4
+#define MAX_PUNCTUAL_LIGHT_SHADOW_SLICES_IN_UBO 64
 #define BEYOND_SHADOW_FAR(shadowCoord) ((shadowCoord).z <= 0.0 || (shadowCoord).z >= 1.0)
 
 #if !defined(_RECEIVE_SHADOWS_OFF)
@@ -30,6 +32,7 @@
 #define SAMPLE_SHADOWMASK(uv) float4(1, 1, 1, 1)
 
 TEXTURE2D_SHADOW(_MainLightShadowmapTexture);
+TEXTURE2D_SHADOW(_AdditionalLightsShadowmapTexture);
 TEXTURE2D_X(_ScreenSpaceShadowmapTexture);
 SAMPLER(sampler_ScreenSpaceShadowmapTexture);
 #ifndef limn_LinearClampCompare
@@ -38,6 +41,7 @@ SAMPLER_CMP(sampler_LinearClampCompare);
 #endif
 // The name of older versions.
 #define sampler_MainLightShadowmapTexture sampler_LinearClampCompare
+#define sampler_AdditionalLightsShadowmapTexture sampler_LinearClampCompare
 SAMPLER(limn_PointClamp);
 
 cbuffer LightShadows
@@ -59,6 +63,19 @@ cbuffer LightShadows
     float4 limn_CascadeCenters[MAX_SHADOW_CASCADES];
 };
 
+// Spots have one square of the map, points one for each side of a cube: +X, -X, +Y, -Y, +Z, -Z.
+cbuffer AdditionalLightShadows
+{
+    float4x4 _AdditionalLightsWorldToShadow[MAX_PUNCTUAL_LIGHT_SHADOW_SLICES_IN_UBO];
+    float4 limn_OriginToAdditionalShadow[MAX_PUNCTUAL_LIGHT_SHADOW_SLICES_IN_UBO];
+    // By light: strength, how soft (0...3), 1 for a point, the first square; -1: no shadow
+    float4 _AdditionalShadowParams[MAX_VISIBLE_LIGHTS];
+    float4 _AdditionalShadowOffset0;
+    float4 _AdditionalShadowOffset1;
+    float4 _AdditionalShadowFadeParams; // scale and bias of the distance's fade
+    float4 _AdditionalShadowmapSize;
+};
+
 struct ShadowSamplingData
 {
     float4 shadowOffset0;
@@ -77,6 +94,17 @@ ShadowSamplingData GetMainLightShadowSamplingData()
     return data;
 }
 float4 GetMainLightShadowParams() { return _MainLightShadowParams; }
+ShadowSamplingData GetAdditionalLightShadowSamplingData(int index)
+{
+    ShadowSamplingData data;
+    data.shadowOffset0 = _AdditionalShadowOffset0;
+    data.shadowOffset1 = _AdditionalShadowOffset1;
+    data.shadowmapSize = _AdditionalShadowmapSize;
+    data.softShadowQuality = _AdditionalShadowParams[index].y;
+    return data;
+}
+float4 GetAdditionalLightShadowParams(int lightIndex) { return _AdditionalShadowParams[lightIndex]; }
+half GetAdditionalLightShadowStrenth(int lightIndex) { return _AdditionalShadowParams[lightIndex].x; }
 
 // Four samples where shadows are soft; 1 is lit.
 float SampleShadowmap(Texture2D shadowMap, SamplerComparisonState smp, float4 shadowCoord,
@@ -113,7 +141,7 @@ float SampleShadowmap(float4 shadowCoord, Texture2D shadowMap, SamplerComparison
                            float4(shadowStrength, 1.0, 0.0, 0.0), isPerspectiveProjection);
 }
 
-// The same of the main light's map, without a comparison sampler: where nobody set a map, what
+// The same of a light's map, without a comparison sampler: where nobody set a map, what
 // stands in for it is no depth texture.
 float4 limn_LitTexels(float4 stored, float depth)
 {
@@ -131,10 +159,10 @@ float3 limn_TentLeftOf(float3 x, float width)
 }
 // The texels around a place, weighted by the part of a tent that lies over each. What is fetched at a
 // corner is texels (0, 1), (1, 1), (1, 0), (0, 0).
-float limn_TentLit(float2 uv, float depth, float width, int corners)
+float limn_TentLit(Texture2D map, float2 uv, float depth, float width, int corners)
 {
     float2 size;
-    _MainLightShadowmapTexture.GetDimensions(size.x, size.y);
+    map.GetDimensions(size.x, size.y);
     float2 place = uv * size;
     float2 first = floor(place - width);
     float lit = 0.0;
@@ -144,7 +172,7 @@ float limn_TentLit(float2 uv, float depth, float width, int corners)
         {
             float2 corner = first + 2.0 * float2(x, y) + 1.0;
             float4 texels = limn_LitTexels(
-                _MainLightShadowmapTexture.Gather(limn_PointClamp, corner / size), depth);
+                map.Gather(limn_PointClamp, corner / size), depth);
             float2 from = corner - place; // with 1 less and 1 more: the texels' borders
             float3 across = limn_TentLeftOf(from.x + float3(-1.0, 0.0, 1.0), width);
             float3 down = limn_TentLeftOf(from.y + float3(-1.0, 0.0, 1.0), width);
@@ -156,46 +184,48 @@ float limn_TentLit(float2 uv, float depth, float width, int corners)
     return lit;
 }
 // Bilinear.
-float limn_MainLightLit(float2 uv, float depth)
+float limn_BilinearLit(Texture2D map, float2 uv, float depth)
 {
     float2 size;
-    _MainLightShadowmapTexture.GetDimensions(size.x, size.y);
+    map.GetDimensions(size.x, size.y);
     float2 place = uv * size + 0.5;
     float2 corner = floor(place);
     float4 texels =
-        limn_LitTexels(_MainLightShadowmapTexture.Gather(limn_PointClamp, corner / size), depth);
+        limn_LitTexels(map.Gather(limn_PointClamp, corner / size), depth);
     float2 high = place - corner;
     float2 low = 1.0 - high;
     return dot(texels, float4(low.x, high.x, high.x, low.x) * float4(high.y, high.y, low.y, low.y));
 }
 
+float limn_FilteredLit(Texture2D map, float3 coord, float softness, float4 offset0, float4 offset1)
+{
+    float2 uv = coord.xy;
+    float z = coord.z;
+#ifdef _SHADOWS_SOFT
+    if (softness > 2.5)
+    {
+        return limn_TentLit(map, uv, z, 3.5, 4);
+    }
+    if (softness > 1.5)
+    {
+        return limn_TentLit(map, uv, z, 2.5, 3);
+    }
+    if (softness > 0.5)
+    {
+        float4 a = uv.xyxy + offset0;
+        float4 b = uv.xyxy + offset1;
+        return 0.25 * (limn_BilinearLit(map, a.xy, z) + limn_BilinearLit(map, a.zw, z) +
+                       limn_BilinearLit(map, b.xy, z) + limn_BilinearLit(map, b.zw, z));
+    }
+#endif
+    return limn_BilinearLit(map, uv, z);
+}
 float limn_SampleMainLightShadowmap(float4 shadowCoord)
 {
-    float2 uv = shadowCoord.xy;
-    float z = shadowCoord.z;
-    float lit = 1.0;
-#ifdef _SHADOWS_SOFT
-    if (_MainLightShadowParams.y > 2.5)
-    {
-        lit = limn_TentLit(uv, z, 3.5, 4);
-    }
-    else if (_MainLightShadowParams.y > 1.5)
-    {
-        lit = limn_TentLit(uv, z, 2.5, 3);
-    }
-    else if (_MainLightShadowParams.y > 0.5)
-    {
-        float4 a = shadowCoord.xyxy + _MainLightShadowOffset0;
-        float4 b = shadowCoord.xyxy + _MainLightShadowOffset1;
-        lit = 0.25 * (limn_MainLightLit(a.xy, z) + limn_MainLightLit(a.zw, z) +
-                      limn_MainLightLit(b.xy, z) + limn_MainLightLit(b.zw, z));
-    }
-    else
-#endif
-    {
-        lit = limn_MainLightLit(uv, z);
-    }
-    bool isOutside = any(abs(uv - 0.5) > 0.5);
+    float lit = limn_FilteredLit(_MainLightShadowmapTexture, shadowCoord.xyz,
+                                 _MainLightShadowParams.y, _MainLightShadowOffset0,
+                                 _MainLightShadowOffset1);
+    bool isOutside = any(abs(shadowCoord.xy - 0.5) > 0.5);
     return isOutside || BEYOND_SHADOW_FAR(shadowCoord) ? 1.0
                                                        : lerp(1.0, lit, _MainLightShadowParams.x);
 }
@@ -271,12 +301,37 @@ float MainLightRealtimeShadow(float4 shadowCoord)
     return limn_SampleMainLightShadowmap(shadowCoord);
 #endif
 }
+// Of a position relative to limn_Origin.
+float limn_AdditionalLightShadow(int lightIndex, float3 position, float3 lightDirection)
+{
 #ifdef ADDITIONAL_LIGHT_CALCULATE_SHADOWS
-[limn_Lacks("shadows of additional lights", "they light everything")]
+    float4 params = GetAdditionalLightShadowParams(lightIndex);
+    int slice = (int)params.w;
+    if (slice < 0)
+    {
+        return 1.0;
+    }
+    if (params.z != 0.0)
+    {
+        slice += (int)CubeMapFaceID(-lightDirection);
+    }
+    float4x4 toShadow = _AdditionalLightsWorldToShadow[slice];
+    if (limn_Origin.w != 0.0)
+    {
+        toShadow = limn_Moved(toShadow, limn_OriginToAdditionalShadow[slice]);
+    }
+    float4 shadowCoord = mul(toShadow, float4(position, 1.0));
+    shadowCoord.xyz /= shadowCoord.w;
+    float lit = limn_FilteredLit(_AdditionalLightsShadowmapTexture, shadowCoord.xyz, params.y,
+                                 _AdditionalShadowOffset0, _AdditionalShadowOffset1);
+    return BEYOND_SHADOW_FAR(shadowCoord) ? 1.0 : lerp(1.0, lit, params.x);
+#else
+    return 1.0;
 #endif
+}
 float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS, float3 lightDirection)
 {
-    return 1.0;
+    return limn_AdditionalLightShadow(lightIndex, positionWS - limn_Origin.xyz, lightDirection);
 }
 float AdditionalLightRealtimeShadow(int lightIndex, float3 positionWS)
 {
@@ -296,7 +351,15 @@ float ApplyShadowFade(float shadowAttenuation, float3 positionWS)
 {
     return lerp(shadowAttenuation, 1.0, GetMainLightShadowFade(positionWS));
 }
-float GetAdditionalLightShadowFade(float3 positionWS) { return 0.0; }
+float limn_AdditionalShadowFade(float3 fromCamera)
+{
+    return saturate(Length2(fromCamera) * _AdditionalShadowFadeParams.x +
+                    _AdditionalShadowFadeParams.y);
+}
+float GetAdditionalLightShadowFade(float3 positionWS)
+{
+    return limn_AdditionalShadowFade(positionWS - _WorldSpaceCameraPos);
+}
 
 float MixRealtimeAndBakedShadows(float realtimeShadow, float bakedShadow, float shadowFade)
 {
@@ -319,7 +382,23 @@ float MainLightShadow(float4 shadowCoord, float3 positionWS, float4 shadowMask,
 float AdditionalLightShadow(int lightIndex, float3 positionWS, float3 lightDirection,
                             float4 shadowMask, float4 occlusionProbeChannels)
 {
-    return AdditionalLightRealtimeShadow(lightIndex, positionWS, lightDirection);
+    float realtime = AdditionalLightRealtimeShadow(lightIndex, positionWS, lightDirection);
+#ifdef ADDITIONAL_LIGHT_CALCULATE_SHADOWS
+    return MixRealtimeAndBakedShadows(realtime, 1.0, GetAdditionalLightShadowFade(positionWS));
+#else
+    return realtime;
+#endif
+}
+// Of a position relative to limn_Origin.
+float limn_AdditionalLightShadowRelative(int lightIndex, float3 position, float3 lightDirection)
+{
+    float realtime = limn_AdditionalLightShadow(lightIndex, position, lightDirection);
+#ifdef ADDITIONAL_LIGHT_CALCULATE_SHADOWS
+    return MixRealtimeAndBakedShadows(realtime, 1.0,
+                                      limn_AdditionalShadowFade(position - limn_CameraPos.xyz));
+#else
+    return realtime;
+#endif
 }
 
 // Moves what casts a shadow away from the light, so that it does not shadow itself. A position may be

@@ -11,7 +11,6 @@
 #define unity_LightmapST float4(1, 1, 0, 0)
 #define unity_DynamicLightmapST float4(1, 1, 0, 0)
 #define unity_ProbesOcclusion float4(1, 1, 1, 1)
-#define unity_LightData float4(0, _AdditionalLightsCount.x, 1, 0)
 #define unity_SpecCube0_HDR float4(1, 1, 0, 0)
 #define unity_SpecCube1_HDR float4(1, 1, 0, 0)
 #define unity_SpecCube0_BoxMax float4(0, 0, 0, 0)
@@ -29,8 +28,15 @@
 #define UNITY_PREV_MATRIX_M unity_MatrixPreviousM
 #define UNITY_PREV_MATRIX_I_M unity_MatrixPreviousMI
 #define _LastTimeParameters _TimeParameters
-// Every draw has the same lights.
-static const float4 unity_LightIndices[2] = {float4(0, 1, 2, 3), float4(4, 5, 6, 7)};
+
+// Which of the additional lights an object has.
+cbuffer limn_ObjectLights
+{
+    float4 limn_LightCount; // x; 0 where nothing sets it
+    float4 unity_LightIndices[2];
+};
+// z: the main light lights it
+#define unity_LightData float4(0, limn_LightCount.x, 1, 0)
 
 TEXTURECUBE(unity_SpecCube0);
 SAMPLER(samplerunity_SpecCube0);

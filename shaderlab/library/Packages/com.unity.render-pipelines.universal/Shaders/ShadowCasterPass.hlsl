@@ -9,6 +9,7 @@
 // Where the light is: _LightDirection for the sun, _LightPosition for one with a place.
 float3 _LightDirection;
 float3 _LightPosition;
+float3 limn_LightPosition; // relative to limn_Origin
 
 struct Attributes
 {
@@ -30,7 +31,7 @@ float4 GetShadowPositionHClip(Attributes input)
     float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
     float3 position = limn_ObjectToRelative(input.positionOS.xyz);
 #ifdef _CASTING_PUNCTUAL_LIGHT_SHADOW
-    float3 lightDirection = normalize(_LightPosition - TransformObjectToWorld(input.positionOS.xyz));
+    float3 lightDirection = normalize(limn_LightPosition - position);
 #else
     float3 lightDirection = _LightDirection;
 #endif

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <limn/core/Light.h>
+#include <limn/core/ScriptableRenderContext.h>
+#include <limn/core/ShadowSettings.h>
+
+namespace limn
+{
+
+/// What lights of all kinds say of their shadows.
+struct LightShadowLook
+{
+    LightShadows shadows;
+    SoftShadowQuality softShadowQuality;
+    bool usePipelineSettings;
+    glm::vec2 bias; ///< texels: towards the light, along the normal
+};
+
+template <typename AnyLight>
+LightShadowLook LookOf(const AnyLight& light)
+{
+    return {light.shadows,
+            light.softShadowQuality,
+            light.usePipelineSettings,
+            {light.shadowBias, light.shadowNormalBias}};
+}
+
+/// What shaders take for how soft shadows are: 0 not at all, 1...3 as SoftShadowQuality.
+int SoftnessOf(const LightShadowLook& light, const ShadowSettings& settings);
+
+/// _ShadowBias: metres along the light and along the normal, negative. A wider filter looks that
+/// much farther down a slope.
+glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& settings,
+                     double texelSize);
+
+/// For the square of a distance: 0 where shadows begin to fade, 1 where they end.
+glm::vec2 FadeScaleAndBias(double distance, double border);
+
+/// Draws what CullShadowCasters found.
+void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
+                       const CullingResults& plain, const CullingResults& twoSided);
+
+} // namespace limn
