@@ -63,6 +63,47 @@ namespace limn::benchmarks
 namespace
 {
 
+/// Draws the camera's opaque objects once more in a raster pass of a render graph.
+class GraphFeature final : public ScriptableRendererFeature
+{
+public:
+    void Create() override { m_Pass.renderPassEvent = RenderPassEvent::AfterRenderingOpaques; }
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
+    {
+        renderer.EnqueuePass(m_Pass);
+    }
+
+private:
+    class Pass final : public ScriptableRenderPass
+    {
+    public:
+        void RecordRenderGraph(RenderGraph& graph, ContextContainer& frameData) override
+        {
+            struct PassData
+            {
+                RendererListHandle list;
+            };
+            const auto& camera = frameData.Get<UniversalCameraData>();
+            const auto& resources = frameData.Get<UniversalResourceData>();
+            const auto& rendering = frameData.Get<UniversalRenderingData>();
+            PassData* data = nullptr;
+            auto builder = graph.AddRasterRenderPass<PassData>("Again", data);
+            data->list = graph.CreateRendererList(RendererListParams(
+                rendering.cullResults(),
+                RenderingUtils::CreateDrawingSettings(ShaderTagId("UniversalForward"), rendering,
+                                                      camera, frameData.Get<UniversalLightData>(),
+                                                      SortingCriteria::CommonOpaque),
+                FilteringSettings(RenderQueueRange::opaque)));
+            builder.UseRendererList(data->list);
+            builder.SetRenderAttachment(resources.activeColorTexture(), 0);
+            builder.SetRenderAttachmentDepth(resources.activeDepthTexture());
+            builder.SetRenderFunc([](const PassData& own, RasterGraphContext& context)
+                                  { context.cmd.DrawRendererList(own.list); });
+        }
+    };
+    Pass m_Pass;
+};
+
 /// Cubes and quads of ten materials; the outline of every hundredth is drawn.
 class ManyRenderers
 {
@@ -121,6 +162,23 @@ public:
         m_Pipeline.RenderSingleCamera(*m_Renderer, m_Request, m_Result);
         return m_Result;
     }
+
+    /// More of them than an object may have; some throw shadows, as the main one does.
+    void AddLights()
+    {
+        m_Scene.mainLight.shadows = LightShadows::Soft;
+        for (int i = 0; i < 12; ++i)
+        {
+            Light& light = m_Scene.additionalLights.emplace_back();
+            light.type = i % 2 != 0 ? LightType::Spot : LightType::Point;
+            light.transform.localPosition = {static_cast<float>(i) - 6.0f, 1.0f, 5.0f};
+            light.range = 20.0f;
+            light.shadows = i < 3 ? LightShadows::Hard : LightShadows::None;
+        }
+    }
+
+    /// One that draws over the whole picture.
+    void AddGraphPass() { m_Renderer->AddFeature(std::make_unique<GraphFeature>()); }
 
     /// A hundredth of the objects, others each time.
     void Move()
@@ -241,7 +299,16 @@ long CompareFrames(std::size_t count, int pairs)
     CompareJudging(scene, pairs);
     CompareSorting(count, pairs);
     moving.Print("a hundredth moves / nothing moves");
-    const long allocations = CountSteadyAllocations(scene);
+    long allocations = CountSteadyAllocations(scene);
+    ManyRenderers lit(count);
+    lit.AddLights();
+    const long withLights = CountSteadyAllocations(lit);
+    ManyRenderers graph(count);
+    graph.AddGraphPass();
+    const long withGraph = CountSteadyAllocations(graph);
+    std::printf("allocations in a steady frame: %ld with lights and shadows, %ld with a render "
+                "graph pass\n",
+                withLights, withGraph);
     std::printf("%zu visible, %zu draws of %zu instances; %ld allocations in a steady frame; "
                 "%.0f bytes a renderer\n",
                 plain.visibleCount(), CountDraws(*result.frame), result.frame->instances.size(),
