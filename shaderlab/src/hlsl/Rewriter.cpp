@@ -140,11 +140,12 @@ public:
         {
             m_Lowering.Rename(*tree.resolver, *tree.root);
             m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
-            if (tree.variable && !tree.variable->dimensions.empty())
+            if (tree.variable)
             {
+                const auto& dimensions = tree.variable->dimensions;
                 m_Lowering.LowerInitializer(*tree.root,
                                             TypeOf(m_Source.declarations, *tree.variable),
-                                            tree.variable->dimensions.front());
+                                            dimensions.empty() ? "" : dimensions.front());
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)

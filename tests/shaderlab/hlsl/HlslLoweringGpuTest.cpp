@@ -104,11 +104,21 @@ TEST_F(HlslDialectValues, NumbersOfMoreThan32BitsAreCut)
 TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
 {
     FunctionGrid grid(R"(
+        static const float2x2 s_Turn = {float2(1, 2), float2(3, 4)};
+        float3x3 Matrix(float4 v) { float3x3 m = {v.xyz, v.yzw, 7, v.x, 8}; return m; }
+        float4 Vector(float4 v) { float4 w = {1, v.yz, 2}; return w; }
         float4 Lists(float4 v)
         {
             float2 parts[] = {v, v.x, 7, v.yz};
             return float4(parts[0].y, parts[1].x, parts[2].x * parts[2].y, parts[3].y);
         })");
+    grid.Add("Matrix(a)[1]", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec3(a.y, a.z, a.w); }));
+    grid.Add("Matrix(a)[2]", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec3(7, a.x, 8); }));
+    grid.Add("s_Turn[1]", k_Once, OfA([](auto&) { return glm::dvec2(3, 4); }));
+    grid.Add("Vector(a)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(1, a.y, a.z, 2); }));
     grid.Add("Lists(a)", k_Inputs,
              OfA([](const glm::dvec4& a) { return glm::dvec4(a.y, a.z, a.x * 7, a.z); }));
     grid.Run();

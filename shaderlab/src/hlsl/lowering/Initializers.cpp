@@ -21,10 +21,32 @@ int ComponentsOf(const HlslNode& item, int element)
 
 void HlslLowering::LowerDeclarator(HlslNode& node)
 {
-    if (node.child && node.type.dimensions == 1 && Text(node.token + 1) == "[")
+    if (!node.child)
     {
-        const std::size_t behind = m_Code.AfterBracket(node.token + 1);
-        LowerInitializer(*node.child, node.type, m_Code.Span(node.token + 2, behind - 1));
+        return;
+    }
+    const bool isArray = node.type.dimensions == 1 && Text(node.token + 1) == "[";
+    const std::size_t behind = isArray ? m_Code.AfterBracket(node.token + 1) : 0;
+    LowerInitializer(*node.child, node.type,
+                     isArray ? m_Code.Span(node.token + 2, behind - 1) : std::string_view());
+}
+
+/// `float3x3 m = {v, w, 1, 2, 3}` means `float3x3(v, w, 1, 2, 3)`: glslang wants a number, or a
+/// row, for each element.
+void HlslLowering::LowerList(HlslNode& list, const HlslType& type)
+{
+    int sum = 0;
+    bool hasVectors = false;
+    for (const HlslNode* item = list.child; item; item = item->next)
+    {
+        const bool isKnown = item->type.isScalar() || item->type.isVector();
+        sum += isKnown ? item->type.columns : type.components() + 1;
+        hasVectors = hasVectors || item->type.isVector();
+    }
+    if (hasVectors && sum == type.components())
+    {
+        m_Code.Spelling(list.first) = type.Spelling() + "(";
+        m_Code.Spelling(list.end - 1) = ")";
     }
 }
 
@@ -34,6 +56,11 @@ void HlslLowering::LowerDeclarator(HlslNode& node)
 void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
                                     std::string_view dimension)
 {
+    if (value.kind == HlslNodeKind::List && type.isNumber() && type.components() > 1)
+    {
+        LowerList(value, type);
+        return;
+    }
     HlslType element = type;
     element.dimensions = 0;
     const int components = element.components();

@@ -26,7 +26,9 @@ public:
     void Lower(HlslNode& node, bool isInitial);
     /// Gives a declared variable and what stands for it a name of its own.
     void Rename(const HlslResolver& resolver, HlslNode& root);
-    /// The value of `type name[] = { … }` at file scope.
+    /// The value of a variable of the type, where it is a list.
+    ///
+    /// @param dimension  what stands in the brackets of an array
     void LowerInitializer(HlslNode& value, const HlslType& type, std::string_view dimension);
 
     /// Declarations of the functions that the edits call; they belong before all code.
@@ -56,6 +58,7 @@ private:
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
     // Initializers.cpp
     void LowerDeclarator(HlslNode& node);
+    void LowerList(HlslNode& list, const HlslType& type);
     void SplitItem(HlslNode& item, int components);
 
     HlslEditor& m_Code;
