@@ -143,6 +143,25 @@ std::span<const HlslFunction* const> HlslGlobals::FindMethods(std::string_view n
     return found == m_Methods.end() ? std::span<const HlslFunction* const>() : found->second;
 }
 
+std::vector<const HlslFunction*> HlslGlobals::FindMethods(std::string_view name,
+                                                          const HlslType& owner) const
+{
+    const auto all = FindMethods(name);
+    const HlslStruct* type =
+        owner.kind == HlslType::Kind::Struct ? m_Declarations.FindStruct(owner.name) : nullptr;
+    std::vector<const HlslFunction*> methods;
+    for (const HlslFunction* method : all)
+    {
+        const bool isOwn = type && !type->methods.empty() && method >= type->methods.data() &&
+                           method < type->methods.data() + type->methods.size();
+        if (isOwn || !type)
+        {
+            methods.push_back(method);
+        }
+    }
+    return methods;
+}
+
 const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
                                    std::span<const HlslFunction* const> overloads,
                                    std::span<const HlslType> arguments)

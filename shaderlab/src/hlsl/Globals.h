@@ -26,6 +26,9 @@ public:
     std::span<const HlslFunction* const> FindFunctions(std::string_view name) const;
     /// Methods of any struct.
     std::span<const HlslFunction* const> FindMethods(std::string_view name) const;
+    /// Those of the type; of any, where it is not known.
+    std::vector<const HlslFunction*> FindMethods(std::string_view name,
+                                                 const HlslType& owner) const;
 
     /// What an overload is called that differs from another one in half for float only, which
     /// glslang takes for a second definition; null of others.

@@ -176,7 +176,7 @@ void HlslResolver::ResolveExpression(HlslNode& node)
     case HlslNodeKind::Method:
     {
         const std::string_view name = m_Tokens.Text(node.token);
-        const auto methods = m_Globals.FindMethods(name);
+        const auto methods = m_Globals.FindMethods(name, first());
         const auto types = arguments(node.child->next);
         const HlslFunction* method = ChooseOverload(m_Globals.declarations(), methods, types);
         node.type =

@@ -84,6 +84,14 @@ TEST(Lowering, CutsArgumentsThatAreLargerThanTheParameter)
     EXPECT_EQ(text, Lowered(text));
 }
 
+TEST(Lowering, CutsArgumentsOfTheMethodThatIsMeant)
+{
+    const std::string types = "struct A { float F(float x) { return x; } }; "
+                              "struct B { float F(float3 x) { return x.x; } }; ";
+    EXPECT_EQ(types + "float f(A a, B b, float3 v) { return a.F((float)(v)) + b.F(v); }",
+              Lowered(types + "float f(A a, B b, float3 v) { return a.F(v) + b.F(v); }"));
+}
+
 TEST(Lowering, MakesNumbersOfConditions)
 {
     EXPECT_EQ("float f(float x) { switch ((int)(x * 2)) { case 1: return 1; } return 0; }",

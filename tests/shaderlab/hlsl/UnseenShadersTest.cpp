@@ -31,6 +31,16 @@ constexpr Case k_HlslCases[] = {
         struct Tint { float4 color; };
         struct Tint Make(struct v2f i) { struct Tint t; t.color = i.uv.xyxy; return t; }
         float4 frag(struct v2f i) : SV_Target { return Make(i).color; })"},
+    {"structs with a name from a typedef", R"(
+        typedef struct { float4 pos : SV_POSITION; float2 uv : TEXCOORD0; } Given;
+        typedef struct Light_ { float3 color; float k; } Light;
+        typedef struct Light_ SameLight;
+        float Sum(Light l) { return l.color.x + l.k; }
+        float4 frag(Given i) : SV_Target
+        {
+            SameLight l; l.color = i.uv.xyx; l.k = 1; struct Light_ m = l;
+            return Sum(l) + m.k;
+        })"},
     {"any and all of numbers", R"(
         float4 frag(v2f i) : SV_Target
         {

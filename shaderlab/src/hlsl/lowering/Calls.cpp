@@ -10,9 +10,12 @@ void HlslLowering::LowerCall(HlslNode& node)
     const std::string_view name = Text(node.token);
     const bool isMethod = node.kind == HlslNodeKind::Method;
     HlslNode* const first = isMethod ? node.child->next : node.child;
+    const std::vector<const HlslFunction*> methods =
+        isMethod ? m_Globals.FindMethods(name, node.child->type)
+                 : std::vector<const HlslFunction*>();
     auto functions =
-        isMethod ? std::span<const HlslFunction* const>() : m_Globals.FindFunctions(name);
-    functions = functions.empty() ? m_Globals.FindMethods(name) : functions;
+        isMethod ? std::span<const HlslFunction* const>(methods) : m_Globals.FindFunctions(name);
+    functions = functions.empty() && !isMethod ? m_Globals.FindMethods(name) : functions;
     if (functions.empty())
     {
         if ((name == "any" || name == "all") && first)

@@ -61,6 +61,10 @@ private:
         {
             TakeSampler(index + 1);
         }
+        else if (word == "typedef" && Text(index + 1) == "struct")
+        {
+            TakeTypedef(index);
+        }
         else if (word == "unsigned")
         {
             m_Code.Spelling(index) = Text(index + 1) == "int" ? "" : "uint";
@@ -82,6 +86,32 @@ private:
             {
                 m_Code.Spelling(index) = type->second;
             }
+        }
+    }
+
+    /// `typedef struct tag { … } name;` becomes `struct name { … }; typedef name tag;`: to glslang
+    /// the semantics of the other are those of an entry function.
+    void TakeTypedef(std::size_t index)
+    {
+        const bool hasTag = m_Code.isWord(index + 2);
+        const std::size_t open = index + (hasTag ? 3 : 2);
+        const std::size_t name = m_Code.AfterBracket(open);
+        if (Text(open) != "{" || !m_Code.isWord(name) || Text(name + 1) != ";")
+        {
+            return;
+        }
+        const std::string type(Text(name));
+        m_Code.Spelling(index).clear();
+        m_Code.Spelling(index + 1) = "struct " + type;
+        m_Code.Spelling(name).clear();
+        if (hasTag)
+        {
+            m_Code.Spelling(index + 2).clear();
+        }
+        if (hasTag && Text(index + 2) != type)
+        {
+            m_Code.Spelling(name + 1) +=
+                " typedef " + type + " " + std::string(Text(index + 2)) + ";";
         }
     }
 

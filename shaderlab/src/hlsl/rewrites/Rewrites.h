@@ -30,8 +30,9 @@ std::string SpellEnums(std::string text);
 
 /// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
 /// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
-/// `texture2D`, `textureCUBE`; `unsigned int` is `uint`, and `row_major` says nothing of a uniform
-/// matrix, whose elements limn sets by row and column.
+/// `texture2D`, `textureCUBE`; `unsigned int` is `uint`, structs that a typedef names are
+/// declared by that name, and `row_major` says nothing of a uniform matrix, whose elements limn
+/// sets by row and column.
 void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 
 /// Preprocessed HLSL in which `struct B : A` has a copy of A's members in front of its own, and
