@@ -85,6 +85,10 @@ void Rewrite(const std::string& text, ShaderStage stage)
         {
             Require(!error.message.empty(), "an empty complaint");
         }
+        catch (const AssetError& error)
+        {
+            Require(!error.diagnostics().empty(), "an empty complaint");
+        }
     }
 }
 
@@ -111,9 +115,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string translated = TranslateDirectives(text);
     Require(Lines(translated) >= Lines(text), "lines were lost");
     std::vector<Diagnostic> warnings;
-    const std::string spelt = RespellForGlslang(translated, PassProgram{}, warnings);
-    Rewrite(spelt, ShaderStage::Vertex);
-    Rewrite(spelt, ShaderStage::Geometry);
-    Rewrite(spelt, ShaderStage::Fragment);
+    try
+    {
+        const std::string spelt = RespellForGlslang(translated, PassProgram{}, warnings);
+        Rewrite(spelt, ShaderStage::Vertex);
+        Rewrite(spelt, ShaderStage::Geometry);
+        Rewrite(spelt, ShaderStage::Fragment);
+    }
+    catch (const AssetError& error) // nested too deeply
+    {
+        Require(!error.diagnostics().empty(), "an empty complaint");
+    }
     return 0;
 }

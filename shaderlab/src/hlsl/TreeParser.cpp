@@ -242,7 +242,8 @@ HlslNode* HlslTreeParser::ReadSimple(std::size_t first)
 {
     const bool isReturn = Text() == "return";
     HlslNode* node = Make(isReturn ? HlslNodeKind::Return : HlslNodeKind::Expression, first);
-    m_Index += isReturn ? 1 : 0;
+    const bool isJump = Text() == "break" || Text() == "continue" || Text() == "discard";
+    m_Index += isReturn || isJump ? 1 : 0;
     const std::size_t end = EndOfStatement();
     const std::size_t mark = end > first && m_Tokens.Text(end - 1) == ";" ? end - 1 : end;
     if (m_Index < mark)

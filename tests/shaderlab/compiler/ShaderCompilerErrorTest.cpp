@@ -202,15 +202,17 @@ TEST(ShaderCompilerError, ReportsEveryNameThatNobodyDeclares)
         Program("struct v2f { float4 pos : SV_Position; float2 uv : TEXCOORD0; };\n"
                 "v2f vert(float4 p : POSITION) { v2f o; o.pos = p; o.uv = Nowhere(p); return o; }\n"
                 "float4 frag(v2f i) : SV_Target\n{\n"
+                "    for (;;) { if (i.uv.x > 1) break; else continue; }\n"
+                "    if (i.uv.y > 1) discard;\n"
                 "    float2 uv = i.uw * _Scale;\n"
                 "    return Neither(uv) + lerp(uv.x, missing, 1);\n}"));
     EXPECT_THAT(messages,
                 testing::UnorderedElementsAre(
                     "t.shader:2:58: error: 'Nowhere': no matching overloaded function found",
-                    "t.shader:5:19: error: 'uw': no such field in structure",
-                    "t.shader:5:24: error: '_Scale': unknown variable",
-                    "t.shader:6:12: error: 'Neither': no matching overloaded function found",
-                    "t.shader:6:37: error: 'missing': unknown variable"));
+                    "t.shader:7:19: error: 'uw': no such field in structure",
+                    "t.shader:7:24: error: '_Scale': unknown variable",
+                    "t.shader:8:12: error: 'Neither': no matching overloaded function found",
+                    "t.shader:8:37: error: 'missing': unknown variable"));
 }
 
 TEST(ShaderCompilerError, RefusesWhatWouldBeInvalidSpirv)

@@ -106,6 +106,15 @@ TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
     FunctionGrid grid(R"(
         static const float2x2 s_Turn = {float2(1, 2), float2(3, 4)};
         float3x3 Matrix(float4 v) { float3x3 m = {v.xyz, v.yzw, 7, v.x, 8}; return m; }
+        struct Inner { float a; float3 b; };
+        struct Outer { Inner inner[2]; float2 c; };
+        float4 Struct(float4 v)
+        {
+            Inner flat = {1, v.x, 3, 4};
+            Outer outer = {{{v.x, v.yzw}, {5, 6, 7, 8}}, {9, v.w}};
+            Outer all = {1, 2, 3, 4, v, v.xy};
+            return float4(flat.b.x, outer.inner[1].b.y * outer.c.y, all.inner[1].b.z, all.c.x);
+        }
         float4 Vector(float4 v) { float4 w = {1, v.yz, 2}; return w; }
         float4 Lists(float4 v)
         {
@@ -117,6 +126,8 @@ TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
     grid.Add("Matrix(a)[2]", k_Inputs,
              OfA([](const glm::dvec4& a) { return glm::dvec3(7, a.x, 8); }));
     grid.Add("s_Turn[1]", k_Once, OfA([](auto&) { return glm::dvec2(3, 4); }));
+    grid.Add("Struct(a)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(a.x, 7 * a.w, a.w, a.x); }));
     grid.Add("Vector(a)", k_Inputs,
              OfA([](const glm::dvec4& a) { return glm::dvec4(1, a.y, a.z, 2); }));
     grid.Add("Lists(a)", k_Inputs,

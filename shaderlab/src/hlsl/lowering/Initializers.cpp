@@ -1,5 +1,8 @@
 #include "hlsl/lowering/Lowering.h"
 
+#include <algorithm>
+#include <charconv>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,6 +19,118 @@ int ComponentsOf(const HlslNode& item, int element)
            : item.type.isNumber()          ? item.type.components()
                                            : 0;
 }
+
+/// The values of a list and of the lists in it, in order.
+void Flatten(const HlslNode& list, std::vector<const HlslNode*>& items)
+{
+    for (const HlslNode* item = list.child; item; item = item->next)
+    {
+        if (item->kind == HlslNodeKind::List)
+        {
+            Flatten(*item, items);
+        }
+        else
+        {
+            items.push_back(item);
+        }
+    }
+}
+
+/// Deals the values of a list out to the members of a struct, number by number.
+class ListDealer
+{
+public:
+    ListDealer(const HlslDeclarations& declarations, const HlslEditor& code, const HlslNode& list)
+        : m_Declarations(declarations), m_Code(code)
+    {
+        Flatten(list, m_Items);
+    }
+
+    /// `{ … }` as glslang wants it; "" where the values do not fit.
+    std::string Deal(const HlslStruct& type)
+    {
+        const std::string text = DealMembers(type);
+        return m_Fits && m_Next == m_Items.size() ? text : "";
+    }
+
+private:
+    std::string DealMembers(const HlslStruct& type)
+    {
+        std::string text;
+        for (const HlslVariable& member : type.members)
+        {
+            text += (text.empty() ? "{" : ", ") +
+                    DealArray(TypeOf(m_Declarations, member), member.dimensions);
+        }
+        return text + "}";
+    }
+
+    std::string DealArray(const HlslType& type, std::span<const std::string_view> dimensions)
+    {
+        if (dimensions.empty())
+        {
+            return DealOne(type);
+        }
+        int count = 0;
+        const std::string_view size = dimensions.front();
+        std::from_chars(size.data(), size.data() + size.size(), count);
+        m_Fits = m_Fits && count > 0;
+        std::string text;
+        for (int i = 0; i < count && m_Fits; ++i)
+        {
+            text += (i == 0 ? "{" : ", ") + DealArray(type, dimensions.subspan(1));
+        }
+        return text + "}";
+    }
+
+    std::string DealOne(const HlslType& type)
+    {
+        const HlslStruct* const inner = m_Declarations.FindStruct(type.name);
+        const HlslNode* const whole = m_Next < m_Items.size() ? m_Items[m_Next] : nullptr;
+        if (inner && whole && whole->type.kind != HlslType::Kind::Struct)
+        {
+            return DealMembers(*inner);
+        }
+        int left = type.kind == HlslType::Kind::Number ? type.components() : 1;
+        std::string values;
+        int count = 0;
+        for (; left > 0 && m_Next < m_Items.size(); ++count)
+        {
+            values += (count > 0 ? ", " : "") + Take(left);
+        }
+        m_Fits = m_Fits && left == 0;
+        return count == 1 ? values : type.Spelling() + "(" + values + ")";
+    }
+
+    /// The value at hand, or of a vector what is `left` to be filled.
+    std::string Take(int& left)
+    {
+        const HlslNode& item = *m_Items[m_Next];
+        const int all = item.type.isNumber() ? item.type.components() : 1;
+        const int taken = std::min(left, all - m_Taken);
+        const bool isPart = taken < all;
+        m_Fits = m_Fits && (item.type.isNumber() || left == 1) && (!isPart || item.type.isVector());
+        std::string text = m_Code.Spelled(item.first, item.end);
+        if (isPart)
+        {
+            text = "(" + text + ").";
+            text += std::string_view("xyzw").substr(static_cast<std::size_t>(m_Taken) % 4,
+                                                    static_cast<std::size_t>(taken));
+        }
+        left -= taken;
+        m_Taken += taken;
+        m_Next += m_Taken == all ? 1 : 0;
+        m_Taken = m_Taken == all ? 0 : m_Taken;
+        return text;
+    }
+
+    const HlslDeclarations& m_Declarations;
+    const HlslEditor& m_Code;
+    std::vector<const HlslNode*> m_Items;
+    std::size_t m_Next = 0;
+    int m_Taken = 0; ///< of its numbers
+    bool m_Fits = true;
+};
 
 } // namespace
 
@@ -56,6 +171,11 @@ void HlslLowering::LowerList(HlslNode& list, const HlslType& type)
 void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
                                     std::string_view dimension)
 {
+    if (value.kind == HlslNodeKind::List && type.kind == HlslType::Kind::Struct)
+    {
+        LowerStructList(value, type);
+        return;
+    }
     if (value.kind == HlslNodeKind::List && type.isNumber() && type.components() > 1)
     {
         LowerList(value, type);
@@ -106,6 +226,28 @@ void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
     for (HlslNode* item : several)
     {
         SplitItem(*item, components);
+    }
+}
+
+/// To HLSL the brackets in a list say nothing: its numbers are the members' one after the other.
+void HlslLowering::LowerStructList(HlslNode& list, const HlslType& type)
+{
+    const HlslStruct* const structure = m_Globals.declarations().FindStruct(type.name);
+    bool isNested = false;
+    for (const HlslNode* item = list.child; item; item = item->next)
+    {
+        isNested = isNested || item->kind == HlslNodeKind::List;
+    }
+    if (type.dimensions > 0 || !structure ||
+        (!isNested && list.CountChildren() == structure->members.size()))
+    {
+        return;
+    }
+    ListDealer dealer(m_Globals.declarations(), m_Code, list);
+    if (const std::string dealt = dealer.Deal(*structure); !dealt.empty())
+    {
+        m_Code.Erase(list.first, list.end);
+        m_Code.Spelling(list.first) = dealt;
     }
 }
 

@@ -58,6 +58,7 @@ private:
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
     // Initializers.cpp
     void LowerDeclarator(HlslNode& node);
+    void LowerStructList(HlslNode& list, const HlslType& type);
     void LowerList(HlslNode& list, const HlslType& type);
     void SplitItem(HlslNode& item, int components);
 
