@@ -129,11 +129,11 @@ void DrawRecorder::SetKeyword(const SetKeywordCommand& command)
     m_AreKeywordsOld = true;
 }
 
-const std::vector<std::string>& DrawRecorder::keywords()
+std::span<const std::string> DrawRecorder::keywords()
 {
     if (!std::exchange(m_AreKeywordsOld, false))
     {
-        return m_Keywords;
+        return std::span(m_Keywords).first(m_KeywordCount);
     }
     // Most frames have those of the one before: the texts stay.
     std::size_t count = 0;
@@ -151,8 +151,8 @@ const std::vector<std::string>& DrawRecorder::keywords()
         }
         ++count;
     }
-    m_Keywords.resize(count);
-    return m_Keywords;
+    m_KeywordCount = count;
+    return std::span(m_Keywords).first(count);
 }
 
 void DrawRecorder::TakeShaderGlobals()
@@ -227,9 +227,8 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     m_HasDraws = true;
     ExpectSameDepth(material);
     DrawSetup draw;
-    draw.program = material.Compile(shaderPass, recorded != nullptr && recorded->isProcedural
-                                                    ? ProceduralKeywords()
-                                                    : keywords());
+    const bool isProcedural = recorded != nullptr && recorded->isProcedural;
+    draw.program = material.Compile(shaderPass, isProcedural ? ProceduralKeywords() : keywords());
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
     draw.state = Override(
@@ -246,12 +245,12 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     return draw;
 }
 
-std::vector<std::string> DrawRecorder::ProceduralKeywords()
+std::span<const std::string> DrawRecorder::ProceduralKeywords()
 {
-    std::vector<std::string> all = keywords();
-    all.insert(std::ranges::lower_bound(all, k_ProceduralInstancing),
-               std::string(k_ProceduralInstancing));
-    return all;
+    const std::span<const std::string> all = keywords();
+    m_ProceduralKeywords.resize(all.size() + 1);
+    std::ranges::merge(all, std::span(&k_ProceduralInstancing, 1), m_ProceduralKeywords.begin());
+    return m_ProceduralKeywords;
 }
 
 std::uint32_t DrawRecorder::Add(DrawSetup setup)

@@ -43,8 +43,8 @@ public:
     void SetGlobal(const SetGlobalCommand& command);
     void SetKeyword(const SetKeywordCommand& command);
     /// Those that are on for all materials, sorted.
-    const std::vector<std::string>& keywords();
-    std::vector<std::string> ProceduralKeywords();
+    std::span<const std::string> keywords();
+    std::span<const std::string> ProceduralKeywords();
     /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
     /// nothing else.
     void TakeShaderGlobals();
@@ -120,6 +120,8 @@ private:
     std::uint64_t m_GlobalsVersion = 0;
     std::vector<GlobalKeyword> m_KnownKeywords; ///< that were ever switched, by name
     std::vector<std::string> m_Keywords;        ///< that are on, unless m_AreKeywordsOld
+    std::size_t m_KeywordCount = 0;             ///< of them; what is behind keeps its memory
+    std::vector<std::string> m_ProceduralKeywords;
     bool m_AreKeywordsOld = false;
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame

@@ -28,7 +28,7 @@ struct ObjectPass
     std::array<std::optional<std::uint32_t>, 2> setups;
 };
 
-bool Compiles(const Material& material, int pass, const std::vector<std::string>& globalKeywords)
+bool Compiles(const Material& material, int pass, std::span<const std::string> globalKeywords)
 {
     try
     {

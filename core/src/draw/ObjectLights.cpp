@@ -1,6 +1,7 @@
 #include "draw/ObjectLights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -19,7 +20,7 @@ const ShaderPropertyId unity_LightIndices{"unity_LightIndices"};
 struct LightList
 {
     glm::vec4 number{0.0f};
-    std::vector<glm::vec4> indices{glm::vec4(0.0f), glm::vec4(0.0f)};
+    std::array<glm::vec4, 2> indices{glm::vec4(0.0f), glm::vec4(0.0f)};
 
     explicit LightList(ObjectLights::Set lights)
     {
@@ -131,18 +132,19 @@ const MaterialPropertyBlock& ObjectLights::ValuesOf(Set lights)
     const auto [known, isNew] = m_Values.try_emplace(lights);
     if (isNew)
     {
-        LightList list(lights);
+        const LightList list(lights);
         known->second.SetVector(limn_LightCount, list.number);
-        known->second.SetVectorArray(unity_LightIndices, std::move(list.indices));
+        known->second.Set(unity_LightIndices,
+                          PropertyArray(std::span<const glm::vec4>(list.indices)));
     }
     return known->second;
 }
 
 void SetObjectLights(CommandBuffer& cmd, ObjectLights::Set lights)
 {
-    LightList list(lights);
+    const LightList list(lights);
     cmd.SetGlobalVector(limn_LightCount, list.number);
-    cmd.SetGlobalVectorArray(unity_LightIndices, std::move(list.indices));
+    cmd.SetGlobalVectorArray(unity_LightIndices, std::span<const glm::vec4>(list.indices));
 }
 
 } // namespace limn

@@ -120,28 +120,33 @@ TextureHandle RenderGraph::HandleOf(const RTHandle& texture) const
     return {texture, m_State->frame};
 }
 
-void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const std::string& subject) const
+std::string RenderGraphCall::text() const
+{
+    return std::string(before).append(name).append(behind);
+}
+
+void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const RenderGraphCall& subject) const
 {
     if (!texture.IsValid())
     {
-        throw ContractError(subject + " of an empty handle");
+        throw ContractError(subject.text() + " of an empty handle");
     }
     if (texture.m_Frame != m_State->frame || m_State->Find(*texture.rt()) == nullptr)
     {
-        throw ContractError(subject + " of '" + texture.rt()->name() +
+        throw ContractError(subject.text() + " of '" + texture.rt()->name() +
                             "', a handle of an earlier frame; handles are for one camera's frame");
     }
 }
 
-void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const std::string& subject) const
+void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const RenderGraphCall& subject) const
 {
     if (!buffer.IsValid())
     {
-        throw ContractError(subject + " of an empty handle");
+        throw ContractError(subject.text() + " of an empty handle");
     }
     if (buffer.m_Frame != m_State->frame || m_State->Find(*buffer.buffer()) == nullptr)
     {
-        throw ContractError(subject + " of '" + buffer.buffer()->name() +
+        throw ContractError(subject.text() + " of '" + buffer.buffer()->name() +
                             "', a handle of an earlier frame; handles are for one camera's frame");
     }
 }
@@ -176,12 +181,13 @@ BufferHandle RenderGraph::ImportBuffer(const std::shared_ptr<const GraphicsBuffe
     return {graphicsBuffer, m_State->frame};
 }
 
-std::size_t RenderGraph::IndexOf(const RendererListHandle& list, const std::string& subject) const
+std::size_t RenderGraph::IndexOf(const RendererListHandle& list,
+                                 const RenderGraphCall& subject) const
 {
     if (!list.IsValid() || list.m_Frame != m_State->frame)
     {
-        throw ContractError(
-            subject + (list.IsValid() ? " of a list of an earlier frame" : " of an empty handle"));
+        throw ContractError(subject.text() + (list.IsValid() ? " of a list of an earlier frame"
+                                                             : " of an empty handle"));
     }
     return list.m_Index;
 }
@@ -240,7 +246,7 @@ TextureHandle RenderGraph::ImportTexture(const RTHandle& rt,
 
 TextureDesc RenderGraph::GetTextureDesc(const TextureHandle& texture) const
 {
-    ExpectOfFrame(texture, "GetTextureDesc");
+    ExpectOfFrame(texture, {"GetTextureDesc", {}, {}});
     const RenderGraphTexture& known = *m_State->Find(*texture.rt());
     TextureDesc desc(texture.rt()->descriptor());
     desc.filterMode = texture.rt()->sampler().filterMode;
@@ -253,7 +259,7 @@ TextureDesc RenderGraph::GetTextureDesc(const TextureHandle& texture) const
 
 RenderTargetInfo RenderGraph::GetRenderTargetInfo(const TextureHandle& texture) const
 {
-    ExpectOfFrame(texture, "GetRenderTargetInfo");
+    ExpectOfFrame(texture, {"GetRenderTargetInfo", {}, {}});
     const RenderTexture& target = *texture.rt();
     return {target.width(),
             target.height(),
@@ -273,7 +279,7 @@ void RenderGraph::CreateTextureIfInvalid(const TextureDesc& desc, TextureHandle&
 
 BufferDesc RenderGraph::GetBufferDesc(const BufferHandle& graphicsBuffer) const
 {
-    ExpectOfFrame(graphicsBuffer, "GetBufferDesc");
+    ExpectOfFrame(graphicsBuffer, {"GetBufferDesc", {}, {}});
     const GraphicsBuffer& buffer = *graphicsBuffer.buffer();
     BufferDesc desc(buffer.count(), buffer.stride(), buffer.target());
     desc.name = buffer.name();
@@ -294,7 +300,7 @@ RendererListHandle RenderGraph::CreateRendererList(const RendererListDesc& desc)
 RenderGraphPass& RenderGraph::AddPass(std::string_view name)
 {
     RenderGraphPass& pass = m_State->passes.emplace_back();
-    pass.name = name;
+    pass.name = SampleName(name);
     return pass;
 }
 
@@ -346,13 +352,13 @@ void RenderGraph::AddBlitPass(const TextureHandle& source, const TextureHandle& 
 void RenderGraph::AddCopyPass(const TextureHandle& source, const TextureHandle& destination,
                               std::string_view passName)
 {
-    const std::string subject = "AddCopyPass '" + std::string(passName) + "'";
+    const RenderGraphCall subject{"AddCopyPass '", passName, "'"};
     ExpectOfFrame(source, subject);
     ExpectOfFrame(destination, subject);
     if (source.rt()->descriptor() != destination.rt()->descriptor() ||
         IsDepthFormat(source.rt()->graphicsFormat()))
     {
-        throw ContractError(subject + ": " + Describe(*source.rt()) + ", " +
+        throw ContractError(subject.text() + ": " + Describe(*source.rt()) + ", " +
                             Describe(*destination.rt()) +
                             "; both must be colours of one size, format and number of samples");
     }

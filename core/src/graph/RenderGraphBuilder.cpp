@@ -13,13 +13,14 @@ std::string Quoted(const RTHandle& texture)
     return "'" + texture.rt()->name() + "'";
 }
 
-std::string Subject(const RenderGraphPass& pass, const char* call)
+/// @param call  "': UseTexture"
+RenderGraphCall Subject(const RenderGraphPass& pass, std::string_view call)
 {
-    return "pass '" + pass.name + "': " + call;
+    return {"pass '", pass.name.name(), call};
 }
 
 /// A texture has one use in a pass; reading it twice is one.
-void AddUse(RenderGraphPass& pass, const char* call, RenderGraphPass::Use use)
+void AddUse(RenderGraphPass& pass, std::string_view call, RenderGraphPass::Use use)
 {
     const RenderGraphPass::Use* other = pass.FindUse(use.texture);
     if (other == nullptr)
@@ -32,7 +33,7 @@ void AddUse(RenderGraphPass& pass, const char* call, RenderGraphPass::Use use)
                              !(other->flags & AccessFlags::Write);
     if (!isReadTwice)
     {
-        throw ContractError(Subject(pass, call) + " of " + Quoted(use.texture) +
+        throw ContractError(Subject(pass, call).text() + " of " + Quoted(use.texture) +
                             ", which the pass " +
                             (other->isAttachment                 ? "draws into already"
                              : other->flags & AccessFlags::Write ? "writes already"
@@ -63,30 +64,30 @@ bool RenderGraphPass::Declares(const RTHandle& texture, AccessFlags flags) const
 }
 
 void BaseRenderGraphBuilder::ExpectUsable(const TextureHandle& texture,
-                                          const std::string& subject) const
+                                          const RenderGraphCall& subject) const
 {
     m_Graph.ExpectOfFrame(texture, subject);
     const RenderGraphPass* owner = m_Graph.m_State->Find(*texture.rt())->owner;
     if (owner != nullptr && owner != &m_Pass)
     {
-        throw ContractError(subject + " of " + Quoted(texture) + ", which is transient in pass '" +
-                            owner->name + "'");
+        throw ContractError(subject.text() + " of " + Quoted(texture) +
+                            ", which is transient in pass '" + owner->name.name() + "'");
     }
 }
 
 void BaseRenderGraphBuilder::UseTexture(const TextureHandle& input, AccessFlags flags)
 {
-    ExpectUsable(input, Subject(m_Pass, "UseTexture"));
-    AddUse(m_Pass, "UseTexture", {input, flags, false});
+    ExpectUsable(input, Subject(m_Pass, "': UseTexture"));
+    AddUse(m_Pass, "': UseTexture", {input, flags, false});
 }
 
 BufferHandle BaseRenderGraphBuilder::UseBuffer(const BufferHandle& input, AccessFlags flags)
 {
-    const std::string subject = Subject(m_Pass, "UseBuffer");
+    const RenderGraphCall subject = Subject(m_Pass, "': UseBuffer");
     m_Graph.ExpectOfFrame(input, subject);
     if (m_Pass.FindUse(*input.buffer()) != nullptr)
     {
-        throw ContractError(subject + " of '" + input.buffer()->name() +
+        throw ContractError(subject.text() + " of '" + input.buffer()->name() +
                             "', which the pass uses already; say Read and Write at once");
     }
     m_Pass.buffers.push_back({input.buffer(), flags});
@@ -106,7 +107,7 @@ void BaseRenderGraphBuilder::UseAllGlobalTextures(bool enable)
 void BaseRenderGraphBuilder::SetGlobalTextureAfterPass(const TextureHandle& input,
                                                        ShaderPropertyId propertyId)
 {
-    ExpectUsable(input, Subject(m_Pass, "SetGlobalTextureAfterPass"));
+    ExpectUsable(input, Subject(m_Pass, "': SetGlobalTextureAfterPass"));
     m_Pass.globalsAfter.push_back({propertyId, input});
 }
 
@@ -134,7 +135,7 @@ BufferHandle BaseRenderGraphBuilder::CreateTransientBuffer(const BufferHandle& c
 
 void BaseRenderGraphBuilder::UseRendererList(const RendererListHandle& input)
 {
-    m_Pass.rendererLists.push_back(m_Graph.IndexOf(input, Subject(m_Pass, "UseRendererList")));
+    m_Pass.rendererLists.push_back(m_Graph.IndexOf(input, Subject(m_Pass, "': UseRendererList")));
 }
 
 void BaseRenderGraphBuilder::AllowPassCulling(bool value)
@@ -150,58 +151,61 @@ void BaseRenderGraphBuilder::AllowGlobalStateModification(bool value)
 void BaseRenderGraphBuilder::SetAttachment(const TextureHandle& texture, int index,
                                            AccessFlags flags)
 {
-    const std::string subject = Subject(m_Pass, "SetRenderAttachment");
+    const RenderGraphCall subject = Subject(m_Pass, "': SetRenderAttachment");
     ExpectUsable(texture, subject);
     if (IsDepthFormat(texture.rt()->graphicsFormat()))
     {
-        throw ContractError(subject + " of " + Quoted(texture) +
+        throw ContractError(subject.text() + " of " + Quoted(texture) +
                             ", a depth texture; SetRenderAttachmentDepth takes those");
     }
     if (index < 0 || index >= static_cast<int>(k_MostColors))
     {
-        throw ContractError(subject + " of " + Quoted(texture) + " at index " +
+        throw ContractError(subject.text() + " of " + Quoted(texture) + " at index " +
                             std::to_string(index) + "; there are 0 to " +
                             std::to_string(k_MostColors - 1));
     }
     RTHandle& slot = m_Pass.colors[static_cast<std::size_t>(index)];
     if (slot)
     {
-        throw ContractError(subject + " of " + Quoted(texture) + " at index " +
+        throw ContractError(subject.text() + " of " + Quoted(texture) + " at index " +
                             std::to_string(index) + ", where " + Quoted(slot) + " is already");
     }
-    AddUse(m_Pass, "SetRenderAttachment", {texture, flags, true});
+    AddUse(m_Pass, "': SetRenderAttachment", {texture, flags, true});
     slot = texture;
 }
 
 void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, AccessFlags flags)
 {
-    const std::string subject = Subject(m_Pass, "SetRenderAttachmentDepth");
+    const RenderGraphCall subject = Subject(m_Pass, "': SetRenderAttachmentDepth");
     ExpectUsable(texture, subject);
     if (!IsDepthFormat(texture.rt()->graphicsFormat()))
     {
-        throw ContractError(subject + " of " + Quoted(texture) +
+        throw ContractError(subject.text() + " of " + Quoted(texture) +
                             ", which is no depth texture; SetRenderAttachment takes colours");
     }
     if (m_Pass.depth)
     {
-        throw ContractError(subject + " of " + Quoted(texture) + ", where " + Quoted(m_Pass.depth) +
-                            " is already");
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ", where " +
+                            Quoted(m_Pass.depth) + " is already");
     }
-    AddUse(m_Pass, "SetRenderAttachmentDepth", {texture, flags, true});
+    AddUse(m_Pass, "': SetRenderAttachmentDepth", {texture, flags, true});
     m_Pass.depth = texture;
 }
 
-void BaseRenderGraphBuilder::SetFunction(std::function<void(RasterCommandBuffer&)> function)
+void BaseRenderGraphBuilder::SetFunction(
+    std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> function)
 {
     m_Pass.raster = std::move(function);
 }
 
-void BaseRenderGraphBuilder::SetFunction(std::function<void(ComputeCommandBuffer&)> function)
+void BaseRenderGraphBuilder::SetFunction(
+    std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> function)
 {
     m_Pass.compute = std::move(function);
 }
 
-void BaseRenderGraphBuilder::SetFunction(std::function<void(UnsafeCommandBuffer&)> function)
+void BaseRenderGraphBuilder::SetFunction(
+    std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> function)
 {
     m_Pass.unsafe = std::move(function);
 }

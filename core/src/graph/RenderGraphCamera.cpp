@@ -12,6 +12,12 @@ namespace
 
 constexpr int k_IdleFrames = 15; ///< that a texture outlives nobody asking for it
 
+bool HaveOneSize(const RenderTexture& a, const RenderTexture& b)
+{
+    return a.width() == b.width() && a.height() == b.height() &&
+           a.descriptor().msaaSamples == b.descriptor().msaaSamples;
+}
+
 std::string SizeOf(const RTHandle& texture)
 {
     return texture.rt()->DescribeSize() + " of " +
@@ -63,17 +69,17 @@ RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderC
     for (; state.ran < state.passes.size(); ++state.ran)
     {
         RenderGraphPass& graphPass = state.passes[state.ran];
-        RunPassCode(renderer, pass, graphPass.name, "the render function",
+        RunPassCode(renderer, pass, graphPass.name.name(), "the render function",
                     [&] { run.Run(graphPass); });
     }
     context.SetPassName(pass.profilingSampler.sampleName());
     const TextureHandle& color = m_FrameData.Get<UniversalResourceData>().cameraColor;
-    const std::string subject = "pass '" + pass.profilingSampler.name() + "': cameraColor";
+    const RenderGraphCall subject{"pass '", pass.profilingSampler.name(), "': cameraColor"};
     m_Graph.ExpectOfFrame(color, subject);
     const RTHandle& result = color;
-    if (SizeOf(result) != SizeOf(targets.color))
+    if (!HaveOneSize(*result.rt(), *targets.color.rt()))
     {
-        throw ContractError(subject + " is set to '" + result.rt()->name() + "', " +
+        throw ContractError(subject.text() + " is set to '" + result.rt()->name() + "', " +
                             SizeOf(result) + "; the camera's colour is " + SizeOf(targets.color));
     }
     return result;

@@ -7,6 +7,21 @@
 namespace limn
 {
 
+template <typename T>
+using PooledVector = std::vector<T, PooledAllocator<T>>;
+template <typename T>
+using PooledDeque = std::deque<T, PooledAllocator<T>>;
+
+/// What a message begins with, put together when there is one.
+struct RenderGraphCall
+{
+    std::string_view before;
+    std::string_view name; ///< of a pass
+    std::string_view behind;
+
+    std::string text() const;
+};
+
 /// A pass as declared.
 struct RenderGraphPass
 {
@@ -32,17 +47,17 @@ struct RenderGraphPass
         RTHandle texture;
     };
 
-    std::string name;
-    std::function<void(RasterCommandBuffer&)> raster;
-    std::function<void(UnsafeCommandBuffer&)> unsafe;
-    std::function<void(ComputeCommandBuffer&)> compute;
-    std::vector<Use> uses;
-    std::vector<BufferUse> buffers;
+    SampleName name;
+    std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> raster;
+    std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> unsafe;
+    std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> compute;
+    PooledVector<Use> uses;
+    PooledVector<BufferUse> buffers;
     std::array<RTHandle, k_MostColors> colors;
     RTHandle depth;
-    std::vector<GlobalUse> globalUses;
-    std::vector<GlobalAfter> globalsAfter;
-    std::vector<std::size_t> rendererLists;
+    PooledVector<GlobalUse> globalUses;
+    PooledVector<GlobalAfter> globalsAfter;
+    PooledVector<std::size_t> rendererLists;
     bool usesAllGlobals = false;
     bool allowsCulling = true;
     bool allowsGlobalState = false;
@@ -94,9 +109,9 @@ struct RenderGraphState
     std::vector<KeptBuffer> keptBuffers;
     std::vector<RenderGraphTexture> textures;
     std::vector<RenderGraphBuffer> buffers;
-    std::deque<RendererListParams> rendererLists;
-    std::deque<RenderGraphPass> passes; ///< of the camera so far
-    std::size_t ran = 0;                ///< of them, these have run
+    PooledDeque<RendererListParams> rendererLists;
+    PooledDeque<RenderGraphPass> passes; ///< of the camera so far
+    std::size_t ran = 0;                 ///< of them, these have run
     std::shared_ptr<const Material> copy;
 
     RenderGraphTexture* Find(const Texture& texture);

@@ -9,7 +9,7 @@ namespace
 {
 
 template <typename T>
-bool Has(const std::vector<T>& list, const T& value)
+bool Has(const PooledVector<T>& list, const T& value)
 {
     return std::ranges::find(list, value) != list.end();
 }
@@ -23,7 +23,7 @@ void BaseCommandBuffer::DrawRendererList(const RendererListHandle& rendererList)
 
 CommandBuffer& BaseCommandBuffer::Globals(ShaderPropertyId id)
 {
-    m_Run.ExpectGlobalsAllowed("sets the global '" + id.name() + "'");
+    m_Run.ExpectGlobalsAllowed("sets the global", id.name());
     return m_Native;
 }
 
@@ -192,17 +192,17 @@ void RenderGraphRun::Record()
     if (m_Pass->raster)
     {
         RasterCommandBuffer raster(*m_Cmd, *this);
-        m_Pass->raster(raster);
+        m_Pass->raster->Record(raster);
     }
     else if (m_Pass->compute)
     {
         ComputeCommandBuffer compute(*m_Cmd, *this);
-        m_Pass->compute(compute);
+        m_Pass->compute->Record(compute);
     }
     else
     {
         UnsafeCommandBuffer unsafe(*m_Cmd, *this);
-        m_Pass->unsafe(unsafe);
+        m_Pass->unsafe->Record(unsafe);
     }
     Flush();
 }
@@ -215,31 +215,32 @@ void RenderGraphRun::Flush()
         const auto* identified = std::get_if<SetGlobalIdentifierCommand>(&command);
         if (const auto* keyword = std::get_if<SetKeywordCommand>(&command))
         {
-            ExpectGlobalsAllowed("switches the keyword '" + std::string(keyword->keyword.name()) +
-                                 "'");
+            ExpectGlobalsAllowed("switches the keyword", keyword->keyword.name());
         }
         if (global != nullptr || identified != nullptr)
         {
             const ShaderPropertyId id = global != nullptr ? global->id : identified->id;
-            ExpectGlobalsAllowed("sets the global '" + id.name() + "'");
+            ExpectGlobalsAllowed("sets the global", id.name());
         }
     }
     m_Context.ExecuteCommandBuffer(*m_Cmd);
     m_Cmd->Clear();
 }
 
-void RenderGraphRun::ExpectGlobalsAllowed(const std::string& what) const
+void RenderGraphRun::ExpectGlobalsAllowed(std::string_view what, std::string_view name) const
 {
     if (!m_Pass->allowsGlobalState)
     {
-        throw ContractError(Subject() + " " + what +
+        const std::string quoted = name.empty() ? "" : " '" + std::string(name) + "'";
+        throw ContractError(Subject() + " " + std::string(what) + quoted +
                             ", yet declares no AllowGlobalStateModification(true)");
     }
 }
 
 void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
 {
-    const std::size_t index = m_Graph.IndexOf(list, Subject() + ": DrawRendererList");
+    const std::size_t index =
+        m_Graph.IndexOf(list, {"pass '", m_Pass->name.name(), "': DrawRendererList"});
     if (!Has(m_Pass->rendererLists, index))
     {
         throw ContractError(Subject() +

@@ -26,7 +26,8 @@ public:
     // For the pass's command buffer:
     void DrawRendererList(const RendererListHandle& list);
     /// @param what  the pass does, "sets ..."
-    void ExpectGlobalsAllowed(const std::string& what) const;
+    /// @param name  of what; empty = none
+    void ExpectGlobalsAllowed(std::string_view what, std::string_view name = {}) const;
 
     /// What a camera's draws find under the name now; null = no render texture.
     static RTHandle GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id);
@@ -47,7 +48,7 @@ private:
     void NoteUnusedBuffers();
     void NoteUnused(bool draws);
     void Finish();
-    std::string Subject() const { return "pass '" + m_Pass->name + "'"; }
+    std::string Subject() const { return "pass '" + m_Pass->name.name() + "'"; }
 
     const RenderGraph& m_Graph;
     RenderGraphState& m_State;
@@ -57,10 +58,10 @@ private:
     // Of the pass that runs:
     RenderGraphPass* m_Pass = nullptr;
     CommandBuffer* m_Cmd = nullptr;
-    std::vector<std::size_t> m_DrawnLists;
-    std::vector<const Texture*> m_Sampled;
-    std::vector<const Texture*> m_Targets;        ///< drawn into, cleared or written by kernels
-    std::vector<const GraphicsBuffer*> m_Buffers; ///< bound
+    PooledVector<std::size_t> m_DrawnLists;
+    PooledVector<const Texture*> m_Sampled;
+    PooledVector<const Texture*> m_Targets;        ///< drawn into, cleared or written by kernels
+    PooledVector<const GraphicsBuffer*> m_Buffers; ///< bound
 };
 
 } // namespace limn

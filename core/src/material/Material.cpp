@@ -241,17 +241,17 @@ std::shared_ptr<const Texture> Material::GetTexture(ShaderPropertyId id) const
 
 std::vector<float> Material::GetFloatArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<float>>(Find(id));
+    return ArrayIn<float>(Find(id));
 }
 
 std::vector<glm::vec4> Material::GetVectorArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<glm::vec4>>(Find(id));
+    return ArrayIn<glm::vec4>(Find(id));
 }
 
 std::vector<glm::mat4> Material::GetMatrixArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<glm::mat4>>(Find(id));
+    return ArrayIn<glm::mat4>(Find(id));
 }
 
 ShaderPropertyId Material::MainColorId() const

@@ -21,7 +21,7 @@ struct AllFinite
     bool operator()(const ConsecutiveParams& params) const
     {
         const auto* floats = std::get_if<std::vector<float>>(&params.values);
-        return floats == nullptr || (*this)(*floats);
+        return floats == nullptr || std::ranges::all_of(*floats, *this);
     }
     bool operator()(const Color& color) const { return (*this)(color.vector()); }
     bool operator()(const glm::vec4& v) const
@@ -33,7 +33,7 @@ struct AllFinite
         return (*this)(m[0]) && (*this)(m[1]) && (*this)(m[2]) && (*this)(m[3]);
     }
     template <typename Element>
-    bool operator()(const std::vector<Element>& array) const
+    bool operator()(const PropertyArray<Element>& array) const
     {
         return std::all_of(array.begin(), array.end(), *this);
     }
@@ -42,7 +42,7 @@ struct AllFinite
 struct HasNoElements
 {
     template <typename Element>
-    bool operator()(const std::vector<Element>& array) const
+    bool operator()(const PropertyArray<Element>& array) const
     {
         return array.empty();
     }

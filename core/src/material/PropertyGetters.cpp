@@ -81,17 +81,17 @@ TexturePtr MaterialPropertyBlock::GetTexture(ShaderPropertyId id) const
 
 std::vector<float> MaterialPropertyBlock::GetFloatArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<float>>(Find(id));
+    return ArrayIn<float>(Find(id));
 }
 
 std::vector<glm::vec4> MaterialPropertyBlock::GetVectorArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<glm::vec4>>(Find(id));
+    return ArrayIn<glm::vec4>(Find(id));
 }
 
 std::vector<glm::mat4> MaterialPropertyBlock::GetMatrixArray(ShaderPropertyId id) const
 {
-    return CopyOf<std::vector<glm::mat4>>(Find(id));
+    return ArrayIn<glm::mat4>(Find(id));
 }
 
 bool MaterialPropertyBlock::HasFloat(ShaderPropertyId id) const
@@ -162,17 +162,17 @@ TexturePtr Shader::GetGlobalTexture(ShaderPropertyId id)
 
 std::vector<float> Shader::GetGlobalFloatArray(ShaderPropertyId id)
 {
-    return CopyOf<std::vector<float>>(Pointer(ShaderGlobals::Find(id)));
+    return ArrayIn<float>(Pointer(ShaderGlobals::Find(id)));
 }
 
 std::vector<glm::vec4> Shader::GetGlobalVectorArray(ShaderPropertyId id)
 {
-    return CopyOf<std::vector<glm::vec4>>(Pointer(ShaderGlobals::Find(id)));
+    return ArrayIn<glm::vec4>(Pointer(ShaderGlobals::Find(id)));
 }
 
 std::vector<glm::mat4> Shader::GetGlobalMatrixArray(ShaderPropertyId id)
 {
-    return CopyOf<std::vector<glm::mat4>>(Pointer(ShaderGlobals::Find(id)));
+    return ArrayIn<glm::mat4>(Pointer(ShaderGlobals::Find(id)));
 }
 
 } // namespace limn

@@ -21,4 +21,12 @@ Kind CopyOf(const ShaderPropertyValue* value)
     return kind != nullptr ? *kind : Kind{};
 }
 
+template <typename Element>
+std::vector<Element> ArrayIn(const ShaderPropertyValue* value)
+{
+    const auto* array = As<PropertyArray<Element>>(value);
+    return array != nullptr ? std::vector<Element>(array->begin(), array->end())
+                            : std::vector<Element>();
+}
+
 } // namespace limn

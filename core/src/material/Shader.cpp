@@ -100,7 +100,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         m_StaysWithinMesh.push_back(StaysWithinMesh(pass));
     }
     m_Initial = std::vector<Variant>(m_SubShader.passes.size());
-    m_LastGlobal = std::vector<LastGlobal>(m_SubShader.passes.size());
+    m_LastGlobals = std::vector<LastGlobals>(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
@@ -260,14 +260,23 @@ std::shared_ptr<const ShaderProgram>
 Shader::CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const
 {
     PassAt(passIndex);
-    LastGlobal& last = m_LastGlobal[static_cast<std::size_t>(passIndex)];
+    constexpr std::size_t k_MostChoices = 4;
+    LastGlobals& last = m_LastGlobals[static_cast<std::size_t>(passIndex)];
     const std::lock_guard lock(last.mutex);
-    if (!last.compiled || !std::ranges::equal(last.keywords, globalKeywords))
+    const auto known =
+        std::ranges::find_if(last.choices, [&](const LastGlobals::Choice& choice)
+                             { return std::ranges::equal(choice.keywords, globalKeywords); });
+    if (known != last.choices.end())
     {
-        last.compiled = Compile(passIndex, m_InitialKeywords, globalKeywords);
-        last.keywords.assign(globalKeywords.begin(), globalKeywords.end());
+        return known->compiled;
     }
-    return last.compiled;
+    LastGlobals::Choice choice{{globalKeywords.begin(), globalKeywords.end()},
+                               Compile(passIndex, m_InitialKeywords, globalKeywords)};
+    last.choices.resize(std::max(last.choices.size(), last.next + 1));
+    LastGlobals::Choice& place = last.choices[last.next];
+    last.next = (last.next + 1) % k_MostChoices;
+    place = std::move(choice);
+    return place.compiled;
 }
 
 } // namespace limn

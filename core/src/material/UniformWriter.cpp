@@ -81,7 +81,7 @@ void Write(const UniformMember& member, int value, Bytes bytes)
 }
 
 template <typename Element>
-void Write(const UniformMember& member, const std::vector<Element>& values, Bytes bytes)
+void Write(const UniformMember& member, const PropertyArray<Element>& values, Bytes bytes)
 {
     const std::size_t count =
         std::min(values.size(), static_cast<std::size_t>(std::max(member.arraySize, 1)));
@@ -136,7 +136,7 @@ void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
                 const PropertySources& sources, Bytes bytes)
 {
     const bool isMatrix = std::holds_alternative<glm::mat4>(value) ||
-                          std::holds_alternative<std::vector<glm::mat4>>(value);
+                          std::holds_alternative<PropertyArray<glm::mat4>>(value);
     if (isMatrix != (member.type == UniformType::Matrix4x4))
     {
         FailKind(member, value, sources);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limn/core/FixedList.h>
 #include <limn/core/Light.h>
 
 namespace limn
@@ -49,11 +50,12 @@ Color Bright(const Color& color, float intensity)
 
 struct LightArrays
 {
-    std::vector<glm::vec4> position;
-    std::vector<glm::vec4> relativePosition; // to the camera's renderOrigin
-    std::vector<glm::vec4> color;
-    std::vector<glm::vec4> attenuation;
-    std::vector<glm::vec4> spotDirection;
+    using Vectors = FixedList<glm::vec4, k_MaxVisibleAdditionalLights>;
+    Vectors position;
+    Vectors relativePosition; // to the camera's renderOrigin
+    Vectors color;
+    Vectors attenuation;
+    Vectors spotDirection;
 
     /// @param origin  what relative positions are relative to
     void Add(const Light& light, const glm::dmat4& world, const glm::dvec3& origin)
@@ -80,6 +82,11 @@ struct LightArrays
         spotDirection.push_back(-forward);
     }
 };
+
+std::span<const glm::vec4> Span(const LightArrays::Vectors& vectors)
+{
+    return {vectors.begin(), vectors.size()};
+}
 
 /// Left-handed axes of which z is the direction, and x level.
 glm::dmat3 LookAlong(const glm::dvec3& direction)
@@ -147,11 +154,11 @@ void SetAdditionalLightUniforms(ScriptableRenderContext& context, CommandBuffer&
     }
     cmd.SetGlobalVector(_AdditionalLightsCount, glm::vec4(static_cast<float>(limit), 0, 0, 0));
     SetObjectLights(cmd, ObjectLights::FirstOf(std::min(static_cast<int>(lights.size()), limit)));
-    cmd.SetGlobalVectorArray(_AdditionalLightsPosition, std::move(arrays.position));
-    cmd.SetGlobalVectorArray(limn_AdditionalLightsPosition, std::move(arrays.relativePosition));
-    cmd.SetGlobalVectorArray(_AdditionalLightsColor, std::move(arrays.color));
-    cmd.SetGlobalVectorArray(_AdditionalLightsAttenuation, std::move(arrays.attenuation));
-    cmd.SetGlobalVectorArray(_AdditionalLightsSpotDir, std::move(arrays.spotDirection));
+    cmd.SetGlobalVectorArray(_AdditionalLightsPosition, Span(arrays.position));
+    cmd.SetGlobalVectorArray(limn_AdditionalLightsPosition, Span(arrays.relativePosition));
+    cmd.SetGlobalVectorArray(_AdditionalLightsColor, Span(arrays.color));
+    cmd.SetGlobalVectorArray(_AdditionalLightsAttenuation, Span(arrays.attenuation));
+    cmd.SetGlobalVectorArray(_AdditionalLightsSpotDir, Span(arrays.spotDirection));
     cmd.EnableKeyword(_ADDITIONAL_LIGHTS);
 }
 

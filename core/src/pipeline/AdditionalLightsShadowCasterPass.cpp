@@ -6,6 +6,7 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -311,10 +312,10 @@ void AdditionalLightsShadowCasterPass::SetReceiverConstants(
     const ShadowSettings& settings = renderingData.shadowSettings;
     const CameraData& data = renderingData.cameraData;
     const auto size = static_cast<float>(settings.additionalLightsShadowmapResolution);
-    std::vector<glm::mat4> matrices(m_Slices.size());
-    std::vector<glm::vec4> fromOrigin(m_Slices.size());
-    std::vector<glm::vec4> params(renderingData.lightData.additionalLights.size(),
-                                  glm::vec4(0.0f, 0.0f, 0.0f, -1.0f));
+    std::array<glm::mat4, k_MostSlices> matrices;
+    std::array<glm::vec4, k_MostSlices> fromOrigin;
+    std::array<glm::vec4, k_MaxVisibleAdditionalLights> params;
+    params.fill(glm::vec4(0.0f, 0.0f, 0.0f, -1.0f));
     bool isSoft = false;
     for (std::size_t i = m_Slices.size(); i-- > 0;) // a point's first one last
     {
@@ -331,9 +332,13 @@ void AdditionalLightsShadowCasterPass::SetReceiverConstants(
                                light.type == LightType::Point ? 1.0f : 0.0f, static_cast<float>(i)};
     }
     cmd.SetGlobalTexture(_AdditionalLightsShadowmapTexture, m_ShadowMap);
-    cmd.SetGlobalMatrixArray(_AdditionalLightsWorldToShadow, std::move(matrices));
-    cmd.SetGlobalVectorArray(limn_OriginToAdditionalShadow, std::move(fromOrigin));
-    cmd.SetGlobalVectorArray(_AdditionalShadowParams, std::move(params));
+    cmd.SetGlobalMatrixArray(_AdditionalLightsWorldToShadow,
+                             std::span<const glm::mat4>(matrices.data(), m_Slices.size()));
+    cmd.SetGlobalVectorArray(limn_OriginToAdditionalShadow,
+                             std::span<const glm::vec4>(fromOrigin.data(), m_Slices.size()));
+    cmd.SetGlobalVectorArray(
+        _AdditionalShadowParams,
+        std::span<const glm::vec4>(params.data(), renderingData.lightData.additionalLights.size()));
     const glm::vec2 fade = FadeScaleAndBias(ShadowDistance(*data.camera, settings),
                                             static_cast<double>(settings.cascadeBorder));
     cmd.SetGlobalVector(_AdditionalShadowFadeParams, {fade.x, fade.y, 0.0f, 0.0f});

@@ -6,6 +6,7 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limn/core/Camera.h>
@@ -230,9 +231,10 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
     const glm::dvec3& origin = renderingData.cameraData.renderOrigin;
     const glm::ivec2 size = ShadowMapSize(settings);
 
-    std::vector<glm::mat4> matrices(k_MostCascades + 1, glm::mat4(0.0f)); // the last one: no shadow
-    std::vector<glm::vec4> fromOrigin(k_MostCascades + 1, glm::vec4(0.0f));
-    std::vector<glm::vec4> centers(k_MostCascades, glm::vec4(0.0f));
+    std::array<glm::mat4, k_MostCascades + 1> matrices; // the last one: no shadow
+    matrices.fill(glm::mat4(0.0f));
+    std::array<glm::vec4, k_MostCascades + 1> fromOrigin{};
+    std::array<glm::vec4, k_MostCascades> centers{};
     glm::vec4 radii(0.0f);
     for (std::size_t i = 0; i < m_Cascades.size(); ++i)
     {
@@ -247,9 +249,9 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
                             glm::vec4(glm::vec3(cascade.center), radii[static_cast<int>(i)]));
     }
     cmd.SetGlobalTexture(_MainLightShadowmapTexture, m_ShadowMap);
-    cmd.SetGlobalMatrixArray(_MainLightWorldToShadow, std::move(matrices));
-    cmd.SetGlobalVectorArray(limn_OriginToShadow, std::move(fromOrigin));
-    cmd.SetGlobalVectorArray(limn_CascadeCenters, std::move(centers));
+    cmd.SetGlobalMatrixArray(_MainLightWorldToShadow, std::span<const glm::mat4>(matrices));
+    cmd.SetGlobalVectorArray(limn_OriginToShadow, std::span<const glm::vec4>(fromOrigin));
+    cmd.SetGlobalVectorArray(limn_CascadeCenters, std::span<const glm::vec4>(centers));
     cmd.SetGlobalVector(_CascadeShadowSplitSphereRadii, radii);
 
     const int softness = SoftnessOf(LookOf(light), settings);

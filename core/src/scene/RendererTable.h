@@ -23,7 +23,8 @@ public:
     void Give(std::vector<std::uint32_t> rows) noexcept;
 
 private:
-    static constexpr std::size_t k_Most = 8;
+    // A map of shadows has up to 64 squares and 4 cascades, each with two lists at once.
+    static constexpr std::size_t k_Most = 144;
 
     std::mutex m_Mutex;
     std::vector<std::vector<std::uint32_t>> m_Lists;

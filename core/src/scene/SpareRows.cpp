@@ -1,5 +1,7 @@
 #include "scene/RendererTable.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace limn
@@ -12,8 +14,14 @@ std::vector<std::uint32_t> SpareRows::Take(std::size_t size)
         const std::scoped_lock lock(m_Mutex);
         if (!m_Lists.empty())
         {
-            rows.swap(m_Lists.back());
-            m_Lists.pop_back();
+            // The smallest that has room, or else the largest.
+            const auto order = [size](const auto& list)
+            {
+                const std::size_t room = list.capacity();
+                return room >= size ? room - size : std::numeric_limits<std::size_t>::max() - room;
+            };
+            rows.swap(*std::ranges::min_element(m_Lists, {}, order));
+            std::erase_if(m_Lists, [](const auto& list) { return list.capacity() == 0; });
         }
     }
     rows.resize(size);

@@ -233,15 +233,15 @@ public:
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
     void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
     // Arrays: as MaterialPropertyBlock's.
-    void SetGlobalFloatArray(ShaderPropertyId id, std::vector<float> values)
+    void SetGlobalFloatArray(ShaderPropertyId id, PropertyArray<float> values)
     {
         SetGlobal(id, std::move(values));
     }
-    void SetGlobalVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
+    void SetGlobalVectorArray(ShaderPropertyId id, PropertyArray<glm::vec4> values)
     {
         SetGlobal(id, std::move(values));
     }
-    void SetGlobalMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> values)
+    void SetGlobalMatrixArray(ShaderPropertyId id, PropertyArray<glm::mat4> values)
     {
         SetGlobal(id, std::move(values));
     }

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/GraphicsBuffer.h>
+#include <limn/core/PropertyArray.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/ShaderId.h>
 #include <limn/core/Texture.h>
@@ -24,8 +25,8 @@ struct ConsecutiveParams
 /// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
 /// No more than eleven kinds: up to there std::visit is a switch.
 using ShaderPropertyValue =
-    std::variant<float, int, glm::vec4, Color, glm::mat4, std::vector<float>,
-                 std::vector<glm::vec4>, std::vector<glm::mat4>, std::shared_ptr<const Texture>,
+    std::variant<float, int, glm::vec4, Color, glm::mat4, PropertyArray<float>,
+                 PropertyArray<glm::vec4>, PropertyArray<glm::mat4>, std::shared_ptr<const Texture>,
                  BufferRange, ConsecutiveParams>;
 
 /// A buffer for a cbuffer.

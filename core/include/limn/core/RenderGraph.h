@@ -7,6 +7,7 @@ namespace limn
 {
 
 struct RenderGraphState;
+struct RenderGraphCall;
 
 /// Unity: UnityEngine.Rendering.RenderGraphModule.Util.RenderGraphUtils (core 17).
 namespace RenderGraphUtils
@@ -84,14 +85,14 @@ public:
     RasterRenderGraphBuilder<PassData> AddRasterRenderPass(std::string_view passName,
                                                            PassData*& passData)
     {
-        auto data = std::make_shared<PassData>();
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
         return {*this, AddPass(passName), std::move(data)};
     }
     template <typename PassData>
     UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData)
     {
-        auto data = std::make_shared<PassData>();
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
         return {*this, AddPass(passName), std::move(data)};
     }
@@ -99,7 +100,7 @@ public:
     ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
                                                        PassData*& passData)
     {
-        auto data = std::make_shared<PassData>();
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
         return {*this, AddPass(passName), std::move(data)};
     }
@@ -128,9 +129,9 @@ private:
     RenderGraphPass& AddPass(std::string_view name);
     TextureHandle HandleOf(const RTHandle& texture) const;
     /// @throws ContractError beginning with `subject`, unless the handle is of this frame
-    void ExpectOfFrame(const TextureHandle& texture, const std::string& subject) const;
-    void ExpectOfFrame(const BufferHandle& buffer, const std::string& subject) const;
-    std::size_t IndexOf(const RendererListHandle& list, const std::string& subject) const;
+    void ExpectOfFrame(const TextureHandle& texture, const RenderGraphCall& subject) const;
+    void ExpectOfFrame(const BufferHandle& buffer, const RenderGraphCall& subject) const;
+    std::size_t IndexOf(const RendererListHandle& list, const RenderGraphCall& subject) const;
     const std::shared_ptr<const Material>& CopyMaterial(std::string_view call) const;
 
     std::unique_ptr<RenderGraphState> m_State;

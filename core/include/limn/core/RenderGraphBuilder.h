@@ -1,12 +1,52 @@
 #pragma once
 
-#include <functional>
+#include <limn/core/PooledAllocator.h>
 #include <limn/core/RenderGraphCommandBuffer.h>
 
 namespace limn
 {
 
 struct RenderGraphPass;
+struct RenderGraphCall;
+
+/// Records a pass of a render graph.
+template <typename Commands>
+struct RenderGraphFunction
+{
+    virtual ~RenderGraphFunction() = default;
+    virtual void Record(Commands& cmd) = 0;
+};
+
+namespace detail
+{
+
+/// An author's render function with the data that it is given.
+template <typename Commands, typename Context, typename PassData, typename Function>
+struct AuthorsRenderFunction final : RenderGraphFunction<Commands>
+{
+    std::shared_ptr<PassData> data;
+    Function function;
+
+    AuthorsRenderFunction(std::shared_ptr<PassData> passData, Function&& toCall)
+        : data(std::move(passData)), function(std::move(toCall))
+    {
+    }
+    void Record(Commands& cmd) override
+    {
+        Context context{cmd};
+        function(*data, context);
+    }
+};
+
+template <typename Commands, typename Context, typename PassData, typename Function>
+std::shared_ptr<RenderGraphFunction<Commands>>
+MakeRenderFunction(const std::shared_ptr<PassData>& data, Function&& function)
+{
+    using Made = AuthorsRenderFunction<Commands, Context, PassData, Function>;
+    return std::allocate_shared<Made>(PooledAllocator<Made>(), data, std::move(function));
+}
+
+} // namespace detail
 
 /// Declares what a pass of a render graph does. Each call throws ContractError, naming pass and
 /// texture, for an empty handle, one of an earlier frame or of another pass's transient texture,
@@ -50,12 +90,12 @@ protected:
     ~BaseRenderGraphBuilder() = default;
     void SetAttachment(const TextureHandle& texture, int index, AccessFlags flags);
     void SetDepthAttachment(const TextureHandle& texture, AccessFlags flags);
-    void SetFunction(std::function<void(RasterCommandBuffer&)> function);
-    void SetFunction(std::function<void(UnsafeCommandBuffer&)> function);
-    void SetFunction(std::function<void(ComputeCommandBuffer&)> function);
+    void SetFunction(std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> function);
+    void SetFunction(std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> function);
+    void SetFunction(std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> function);
 
 private:
-    void ExpectUsable(const TextureHandle& texture, const std::string& subject) const;
+    void ExpectUsable(const TextureHandle& texture, const RenderGraphCall& subject) const;
 
     RenderGraph& m_Graph;
     RenderGraphPass& m_Pass;
@@ -86,12 +126,8 @@ public:
     template <std::invocable<PassData&, RasterGraphContext&> Function>
     void SetRenderFunc(Function function)
     {
-        SetFunction(
-            [data = m_Data, function = std::move(function)](RasterCommandBuffer& cmd)
-            {
-                RasterGraphContext context{cmd};
-                function(*data, context);
-            });
+        SetFunction(detail::MakeRenderFunction<RasterCommandBuffer, RasterGraphContext>(
+            m_Data, std::move(function)));
     }
 
 private:
@@ -125,12 +161,8 @@ public:
     template <std::invocable<PassData&, UnsafeGraphContext&> Function>
     void SetRenderFunc(Function function)
     {
-        SetFunction(
-            [data = m_Data, function = std::move(function)](UnsafeCommandBuffer& cmd)
-            {
-                UnsafeGraphContext context{cmd};
-                function(*data, context);
-            });
+        SetFunction(detail::MakeRenderFunction<UnsafeCommandBuffer, UnsafeGraphContext>(
+            m_Data, std::move(function)));
     }
 
 private:
@@ -152,12 +184,8 @@ public:
     template <std::invocable<PassData&, ComputeGraphContext&> Function>
     void SetRenderFunc(Function function)
     {
-        SetFunction(
-            [data = m_Data, function = std::move(function)](ComputeCommandBuffer& cmd)
-            {
-                ComputeGraphContext context{cmd};
-                function(*data, context);
-            });
+        SetFunction(detail::MakeRenderFunction<ComputeCommandBuffer, ComputeGraphContext>(
+            m_Data, std::move(function)));
     }
 
 private:

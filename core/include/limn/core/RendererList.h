@@ -3,6 +3,7 @@
 #include <limn/core/Culling.h>
 #include <limn/core/DrawingSettings.h>
 #include <limn/core/FilteringSettings.h>
+#include <limn/core/PooledAllocator.h>
 #include <limn/core/RenderStateBlock.h>
 #include <memory>
 #include <optional>
@@ -71,7 +72,8 @@ public:
     RendererList() = default;
     /// ScriptableRenderContext::CreateRendererList.
     explicit RendererList(RendererListParams params)
-        : m_Params(std::make_shared<const RendererListParams>(std::move(params)))
+        : m_Params(std::allocate_shared<const RendererListParams>(
+              PooledAllocator<RendererListParams>(), std::move(params)))
     {
     }
 

@@ -197,12 +197,17 @@ private:
         std::shared_ptr<const ShaderProgram> compiled;
     };
 
-    /// The variant that global keywords chose last.
-    struct LastGlobal
+    /// The variants that global keywords chose last: those of shadow passes and of others.
+    struct LastGlobals
     {
+        struct Choice
+        {
+            std::vector<std::string> keywords;
+            std::shared_ptr<const ShaderProgram> compiled;
+        };
         std::mutex mutex;
-        std::vector<std::string> keywords;
-        std::shared_ptr<const ShaderProgram> compiled;
+        std::vector<Choice> choices;
+        std::size_t next = 0; ///< to be replaced
     };
 
     static void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
@@ -219,9 +224,9 @@ private:
     std::vector<std::optional<FullScreenTag>> m_FullScreen; ///< by pass
     std::vector<bool> m_StaysWithinMesh;                    ///< by pass
     int m_RenderQueue = 2000;
-    mutable std::vector<Variant> m_Initial;       ///< by pass
-    mutable std::vector<LastGlobal> m_LastGlobal; ///< by pass
-    mutable std::mutex m_Mutex;                   ///< guards the map, not what is in it
+    mutable std::vector<Variant> m_Initial;         ///< by pass
+    mutable std::vector<LastGlobals> m_LastGlobals; ///< by pass
+    mutable std::mutex m_Mutex;                     ///< guards the map, not what is in it
     mutable std::map<std::pair<int, std::vector<std::string>>, Variant> m_Others;
 };
 
