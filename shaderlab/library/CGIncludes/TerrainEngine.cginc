@@ -11,6 +11,11 @@ float3 _CameraRight, _CameraUp;
 float4 _TreeInstanceColor, _TreeInstanceScale, _SquashPlaneNormal;
 float4x4 _TerrainEngineBendTree;
 float _SquashAmount; // 1 = not at all
+float3 _TreeBillboardCameraRight;
+float4 _TreeBillboardCameraUp;    // w: how far billboards come forwards, in halves of their width
+float4 _TreeBillboardCameraFront;
+float4 _TreeBillboardCameraPos;   // w: 0 as seen from the side, 1 from above
+float4 _TreeBillboardDistances;   // x: largest distance squared
 float4 _Wind; // of a tree; w: how much its leaves flutter
 
 // Sine and cosine of angles from half a turn back to half a turn ahead, for values from 0 to 1, by
@@ -77,6 +82,15 @@ struct appdata_tree
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
+struct appdata_tree_billboard
+{
+    float4 vertex : POSITION;
+    fixed4 color : COLOR;
+    float4 texcoord : TEXCOORD0;
+    float2 texcoord1 : TEXCOORD1; // from the root of the tree to the corner of its quad
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
 // Far trees are pressed flat towards a plane before a billboard takes their place.
 float4 Squash(in float4 pos)
 {
@@ -90,6 +104,30 @@ void TerrainAnimateTree(inout float4 pos, float alpha)
     pos.xyz *= _TreeInstanceScale.xyz;
     float3 bent = mul(_TerrainEngineBendTree, float4(pos.xyz, 0.0)).xyz;
     pos = Squash(float4(lerp(pos.xyz, bent, alpha), pos.w));
+}
+
+// Spreads a quad towards the camera; beyond the largest distance it stays a point. offsetz: its
+// height as seen from above. Forwards, so that the ground does not hide it.
+void TerrainBillboardTree(inout float4 pos, float2 offset, float offsetz)
+{
+    float3 away = pos.xyz - _TreeBillboardCameraPos.xyz;
+    float isNear = dot(away, away) > _TreeBillboardDistances.x ? 0.0 : 1.0;
+    float width = offset.x * isNear;
+    float height = lerp(offset.y, offsetz, _TreeBillboardCameraPos.w) * isNear;
+    pos.xyz += _TreeBillboardCameraRight * width + _TreeBillboardCameraUp.xyz * height;
+    pos.xyz += _TreeBillboardCameraFront.xyz * (abs(width) * _TreeBillboardCameraUp.w);
+}
+
+// Where a mesh has leaves as quads (tangent.w = 0), their corners lie at the normal's x and y from
+// the vertex, as the camera sees them. mat: UNITY_MATRIX_IT_MV, so that its rows multiply.
+void ExpandBillboard(in float4x4 mat, inout float4 pos, inout float3 normal, inout float4 tangent)
+{
+    float isBillboard = 1.0 - abs(tangent.w);
+    float3 seenNormal = normalize(mul(float4(normal, 0.0), mat)).xyz;
+    float3 seenTangent = normalize(mul(float4(tangent.xyz, 0.0), mat)).xyz;
+    pos += mul(float4(normal.xy, 0.0, 0.0), mat) * isBillboard;
+    normal = lerp(normal, seenNormal, isBillboard);
+    tangent = lerp(tangent, float4(seenTangent, -1.0), isBillboard);
 }
 
 float4 SmoothCurve(float4 x) { return x * x * (3.0 - 2.0 * x); }

@@ -28,3 +28,11 @@ UnityStandardData UnityStandardDataFromGbuffer(half4 inGBuffer0, half4 inGBuffer
     data.normalWorld = normalize((float3)inGBuffer2.rgb * 2.0 - 1.0);
     return data;
 }
+// Terrains blend their layers in G-buffers: weight times what each holds.
+void UnityStandardDataApplyWeightToGbuffer(inout half4 inOutGBuffer0, inout half4 inOutGBuffer1,
+                                           inout half4 inOutGBuffer2, half alpha)
+{
+    inOutGBuffer0.rgb *= alpha;
+    inOutGBuffer1 *= alpha;
+    inOutGBuffer2.rgb *= alpha;
+}

@@ -1,5 +1,5 @@
-// The Standard shader's forward passes: main light, ambient light, emission, fog; and one pass per
-// further light.
+// The Standard shader's forward passes: main light, ambient light, emission, fog; one pass per
+// further light; and its deferred pass.
 #pragma once
 #define UNITY_STANDARD_CORE_INCLUDED
 #include "UnityCG.cginc"
@@ -190,6 +190,8 @@ FragmentCommonData limn_FragmentSetup(VertexOutputForwardBase i)
     return FragmentSetup(i.tex, i.eyeVec.xyz, viewDir, i.tangentToWorldAndPackedData, i.posWorld);
 }
 #define FRAGMENT_SETUP(x) FragmentCommonData x = limn_FragmentSetup(i);
+#define FRAGMENT_SETUP_FWDADD(x) FRAGMENT_SETUP(x)
+#define IN_WORLDPOS(i) i.posWorld
 
 UnityGI FragmentGI(FragmentCommonData s, half occlusion, half4 i_ambientOrLightmapUV, half atten,
                    UnityLight light, bool reflections)
@@ -210,6 +212,24 @@ UnityGI FragmentGI(FragmentCommonData s, half occlusion, half4 i_ambientOrLightm
                    UnityLight light)
 {
     return FragmentGI(s, occlusion, i_ambientOrLightmapUV, atten, light, true);
+}
+// Of older shaders
+UnityGI FragmentGI(float3 posWorld, half occlusion, half4 i_ambientOrLightmapUV, half atten,
+                   half smoothness, half3 normalWorld, half3 eyeVec, UnityLight light,
+                   bool reflections)
+{
+    FragmentCommonData s = (FragmentCommonData)0;
+    s.smoothness = smoothness;
+    s.normalWorld = normalWorld;
+    s.eyeVec = eyeVec;
+    s.posWorld = posWorld;
+    return FragmentGI(s, occlusion, i_ambientOrLightmapUV, atten, light, reflections);
+}
+UnityGI FragmentGI(float3 posWorld, half occlusion, half4 i_ambientOrLightmapUV, half atten,
+                   half smoothness, half3 normalWorld, half3 eyeVec, UnityLight light)
+{
+    return FragmentGI(posWorld, occlusion, i_ambientOrLightmapUV, atten, smoothness, normalWorld,
+                      eyeVec, light, true);
 }
 
 half4 OutputForward(half4 output, half alphaFromSurface)
@@ -252,3 +272,29 @@ half4 fragForwardAddInternal(VertexOutputForwardBase i)
     return OutputForward(c, s.alpha);
 }
 half4 fragForwardAdd(VertexOutputForwardBase i) : SV_Target { return fragForwardAddInternal(i); }
+
+// Passes that fill G-buffers: no lamp shines yet, ambient light and emission do.
+#define VertexOutputDeferred VertexOutputForwardBase
+VertexOutputForwardBase vertDeferred(VertexInput v) { return vertForwardBase(v); }
+void fragDeferred(VertexOutputForwardBase i, out half4 outGBuffer0 : SV_Target0,
+                  out half4 outGBuffer1 : SV_Target1, out half4 outGBuffer2 : SV_Target2,
+                  out half4 outEmission : SV_Target3)
+{
+    FRAGMENT_SETUP(s)
+    half occlusion = Occlusion(i.tex.xy);
+    UnityGI gi = FragmentGI(s, occlusion, i.ambientOrLightmapUV, 1.0, DummyLight(), true);
+    half3 color = UNITY_BRDF_PBS(s.diffColor, s.specColor, s.oneMinusReflectivity, s.smoothness,
+                                 s.normalWorld, -s.eyeVec, gi.light, gi.indirect).rgb;
+    color += Emission(i.tex.xy);
+#ifndef UNITY_HDR_ON
+    color = exp2(-color);
+#endif
+    UnityStandardData data;
+    data.diffuseColor = s.diffColor;
+    data.occlusion = occlusion;
+    data.specularColor = s.specColor;
+    data.smoothness = s.smoothness;
+    data.normalWorld = s.normalWorld;
+    UnityStandardDataToGbuffer(data, outGBuffer0, outGBuffer1, outGBuffer2);
+    outEmission = half4(color, 1.0);
+}
