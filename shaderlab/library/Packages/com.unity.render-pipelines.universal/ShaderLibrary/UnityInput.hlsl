@@ -57,6 +57,8 @@ cbuffer limn_PerCameraExtra
     float4x4 _NonJitteredViewProjMatrix;
     float4 unity_CameraWorldClipPlanes[6]; // left, right, bottom, top, near, far
     float4 _RTHandleScale;
+    float4 _ScreenCoordScaleBias; // where scripts render a picture in parts
+    float4 _ScreenSizeOverride;
     float4 _DrawObjectPassData; // w: 1 for opaque objects
     float _AlphaToMaskAvailable;
 };
