@@ -185,12 +185,13 @@ struct Steps
     {
         const ShaderCompilerOptions options;
         IncludeResolver resolver(options, program.file);
+        SourceLines lines(program, resolver);
         ShaderProgram pass;
         times.Measure("ms_preprocess",
                       [&]
                       {
                           PreprocessedHlsl hlsl = PreprocessHlsl(program, ShaderStage::Vertex, {},
-                                                                 resolver, pass.diagnostics);
+                                                                 resolver, lines, pass.diagnostics);
                           if (hlsl.namesStages)
                           {
                               throw std::runtime_error("the stages do not share their text");

@@ -59,9 +59,14 @@ PassProgram ScanAll(const std::string& text)
 }
 
 /// Everything between the preprocessor and the compiler, with each function as the entry.
-void Rewrite(const std::string& text, ShaderStage stage)
+void Rewrite(const std::string& text, SourceLines& lines, ShaderStage stage)
 {
-    const HlslSource source(text);
+    const HlslSource source(text, &lines);
+    for (const std::size_t token : {source.tokens.size() / 2, source.tokens.size() - 1})
+    {
+        Require(token >= source.tokens.size() || source.tokens.Place(token).location.column >= 0,
+                "a column below 0");
+    }
     int left = 8;
     for (const HlslFunction& function : source.declarations.functions)
     {
@@ -117,10 +122,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<Diagnostic> warnings;
     try
     {
-        const std::string spelt = RespellForGlslang(translated, PassProgram{}, warnings);
-        Rewrite(spelt, ShaderStage::Vertex);
-        Rewrite(spelt, ShaderStage::Geometry);
-        Rewrite(spelt, ShaderStage::Fragment);
+        PassProgram program;
+        program.chunks = {{"\n" + text, 0}};
+        static const ShaderCompilerOptions options;
+        IncludeResolver resolver(options, "fuzz.shader");
+        SourceLines lines(program, resolver);
+        const std::string spelt = RespellForGlslang(translated, program, lines, warnings);
+        Rewrite(spelt, lines, ShaderStage::Vertex);
+        Rewrite(spelt, lines, ShaderStage::Geometry);
+        Rewrite(spelt, lines, ShaderStage::Fragment);
     }
     catch (const AssetError& error) // nested too deeply
     {

@@ -4,11 +4,12 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "compiler/CompilerMessages.h"
 #include "compiler/PlatformMacros.h"
 #include "hlsl/Checks.h"
 #include "hlsl/Preprocessor.h"
 #include "hlsl/Rewriter.h"
-#include "spirv/DiagnosticColumns.h"
+#include "hlsl/SourceLines.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
 
@@ -101,7 +102,7 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
     {
         if (function.name == entry.name)
         {
-            const HlslPlace place = source.tokens.Place(function.begin);
+            const HlslPlace place = source.tokens.Place(function.token);
             throw AssetError(program.file, entry.location,
                              "#pragma " + std::string(StageName(stage)) + ": the function '" +
                                  entry.name + "' is only declared, at " + place.file + ":" +
@@ -125,11 +126,22 @@ StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& functio
     }
     catch (const StageInterfaceError& error)
     {
-        const HlslPlace place = source.tokens.Place(function.begin);
+        const HlslPlace place = source.tokens.Place(error.token > 0 ? error.token : function.token);
         throw AssetError(place.file, place.location,
                          std::string(function.name) + ": " + error.message);
     }
 }
+
+/// What a program is compiled from.
+struct Sources
+{
+    const PassProgram& program;
+    std::span<const std::string> keywords;
+    IncludeResolver& resolver;
+    SourceLines& lines;
+
+    bool halfIs16Bit() const { return std::ranges::count(keywords, k_RealHalfMacro) > 0; }
+};
 
 /// One stage on its way to SPIR-V.
 struct Stage
@@ -142,9 +154,9 @@ struct Stage
 /// Vertex first, fragment last.
 using Stages = std::vector<Stage>;
 
-Stages ReadStages(const PassProgram& program, std::span<const std::string> keywords,
-                  IncludeResolver& resolver, std::vector<Diagnostic>& warnings)
+Stages ReadStages(const Sources& sources, std::vector<Diagnostic>& warnings)
 {
+    const PassProgram& program = sources.program;
     Stages stages;
     std::shared_ptr<const HlslSource> shared;
     for (const ShaderStage stage :
@@ -157,8 +169,9 @@ Stages ReadStages(const PassProgram& program, std::span<const std::string> keywo
         auto source = shared;
         if (!source)
         {
-            PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, keywords, resolver, warnings);
-            source = std::make_shared<const HlslSource>(std::move(hlsl.text));
+            PreprocessedHlsl hlsl = PreprocessHlsl(program, stage, sources.keywords,
+                                                   sources.resolver, sources.lines, warnings);
+            source = std::make_shared<const HlslSource>(std::move(hlsl.text), &sources.lines);
             RequireSound(*source);
             shared = hlsl.namesStages ? nullptr : source;
         }
@@ -206,12 +219,9 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
 /// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
 /// signature of the author's.
 ///
-/// @param hlsl  what was compiled: the compiler stops at the first name that it does not know
-void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& error,
-                    const RewrittenHlsl& hlsl, const PassProgram& program, const EntryPoint& entry)
+void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& found,
+                    const PassProgram& program, const EntryPoint& entry)
 {
-    std::vector<Diagnostic> found = error.diagnostics();
-    found.insert(found.end(), hlsl.undeclared.begin(), hlsl.undeclared.end());
     for (Diagnostic diagnostic : found)
     {
         if (diagnostic.file == k_EntryFile)
@@ -231,6 +241,35 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const AssetError& erro
     }
 }
 
+/// SPIR-V of a rewritten stage.
+///
+/// @param errors  gets its mistakes; then there is no SPIR-V
+std::vector<std::uint32_t> BuildRewritten(const Sources& sources, const HlslSource& source,
+                                          const RewrittenHlsl& hlsl, ShaderStage stage,
+                                          std::vector<Diagnostic>& warnings,
+                                          std::vector<Diagnostic>& errors)
+{
+    const PassProgram& program = sources.program;
+    std::vector<Diagnostic> said;
+    std::vector<std::uint32_t> spirv;
+    try
+    {
+        spirv = BuildSpirv(hlsl.text, stage, program.file, sources.halfIs16Bit(), said);
+    }
+    catch (const AssetError& error)
+    {
+        std::vector<Diagnostic> found = PlaceMessages(error.diagnostics(), source, hlsl);
+        // The compiler stops at the first name that it does not know.
+        found.insert(found.end(), hlsl.undeclared.begin(), hlsl.undeclared.end());
+        AddDiagnostics(errors, found, program, EntryOf(program, stage));
+    }
+    for (Diagnostic& warning : PlaceMessages(said, source, hlsl))
+    {
+        warnings.push_back(std::move(warning));
+    }
+    return spirv;
+}
+
 void AddStandIns(ShaderProgram& pass, const PassProgram& program, const RewrittenHlsl& hlsl)
 {
     for (const std::string& standIn : hlsl.standIns)
@@ -247,28 +286,21 @@ std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
 }
 
 /// SPIR-V of all stages; their mistakes are reported together, each once.
-void BuildStages(ShaderProgram& pass, const PassProgram& program, const Stages& stages,
-                 const StageLinkage& linkage, bool halfIs16Bit)
+void BuildStages(ShaderProgram& pass, const Sources& sources, const Stages& stages,
+                 const StageLinkage& linkage)
 {
-    std::vector<Diagnostic> diagnostics;
+    std::vector<Diagnostic> errors;
     for (const Stage& stage : stages)
     {
         const RewrittenHlsl hlsl =
             RewriteStage(*stage.source, stage.stage, stage.interface, linkage);
-        AddStandIns(pass, program, hlsl);
-        try
-        {
-            SpirvOf(pass, stage.stage) =
-                BuildSpirv(hlsl.text, stage.stage, program.file, halfIs16Bit, pass.diagnostics);
-        }
-        catch (const AssetError& error)
-        {
-            AddDiagnostics(diagnostics, error, hlsl, program, EntryOf(program, stage.stage));
-        }
+        AddStandIns(pass, sources.program, hlsl);
+        SpirvOf(pass, stage.stage) =
+            BuildRewritten(sources, *stage.source, hlsl, stage.stage, pass.diagnostics, errors);
     }
-    if (!diagnostics.empty())
+    if (!errors.empty())
     {
-        throw AssetError(std::move(diagnostics));
+        throw AssetError(std::move(errors));
     }
 }
 
@@ -299,11 +331,11 @@ GeometryInput GeometryInputOf(const StageInterface& interface)
         ->second;
 }
 
-ShaderProgram Build(const PassProgram& program, std::span<const std::string> keywords,
-                    IncludeResolver& resolver)
+ShaderProgram Build(const Sources& sources)
 {
     ShaderProgram pass;
-    const Stages stages = ReadStages(program, keywords, resolver, pass.diagnostics);
+    const PassProgram& program = sources.program;
+    const Stages stages = ReadStages(sources, pass.diagnostics);
     std::vector<HlslVariable> objects;
     for (const Stage& stage : stages)
     {
@@ -312,7 +344,7 @@ ShaderProgram Build(const PassProgram& program, std::span<const std::string> key
     }
     const StageLinkage linkage = Link(program, stages);
     WarnOfUnwritten(program, stages, linkage, pass.diagnostics);
-    BuildStages(pass, program, stages, linkage, std::ranges::count(keywords, k_RealHalfMacro) > 0);
+    BuildStages(pass, sources, stages, linkage);
     std::vector<std::string> messages;
     ReflectLayout(pass, linkage, objects, messages);
     if (stages.size() > 2)
@@ -323,26 +355,23 @@ ShaderProgram Build(const PassProgram& program, std::span<const std::string> key
     return pass;
 }
 
-ShaderProgram BuildKernel(const PassProgram& program, std::span<const std::string> keywords,
-                          IncludeResolver& resolver)
+ShaderProgram BuildKernel(const Sources& sources)
 {
     ShaderProgram kernel;
-    const HlslSource source(
-        PreprocessHlsl(program, ShaderStage::Compute, keywords, resolver, kernel.diagnostics).text);
+    const PassProgram& program = sources.program;
+    const HlslSource source(PreprocessHlsl(program, ShaderStage::Compute, sources.keywords,
+                                           sources.resolver, sources.lines, kernel.diagnostics)
+                                .text,
+                            &sources.lines);
     RequireSound(source);
     const RewrittenHlsl hlsl =
         RewriteKernel(source, FindEntry(program, source, ShaderStage::Compute));
     AddStandIns(kernel, program, hlsl);
-    const bool halfIs16Bit = std::ranges::count(keywords, k_RealHalfMacro) > 0;
     std::vector<Diagnostic> errors;
-    try
+    kernel.computeSpirv =
+        BuildRewritten(sources, source, hlsl, ShaderStage::Compute, kernel.diagnostics, errors);
+    if (!errors.empty())
     {
-        kernel.computeSpirv = BuildSpirv(hlsl.text, ShaderStage::Compute, program.file, halfIs16Bit,
-                                         kernel.diagnostics);
-    }
-    catch (const AssetError& error)
-    {
-        AddDiagnostics(errors, error, hlsl, program, program.kernel);
         throw AssetError(std::move(errors));
     }
     std::vector<std::string> messages;
@@ -371,32 +400,33 @@ ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::st
                              IncludeResolver& resolver)
 {
     RequireEntryPoints(program, resolver);
+    SourceLines lines(program, resolver);
+    const Sources sources{program, keywords, resolver, lines};
     try
     {
-        ShaderProgram pass = isKernel(program) ? BuildKernel(program, keywords, resolver)
-                                               : Build(program, keywords, resolver);
+        ShaderProgram pass = isKernel(program) ? BuildKernel(sources) : Build(sources);
         const std::vector<Diagnostic> warnings = CheckPragmas(program);
         pass.diagnostics.insert(pass.diagnostics.begin(), warnings.begin(), warnings.end());
         RemoveRepeated(pass.diagnostics);
-        AddColumns(pass.diagnostics, program, resolver);
+        lines.AddColumns(pass.diagnostics);
         return pass;
     }
     catch (const UnsupportedProgramError& error)
     {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
-        AddColumns(diagnostics, program, resolver);
+        lines.AddColumns(diagnostics);
         throw UnsupportedProgramError(diagnostics.front());
     }
     catch (const MissingIncludeError& error)
     {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
-        AddColumns(diagnostics, program, resolver);
+        lines.AddColumns(diagnostics);
         throw MissingIncludeError(std::move(diagnostics));
     }
     catch (const AssetError& error)
     {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
-        AddColumns(diagnostics, program, resolver);
+        lines.AddColumns(diagnostics);
         throw AssetError(std::move(diagnostics));
     }
 }

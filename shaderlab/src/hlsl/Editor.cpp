@@ -3,8 +3,10 @@
 namespace limn
 {
 
-HlslEditor::HlslEditor(const std::string& text)
-    : m_Owned(std::make_unique<const HlslTokens>(text)), m_Tokens(*m_Owned), m_Edit(m_Tokens.size())
+HlslEditor::HlslEditor(const std::string& text, SourceLines* lines)
+    : m_Owned(std::make_unique<const HlslTokens>(text, lines)),
+      m_Tokens(*m_Owned),
+      m_Edit(m_Tokens.size())
 {
 }
 
@@ -48,11 +50,6 @@ void HlslEditor::Erase(std::size_t first, std::size_t end)
 
 std::string HlslEditor::Assemble() const
 {
-    return Assemble(std::vector<bool>(size(), false));
-}
-
-std::string HlslEditor::Assemble(const std::vector<bool>& isLeftOut) const
-{
     const std::string_view source = m_Tokens.source();
     std::string result;
     result.reserve(source.size());
@@ -65,16 +62,69 @@ std::string HlslEditor::Assemble(const std::vector<bool>& isLeftOut) const
         result.append(source.substr(position, begin - position));
         position = begin + text.size();
         result.append(i == 0 ? m_Prepended : std::string());
-        if (!isLeftOut[i])
-        {
-            result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
-        }
+        result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
         if (inserted != m_Inserted.end() && inserted->first == i)
         {
             result.append((inserted++)->second);
         }
     }
     return result.append(source.substr(position));
+}
+
+std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) const
+{
+    constexpr std::size_t k_FewLines = 24; // shorter than a directive
+    std::string result;
+    result.reserve(m_Tokens.source().size());
+    result.append(m_Prepended);
+    std::size_t line = m_Prepended.find('\n') == m_Prepended.npos ? 1 : 0; // 0 = not known
+    auto inserted = m_Inserted.begin();
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+        if (const std::string_view pragma = PragmaBefore(i); !pragma.empty())
+        {
+            result.append("\n").append(pragma).append("\n");
+            line = 0;
+        }
+        const std::uint32_t edit = m_Edit[i];
+        const std::string_view text = isLeftOut[i] ? std::string_view()
+                                      : edit == 0  ? Text(i)
+                                                   : std::string_view(m_Spelling[edit - 1]);
+        const bool isFollowed = inserted != m_Inserted.end() && inserted->first == i;
+        if (text.empty() && !isFollowed)
+        {
+            continue;
+        }
+        if (line == 0 || i + 1 - line > k_FewLines)
+        {
+            result += "\n#line " + std::to_string(i + 1) + " \"" + k_TokenFile + "\"\n";
+        }
+        else
+        {
+            result.append(i + 1 - line, '\n');
+        }
+        line = i + 1;
+        result.append(text);
+        if (isFollowed)
+        {
+            result.append(inserted->second);
+            line = inserted->second.find('\n') == std::string::npos ? line : 0;
+            ++inserted;
+        }
+    }
+    return result.append("\n");
+}
+
+std::string_view HlslEditor::PragmaBefore(std::size_t index) const
+{
+    const std::string_view source = m_Tokens.source();
+    const std::size_t begin =
+        index == 0 ? 0 : m_Tokens.all()[index - 1].Begin(source) + Text(index - 1).size();
+    const std::string_view between =
+        source.substr(begin, m_Tokens.all()[index].Begin(source) - begin);
+    const std::size_t pragma = between.rfind("#pragma");
+    return pragma == between.npos ? std::string_view()
+                                  : between.substr(pragma, between.find('\n', pragma) - pragma);
 }
 
 } // namespace limn

@@ -14,13 +14,17 @@
 namespace limn
 {
 
+/// What #line calls the text whose lines are tokens.
+inline constexpr const char* k_TokenFile = "tokens";
+
 /// Preprocessed HLSL in which tokens are spelled anew. What lies between them, line ends and
 /// directives, stays, so that positions of messages hold.
 class HlslEditor
 {
 public:
-    /// @param text  must outlive this
-    explicit HlslEditor(const std::string& text);
+    /// @param text   must outlive this
+    /// @param lines  see HlslTokens
+    explicit HlslEditor(const std::string& text, SourceLines* lines = nullptr);
     /// @param tokens  must outlive this
     explicit HlslEditor(const HlslTokens& tokens);
 
@@ -55,10 +59,16 @@ public:
     void Prepend(std::string_view text) { m_Prepended += text; }
 
     std::string Assemble() const;
-    /// @param isLeftOut  by token; of those only the blanks and what is inserted stay
-    std::string Assemble(const std::vector<bool>& isLeftOut) const;
+    /// For a compiler: each token is in a line of its own, which it is the number of, from 1; so
+    /// messages tell the token. Of directives between tokens only pragmas stay.
+    ///
+    /// @param isLeftOut  by token; of those only what is inserted stays
+    std::string AssembleByToken(const std::vector<bool>& isLeftOut) const;
 
 private:
+    /// The last one behind the token before.
+    std::string_view PragmaBefore(std::size_t index) const;
+
     std::unique_ptr<const HlslTokens> m_Owned;
     const HlslTokens& m_Tokens;
     std::vector<std::uint32_t> m_Edit; ///< by token: one more than its place in m_Spelling, or 0

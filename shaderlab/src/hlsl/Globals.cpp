@@ -54,6 +54,15 @@ bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
                       b.parameters.end(), isSame);
 }
 
+/// Those that a call leaves out have values of their own.
+bool takes(const HlslFunction& function, std::size_t arguments)
+{
+    return arguments <= function.parameters.size() &&
+           std::all_of(function.parameters.begin() + static_cast<std::ptrdiff_t>(arguments),
+                       function.parameters.end(),
+                       [](const HlslVariable& parameter) { return parameter.valueToken > 0; });
+}
+
 } // namespace
 
 HlslGlobals::HlslGlobals(const HlslDeclarations& declarations) : m_Declarations(declarations)
@@ -171,7 +180,7 @@ const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
     bool isTie = false;
     for (const HlslFunction* function : overloads)
     {
-        if (function->parameters.size() != arguments.size())
+        if (!takes(*function, arguments.size()))
         {
             continue;
         }

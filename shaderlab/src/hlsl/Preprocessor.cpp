@@ -189,7 +189,7 @@ void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& pr
 
 PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
                                 std::span<const std::string> keywords, IncludeResolver& resolver,
-                                std::vector<Diagnostic>& warnings)
+                                SourceLines& lines, std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
@@ -218,7 +218,7 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
         includer.namesStages() ||
         std::any_of(program.chunks.begin(), program.chunks.end(),
                     [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
-    return {RespellForGlslang(std::move(result), program, warnings), namesStages};
+    return {RespellForGlslang(std::move(result), program, lines, warnings), namesStages};
 }
 
 } // namespace limn

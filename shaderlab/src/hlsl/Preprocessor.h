@@ -2,6 +2,7 @@
 
 #include <limn/shaderlab/PassProgram.h>
 
+#include "hlsl/SourceLines.h"
 #include "program/IncludeResolver.h"
 
 #include <span>
@@ -27,6 +28,6 @@ struct PreprocessedHlsl
 /// @throws UnsupportedProgramError where a file of another render pipeline is missing
 PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
                                 std::span<const std::string> keywords, IncludeResolver& resolver,
-                                std::vector<Diagnostic>& warnings);
+                                SourceLines& lines, std::vector<Diagnostic>& warnings);
 
 } // namespace limn

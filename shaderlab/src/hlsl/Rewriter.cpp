@@ -94,9 +94,10 @@ public:
         DelayStatics();
     }
 
-    RewrittenHlsl Finish(const std::string& entry) const
+    RewrittenHlsl Finish(const std::string& entry)
     {
-        RewrittenHlsl result{m_Code.Assemble(m_Reach.isLeftOut()) + entry, m_StandIns, {}};
+        RewrittenHlsl result{
+            m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, {}, {}};
         std::map<std::size_t, std::string_view> unknown; // in the order of the text
         for (const Tree& tree : m_Trees)
         {
@@ -112,6 +113,7 @@ public:
                 {Severity::Error, place.file, place.location,
                  "'" + std::string(m_Tokens.Text(token)) + "': " + std::string(problem)});
         }
+        result.nodes = std::move(m_Nodes);
         return result;
     }
 
@@ -462,9 +464,9 @@ private:
 
 } // namespace
 
-HlslSource::HlslSource(std::string preprocessed)
+HlslSource::HlslSource(std::string preprocessed, SourceLines* lines)
     : text(std::move(preprocessed)),
-      tokens(text),
+      tokens(text, lines),
       declarations(ReadDeclarations(tokens)),
       globals(declarations)
 {
@@ -488,7 +490,7 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
 {
     const auto fail = [&](const std::string& message)
     {
-        const HlslPlace place = source.tokens.Place(kernel.begin);
+        const HlslPlace place = source.tokens.Place(kernel.token);
         throw AssetError(place.file, place.location,
                          "'" + std::string(kernel.name) + "': " + message);
     };

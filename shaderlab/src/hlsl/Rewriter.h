@@ -14,7 +14,8 @@ namespace limn
 /// Preprocessed HLSL, taken apart as far as rewriting needs it.
 struct HlslSource
 {
-    explicit HlslSource(std::string preprocessed);
+    /// @param lines  see HlslTokens
+    explicit HlslSource(std::string preprocessed, SourceLines* lines = nullptr);
     HlslSource(const HlslSource&) = delete;
     HlslSource& operator=(const HlslSource&) = delete;
 
@@ -26,6 +27,7 @@ struct HlslSource
 
 struct RewrittenHlsl
 {
+    /// As HlslEditor::AssembleByToken() writes it, and the entry function.
     std::string text;
     /// "uses X, which limn does not have: Y" for each function that the entry function reaches and
     /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
@@ -33,13 +35,15 @@ struct RewrittenHlsl
     std::vector<std::string> standIns;
     /// Names that nobody declares: mistakes if the compiler finds any, which stops at the first.
     std::vector<Diagnostic> undeclared;
+    /// The expressions and statements of the source that were rewritten.
+    HlslNodes nodes;
 };
 
 /// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
 /// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
 ///
 /// Functions out of reach have to go because they may use what only the other stage has (ddx,
-/// clip). Line breaks and #line directives stay, so that positions of messages hold.
+/// clip).
 ///
 /// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
 RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,

@@ -1,5 +1,6 @@
 #include "hlsl/Tokens.h"
 
+#include "hlsl/SourceLines.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -112,8 +113,9 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset)
     return place;
 }
 
-HlslTokens::HlslTokens(std::string_view source)
+HlslTokens::HlslTokens(std::string_view source, SourceLines* lines)
     : m_Source(source),
+      m_Lines(lines),
       m_Tokens(TokenizeHlsl(source)),
       m_Partner(m_Tokens.size(), static_cast<std::uint32_t>(m_Tokens.size()))
 {
@@ -179,7 +181,27 @@ std::size_t HlslTokens::FindOutside(std::size_t index, std::string_view mark) co
 
 HlslPlace HlslTokens::Place(std::size_t index) const
 {
-    return PlaceOf(m_Source, m_Tokens[index].Begin(m_Source));
+    const auto isNewLine = [&](std::size_t token)
+    {
+        const std::size_t end = m_Tokens[token - 1].Begin(m_Source) + Text(token - 1).size();
+        return m_Source.substr(end, m_Tokens[token].Begin(m_Source) - end).find('\n') !=
+               m_Source.npos;
+    };
+    HlslPlace place = PlaceOf(m_Source, m_Tokens[index].Begin(m_Source));
+    if (m_Lines)
+    {
+        std::size_t first = index;
+        std::size_t end = index + 1;
+        for (; first > 0 && !isNewLine(first); --first)
+        {
+        }
+        for (; end < size() && !isNewLine(end); ++end)
+        {
+        }
+        place.location.column =
+            m_Lines->Column(place, std::span(m_Tokens).subspan(first, end - first), index - first);
+    }
+    return place;
 }
 
 } // namespace limn

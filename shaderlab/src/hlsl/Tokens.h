@@ -11,6 +11,8 @@
 namespace limn
 {
 
+class SourceLines;
+
 /// A token of preprocessed HLSL. Directives and blanks lie between tokens.
 struct HlslToken
 {
@@ -40,7 +42,8 @@ class HlslTokens
 {
 public:
     /// @param source  must outlive this
-    explicit HlslTokens(std::string_view source);
+    /// @param lines   for the columns of places, which are 0 without; outlives this
+    explicit HlslTokens(std::string_view source, SourceLines* lines = nullptr);
 
     std::size_t size() const { return m_Tokens.size(); }
     /// "" behind the end.
@@ -71,6 +74,7 @@ public:
 
 private:
     std::string_view m_Source;
+    SourceLines* m_Lines;
     std::vector<HlslToken> m_Tokens;
     std::vector<std::uint32_t> m_Partner; ///< of brackets; of others, and without one: size()
 };

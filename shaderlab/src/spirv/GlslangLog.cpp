@@ -116,10 +116,6 @@ bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& 
 {
     const bool isAboutReturn =
         diagnostic.message.find("function does not return a value") != std::string::npos;
-    if (diagnostic.message.ends_with("': unknown variable"))
-    {
-        return false; // each name that is missing is a mistake of its own
-    }
     return std::any_of(earlier.begin(), earlier.end(),
                        [&](const Diagnostic& known)
                        {

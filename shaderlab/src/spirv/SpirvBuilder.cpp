@@ -1,7 +1,6 @@
 #include "spirv/SpirvBuilder.h"
 
-#include "hlsl/Declarations.h"
-#include "hlsl/Tokens.h"
+#include "hlsl/Editor.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
 #include "spirv/HalfPrecision.h"
@@ -197,37 +196,6 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
                      "program: the HLSL compiler makes invalid SPIR-V of it: " + problem.message);
 }
 
-/// Linking knows no places: a message that begins with a function's name gets the function's.
-[[noreturn]] void ThrowUnlinked(std::string_view log, const std::string& file,
-                                const std::string& hlsl)
-{
-    try
-    {
-        ThrowLog(log, file, "linking");
-    }
-    catch (const AssetError& error)
-    {
-        std::vector<Diagnostic> diagnostics = error.diagnostics();
-        const HlslTokens tokens(hlsl);
-        const HlslDeclarations declarations = ReadDeclarations(tokens);
-        for (Diagnostic& diagnostic : diagnostics)
-        {
-            const std::string_view message = diagnostic.message;
-            const HlslFunction* function =
-                message.starts_with("'")
-                    ? declarations.FindDefinition(message.substr(1, message.find('\'', 1) - 1))
-                    : nullptr;
-            if (function && diagnostic.location.line == 0)
-            {
-                const HlslPlace place = tokens.Place(function->begin);
-                diagnostic.file = place.file;
-                diagnostic.location = place.location;
-            }
-        }
-        throw AssetError(std::move(diagnostics));
-    }
-}
-
 } // namespace
 
 std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage,
@@ -236,7 +204,7 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
 {
     StartGlslang();
     const char* const text = hlsl.c_str();
-    const char* const name = file.c_str();
+    const char* const name = k_TokenFile;
     const int size = static_cast<int>(hlsl.size());
     glslang::TShader shader(GlslangStage(stage));
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
@@ -257,7 +225,7 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     program.addShader(&shader);
     if (!program.link(k_GlslangMessages) || !program.mapIO())
     {
-        ThrowUnlinked(program.getInfoLog(), file, hlsl);
+        ThrowLog(program.getInfoLog(), file, "linking");
     }
     std::vector<std::uint32_t> spirv = Generate(program, stage, false);
     if (halfIs16Bit)

@@ -123,6 +123,11 @@ bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
     return isOutput ? contains(k_FragmentOutputs) : contains(k_FragmentInputs);
 }
 
+[[noreturn]] void Fail(const HlslVariable& variable, const std::string& message)
+{
+    throw StageInterfaceError{"'" + std::string(variable.name) + message, variable.token};
+}
+
 class InterfaceReader
 {
 public:
@@ -172,9 +177,8 @@ public:
             constexpr std::size_t k_MaximumValues = 256;
             if (m_Depth == k_MaximumNesting || values.size() > k_MaximumValues)
             {
-                throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
-                                          std::string(variable.type) +
-                                          "' holds too much to cross the border of a stage"};
+                Fail(variable, "': type '" + std::string(variable.type) +
+                                   "' holds too much to cross the border of a stage");
             }
             ++m_Depth;
             for (const HlslVariable& member : type->members)
@@ -187,15 +191,12 @@ public:
         const auto type = ReadBuiltInType(typeName);
         if (!type)
         {
-            throw StageInterfaceError{"'" + std::string(variable.name) + "': type '" +
-                                      std::string(variable.type) +
-                                      "' cannot cross the border of a stage"};
+            Fail(variable,
+                 "': type '" + std::string(variable.type) + "' cannot cross the border of a stage");
         }
         if (variable.semantic.empty())
         {
-            throw StageInterfaceError{
-                "'" + std::string(variable.name) +
-                "' has no semantic; write one behind it, as in ': TEXCOORD0'"};
+            Fail(variable, "' has no semantic; write one behind it, as in ': TEXCOORD0'");
         }
         ExpandElements(variable, *type, expression, isOutput, values);
     }
@@ -233,9 +234,8 @@ private:
                                  primitive.vertices;
         if (!isRight)
         {
-            throw StageInterfaceError{"'" + std::string(parameter.name) + "': '" +
-                                      std::string(primitive.name) + "' needs an array of " +
-                                      std::to_string(primitive.vertices)};
+            Fail(parameter, "': '" + std::string(primitive.name) + "' needs an array of " +
+                                std::to_string(primitive.vertices));
         }
     }
 
@@ -280,9 +280,8 @@ private:
         const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
         if (!value.isSystemValue && !isFree)
         {
-            throw StageInterfaceError{"'" + std::string(variable.name) + "': semantic '" +
-                                      std::string(variable.semantic) +
-                                      "' is not possible at this place"};
+            Fail(variable, "': semantic '" + std::string(variable.semantic) +
+                               "' is not possible at this place");
         }
     }
 
@@ -292,9 +291,8 @@ private:
         const std::int64_t size = EvaluateInteger(variable.dimensions[0], m_Declarations.constants);
         if (variable.dimensions.size() > 1 || size < 1 || size > k_MostVaryings)
         {
-            throw StageInterfaceError{"'" + std::string(variable.name) +
-                                      "': an array between stages needs one size, a number from 1 "
-                                      "to 32"};
+            Fail(variable, "': an array between stages needs one size, a number from 1 "
+                           "to 32");
         }
         return static_cast<int>(size);
     }

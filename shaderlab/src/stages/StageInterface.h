@@ -53,6 +53,7 @@ struct StageInterface
 struct StageInterfaceError
 {
     std::string message;
+    std::size_t token = 0; ///< of the parameter or member that it is about; 0 = the function
 };
 
 /// Takes the signature of an entry function apart. Old semantics get their modern names here:

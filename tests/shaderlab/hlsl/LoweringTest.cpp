@@ -78,6 +78,10 @@ TEST(Lowering, CutsArgumentsThatAreLargerThanTheParameter)
               "float f(float3 v, float4x4 m) { return g((float)(v), (float3x3)(m)); }",
               Lowered("float g(float a, float3x3 m) { return a; } "
                       "float f(float3 v, float4x4 m) { return g(v, m); }"));
+    EXPECT_EQ("float g(float a, float b = 2) { return a + b; } "
+              "float f(float3 v) { return g((float)(v)); }",
+              Lowered("float g(float a, float b = 2) { return a + b; } "
+                      "float f(float3 v) { return g(v); }"));
     // Of two overloads the one that needs no cut is meant.
     const std::string text = "float g(float a) { return a; } float g(float3 a) { return a.x; } "
                              "float f(float3 v) { return g(v); }";

@@ -240,7 +240,7 @@ float4 frag(g2f i, float2 uv : TEXCOORD3) : SV_Target { return uv.x; })"));
 TEST(GeometryStage, IsToldWhatItsSignatureLacks)
 {
     const std::string needs =
-        "t.shader:6: error: geom: a geometry function needs [maxvertexcount(N)] before it, an "
+        "t.shader:6:25: error: geom: a geometry function needs [maxvertexcount(N)] before it, an "
         "array of vertices as in 'triangle v2g input[3]', and a stream as in 'inout "
         "TriangleStream<g2f> stream'";
     EXPECT_THAT(test::CompileMessages(GeometryProgram(

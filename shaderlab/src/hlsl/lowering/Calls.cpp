@@ -18,7 +18,7 @@ void HlslLowering::LowerCall(HlslNode& node)
     functions = functions.empty() && !isMethod ? m_Globals.FindMethods(name) : functions;
     if (functions.empty())
     {
-        if ((name == "any" || name == "all") && first)
+        if (!isMethod && (name == "any" || name == "all") && first)
         {
             LowerTruth(node);
         }

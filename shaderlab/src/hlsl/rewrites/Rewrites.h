@@ -4,6 +4,7 @@
 #include <limn/shaderlab/PassProgram.h>
 
 #include "hlsl/Editor.h"
+#include "hlsl/SourceLines.h"
 
 #include <set>
 #include <string>
@@ -21,7 +22,7 @@ namespace limn
 /// stay where they are.
 ///
 /// @throws AssetError  where the text is nested too deeply
-std::string RespellForGlslang(std::string text, const PassProgram& program,
+std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings);
 
 /// Preprocessed HLSL in which enumerators are integer constants and the types of `enum`s int, which

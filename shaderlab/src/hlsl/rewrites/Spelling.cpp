@@ -195,10 +195,10 @@ private:
 
 } // namespace
 
-std::string RespellForGlslang(std::string text, const PassProgram& program,
+std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings)
 {
-    auto code = std::make_unique<HlslEditor>(text);
+    auto code = std::make_unique<HlslEditor>(text, &lines);
     RequireShallow(code->tokens());
     std::string rewritten = SpellEnums(text);
     rewritten = CopyBaseMembers(std::move(rewritten));
@@ -208,7 +208,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program,
     if (rewritten != text) // as hardly ever
     {
         text = std::move(rewritten);
-        code = std::make_unique<HlslEditor>(text);
+        code = std::make_unique<HlslEditor>(text, &lines);
     }
     TakeOldForms(*code, warnings);
     Speller(*code).Spell();

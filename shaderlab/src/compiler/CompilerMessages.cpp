@@ -1,0 +1,117 @@
+#include "compiler/CompilerMessages.h"
+
+#include "hlsl/Editor.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace limn
+{
+
+namespace
+{
+
+class MessagePlacer
+{
+public:
+    MessagePlacer(const HlslSource& source, const RewrittenHlsl& hlsl)
+        : m_Source(source), m_Hlsl(hlsl)
+    {
+    }
+
+    std::vector<Diagnostic> Place(const std::vector<Diagnostic>& messages)
+    {
+        std::vector<Diagnostic> placed;
+        for (Diagnostic message : messages)
+        {
+            const std::optional<std::size_t> token = TokenOf(message);
+            if (token && !PlaceAt(*token, message))
+            {
+                continue;
+            }
+            placed.push_back(std::move(message));
+        }
+        return placed;
+    }
+
+private:
+    struct PlacedError
+    {
+        std::size_t token = 0;
+        HlslPlace place;
+    };
+
+    /// Of what linking says, which knows no places but may begin with the name of a function, the
+    /// function's.
+    std::optional<std::size_t> TokenOf(const Diagnostic& message) const
+    {
+        const auto line = static_cast<std::size_t>(message.location.line);
+        if (message.file == k_TokenFile && line > 0 && line <= m_Source.tokens.size())
+        {
+            return line - 1;
+        }
+        const std::string_view text = message.message;
+        const HlslFunction* function =
+            line == 0 && text.starts_with("'")
+                ? m_Source.declarations.FindDefinition(text.substr(1, text.find('\'', 1) - 1))
+                : nullptr;
+        return function ? std::optional(function->token) : std::nullopt;
+    }
+
+    /// False for what is said only because of an error before.
+    bool PlaceAt(std::size_t token, Diagnostic& message)
+    {
+        const HlslNode* node = NodeOf(token);
+        const bool isValue =
+            node && node->kind == HlslNodeKind::Declarator && message.message.starts_with("'=': ");
+        const HlslPlace place = m_Source.tokens.Place(isValue ? node->child->first - 1 : token);
+        message.file = place.file;
+        message.location = place.location;
+        if (message.severity != Severity::Error)
+        {
+            return true;
+        }
+        if (isConsequence(node, place))
+        {
+            return false;
+        }
+        m_Errors.push_back({token, place});
+        return true;
+    }
+
+    /// Whether an error before is in an operand of the node; where no expression is known, in the
+    /// line.
+    bool isConsequence(const HlslNode* node, const HlslPlace& place) const
+    {
+        return std::any_of(m_Errors.begin(), m_Errors.end(),
+                           [&](const PlacedError& error)
+                           {
+                               return node ? error.token >= node->first && error.token < node->end
+                                           : error.place.file == place.file &&
+                                                 error.place.location.line == place.location.line;
+                           });
+    }
+
+    /// That has operands; null where there is none.
+    const HlslNode* NodeOf(std::size_t token) const
+    {
+        const auto node = std::find_if(m_Hlsl.nodes.begin(), m_Hlsl.nodes.end(),
+                                       [&](const HlslNode& known)
+                                       { return known.token == token && known.child; });
+        return node == m_Hlsl.nodes.end() ? nullptr : &*node;
+    }
+
+    const HlslSource& m_Source;
+    const RewrittenHlsl& m_Hlsl;
+    std::vector<PlacedError> m_Errors;
+};
+
+} // namespace
+
+std::vector<Diagnostic> PlaceMessages(const std::vector<Diagnostic>& messages,
+                                      const HlslSource& source, const RewrittenHlsl& hlsl)
+{
+    return MessagePlacer(source, hlsl).Place(messages);
+}
+
+} // namespace limn

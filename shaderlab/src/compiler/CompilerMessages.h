@@ -1,0 +1,19 @@
+#pragma once
+
+#include <limn/shaderlab/Diagnostic.h>
+
+#include "hlsl/Rewriter.h"
+
+#include <vector>
+
+namespace limn
+{
+
+/// What the compiler says of the rewritten text, at the author's places: its lines are tokens. What
+/// it says only because something else is wrong in the same expression is left out.
+///
+/// @param hlsl  is of the source
+std::vector<Diagnostic> PlaceMessages(const std::vector<Diagnostic>& messages,
+                                      const HlslSource& source, const RewrittenHlsl& hlsl);
+
+} // namespace limn

@@ -1,0 +1,100 @@
+#include "ShaderTestSupport.h"
+
+#include <gmock/gmock.h>
+
+namespace limn
+{
+namespace
+{
+
+using test::CompileMessages;
+using test::Program;
+using testing::ElementsAre;
+
+/// What the compiler says of a program with the third line `line`.
+std::vector<std::string> FragmentMessages(const std::string& line, const std::string& before = "")
+{
+    return CompileMessages(
+        Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n" + before + "\n" +
+                line + "\n"));
+}
+
+/// "t.shader:3:C: error: ", where C is the column of `word` in the line.
+std::string At(const std::string& line, const std::string& word)
+{
+    return "t.shader:3:" + std::to_string(line.find(word) + 1) + ": error: ";
+}
+
+TEST(ErrorPlace, IsTheOneOfEqualWordsThatIsWrong)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float2 a = 1; float3 b = 2; return a.xyxy + b.xyzw; }";
+    EXPECT_THAT(FragmentMessages(line), ElementsAre(testing::StartsWith(At(line, "xyzw"))));
+}
+
+TEST(ErrorPlace, IsToldOfEachMistakeOfALine)
+{
+    const std::string line = "float4 frag() : SV_Target { float4x4 m = float3(1, 2, 3); float3 v = "
+                             "float2(4, 5); return v.q; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(testing::StartsWith(At(line, "= float3") + "'='"),
+                            testing::StartsWith(At(line, "= float2") + "'='"),
+                            testing::StartsWith(At(line, "q;"))));
+}
+
+TEST(ErrorPlace, LeavesOutWhatFollowsFromAnother)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { return float4x4(Nowhere(1).xyz, 1) * 2 + 1; }";
+    EXPECT_THAT(FragmentMessages(line), ElementsAre(testing::StartsWith(At(line, "Nowhere"))));
+}
+
+TEST(ErrorPlace, OfWhatAMacroMakesIsTheMacros)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float a = 1; /* DOUBLE */ a = a + DOUBLE(a); return a; }";
+    EXPECT_THAT(FragmentMessages(line, "#define DOUBLE(x) (x + _Missing)"),
+                ElementsAre(At(line, "DOUBLE(") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, IsThatOfAnArgumentOfAMacro)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float a = 1; return DOUBLE(a) + DOUBLE(_Missing); }";
+    EXPECT_THAT(FragmentMessages(line, "#define DOUBLE(x) ((x) * 2)"),
+                ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, DoesNotCountComments)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { return _Missing; } // _Missing, and more of it";
+    EXPECT_THAT(FragmentMessages(line, "/* _Missing"
+                                       "   _Missing */"),
+                ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, OfAParameterIsItsName)
+{
+    const std::string line =
+        "float4 frag(float4 p : SV_Position, float2 uv) : SV_Target { return 1; }";
+    EXPECT_THAT(FragmentMessages(line), ElementsAre(testing::StartsWith(At(line, "uv") + "frag:")));
+}
+
+TEST(ErrorPlace, OfRecursionIsAFunctionInIt)
+{
+    const std::string line = "float F(float a) { return a > 0 ? F(a - 1) : 0; } float4 frag() : "
+                             "SV_Target { return F(2); }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "F(float") +
+                            "'F': to the HLSL compiler it calls itself; HLSL has no recursion"));
+}
+
+TEST(ErrorPlace, OfWhatTheGrammarDoesNotKnowIsTheWordThatIsTooMuch)
+{
+    const std::string line = "float4 frag() : SV_Target { float a = 1 2; return a; }";
+    EXPECT_THAT(FragmentMessages(line), ElementsAre(testing::StartsWith(At(line, "2;"))));
+}
+
+} // namespace
+} // namespace limn
