@@ -3,6 +3,7 @@
 #include "hlsl/Types.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace limn
@@ -34,6 +35,17 @@ bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
         return first.isInBuffer;
     }
     return first.buffer.starts_with("limn_") || !second.buffer.starts_with("limn_");
+}
+
+/// `cbuffer name { }` with nothing in it, which glslang does not read.
+void RemoveBuffer(HlslEditor& code, std::size_t close)
+{
+    std::size_t first = code.tokens().MatchingOpen(close);
+    while (first > 0 && code.Text(first) != "cbuffer" && code.Text(first) != "tbuffer")
+    {
+        --first;
+    }
+    code.Erase(first, close + (code.Text(close + 1) == ";" ? 2 : 1));
 }
 
 } // namespace
@@ -86,6 +98,26 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
         }
     }
     return repeats;
+}
+
+void RemoveRepeats(HlslEditor& code, const HlslDeclarations& declarations)
+{
+    std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
+    for (const auto* list : {&declarations.uniforms, &declarations.objects})
+    {
+        for (const HlslVariable& variable : *list)
+        {
+            left[variable.endToken] += variable.isInBuffer ? 1 : 0;
+        }
+    }
+    for (const HlslVariable* variable : FindRepeats(declarations).superfluous)
+    {
+        code.Erase(variable->firstToken, variable->lastToken + 1);
+        if (variable->isInBuffer && --left[variable->endToken] == 0)
+        {
+            RemoveBuffer(code, variable->endToken);
+        }
+    }
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hlsl/Declarations.h"
+#include "hlsl/Editor.h"
 
 #include <vector>
 
@@ -19,5 +20,8 @@ struct HlslRepeats
 
 /// Pointers into `declarations`.
 HlslRepeats FindRepeats(const HlslDeclarations& declarations);
+
+/// Takes out what is superfluous, and buffers that nothing is left of.
+void RemoveRepeats(HlslEditor& code, const HlslDeclarations& declarations);
 
 } // namespace limn

@@ -86,7 +86,7 @@ public:
         TakeStandIns();
         RefuseBoolMatrices();
         RemoveEmptyMembers();
-        RemoveRepeatedDeclarations();
+        RemoveRepeats(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
         CopyAssignedUniforms();
         FindDelayedStatics();
@@ -218,37 +218,6 @@ public:
         {
             m_Code.Spelling(token).clear();
         }
-    }
-
-    void RemoveRepeatedDeclarations()
-    {
-        std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
-        for (const auto* list : {&m_Source.declarations.uniforms, &m_Source.declarations.objects})
-        {
-            for (const HlslVariable& variable : *list)
-            {
-                left[variable.endToken] += variable.isInBuffer ? 1 : 0;
-            }
-        }
-        for (const HlslVariable* variable : FindRepeats(m_Source.declarations).superfluous)
-        {
-            m_Code.Erase(variable->firstToken, variable->lastToken + 1);
-            if (variable->isInBuffer && --left[variable->endToken] == 0)
-            {
-                RemoveBuffer(variable->endToken);
-            }
-        }
-    }
-
-    /// `cbuffer name { }` with nothing in it, which glslang does not read.
-    void RemoveBuffer(std::size_t close)
-    {
-        std::size_t first = m_Tokens.MatchingOpen(close);
-        while (first > 0 && m_Tokens.Text(first) != "cbuffer" && m_Tokens.Text(first) != "tbuffer")
-        {
-            --first;
-        }
-        m_Code.Erase(first, close + (m_Tokens.Text(close + 1) == ";" ? 2 : 1));
     }
 
     /// Textures and the like are no members of a buffer to glslang, though HLSL lets them stand

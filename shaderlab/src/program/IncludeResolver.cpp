@@ -6,6 +6,7 @@
 #include <limn/shaderlab/ReadFile.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace limn
 {
@@ -20,14 +21,17 @@ namespace
 
 const EmbeddedFile* FindEmbedded(std::string_view path)
 {
-    for (const EmbeddedFile& file : embedded::ShaderLibrary())
+    static const auto s_Files = []
     {
-        if (EqualsIgnoringCase(file.path, path))
+        std::unordered_map<std::string, const EmbeddedFile*> files;
+        for (const EmbeddedFile& file : embedded::ShaderLibrary())
         {
-            return &file;
+            files[ToLower(file.path)] = &file;
         }
-    }
-    return nullptr;
+        return files;
+    }();
+    const auto found = s_Files.find(ToLower(path));
+    return found == s_Files.end() ? nullptr : found->second;
 }
 
 /// Whether the built-in library has files below the folder.

@@ -117,7 +117,7 @@ TEST(HlslOldForms, MakesUniformParametersOfEntryFunctionsUniforms)
         float4 frag(uniform float4 shift, uniform sampler2D tex : TEXUNIT0, float4 p : VPOS,
                     uniform float2 scale[2]) : SV_Target
         {
-            return tex2D(tex, p.xy * scale[1]) * Twice(shift.x);
+            return tex2D(tex, p.xy * scale[1]) * (Twice(shift.x) + Twice(2)); // of an integer too
         })");
     EXPECT_EQ(Member(*pass, "shift").components, 4);
     EXPECT_EQ(Member(*pass, "scale").arraySize, 2);

@@ -1,75 +1,13 @@
-#include "ShaderTestSupport.h"
+#include "CorpusSupport.h"
 
-#include <limn/shaderlab/MissingIncludeError.h>
-#include <limn/shaderlab/UnsupportedProgramError.h>
-
-#include <limn/shaderlab/InitialKeywords.h>
-
-#include <cstdlib>
-#include <iostream>
-
-namespace limn
+namespace limn::test
 {
 namespace
 {
 
 std::string CorpusFolder()
 {
-    const char* variable = std::getenv("LIMN_CORPUS_DIR");
-    return variable ? variable : "";
-}
-
-struct Count
-{
-    int good = 0;
-    int all = 0;
-};
-
-std::ostream& operator<<(std::ostream& stream, const Count& count)
-{
-    return stream << count.good << " of " << count.all;
-}
-
-struct PassCounts
-{
-    Count tried;
-    int refused = 0;        ///< with a reason
-    int missingInclude = 0; ///< of a file that is not in the collection
-};
-
-void CompilePasses(ShaderCompiler& compiler, const ShaderLabDocument& document, PassCounts& passes)
-{
-    const std::vector<std::string> initial = InitialKeywords(document);
-    for (const ShaderLabSubShader& subShader : document.subShaders)
-    {
-        for (const ShaderLabPass& pass : subShader.passes)
-        {
-            if (!pass.program)
-            {
-                continue;
-            }
-            try
-            {
-                const PassProgram program = compiler.ReadPragmas(*pass.program);
-                compiler.Compile(program, SelectVariant(program, initial));
-                ++passes.tried.good;
-                ++passes.tried.all;
-            }
-            catch (const UnsupportedProgramError&)
-            {
-                ++passes.refused;
-            }
-            catch (const MissingIncludeError&)
-            {
-                ++passes.missingInclude;
-            }
-            catch (const AssetError& error)
-            {
-                ++passes.tried.all;
-                std::cout << error.what() << "\n";
-            }
-        }
-    }
+    return FolderOf("LIMN_CORPUS_DIR");
 }
 
 /// Parses and compiles every shader of a folder. A file may fail, but only with diagnostics.
@@ -118,4 +56,4 @@ const bool k_Registered = []
 }();
 
 } // namespace
-} // namespace limn
+} // namespace limn::test

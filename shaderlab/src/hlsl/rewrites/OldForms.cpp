@@ -73,6 +73,10 @@ private:
                 m_Code.Spelling(index + 1) = "uint";
             }
         }
+        else if (word == "uniform" && m_Depth > 0)
+        {
+            m_Code.Spelling(index).clear(); // of a parameter: glslang's values then have no type
+        }
         else if (word == "row_major" && (m_Depth == 0 || (m_isInConstants && m_Depth == 1)))
         {
             m_Code.Spelling(index).clear();
