@@ -11,12 +11,18 @@ namespace limn
 namespace
 {
 
+constexpr std::string_view k_Constructor = "'constructor'";
+
 class MessagePlacer
 {
 public:
     MessagePlacer(const HlslSource& source, const RewrittenHlsl& hlsl)
         : m_Source(source), m_Hlsl(hlsl)
     {
+        for (const std::size_t token : hlsl.undeclared.types)
+        {
+            m_Errors.push_back({token, source.tokens.Place(token)});
+        }
     }
 
     std::vector<Diagnostic> Place(const std::vector<Diagnostic>& messages)
@@ -61,7 +67,17 @@ private:
     /// False for what is said only because of an error before.
     bool PlaceAt(std::size_t token, Diagnostic& message)
     {
-        const HlslNode* node = NodeOf(token);
+        const bool isGrammar = message.message.ends_with(" expected");
+        const HlslNode* node = isGrammar ? nullptr : NodeOf(token);
+        const HlslNode* construct =
+            message.message.starts_with(k_Constructor) ? ConstructOf(token) : nullptr;
+        if (construct)
+        {
+            node = construct;
+            token = construct->first;
+            message.message.replace(0, k_Constructor.size(),
+                                    "'" + std::string(m_Source.tokens.Text(token)) + "'");
+        }
         const bool isValue =
             node && node->kind == HlslNodeKind::Declarator && message.message.starts_with("'=': ");
         const HlslPlace place = m_Source.tokens.Place(isValue ? node->child->first - 1 : token);
@@ -90,6 +106,20 @@ private:
                                            : error.place.file == place.file &&
                                                  error.place.location.line == place.location.line;
                            });
+    }
+
+    /// The innermost one around the token, or before it: such are told of where they end.
+    const HlslNode* ConstructOf(std::size_t token) const
+    {
+        const HlslNode* innermost = nullptr;
+        for (const HlslNode& node : m_Hlsl.nodes)
+        {
+            const bool isAround =
+                node.kind == HlslNodeKind::Construct && node.first <= token && token <= node.end;
+            innermost =
+                isAround && (!innermost || node.first > innermost->first) ? &node : innermost;
+        }
+        return innermost;
     }
 
     /// That has operands; null where there is none.

@@ -218,12 +218,18 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
 
 /// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
 /// signature of the author's.
-///
 void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& found,
                     const PassProgram& program, const EntryPoint& entry)
 {
+    const bool hasOther = std::ranges::any_of(
+        found, [](const Diagnostic& diagnostic)
+        { return diagnostic.severity == Severity::Error && diagnostic.file != k_EntryFile; });
     for (Diagnostic diagnostic : found)
     {
+        if (diagnostic.file == k_EntryFile && hasOther)
+        {
+            continue; // the entry function is wrong only because of it
+        }
         if (diagnostic.file == k_EntryFile)
         {
             diagnostic.file = program.file;
@@ -259,8 +265,8 @@ std::vector<std::uint32_t> BuildRewritten(const Sources& sources, const HlslSour
     catch (const AssetError& error)
     {
         std::vector<Diagnostic> found = PlaceMessages(error.diagnostics(), source, hlsl);
-        // The compiler stops at the first name that it does not know.
-        found.insert(found.end(), hlsl.undeclared.begin(), hlsl.undeclared.end());
+        const auto undeclared = hlsl.undeclared.Describe(source.tokens, source.declarations);
+        found.insert(found.end(), undeclared.begin(), undeclared.end());
         AddDiagnostics(errors, found, program, EntryOf(program, stage));
     }
     for (Diagnostic& warning : PlaceMessages(said, source, hlsl))

@@ -15,11 +15,55 @@ namespace limn
 namespace
 {
 
-Diagnostic ErrorAt(const HlslSource& source, std::size_t token, const std::string& message)
+Diagnostic ErrorAt(const HlslTokens& tokens, std::size_t token, const std::string& message)
 {
-    const std::string_view text = source.tokens.Text(token);
-    const HlslPlace place = source.tokens.Place(token);
-    return {Severity::Error, place.file, place.location, "'" + std::string(text) + "': " + message};
+    const HlslPlace place = tokens.Place(token);
+    return {Severity::Error, place.file, place.location,
+            "'" + std::string(tokens.Text(token)) + "': " + message};
+}
+
+char ClosingOf(std::string_view open)
+{
+    return open == "(" ? ')' : open == "[" ? ']' : '}';
+}
+
+/// @throws AssetError  at the first bracket that has no other
+void RequirePairs(const HlslTokens& tokens)
+{
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+    {
+        const int step = tokens.Step(i);
+        if (step > 0)
+        {
+            open.push_back(i);
+        }
+        if (step >= 0)
+        {
+            continue;
+        }
+        if (open.empty())
+        {
+            throw AssetError({ErrorAt(tokens, i, "no bracket is open here that it closes")});
+        }
+        const char closing = ClosingOf(tokens.Text(open.back()));
+        if (tokens.Text(i)[0] != closing)
+        {
+            const HlslPlace place = tokens.Place(i);
+            throw AssetError(
+                {ErrorAt(tokens, open.back(),
+                         std::string("a '") + closing + "' is missing for it before the '" +
+                             std::string(tokens.Text(i)) + "' of line " +
+                             std::to_string(place.location.line))});
+        }
+        open.pop_back();
+    }
+    if (!open.empty())
+    {
+        throw AssetError({ErrorAt(tokens, open.front(),
+                                  std::string("a '") + ClosingOf(tokens.Text(open.front())) +
+                                      "' is missing for it")});
+    }
 }
 
 /// `f().method(`, as token indices of the method's name.
@@ -47,6 +91,32 @@ std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
         }
     }
     return found;
+}
+
+/// What in an expression is known when the program runs only; null where nothing is.
+const HlslNode* FindVariable(const HlslNode& node, const HlslTokens& tokens,
+                             const HlslGlobals& globals)
+{
+    const bool isName = node.kind == HlslNodeKind::Name;
+    const bool isConstant =
+        node.local ? node.local->parent &&
+                         tokens.Span(node.local->parent->first, node.local->token).find("const") !=
+                             std::string_view::npos
+                   : node.variable && node.variable->Has("const");
+    const bool isCall =
+        node.kind == HlslNodeKind::Call && !globals.FindFunctions(tokens.Text(node.token)).empty();
+    if ((isName && !isConstant && (node.local || node.variable)) || isCall)
+    {
+        return &node;
+    }
+    for (const HlslNode* child = node.child; child; child = child->next)
+    {
+        if (const HlslNode* found = FindVariable(*child, tokens, globals))
+        {
+            return found;
+        }
+    }
+    return nullptr;
 }
 
 constexpr std::size_t k_DeepestBrackets = 500;
@@ -303,18 +373,59 @@ std::string DescribeDeepMacros()
     return DescribeDepth(std::to_string(k_DeepestBrackets) + " brackets");
 }
 
-void RequireSound(const HlslSource& source)
+void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     std::vector<Diagnostic> diagnostics;
+    for (const HlslNode& node : nodes)
+    {
+        if (node.kind != HlslNodeKind::Label)
+        {
+            continue;
+        }
+        const HlslNode* parent = node.parent;
+        while (parent && parent->kind != HlslNodeKind::Switch)
+        {
+            parent = parent->parent;
+        }
+        if (!parent)
+        {
+            diagnostics.push_back(ErrorAt(tokens, node.token, "it stands outside of a switch"));
+        }
+        else if (const HlslNode* variable =
+                     node.child ? FindVariable(*node.child, tokens, globals) : nullptr)
+        {
+            diagnostics.push_back(ErrorAt(tokens, variable->token,
+                                          "no constant, which the value of a case has to be"));
+        }
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
+Diagnostic MissingSemicolon(const HlslTokens& tokens, std::size_t token)
+{
+    return ErrorAt(tokens, token, "a ';' is missing before it");
+}
+
+void RequireSound(const HlslSource& source)
+{
+    RequirePairs(source.tokens);
+    std::vector<Diagnostic> diagnostics;
+    for (const std::size_t token : source.declarations.unended)
+    {
+        diagnostics.push_back(MissingSemicolon(source.tokens, token));
+    }
     for (const std::size_t token : source.declarations.templates)
     {
-        diagnostics.push_back(ErrorAt(source, token,
+        diagnostics.push_back(ErrorAt(source.tokens, token,
                                       "limn reads no templates of HLSL 2021; write the function or "
                                       "struct once for each type"));
     }
     for (const std::size_t token : source.declarations.unknownMacros)
     {
-        diagnostics.push_back(ErrorAt(source, token,
+        diagnostics.push_back(ErrorAt(source.tokens, token,
                                       "unknown macro; a declaration is expected here, so define it "
                                       "or include the file that does"));
     }
@@ -324,12 +435,12 @@ void RequireSound(const HlslSource& source)
     }
     for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
     {
-        diagnostics.push_back(
-            ErrorAt(source, variable->token, "redefinition; something else has this name already"));
+        diagnostics.push_back(ErrorAt(source.tokens, variable->token,
+                                      "redefinition; something else has this name already"));
     }
     for (const std::size_t token : MethodsOfResults(source))
     {
-        diagnostics.push_back(ErrorAt(source, token,
+        diagnostics.push_back(ErrorAt(source.tokens, token,
                                       "a method of what a function returns cannot be called; keep "
                                       "the result in a variable first"));
     }

@@ -28,4 +28,13 @@ std::string DescribeDeepMacros();
 /// @throws AssetError with all of them
 void RequireSound(const HlslSource& source);
 
+/// Labels stand in a switch and are constants; glslang crashes on others.
+///
+/// @param nodes  resolved
+/// @throws AssetError  at those that are wrong
+void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals);
+
+/// "'word': a ';' is missing before it", there.
+Diagnostic MissingSemicolon(const HlslTokens& tokens, std::size_t token);
+
 } // namespace limn

@@ -301,6 +301,10 @@ private:
                 result[i].lastToken = result.size() == known + 1 ? m_Index - 1 : 0;
             }
         }
+        else if (Text() == "}" && !isEnd())
+        {
+            m_Result.unended.push_back(m_Index);
+        }
         else if (m_Index == start)
         {
             ++m_Index; // nothing was understood; do not stand still

@@ -75,6 +75,7 @@ struct HlslDeclarations
     /// Tokens: each name before brackets where a declaration should be, which is a macro unknown.
     std::vector<std::size_t> unknownMacros;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
+    std::vector<std::size_t> unended;      ///< tokens: each `}` before which a `;` is missing
     std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
     std::vector<std::size_t> templates;    ///< tokens: each `template`

@@ -2,6 +2,7 @@
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "hlsl/Checks.h"
 #include "hlsl/Editor.h"
 #include "hlsl/Reach.h"
 #include "hlsl/Repeats.h"
@@ -96,25 +97,15 @@ public:
 
     RewrittenHlsl Finish(const std::string& entry)
     {
-        RewrittenHlsl result{
-            m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, {}, {}};
-        std::map<std::size_t, std::string_view> unknown; // in the order of the text
         for (const Tree& tree : m_Trees)
         {
             for (const HlslResolver::Unknown& name : tree.resolver->unknown())
             {
-                unknown[name.token] = name.problem;
+                m_Undeclared.names[name.token] = name.problem;
             }
         }
-        for (const auto& [token, problem] : unknown)
-        {
-            const HlslPlace place = m_Tokens.Place(token);
-            result.undeclared.push_back(
-                {Severity::Error, place.file, place.location,
-                 "'" + std::string(m_Tokens.Text(token)) + "': " + std::string(problem)});
-        }
-        result.nodes = std::move(m_Nodes);
-        return result;
+        return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_Undeclared,
+                std::move(m_Nodes)};
     }
 
     /// glslang crashes on them.
@@ -351,6 +342,8 @@ private:
             }
         }
         RequireEnds(parser.unended());
+        RequireLabels(m_Nodes, m_Tokens, m_Source.globals);
+        m_Undeclared.types = parser.unknownTypes();
     }
 
     void RequireEnds(const std::vector<std::size_t>& unended) const
@@ -358,10 +351,7 @@ private:
         std::vector<Diagnostic> diagnostics;
         for (const std::size_t token : unended)
         {
-            const HlslPlace place = m_Tokens.Place(token);
-            diagnostics.push_back(
-                {Severity::Error, place.file, place.location,
-                 "'" + std::string(m_Tokens.Text(token)) + "': a ';' is missing before it"});
+            diagnostics.push_back(MissingSemicolon(m_Tokens, token));
         }
         if (!diagnostics.empty())
         {
@@ -426,6 +416,7 @@ private:
     const HlslReach m_Reach;
     HlslNodes m_Nodes;
     std::vector<Tree> m_Trees;
+    HlslUndeclared m_Undeclared;
     std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
     std::string m_Prologue;
     std::vector<std::string> m_StandIns;

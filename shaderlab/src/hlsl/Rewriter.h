@@ -2,6 +2,7 @@
 
 #include "hlsl/Declarations.h"
 #include "hlsl/Resolver.h"
+#include "hlsl/Undeclared.h"
 #include "stages/EntryPointWriter.h"
 
 #include <memory>
@@ -33,8 +34,8 @@ struct RewrittenHlsl
     /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
     /// that name.
     std::vector<std::string> standIns;
-    /// Names that nobody declares: mistakes if the compiler finds any, which stops at the first.
-    std::vector<Diagnostic> undeclared;
+    /// Mistakes if the compiler finds any, which stops at the first name that it does not know.
+    HlslUndeclared undeclared;
     /// The expressions and statements of the source that were rewritten.
     HlslNodes nodes;
 };

@@ -138,7 +138,10 @@ HlslNode* HlslTreeParser::ReadWordStatement(std::size_t first)
     }
     if (word == "struct" || word == "typedef" || word == "class" || word == "enum")
     {
-        return ReadUnknown(first, EndOfStatement());
+        const std::size_t end = EndOfStatement();
+        // `struct Name { … };` or `typedef type Name;`
+        m_TypeNames.insert(word == "typedef" && end > first + 2 ? m_Tokens.Text(end - 2) : Text(1));
+        return ReadUnknown(first, end);
     }
     return isDeclaration() ? ReadDeclaration(first) : ReadSimple(first);
 }
@@ -278,6 +281,11 @@ HlslNode* HlslTreeParser::ReadDeclaration(std::size_t first)
     }
     node->token = static_cast<std::uint32_t>(m_Index);
     HlslType type;
+    const bool isKnown = Text() == "struct" || isTypeName(m_Index) || Text(1) == "::";
+    if (!isKnown)
+    {
+        m_UnknownTypes.push_back(m_Index);
+    }
     m_Index = ReadType(m_Index, type);
     const std::size_t end = EndOfStatement();
     while (m_Index < end)

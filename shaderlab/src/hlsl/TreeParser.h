@@ -26,6 +26,9 @@ public:
     /// missing. glslang reads over that.
     const std::vector<std::size_t>& unended() const { return m_Unended; }
 
+    /// Tokens of what was read that stand where a type does and are none.
+    const std::vector<std::size_t>& unknownTypes() const { return m_UnknownTypes; }
+
     /// An expression or { list } from one token to the one before `end`.
     HlslNode* ParseValue(std::size_t first, std::size_t end);
 
@@ -74,8 +77,9 @@ private:
     const HlslTokens& m_Tokens;
     const HlslDeclarations& m_Declarations;
     HlslNodes& m_Nodes;
-    std::unordered_set<std::string_view> m_TypeNames; ///< of the author
+    std::unordered_set<std::string_view> m_TypeNames; ///< of the author, local ones as well
     std::vector<std::size_t> m_Unended;
+    std::vector<std::size_t> m_UnknownTypes;
     std::size_t m_Index = 0;
     std::size_t m_End = 0;
 };

@@ -93,7 +93,8 @@ std::string CleanMessage(std::string_view message)
     {
         return std::string(message);
     }
-    const std::string_view token = message.substr(1, separator - 1);
+    std::string_view token = message.substr(1, separator - 1);
+    Consume(token, "__BI_"); // methods of textures
     std::string_view reason = Trim(message.substr(separator + 4));
     if (Consume(reason, "Expected"))
     {
@@ -125,23 +126,6 @@ bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& 
                        });
 }
 
-/// Reads "name(12): error at column 3, HLSL parsing failed.", glslang's last word where its grammar
-/// gives up, at times its only one.
-std::optional<Place> ReadGivingUp(std::string_view log)
-{
-    const std::size_t end = log.find("): error at column ");
-    const std::size_t open = end == log.npos ? end : log.rfind('(', end);
-    if (open == log.npos)
-    {
-        return std::nullopt;
-    }
-    const std::size_t start = log.rfind('\n', open);
-    Place place;
-    place.file = std::string(log.substr(start == log.npos ? 0 : start + 1, open - start - 1));
-    std::from_chars(log.data() + open + 1, log.data() + end, place.line);
-    return place;
-}
-
 /// Of the line behind "Recursion detected:", "    f(f1; calling g(f1;".
 std::string DescribeRecursion(std::string_view line)
 {
@@ -164,7 +148,6 @@ std::string DescribeRecursion(std::string_view line)
 
 std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile)
 {
-    const auto givingUp = ReadGivingUp(log);
     std::vector<Diagnostic> diagnostics;
     while (!log.empty())
     {
@@ -190,16 +173,6 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
         {
             diagnostics.push_back(std::move(diagnostic));
         }
-    }
-    const bool hasError = std::any_of(diagnostics.begin(), diagnostics.end(),
-                                      [](const Diagnostic& diagnostic)
-                                      { return diagnostic.severity == Severity::Error; });
-    if (!hasError && givingUp)
-    {
-        diagnostics.push_back({Severity::Error,
-                               givingUp->file,
-                               {givingUp->line, 0},
-                               "HLSL: a declaration or statement cannot be understood here"});
     }
     return diagnostics;
 }

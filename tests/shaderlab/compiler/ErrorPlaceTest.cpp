@@ -96,5 +96,76 @@ TEST(ErrorPlace, OfWhatTheGrammarDoesNotKnowIsTheWordThatIsTooMuch)
     EXPECT_THAT(FragmentMessages(line), ElementsAre(testing::StartsWith(At(line, "2;"))));
 }
 
+TEST(ErrorPlace, OfABracketWithoutAnotherIsTheBracket)
+{
+    std::string line = "float4 frag() : SV_Target { float a = (1 + 2; return a; }";
+    EXPECT_THAT(
+        FragmentMessages(line),
+        ElementsAre(At(line, "(1") + "'(': a ')' is missing for it before the '}' of line 3"));
+    line = "float4 frag() : SV_Target { if (true) { return 1; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "{") + "'{': a '}' is missing for it"));
+    line = "float4 frag() : SV_Target { return 1; }]";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "]") + "']': no bracket is open here that it closes"));
+}
+
+TEST(ErrorPlace, OfAMemberWithoutItsSemicolonIsBehindIt)
+{
+    std::string line = "struct S { float a }; float4 frag() : SV_Target { return 1; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "};") + "'}': a ';' is missing before it"));
+    line = "cbuffer S { float a; float b } float4 frag() : SV_Target { return 1; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "} float4") + "'}': a ';' is missing before it"));
+}
+
+TEST(ErrorPlace, OfAMisspeltTypeIsTheType)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { flaot a = 1; Structure s; return a + _Missing; }";
+    EXPECT_THAT(
+        FragmentMessages(line, "struct Structura { float a; };"),
+        ElementsAre(At(line, "flaot") + "'flaot': unknown type; did you mean 'float'?",
+                    At(line, "Structure") + "'Structure': unknown type; did you mean 'Structura'?",
+                    At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, TakesTypesOfAFunctionForTypes)
+{
+    EXPECT_THAT(FragmentMessages("float4 frag() : SV_Target { struct L { float a; }; typedef L K; "
+                                 "K k; L l; l.a = 1; k.a = l.a; return k.a + _Missing; }"),
+                ElementsAre(testing::HasSubstr("'_Missing': unknown variable")));
+}
+
+TEST(ErrorPlace, OfALabelIsTheLabelOrWhatIsNoConstantInIt)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { int k = 1; const int c = 2; default: switch (k) { case k: "
+        "case c: case F() + 1: case _Uniform: case d: return 1; } return 1; }";
+    const std::string why = "': no constant, which the value of a case has to be";
+    EXPECT_THAT(
+        FragmentMessages(line, "int _Uniform; static const int d = 4; int F() { return 1; }"),
+        ElementsAre(At(line, "default") + "'default': it stands outside of a switch",
+                    At(line, "k: ") + "'k" + why, At(line, "F()") + "'F" + why,
+                    At(line, "_Uniform") + "'_Uniform" + why));
+}
+
+TEST(ErrorPlace, OfAConstructorIsItsType)
+{
+    const std::string line = "float4 frag() : SV_Target { return float4(float2(1, 2), 3); }";
+    EXPECT_THAT(
+        FragmentMessages(line),
+        ElementsAre(At(line, "float4(") + "'float4': not enough data provided for construction"));
+}
+
+TEST(ErrorPlace, NamesMethodsOfTexturesAsTheAuthorDoes)
+{
+    const std::string line = "Texture2D _T; float4 frag() : SV_Target { return _T.Sampel(1); }";
+    EXPECT_THAT(
+        FragmentMessages(line),
+        ElementsAre(At(line, "Sampel") + "'Sampel': no matching overloaded function found"));
+}
+
 } // namespace
 } // namespace limn

@@ -166,15 +166,6 @@ TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)
         testing::HasSubstr("holds too much to cross the border of a stage"));
 }
 
-TEST(ShaderCompilerError, HasALineWhereTheCompilerGivesUpWithoutAWord)
-{
-    EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position\n"
-                                        "{ return p; }\n"
-                                        "} float4 frag() : SV_Target { return 1; }\n")),
-                ElementsAre("t.shader:3:1: error: HLSL: a declaration or statement cannot be "
-                            "understood here"));
-}
-
 TEST(ShaderCompilerError, RefusesSurfaceShaders)
 {
     PassProgram program = Program("");
