@@ -85,7 +85,7 @@ public:
     void Rewrite()
     {
         TakeStandIns();
-        RefuseBoolMatrices();
+        RefuseMatrices();
         RemoveEmptyMembers();
         RemoveRepeats(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
@@ -108,21 +108,38 @@ public:
                 std::move(m_Nodes)};
     }
 
-    /// glslang crashes on them.
-    void RefuseBoolMatrices() const
+    /// glslang crashes on those of bool, and has none of one row or column.
+    void RefuseMatrices() const
     {
+        std::vector<Diagnostic> diagnostics;
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
             const std::string_view word = m_Tokens.Text(i);
-            if (word.size() == 7 && word.starts_with("bool") && word[5] == 'x' &&
-                !m_Reach.isLeftOut()[i])
+            const bool isTemplate = word == "matrix" && m_Tokens.Text(i + 1) == "<";
+            const bool isMatrix = isTemplate || (word.size() > 5 && word[word.size() - 2] == 'x');
+            if (!isMatrix || m_Reach.isLeftOut()[i])
+            {
+                continue;
+            }
+            const std::size_t close = m_Tokens.FindOutside(i, ">");
+            const HlslType type =
+                TypeOf(m_Source.declarations, word,
+                       isTemplate ? m_Tokens.Span(i + 2, close) : std::string_view());
+            const bool isFlat = type.isMatrix() && (type.rows == 1 || type.columns == 1);
+            if (type.isMatrix() && (isFlat || type.scalar == HlslScalar::Bool))
             {
                 const HlslPlace place = m_Tokens.Place(i);
-                throw AssetError(place.file, place.location,
-                                 "'" + std::string(word) +
-                                     "': limn has no matrices of bool; use 'float" +
-                                     std::string(word.substr(4)) + "'");
+                const std::string other = isFlat ? type.As(type.components()).Spelling()
+                                                 : type.Of(HlslScalar::Float).Spelling();
+                diagnostics.push_back({Severity::Error, place.file, place.location,
+                                       "'" + std::string(word) + "': limn has no matrices of " +
+                                           (isFlat ? "one row or column" : "bool") + "; use '" +
+                                           other + "'"});
             }
+        }
+        if (!diagnostics.empty())
+        {
+            throw AssetError(std::move(diagnostics));
         }
     }
 

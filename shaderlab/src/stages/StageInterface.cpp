@@ -142,8 +142,13 @@ public:
         const std::string argument = ArgumentName(index);
         if (const auto primitive = PrimitiveOf(parameter))
         {
-            RequireOne(result.geometry->primitive, "array of vertices");
-            result.geometry->inputParameter = index;
+            const std::string_view known = result.geometry->primitive;
+            if (!known.empty() && known != primitive->name)
+            {
+                Fail(parameter, "': '" + std::string(primitive->name) + "' after an array of '" +
+                                    std::string(known) +
+                                    "'; a geometry function takes one primitive");
+            }
             result.geometry->primitive = primitive->name;
             result.geometry->inputVertices = primitive->vertices;
             RequireVertices(parameter, *primitive);
@@ -153,7 +158,11 @@ public:
         }
         else if (isStream(parameter.type))
         {
-            RequireOne(result.geometry->stream, "stream");
+            if (!result.geometry->stream.empty())
+            {
+                Fail(parameter,
+                     "': a geometry function with more than one stream is not supported");
+            }
             result.geometry->streamParameter = index;
             result.geometry->stream = parameter.type;
             result.geometry->outputType = parameter.templateArgument;
@@ -216,15 +225,6 @@ private:
             std::find_if(k_Primitives.begin(), k_Primitives.end(),
                          [&](const Primitive& item) { return parameter.Has(item.name); });
         return found == k_Primitives.end() ? std::nullopt : std::optional(*found);
-    }
-
-    static void RequireOne(std::string_view known, const std::string& kind)
-    {
-        if (!known.empty())
-        {
-            throw StageInterfaceError{"a geometry function with more than one " + kind +
-                                      " is not supported"};
-        }
     }
 
     void RequireVertices(const HlslVariable& parameter, const Primitive& primitive) const

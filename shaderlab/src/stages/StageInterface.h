@@ -27,12 +27,12 @@ struct StageValue
     std::string semanticName() const; ///< "TEXCOORD0", "POSITION", "COLOR1"
 };
 
-/// The two parameters of a geometry function that hold vertices.
+/// The parameters of a geometry function that hold vertices: an array, or several of one primitive,
+/// and the stream.
 struct GeometrySignature
 {
-    std::size_t inputParameter = 0; ///< the array
-    std::string_view primitive;     ///< "triangle"
-    int inputVertices = 0;          ///< size of the array
+    std::string_view primitive; ///< "triangle"
+    int inputVertices = 0;      ///< size of the array
     std::size_t streamParameter = 0;
     std::string_view stream;     ///< "TriangleStream"
     std::string_view outputType; ///< of the vertices that the stream takes

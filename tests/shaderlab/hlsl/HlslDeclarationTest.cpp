@@ -157,6 +157,17 @@ TEST(HlslDeclaration, OfAMatrixOfBoolIsAnErrorWhereItIsUsed)
     CompileDeclarations(fill + "float4 frag() : SV_Target { return 1; }");
 }
 
+TEST(HlslDeclaration, OfAMatrixOfOneRowOrColumnIsAnErrorWhereItIsUsed)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_PlainVertex + "float4x1 _Unused; matrix<int, 1, 3> _M;\n"
+                                    "float4 frag() : SV_Target { return _M[0].xyzz; }")),
+                ElementsAre("t.shader:2:1: error: 'float4x1': limn has no matrices of one row or "
+                            "column; use 'float4'",
+                            "t.shader:2:19: error: 'matrix': limn has no matrices of one row or "
+                            "column; use 'int3'"));
+}
+
 TEST(HlslDeclaration, OfClipSpaceFunctionsNeedsNoIncludeInCg)
 {
     const auto pass = test::CompileHlsl(

@@ -258,8 +258,14 @@ TEST(GeometryStage, IsToldWhatItsSignatureLacks)
         test::CompileMessages(GeometryProgram(
             k_Stages + "[maxvertexcount(3)] void geom(point v2g v[1], inout PointStream<g2f> a, "
                        "inout PointStream<g2f> b) { }")),
-        ElementsAre(HasSubstr("geom: a geometry function with more than one stream is not "
+        ElementsAre(HasSubstr("geom: 'b': a geometry function with more than one stream is not "
                               "supported")));
+    EXPECT_THAT(
+        test::CompileMessages(GeometryProgram(
+            k_Stages + "[maxvertexcount(3)] void geom(point v2g v[1], line v2g w[2], "
+                       "inout PointStream<g2f> a) { }")),
+        ElementsAre(HasSubstr("geom: 'w': 'line' after an array of 'point'; a geometry function "
+                              "takes one primitive")));
     EXPECT_THAT(test::CompileMessages(GeometryProgram(k_Stages)),
                 ElementsAre("t.shader:1:5: error: #pragma geometry: there is no function 'geom'"));
 }

@@ -77,6 +77,34 @@ TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
     }
 }
 
+// A vertex's values may come in several arrays: the colours here have one of their own.
+TEST_F(Geometry, TakesTheValuesOfAVertexInSeveralArrays)
+{
+    std::string text = k_Columns;
+    const auto replace = [&](const std::string& from, const std::string& to)
+    {
+        ASSERT_NE(text.find(from), text.npos) << from;
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace("struct v2g { float3 p : TEXCOORD0; };",
+            "struct v2g { float3 p : TEXCOORD0; float3 back : TEXCOORD1; };");
+    replace("o.p = p;", "o.p = 9; o.back = 1 - p;");
+    replace("triangle v2g v[3]",
+            "triangle float3 v[3] : TEXCOORD0, triangle float3 w[3] : TEXCOORD1");
+    replace("float4(v[1].p, 1)", "float4(v[1] - 8 - w[1], 1)");
+    const TargetPtr target = MakeTarget(4, 2);
+    CompiledFrame frame = FrameOf({ClearPass(target)}, target);
+    frame.passes[0].commands.emplace_back(MakeDraw(frame, CompileGeometryPass(text), ColorMesh()));
+    SharedDevice().Execute(frame);
+    const Image image = SharedDevice().ReadBack(*target);
+    const Rgba8 expected[] = {
+        {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
+    for (int i = 0; i < 8; ++i)
+    {
+        EXPECT_EQ(Texel8(image, i % 4, i / 4), expected[i % 4]) << "texel " << i;
+    }
+}
+
 TEST_F(Geometry, MakesLinesOfTriangles)
 {
     const PassPtr pass = CompileGeometryPass(R"(
