@@ -117,6 +117,13 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
                          (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
 }
 
+[[noreturn]] void ThrowInterface(const HlslSource& source, const HlslFunction& function,
+                                 const StageInterfaceError& error)
+{
+    const HlslPlace place = source.tokens.Place(error.token > 0 ? error.token : function.token);
+    throw AssetError(place.file, place.location, std::string(function.name) + ": " + error.message);
+}
+
 StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& function,
                            ShaderStage stage)
 {
@@ -126,9 +133,7 @@ StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& functio
     }
     catch (const StageInterfaceError& error)
     {
-        const HlslPlace place = source.tokens.Place(error.token > 0 ? error.token : function.token);
-        throw AssetError(place.file, place.location,
-                         std::string(function.name) + ": " + error.message);
+        ThrowInterface(source, function, error);
     }
 }
 
@@ -181,7 +186,7 @@ Stages ReadStages(const Sources& sources, std::vector<Diagnostic>& warnings)
     return stages;
 }
 
-StageLinkage Link(const PassProgram& program, const Stages& stages)
+StageLinkage Link(const Stages& stages)
 {
     try
     {
@@ -191,8 +196,9 @@ StageLinkage Link(const PassProgram& program, const Stages& stages)
     }
     catch (const StageInterfaceError& error)
     {
-        throw AssetError(program.file, program.fragment.location,
-                         program.fragment.name + ": " + error.message);
+        const auto stage = std::ranges::find(
+            stages, error.function, [](const Stage& item) { return item.interface.function; });
+        ThrowInterface(*stage->source, *error.function, error);
     }
 }
 
@@ -348,7 +354,7 @@ ShaderProgram Build(const Sources& sources)
         const std::vector<HlslVariable>& declared = stage.source->declarations.objects;
         objects.insert(objects.end(), declared.begin(), declared.end());
     }
-    const StageLinkage linkage = Link(program, stages);
+    const StageLinkage linkage = Link(stages);
     WarnOfUnwritten(program, stages, linkage, pass.diagnostics);
     BuildStages(pass, sources, stages, linkage);
     std::vector<std::string> messages;

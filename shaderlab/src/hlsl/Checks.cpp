@@ -423,6 +423,12 @@ void RequireSound(const HlslSource& source)
                                       "limn reads no templates of HLSL 2021; write the function or "
                                       "struct once for each type"));
     }
+    for (const std::size_t token : source.declarations.interfaces)
+    {
+        diagnostics.push_back(ErrorAt(source.tokens, token,
+                                      "limn has no interfaces of HLSL; write their functions as "
+                                      "methods of the structs that have them"));
+    }
     for (const std::size_t token : source.declarations.unknownMacros)
     {
         diagnostics.push_back(ErrorAt(source.tokens, token,

@@ -87,6 +87,12 @@ private:
             SkipTo("{");
             SkipBalanced();
         }
+        else if (Text() == "interface" && Text(2) == "{")
+        {
+            m_Result.interfaces.push_back(m_Index);
+            SkipTo("{");
+            SkipBalanced();
+        }
         else if (Text() == "struct" && Text(2) == "{")
         {
             ReadStruct();

@@ -79,6 +79,7 @@ struct HlslDeclarations
     std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
     std::vector<std::size_t> templates;    ///< tokens: each `template`
+    std::vector<std::size_t> interfaces;   ///< tokens: each `interface`
 
     /// The type behind a typedef; other names stay as they are.
     ///

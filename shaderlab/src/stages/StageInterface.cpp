@@ -247,6 +247,7 @@ private:
         StageValue value;
         value.semantic = ModernName(semantic.name, semantic.index, m_Stage, isOutput);
         value.index = semantic.index;
+        value.token = variable.token;
         value.isSystemValue = isPipelineValue(value.semantic, m_Stage, isOutput);
         RequireKnown(variable, value, isOutput);
         value.scalar = type.scalar;
@@ -280,8 +281,12 @@ private:
         const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
         if (!value.isSystemValue && !isFree)
         {
+            const bool isColor =
+                value.semantic == "SV_TARGET" && !isOutput && m_Stage == ShaderStage::Fragment;
             Fail(variable, "': semantic '" + std::string(variable.semantic) +
-                               "' is not possible at this place");
+                               (isColor ? "' is for what the function gives back; make the "
+                                          "parameter 'out', or a variable of the function"
+                                        : "' is not possible at this place"));
         }
     }
 

@@ -22,6 +22,7 @@ struct StageValue
     std::string scalar; ///< "float", "int", "uint" or "bool"
     int components = 1;
     std::string interpolation;  ///< modifiers, "" or with a blank at the end
+    std::size_t token = 0;      ///< of its parameter or member; 0 = what the function returns
     bool isSystemValue = false; ///< made or taken by the pipeline: no attribute and no varying
 
     std::string semanticName() const; ///< "TEXCOORD0", "POSITION", "COLOR1"
@@ -54,6 +55,7 @@ struct StageInterfaceError
 {
     std::string message;
     std::size_t token = 0; ///< of the parameter or member that it is about; 0 = the function
+    const HlslFunction* function = nullptr; ///< of LinkStages: whose it is
 };
 
 /// Takes the signature of an entry function apart. Old semantics get their modern names here:

@@ -1,6 +1,7 @@
 #include "stages/StageLinkage.h"
 
 #include <algorithm>
+#include <set>
 
 namespace limn
 {
@@ -22,21 +23,30 @@ UniformType TypeOf(const std::string& scalar)
 }
 
 /// A semantic may be used once per border.
-template <typename T>
-void RequireNew(const std::vector<T>& values, const std::string& semantic)
+class UniqueSemantics
 {
-    const bool isKnown = std::any_of(values.begin(), values.end(),
-                                     [&](const T& value) { return value.semantic == semantic; });
-    if (isKnown)
+public:
+    explicit UniqueSemantics(const StageInterface& interface) : m_Interface(interface) {}
+
+    void Add(const StageValue& value)
     {
-        throw StageInterfaceError{"semantic '" + semantic +
-                                  "' is given to two values; each needs its own"};
+        if (!m_Known.insert(value.semanticName()).second)
+        {
+            throw StageInterfaceError{"semantic '" + value.semanticName() +
+                                          "' is given to two values; each needs its own",
+                                      value.token, m_Interface.function};
+        }
     }
-}
+
+private:
+    const StageInterface& m_Interface;
+    std::set<std::string> m_Known;
+};
 
 void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
 {
     auto next = static_cast<std::uint32_t>(std::size(k_FixedInputs));
+    UniqueSemantics semantics(vertex);
     for (const StageValue& value : vertex.inputs)
     {
         if (value.isSystemValue)
@@ -44,7 +54,7 @@ void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
             continue;
         }
         const std::string semantic = value.semanticName();
-        RequireNew(linkage.vertexInputs, semantic);
+        semantics.Add(value);
         const auto fixed = std::find(std::begin(k_FixedInputs), std::end(k_FixedInputs), semantic);
         const std::uint32_t location =
             fixed == std::end(k_FixedInputs)
@@ -57,11 +67,12 @@ void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
 
 void CollectVaryings(const StageInterface& writer, StageBorder& border)
 {
+    UniqueSemantics semantics(writer);
     for (const StageValue& value : writer.outputs)
     {
         if (!value.isSystemValue)
         {
-            RequireNew(border.varyings, value.semanticName());
+            semantics.Add(value);
             const int location = static_cast<int>(border.varyings.size());
             border.varyings.push_back({value.semanticName(),
                                        value.scalar == "bool" ? "uint" : value.scalar,
@@ -102,8 +113,10 @@ StageBorder LinkBorder(const StageInterface& writer, const StageInterface& reade
 int CountColorOutputs(const StageInterface& fragment)
 {
     int count = 0;
+    UniqueSemantics semantics(fragment);
     for (const StageValue& value : fragment.outputs)
     {
+        semantics.Add(value);
         count = value.semantic == "SV_TARGET" ? std::max(count, value.index + 1) : count;
     }
     return count;

@@ -147,6 +147,16 @@ TEST(HlslDeclaration, OfATemplateIsAnError)
                 ElementsAre("t.shader:3:1: " + message, "t.shader:4:2: " + message));
 }
 
+TEST(HlslDeclaration, OfAnInterfaceIsAnError)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_PlainVertex + "interface I { float F(float x); };\n"
+                                    "class A : I { float F(float x) { return x; } };\n"
+                                    "float4 frag() : SV_Target { A a; return a.F(1); }")),
+                ElementsAre("t.shader:2:1: error: 'interface': limn has no interfaces of HLSL; "
+                            "write their functions as methods of the structs that have them"));
+}
+
 TEST(HlslDeclaration, OfAMatrixOfBoolIsAnErrorWhereItIsUsed)
 {
     const std::string fill = "float Fill(int n) { return ((bool2x2)n)[0].x ? 1 : 0; }\n";
