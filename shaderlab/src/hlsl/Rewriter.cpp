@@ -121,10 +121,10 @@ public:
             {
                 continue;
             }
-            const std::size_t close = m_Tokens.FindOutside(i, ">");
-            const HlslType type =
-                TypeOf(m_Source.declarations, word,
-                       isTemplate ? m_Tokens.Span(i + 2, close) : std::string_view());
+            const std::string_view argument =
+                isTemplate ? m_Tokens.Span(i + 2, m_Tokens.FindOutside(i, ">"))
+                           : std::string_view();
+            const HlslType type = TypeOf(m_Source.declarations, word, argument);
             const bool isFlat = type.isMatrix() && (type.rows == 1 || type.columns == 1);
             if (type.isMatrix() && (isFlat || type.scalar == HlslScalar::Bool))
             {
