@@ -57,13 +57,11 @@ cbuffer AdditionalLights
     float4 limn_AdditionalLightsPosition[MAX_VISIBLE_LIGHTS];
 };
 
-#ifdef _LIGHT_LAYERS
 cbuffer limn_LightLayers
 {
     uint _MainLightLayerMask; // the rendering layers that lights reach
     uint _AdditionalLightsLayerMasks[MAX_VISIBLE_LIGHTS];
 };
-#endif
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityInput.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/UnityInstancing.hlsl"

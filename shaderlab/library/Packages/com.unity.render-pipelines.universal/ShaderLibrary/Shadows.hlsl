@@ -4,6 +4,7 @@
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonTexture.hlsl"
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Shadow/ShadowSamplingTent.hlsl"
 
 #define MAX_SHADOW_CASCADES 4
 #define MAX_PUNCTUAL_LIGHT_SHADOW_SLICES_IN_UBO 64
@@ -347,6 +348,7 @@ float GetMainLightShadowFade(float3 positionWS)
 {
     return limn_ShadowFade(positionWS - _WorldSpaceCameraPos);
 }
+float GetShadowFade(float3 positionWS) { return GetMainLightShadowFade(positionWS); } // until 10
 float ApplyShadowFade(float shadowAttenuation, float3 positionWS)
 {
     return lerp(shadowAttenuation, 1.0, GetMainLightShadowFade(positionWS));

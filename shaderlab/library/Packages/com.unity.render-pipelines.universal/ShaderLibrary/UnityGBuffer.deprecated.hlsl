@@ -1,0 +1,2 @@
+#pragma once
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
