@@ -282,6 +282,71 @@ TEST_F(AdditionalLightsGpu, AreTheBrightestOnesOfEachPanel)
     EXPECT_EQ(CountDifferent(none, m_Run.Color(nullptr)), 0);
 }
 
+/// Draws objects by cmd.DrawMesh or cmd.DrawRenderer, which the camera does not see itself.
+class PanelsByHand final : public ScriptableRendererFeature
+{
+public:
+    PanelsByHand(const Scene& scene, bool asRenderers)
+    {
+        m_Pass.scene = &scene;
+        m_Pass.asRenderers = asRenderers;
+    }
+    void Create() override { m_Pass.renderPassEvent = RenderPassEvent::AfterRenderingOpaques; }
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
+    {
+        renderer.EnqueuePass(m_Pass);
+    }
+
+private:
+    struct Pass final : ScriptableRenderPass
+    {
+        void Execute(ScriptableRenderContext& context, RenderingData&) override
+        {
+            const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+            for (const auto& object : scene->objects())
+            {
+                const std::shared_ptr<const Material> material = object->renderer->sharedMaterial();
+                if (asRenderers)
+                {
+                    cmd->DrawRenderer(*object, material, 0, 0);
+                }
+                else
+                {
+                    cmd->DrawMesh(object->renderer->mesh, object->transform.localToWorldMatrix(),
+                                  material);
+                }
+            }
+            context.ExecuteCommandBuffer(*cmd);
+        }
+        const Scene* scene = nullptr;
+        bool asRenderers = false;
+    };
+    Pass m_Pass;
+};
+
+TEST_F(AdditionalLightsGpu, AreTheSameForPanelsThatACommandBufferDraws)
+{
+    for (int i = 0; i < 16; ++i)
+    {
+        Light& bulb = lights().emplace_back();
+        bulb.transform.localPosition = {2.5f * static_cast<float>(i) - 19.0f, 2.0f, 8.0f};
+        bulb.range = 9.0f;
+        bulb.intensity = 1.0f + static_cast<float>(i % 5);
+    }
+    m_Run.SetLightLimit(2);
+    const Field byCamera = m_Run.Color(nullptr);
+    for (const bool asRenderers : {false, true})
+    {
+        SCOPED_TRACE(asRenderers);
+        PictureRun run(m_Wall.scene, m_Wall.camera, k_WallWidth, k_WallHeight);
+        run.SetLightLimit(2);
+        run.Add(std::make_unique<PanelsByHand>(m_Wall.scene, asRenderers));
+        const LayerMask all = std::exchange(m_Wall.camera.cullingMask, LayerMask::Nothing());
+        EXPECT_EQ(CountDifferent(byCamera, run.Color(nullptr)), 0);
+        m_Wall.camera.cullingMask = all;
+    }
+}
+
 TEST_F(AdditionalLightsGpu, AreTheSameBitForBitWhereNoPanelHasMoreThanTheLimit)
 {
     for (int i = 0; i < 8; ++i)

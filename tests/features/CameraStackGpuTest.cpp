@@ -118,6 +118,55 @@ protected:
         }
     }
 
+    /// @param samples  a texel of the texture between the cameras
+    void ExpectALaterCameraToReadTheTarget(int samples, bool allowMSAA)
+    {
+        const SamplerState point{FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
+                                 TextureWrapMode::Clamp, false};
+        RenderTextureDescriptor descriptor(k_StackSide / 2, k_StackSide / 2,
+                                           GraphicsFormat::R8G8B8A8_SRGB);
+        descriptor.msaaSamples = samples;
+        const auto mirror = std::make_shared<const RenderTexture>("mirror", descriptor, point);
+        Camera seen = m_Flat.camera; // with its overlay
+        seen.targetTexture = mirror;
+        seen.allowMSAA = allowMSAA;
+        seen.depth = -1.0f;
+        const std::shared_ptr<Material> screen = Plain({1.0f, 1.0f, 1.0f});
+        screen->SetTexture(ShaderPropertyId("_BaseMap"), mirror);
+        m_Flat.Add({0, 0}, {k_StackSide, k_StackSide}, 9.0f, screen).layer = 2;
+        Camera last = m_Flat.camera;
+        last.cameraStack.clear();
+        last.cullingMask = LayerMask::FromIndex(2);
+
+        const Camera* cameras[] = {&last, &seen};
+        for (int frame = 0; frame < 3; ++frame)
+        {
+            const auto results = m_Pipeline.Render(m_Renderer, m_Request, cameras);
+            ASSERT_EQ(results.size(), 2u);
+            EXPECT_EQ(results[0].output.rt(), mirror);
+            const Image picture = SharedDevice().ReadBack(*results[1].output.rt());
+            for (int y = 0; y < k_StackSide; ++y)
+            {
+                for (int x = 0; x < k_StackSide; ++x)
+                {
+                    // The mirror's texels are 2 x 2 of the picture's, and of the scene's: all edges
+                    // are at even places.
+                    const bool isRed = IsIn(x, y, 2, 10);
+                    const glm::vec3 color = IsIn(x, y, 6, 14) ? k_OverlayColor
+                                            : isRed           ? k_BaseColor
+                                                              : glm::vec3(0, 0, 1);
+                    const Rgba8 texel = Texel8(picture, x, y);
+                    for (int channel = 0; channel < 3; ++channel)
+                    {
+                        ASSERT_NEAR(texel[static_cast<std::size_t>(channel)],
+                                    Encoded(color[channel]), 1)
+                            << x << ", " << y << ", frame " << frame;
+                    }
+                }
+            }
+        }
+    }
+
     FlatScene m_Flat;
     const std::shared_ptr<Camera> m_Overlay = std::make_shared<Camera>();
     UniversalRenderPipeline m_Pipeline{SharedDevice()};
@@ -207,49 +256,19 @@ TEST_F(CameraStackGpu, AnOverlayHasTheLightsThatItSeesItself)
 
 TEST_F(CameraStackGpu, ALaterCameraReadsTheTargetTextureOfAnEarlierOne)
 {
-    const SamplerState point{FilterMode::Point, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                             TextureWrapMode::Clamp, false};
-    const auto mirror = std::make_shared<const RenderTexture>(
-        "mirror",
-        RenderTextureDescriptor(k_StackSide / 2, k_StackSide / 2, GraphicsFormat::R8G8B8A8_SRGB),
-        point);
-    Camera seen = m_Flat.camera; // with its overlay
-    seen.targetTexture = mirror;
-    seen.depth = -1.0f;
-    const std::shared_ptr<Material> screen = Plain({1.0f, 1.0f, 1.0f});
-    screen->SetTexture(ShaderPropertyId("_BaseMap"), mirror);
-    m_Flat.Add({0, 0}, {k_StackSide, k_StackSide}, 9.0f, screen).layer = 2;
-    Camera last = m_Flat.camera;
-    last.cameraStack.clear();
-    last.cullingMask = LayerMask::FromIndex(2);
+    ExpectALaterCameraToReadTheTarget(1, true);
+}
 
-    const Camera* cameras[] = {&last, &seen};
-    for (int frame = 0; frame < 3; ++frame)
-    {
-        const auto results = m_Pipeline.Render(m_Renderer, m_Request, cameras);
-        ASSERT_EQ(results.size(), 2u);
-        EXPECT_EQ(results[0].output.rt(), mirror);
-        const Image picture = SharedDevice().ReadBack(*results[1].output.rt());
-        for (int y = 0; y < k_StackSide; ++y)
-        {
-            for (int x = 0; x < k_StackSide; ++x)
-            {
-                // The mirror's texels are 2 x 2 of the picture's, and of the scene's: all edges are
-                // at even places.
-                const bool isRed = IsIn(x, y, 2, 10);
-                const glm::vec3 color = IsIn(x, y, 6, 14) ? k_OverlayColor
-                                        : isRed           ? k_BaseColor
-                                                          : glm::vec3(0, 0, 1);
-                const Rgba8 texel = Texel8(picture, x, y);
-                for (int channel = 0; channel < 3; ++channel)
-                {
-                    ASSERT_NEAR(texel[static_cast<std::size_t>(channel)], Encoded(color[channel]),
-                                1)
-                        << x << ", " << y << ", frame " << frame;
-                }
-            }
-        }
-    }
+TEST_F(CameraStackGpu, ATargetTextureOfSeveralSamplesIsDrawnWithThem)
+{
+    m_Pipeline.msaaSampleCount = 4;
+    ExpectALaterCameraToReadTheTarget(4, true);
+}
+
+TEST_F(CameraStackGpu, ATargetTextureOfSeveralSamplesIsDrawnWithOneWhereTheCameraAllowsNoMore)
+{
+    m_Pipeline.msaaSampleCount = 4;
+    ExpectALaterCameraToReadTheTarget(4, false);
 }
 
 } // namespace

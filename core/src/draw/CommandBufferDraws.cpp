@@ -61,6 +61,24 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
     m_Commands.emplace_back(std::move(draw));
 }
 
+void CommandBuffer::DrawMultipleMeshes(std::span<const glm::mat4> matrices,
+                                       std::span<const std::shared_ptr<const Mesh>> meshes,
+                                       std::span<const int> subsetIndices, int count,
+                                       const std::shared_ptr<const Material>& material,
+                                       int shaderPass, const MaterialPropertyBlock& properties)
+{
+    const std::size_t available = std::min({matrices.size(), meshes.size(), subsetIndices.size()});
+    if (count < 0 || static_cast<std::size_t>(count) > available)
+    {
+        throw ContractError("DrawMultipleMeshes: the count is " + std::to_string(count) +
+                            ", but one of the lists has " + std::to_string(available));
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+        DrawMesh(meshes[i], matrices[i], material, subsetIndices[i], shaderPass, properties);
+    }
+}
+
 void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                                       const std::shared_ptr<const Material>& material,
                                       int shaderPass, std::span<const glm::mat4> matrices,

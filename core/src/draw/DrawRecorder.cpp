@@ -237,7 +237,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);
     PropertySources sources{properties.own, &material, &m_Globals};
-    sources.lights = properties.lights;
+    sources.lights = recorded != nullptr ? LightsOf(*recorded, *draw.program) : properties.lights;
     sources.arguments =
         recorded != nullptr && recorded->arguments.buffer ? &recorded->arguments : nullptr;
     draw.bindings =
@@ -251,6 +251,25 @@ std::span<const std::string> DrawRecorder::ProceduralKeywords()
     m_ProceduralKeywords.resize(all.size() + 1);
     std::ranges::merge(all, std::span(&k_ProceduralInstancing, 1), m_ProceduralKeywords.begin());
     return m_ProceduralKeywords;
+}
+
+const MaterialPropertyBlock* DrawRecorder::LightsOf(const RecordedDraw& recorded,
+                                                    const ShaderProgram& program)
+{
+    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
+    if (!isPlaced || !m_ObjectLights.isNeeded() || !ReadsObjectLights(program))
+    {
+        return nullptr;
+    }
+    const Bounds& bounds = recorded.mesh->bounds();
+    const glm::dmat4& world = recorded.matrix;
+    glm::dvec3 extent(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        extent += glm::abs(glm::dvec3(world[axis])) * static_cast<double>(bounds.extents[axis]);
+    }
+    const glm::dvec3 center(world * glm::dvec4(bounds.center, 1.0));
+    return &m_ObjectLights.ValuesOf(m_ObjectLights.Find(center, extent));
 }
 
 std::uint32_t DrawRecorder::Add(DrawSetup setup)

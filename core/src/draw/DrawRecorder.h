@@ -45,6 +45,9 @@ public:
     /// Those that are on for all materials, sorted.
     std::span<const std::string> keywords();
     std::span<const std::string> ProceduralKeywords();
+    /// As an object there has them; null where the shader or the frame has no need of that.
+    const MaterialPropertyBlock* LightsOf(const RecordedDraw& recorded,
+                                          const ShaderProgram& program);
     /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
     /// nothing else.
     void TakeShaderGlobals();

@@ -12,14 +12,30 @@ const std::vector<ShaderTagId>& ForwardShaderTags()
     return tags;
 }
 
-void DrawingSettings::SetShaderPassName(int index, ShaderTagId tag)
+namespace
 {
-    if (index < 0 || index >= maxShaderPasses)
+
+std::size_t SlotOf(int index)
+{
+    if (index < 0 || index >= DrawingSettings::maxShaderPasses)
     {
         throw ContractError("shader pass name index " + std::to_string(index) +
                             " is outside 0...15");
     }
-    const auto slot = static_cast<std::size_t>(index);
+    return static_cast<std::size_t>(index);
+}
+
+} // namespace
+
+ShaderTagId DrawingSettings::GetShaderPassName(int index) const
+{
+    const std::size_t slot = SlotOf(index);
+    return slot < shaderTagIds.size() ? shaderTagIds[slot] : ShaderTagId();
+}
+
+void DrawingSettings::SetShaderPassName(int index, ShaderTagId tag)
+{
+    const std::size_t slot = SlotOf(index);
     if (shaderTagIds.size() <= slot)
     {
         shaderTagIds.resize(slot + 1);

@@ -41,12 +41,6 @@ bool Compiles(const Material& material, int pass, std::span<const std::string> g
     }
 }
 
-bool ReadsObjectLights(const ShaderProgram& program)
-{
-    return std::ranges::any_of(program.layout.buffers, [](const UniformBuffer& buffer)
-                               { return buffer.name == "limn_ObjectLights"; });
-}
-
 /// The passes of one DrawRenderers call. Its memory is kept for the thread's next one.
 class PassList
 {

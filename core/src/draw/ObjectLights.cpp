@@ -140,6 +140,12 @@ const MaterialPropertyBlock& ObjectLights::ValuesOf(Set lights)
     return known->second;
 }
 
+bool ReadsObjectLights(const ShaderProgram& program)
+{
+    return std::ranges::any_of(program.layout.buffers, [](const UniformBuffer& buffer)
+                               { return buffer.name == "limn_ObjectLights"; });
+}
+
 void SetObjectLights(CommandBuffer& cmd, ObjectLights::Set lights)
 {
     const LightList list(lights);

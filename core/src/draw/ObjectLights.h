@@ -63,6 +63,9 @@ private:
     std::unordered_map<Set, MaterialPropertyBlock> m_Values;
 };
 
+/// Whether draws of it are told their object's lights.
+bool ReadsObjectLights(const ShaderProgram& program);
+
 /// Sets what objects have that ObjectLights is not asked about.
 void SetObjectLights(CommandBuffer& cmd, ObjectLights::Set lights);
 

@@ -65,6 +65,10 @@ RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderC
     const ScriptableRenderer& renderer = *renderingData.cameraData.renderer;
     RunPassCode(renderer, pass, "RecordRenderGraph",
                 [&] { pass.RecordRenderGraph(m_Graph, m_FrameData); });
+    if (!pass.m_RecordsGraph)
+    {
+        return targets.color;
+    }
     RenderGraphRun run(m_Graph, state, context, *renderingData.report);
     for (; state.ran < state.passes.size(); ++state.ran)
     {
@@ -89,8 +93,12 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
                                       const RenderingData& renderingData, const Targets& targets)
 {
     auto& resources = m_FrameData.GetOrCreate<UniversalResourceData>();
-    resources.cameraColor = m_Graph.ImportTexture(targets.color);
-    resources.cameraDepth = m_Graph.ImportTexture(targets.depth);
+    const auto import = [this](const RTHandle& texture)
+    {
+        return texture ? m_Graph.ImportTexture(texture) : TextureHandle();
+    };
+    resources.cameraColor = import(targets.color);
+    resources.cameraDepth = import(targets.depth);
     resources.cameraDepthTexture = ImportGlobal(context, "_CameraDepthTexture");
     resources.cameraNormalsTexture = ImportGlobal(context, "_CameraNormalsTexture");
     resources.cameraOpaqueTexture = ImportGlobal(context, "_CameraOpaqueTexture");
@@ -101,6 +109,8 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
     m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);
     static_cast<LightData&>(m_FrameData.GetOrCreate<UniversalLightData>()) =
         renderingData.lightData;
+    static_cast<ShadowData&>(m_FrameData.GetOrCreate<UniversalShadowData>()) =
+        renderingData.shadowData;
 }
 
 TextureHandle RenderGraphCamera::ImportGlobal(const ScriptableRenderContext& context,

@@ -124,6 +124,18 @@ bool MaterialPropertyBlock::HasTexture(ShaderPropertyId id) const
     return As<TexturePtr>(Find(id)) != nullptr;
 }
 
+std::shared_ptr<const GraphicsBuffer> MaterialPropertyBlock::GetBuffer(ShaderPropertyId id) const
+{
+    const auto* range = As<BufferRange>(Find(id));
+    return range != nullptr ? range->buffer : nullptr;
+}
+
+bool MaterialPropertyBlock::HasConstantBuffer(ShaderPropertyId id) const
+{
+    const std::shared_ptr<const GraphicsBuffer> buffer = GetBuffer(id);
+    return buffer && buffer->Has(GraphicsBuffer::Target::Constant);
+}
+
 bool MaterialPropertyBlock::HasBuffer(ShaderPropertyId id) const
 {
     return As<BufferRange>(Find(id)) != nullptr;

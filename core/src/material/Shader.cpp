@@ -191,6 +191,13 @@ bool Shader::HasKeyword(std::string_view keyword) const
                        });
 }
 
+int Shader::FindPropertyIndex(std::string_view propertyName) const
+{
+    const auto& properties = m_Document.properties;
+    const auto found = std::ranges::find(properties, propertyName, &ShaderProperty::name);
+    return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
+}
+
 std::vector<std::string> Shader::keywords(int passIndex, std::span<const std::string> enabled,
                                           std::span<const std::string> globalKeywords) const
 {

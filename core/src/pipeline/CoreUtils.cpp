@@ -179,6 +179,23 @@ void CoreUtils::SetViewport(CommandBuffer& cmd, const RTHandle& target)
     cmd.SetViewport({0, 0, target.rt()->width(), target.rt()->height()});
 }
 
+std::shared_ptr<const Mesh> CoreUtils::CreateCubeMesh(const glm::vec3& min, const glm::vec3& max)
+{
+    MeshData data;
+    for (int i = 0; i < 8; ++i)
+    {
+        data.vertices.emplace_back(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y,
+                                   i & 4 ? max.z : min.z);
+    }
+    data.triangles = {0, 2, 3, 0, 3, 1,  // -z
+                      5, 7, 6, 5, 6, 4,  // +z
+                      4, 6, 2, 4, 2, 0,  // -x
+                      1, 3, 7, 1, 7, 5,  // +x
+                      4, 0, 1, 4, 1, 5,  // -y
+                      2, 6, 7, 2, 7, 3}; // +y
+    return std::make_shared<const Mesh>("Cube", std::move(data));
+}
+
 const std::shared_ptr<const Mesh>& RenderingUtils::fullscreenMesh()
 {
     static const auto mesh = []

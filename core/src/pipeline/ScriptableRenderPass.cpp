@@ -16,12 +16,16 @@ void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&) {}
 void ScriptableRenderPass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
 {
     renderingData.cameraData.renderer->RecordRenderGraph(*this, context, renderingData);
+    if (!m_RecordsGraph)
+    {
+        throw ContractError("pass '" + profilingSampler.name() +
+                            "' overrides neither Execute nor RecordRenderGraph");
+    }
 }
 
 void ScriptableRenderPass::RecordRenderGraph(RenderGraph&, ContextContainer&)
 {
-    throw ContractError("pass '" + profilingSampler.name() +
-                        "' overrides neither Execute nor RecordRenderGraph");
+    m_RecordsGraph = false;
 }
 
 const RTHandle& ScriptableRenderPass::colorAttachmentHandle() const
@@ -149,9 +153,13 @@ DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Cam
     }
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());
+    const TransparencySortMode mode = camera.transparencySortMode;
+    const bool isAlong = mode == TransparencySortMode::Default
+                             ? camera.orthographic
+                             : mode == TransparencySortMode::Orthographic;
     settings.sortingSettings = {
         sortingCriteria, glm::dvec3(camera.transform.worldMatrix()[3]), camera.transform.forward(),
-        camera.orthographic ? DistanceMetric::Orthographic : DistanceMetric::Perspective};
+        isAlong ? DistanceMetric::Orthographic : DistanceMetric::Perspective};
     return settings;
 }
 

@@ -393,7 +393,14 @@ void ScriptableRenderer::ExecuteRenderPass(ScriptableRenderContext& context,
     context.ExecuteCommandBuffer(*cmd);
     context.SetPassName(name);
     renderingData.report->passes.push_back({name, pass.renderPassEvent});
-    RunPassCode(*this, pass, "Execute", [&] { pass.Execute(context, renderingData); });
+    if (pass.m_RecordsGraph && !renderingData.enableRenderCompatibilityMode)
+    {
+        RecordRenderGraph(pass, context, renderingData);
+    }
+    if (!pass.m_RecordsGraph || renderingData.enableRenderCompatibilityMode)
+    {
+        RunPassCode(*this, pass, "Execute", [&] { pass.Execute(context, renderingData); });
+    }
     cmd->Clear();
     cmd->EndSample();
     context.ExecuteCommandBuffer(*cmd);

@@ -125,7 +125,7 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, flo
     {
         const RenderTextureDescriptor& target = camera.targetTexture->descriptor();
         RenderTextureDescriptor ofTarget(size.x, size.y, target.graphicsFormat, 32);
-        ofTarget.msaaSamples = target.msaaSamples;
+        ofTarget.msaaSamples = camera.allowMSAA && msaaSampleCount > 1 ? target.msaaSamples : 1;
         return ofTarget;
     }
     RenderTextureDescriptor descriptor(
@@ -153,6 +153,14 @@ bool UsesReversedZBuffer(const ScriptableRenderer& renderer)
     return !compiler || compiler->usesReversedZBuffer();
 }
 
+SortingCriteria OpaqueSortFlags(const Camera& camera)
+{
+    return camera.opaqueSortMode == OpaqueSortMode::NoDistanceSort
+               ? SortingCriteria::SortingLayer | SortingCriteria::RenderQueue |
+                     SortingCriteria::OptimizeStateChanges | SortingCriteria::CanvasOrder
+               : SortingCriteria::CommonOpaque;
+}
+
 RenderingData MakeRenderingData(const RenderRequest& request, const Camera& camera,
                                 ScriptableRenderer& renderer,
                                 const RenderTextureDescriptor& descriptor, RenderReport& report)
@@ -173,6 +181,7 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.renderer = &renderer;
     data.cameraData.cameraType = request.camera->cameraType;
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
+    data.cameraData.defaultOpaqueSortFlags = OpaqueSortFlags(*request.camera);
     data.cameraData.isHdrEnabled = request.camera->allowHDR;
     data.cameraData.backgroundColor = camera.backgroundColor.linear();
     data.cameraData.volumeLayerMask = request.camera->volumeLayerMask;
@@ -343,6 +352,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
         renderingData.postProcessingEnabled = std::ranges::any_of(
             m_Stack, [](const Camera* each) { return each->renderPostProcessing; });
         renderingData.shadowSettings = shadows;
+        renderingData.enableRenderCompatibilityMode = enableRenderCompatibilityMode;
         FindLights(renderingData);
         renderingData.temporaryTextures = &m_TemporaryTextures;
         NoteBeyondFloat(renderingData.cullResults, result.report);
@@ -367,6 +377,8 @@ void UniversalRenderPipeline::FindLights(RenderingData& renderingData)
     lights.additionalLightsCount = static_cast<int>(m_AdditionalLights.size());
     lights.maxPerObjectAdditionalLightsCount = maxAdditionalLightsCount;
     lights.mainLightIndex = scene.mainLight.intensity != 0.0f ? 0 : -1;
+    lights.supportsAdditionalLights = maxAdditionalLightsCount > 0;
+    renderingData.shadowData = ShadowData(shadows, lights);
 }
 
 /// Compiles what is recorded and starts it.

@@ -134,8 +134,8 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     if (!signature || IsCompatibilityMethod(one, method))
     {
         const bool isOld = IsCompatibilityMethod(one, method);
-        code.Todo(method.name + (isOld ? ": Unity 6's compatibility mode; where it is there, limn "
-                                         "runs it and not RecordRenderGraph"
+        code.Todo(method.name + (isOld ? ": Unity 6's compatibility mode; limn runs it where the "
+                                         "pipeline's enableRenderCompatibilityMode is on"
                                        : ""),
                   place, body);
         NoteGraphPasses(code, one, method);

@@ -20,6 +20,12 @@ inline constexpr EnumEntry k_ClearFlags[] = {
 inline constexpr EnumEntry k_MsaaQualities[] = {
     {"Disabled", 1}, {"_2x", 2}, {"_4x", 4}, {"_8x", 8}};
 
+/// Unity: UnityEngine.Rendering.Universal.LightRenderingMode.
+inline constexpr int k_NoAdditionalLights = 0;
+inline constexpr int k_PerVertexLights = 2;
+inline constexpr EnumEntry k_LightRenderingModes[] = {
+    {"Disabled", k_NoAdditionalLights}, {"PerPixel", 1}, {"PerVertex", k_PerVertexLights}};
+
 /// Unity: UnityEngine.LightType.
 inline constexpr EnumEntry k_LightTypes[] = {{"Spot", 0}, {"Directional", 1}, {"Point", 2}};
 

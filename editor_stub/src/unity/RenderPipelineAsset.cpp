@@ -9,6 +9,28 @@
 namespace limn
 {
 
+namespace
+{
+
+/// Disabled is as good as a limit of none.
+void ReadLightMode(const YamlNode& node, UnityRenderPipeline& pipeline,
+                   AssetDiagnostics& diagnostics)
+{
+    constexpr std::string_view k_Key = "m_AdditionalLightsRenderingMode";
+    const std::optional<int> mode = ReadEnum(node, k_LightRenderingModes, k_Key, diagnostics);
+    if (mode == k_PerVertexLights)
+    {
+        diagnostics.Error(node.location(),
+                          std::string(k_Key) + ": PerVertex is not drawn; set PerPixel");
+    }
+    else if (mode == k_NoAdditionalLights)
+    {
+        pipeline.maxAdditionalLightsCount = 0;
+    }
+}
+
+} // namespace
+
 UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, AssetContext& assets)
 {
     assets.Reach(path);
@@ -31,6 +53,10 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
     fields.Read("m_RenderScale", pipeline.renderScale, scene_keys::k_RenderScales);
     fields.Read("m_AdditionalLightsPerObjectLimit", pipeline.maxAdditionalLightsCount,
                 scene_keys::k_LightLimits);
+    if (const YamlNode* node = root->fields.Find("m_AdditionalLightsRenderingMode"))
+    {
+        ReadLightMode(*node, pipeline, diagnostics);
+    }
     ReadShadowSettings(fields, pipeline.shadows, diagnostics);
     diagnostics.ThrowIfErrors();
     return pipeline;

@@ -10,9 +10,11 @@ namespace limn
 /// Unity: UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14).
 struct UnityRenderPipeline
 {
-    int msaaSampleCount = 1;          ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
-    float renderScale = 1.0f;         ///< m_RenderScale, 0.1 ... 2
-    int maxAdditionalLightsCount = 4; ///< m_AdditionalLightsPerObjectLimit, 0 ... 8
+    int msaaSampleCount = 1;  ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
+    float renderScale = 1.0f; ///< m_RenderScale, 0.1 ... 2
+    /// m_AdditionalLightsPerObjectLimit, 0 ... 8; 0 where m_AdditionalLightsRenderingMode is
+    /// Disabled
+    int maxAdditionalLightsCount = 4;
     ShadowSettings shadows; ///< m_ShadowDistance and its like; what it lacks is Unity's default
 };
 

@@ -41,6 +41,40 @@ TEST(UnsafePass, DrawsIntoWhatItDeclares)
     EXPECT_EQ(frame.passes[0].colors[0].texture->name(), "_Mask");
 }
 
+/// Says which of its ways to draw has run.
+class PassOfBothWays final : public ScriptableRenderPass
+{
+public:
+    void Execute(ScriptableRenderContext&, RenderingData&) override { ran += "Execute "; }
+    void RecordRenderGraph(RenderGraph&, ContextContainer&) override { ran += "Graph "; }
+    std::string ran;
+};
+
+class PassOfTheOldWay final : public ScriptableRenderPass
+{
+public:
+    void Execute(ScriptableRenderContext&, RenderingData&) override { ++count; }
+    int count = 0;
+};
+
+TEST(GraphPasses, RunTheirGraphUnlessCompatibilityModeIsOn)
+{
+    PassOfBothWays both;
+    PassOfTheOldWay old;
+    GraphPass graph([](RenderGraph&, ContextContainer&) {});
+    RendererHarness harness;
+    harness.renderer.builtIn = {&both, &old, &graph};
+    harness.Render();
+    harness.Render();
+    EXPECT_EQ(both.ran, "Graph Graph ");
+    EXPECT_EQ(old.count, 2);
+    both.ran.clear();
+    harness.enableRenderCompatibilityMode = true;
+    harness.Render();
+    EXPECT_EQ(both.ran, "Execute ");
+    EXPECT_EQ(old.count, 3);
+}
+
 TEST(GraphPasses, OverrideOneWayToDrawAtLeast)
 {
     ScriptableRenderPass pass;

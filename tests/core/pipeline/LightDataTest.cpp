@@ -20,6 +20,9 @@ public:
         LightData data;
         std::vector<VisibleLight> lights;
         int countInGraph = -1;
+        ShadowData shadows;
+        ShadowData shadowsInGraph;
+        std::vector<glm::vec4> biases;
     };
     explicit LightsReader(Seen& seen) : m_Pass(seen) {}
     void Create() override {}
@@ -27,6 +30,8 @@ public:
     {
         m_Pass.seen.data = data.lightData;
         m_Pass.seen.lights = data.lightData.visibleLights();
+        m_Pass.seen.shadows = data.shadowData;
+        m_Pass.seen.biases = data.shadowData.bias();
         renderer.EnqueuePass(m_Pass);
     }
 
@@ -38,6 +43,7 @@ private:
         void RecordRenderGraph(RenderGraph&, ContextContainer& frameData) override
         {
             seen.countInGraph = frameData.Get<UniversalLightData>().additionalLightsCount;
+            seen.shadowsInGraph = frameData.Get<UniversalShadowData>();
         }
         Seen& seen;
     };
@@ -133,6 +139,72 @@ TEST_F(LightDataOfAFrame, HasNoMoreThanShadersHaveRoomFor)
     EXPECT_EQ(seen.lights.size(), 33u);
     EXPECT_THAT(m_Result.report.notes,
                 testing::Contains(testing::HasSubstr("40 lights reach into the picture")));
+}
+
+TEST_F(LightDataOfAFrame, SaysWhatShadowsThePipelineAndTheLightsAskFor)
+{
+    m_Pipeline.shadows.mainLightShadowmapResolution = 1024;
+    m_Pipeline.shadows.additionalLightsShadowmapResolution = 512;
+    m_Pipeline.shadows.shadowCascadeCount = 3;
+    m_Pipeline.shadows.cascade3Split = {0.2f, 0.5f};
+    m_Pipeline.shadows.cascadeBorder = 0.3f;
+    Add(LightType::Spot, {0, 0, 5});
+    const ShadowData none = Render().shadows;
+    EXPECT_FALSE(none.supportsMainLightShadows) << "it throws none";
+    EXPECT_FALSE(none.supportsAdditionalLightShadows);
+    EXPECT_FALSE(none.supportsSoftShadows);
+
+    m_Scene.mainLight.shadows = LightShadows::Hard;
+    for (const ShadowData& data : {Render().shadows, m_Seen.shadowsInGraph})
+    {
+        EXPECT_TRUE(data.supportsMainLightShadows);
+        EXPECT_FALSE(data.supportsAdditionalLightShadows);
+        EXPECT_TRUE(data.supportsSoftShadows);
+        EXPECT_EQ(data.mainLightShadowmapWidth, 1024);
+        EXPECT_EQ(data.mainLightShadowmapHeight, 1024);
+        EXPECT_EQ(data.additionalLightsShadowmapWidth, 512);
+        EXPECT_EQ(data.additionalLightsShadowmapHeight, 512);
+        EXPECT_EQ(data.mainLightShadowCascadesCount, 3);
+        EXPECT_EQ(data.mainLightShadowCascadesSplit, glm::vec3(0.2f, 0.5f, 0.0f));
+        EXPECT_EQ(data.mainLightShadowCascadeBorder, 0.3f);
+        EXPECT_EQ(data.shadowmapDepthBufferBits, 32);
+    }
+    m_Scene.additionalLights[0].shadows = LightShadows::Hard;
+    m_Scene.mainLight.intensity = 0.0f;
+    EXPECT_TRUE(Render().shadows.supportsAdditionalLightShadows);
+    EXPECT_FALSE(m_Seen.shadows.supportsMainLightShadows) << "there is no main light";
+    m_Pipeline.maxAdditionalLightsCount = 0;
+    EXPECT_FALSE(Render().shadows.supportsAdditionalLightShadows);
+    EXPECT_FALSE(m_Seen.data.supportsAdditionalLights);
+}
+
+TEST_F(LightDataOfAFrame, HasSplitsAsUrpHasThemForEachNumberOfCascades)
+{
+    ShadowSettings& settings = m_Pipeline.shadows;
+    settings.cascade2Split = 0.4f;
+    settings.cascade4Split = {0.1f, 0.2f, 0.3f};
+    const std::vector<glm::vec3> expected{
+        {1, 0, 0}, {0.4f, 1, 0}, {0.1f, 0.3f, 0}, {0.1f, 0.2f, 0.3f}};
+    for (int count = 1; count <= 4; ++count)
+    {
+        settings.shadowCascadeCount = count;
+        EXPECT_EQ(Render().shadows.mainLightShadowCascadesSplit,
+                  expected[static_cast<std::size_t>(count) - 1]);
+    }
+}
+
+TEST_F(LightDataOfAFrame, HasABiasOfEachVisibleLight)
+{
+    m_Pipeline.shadows.shadowDepthBias = 3.0f;
+    m_Pipeline.shadows.shadowNormalBias = 2.0f;
+    Light& own = Add(LightType::Spot, {0, 0, 5});
+    own.usePipelineSettings = false;
+    own.shadowBias = 0.25f;
+    own.shadowNormalBias = 0.75f;
+    EXPECT_THAT(Render().biases,
+                testing::ElementsAre(glm::vec4(3, 2, 0, 0), glm::vec4(0.25f, 0.75f, 0, 0)));
+    m_Scene.mainLight.intensity = 0.0f;
+    EXPECT_THAT(Render().biases, testing::ElementsAre(glm::vec4(0.25f, 0.75f, 0, 0)));
 }
 
 TEST_F(LightDataOfAFrame, SaysHowManyAnObjectMayHave)

@@ -107,6 +107,21 @@ TEST_F(MultisampledCamera, HasOneSampleIfTheCameraAllowsNoMore)
     EXPECT_EQ(Samples(), 4);
 }
 
+// URP: CameraData's samples are the target texture's where the camera allows them and the
+// pipeline has more than one.
+TEST_F(MultisampledCamera, HasTheSamplesOfItsTargetTextureIfCameraAndPipelineLetIt)
+{
+    RenderTextureDescriptor descriptor(64, 32, GraphicsFormat::R8G8B8A8_UNorm);
+    descriptor.msaaSamples = 2;
+    m_Camera.targetTexture = std::make_shared<const RenderTexture>("target", descriptor);
+    EXPECT_EQ(Samples(), 2);
+    m_Camera.allowMSAA = false;
+    EXPECT_EQ(Samples(), 1);
+    m_Camera.allowMSAA = true;
+    m_Pipeline.msaaSampleCount = 1;
+    EXPECT_EQ(Samples(), 1);
+}
+
 TEST_F(MultisampledCamera, HasTheSamplesThatTheDeviceDoesOfColorAndDepth)
 {
     m_Device.most = 2;

@@ -119,6 +119,7 @@ public:
     CullingResults cullResults; ///< what the passes may draw
     RenderReport report;        ///< of the last Render
     RenderTexturePool temporaryTextures;
+    bool enableRenderCompatibilityMode = false;
 
     /// @param leavesOut  see FrameCompiler
     CompiledFrame Render(bool leavesOut = false)
@@ -135,6 +136,7 @@ public:
         data.cameraData.renderer = &renderer;
         data.cullResults = cullResults;
         data.report = &report;
+        data.enableRenderCompatibilityMode = enableRenderCompatibilityMode;
         data.temporaryTextures = &temporaryTextures;
         renderer.RenderCamera(context, data);
         return (leavesOut ? m_LeanCompiler : m_Compiler).Compile(context.TakeCommands());

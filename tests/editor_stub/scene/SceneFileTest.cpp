@@ -151,6 +151,34 @@ TEST(SceneFile, DrawsAtAnotherSize)
                 testing::Contains(testing::HasSubstr("m_RenderScale: 0 is outside [0.1, 2]")));
 }
 
+TEST(SceneFile, TakesTheRenderingModeOfLightsFromAUnityAsset)
+{
+    SceneFolder folder;
+    const auto write = [&](const std::string& mode)
+    {
+        folder.Write("urp.asset", "%YAML 1.1\n"
+                                  "%TAG !u! tag:unity3d.com,2011:\n"
+                                  "--- !u!114 &11400000\n"
+                                  "MonoBehaviour:\n"
+                                  "  m_MSAA: 1\n"
+                                  "  m_AdditionalLightsRenderingMode: " +
+                                      mode + "\n  m_AdditionalLightsPerObjectLimit: 3\n");
+    };
+    write("1");
+    EXPECT_EQ(3,
+              folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").maxAdditionalLightsCount);
+    write("0");
+    EXPECT_EQ(0,
+              folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").maxAdditionalLightsCount);
+    write("2");
+    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
+                testing::Contains(testing::HasSubstr(
+                    "m_AdditionalLightsRenderingMode: PerVertex is not drawn; set PerPixel")));
+    write("7");
+    EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
+                testing::Contains(testing::HasSubstr("m_AdditionalLightsRenderingMode")));
+}
+
 TEST(SceneFile, LimitsTheLightsOfAnObject)
 {
     SceneFolder folder;

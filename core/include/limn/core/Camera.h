@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
@@ -42,6 +44,32 @@ enum class CameraRenderType
     Overlay = 1
 };
 
+/// Whether opaque objects are sorted by distance. Unity: UnityEngine.Rendering.OpaqueSortMode.
+enum class OpaqueSortMode
+{
+    Default = 0,
+    FrontToBack = 1,
+    NoDistanceSort = 2
+};
+
+/// What the distance is by which transparent objects are sorted: as the camera's lens has it, from
+/// the camera, or along its direction. Unity: UnityEngine.TransparencySortMode, without CustomAxis.
+enum class TransparencySortMode
+{
+    Default = 0,
+    Perspective = 1,
+    Orthographic = 2
+};
+
+/// A half line in world space, metres. Unity: UnityEngine.Ray, in double precision.
+struct Ray
+{
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0, 0.0, 1.0}; ///< unit length
+
+    glm::dvec3 GetPoint(double distance) const { return origin + direction * distance; }
+};
+
 /// Unity: UnityEngine.Camera with URP's additional data (2022.3).
 struct Camera
 {
@@ -60,6 +88,8 @@ struct Camera
     CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
+    OpaqueSortMode opaqueSortMode = OpaqueSortMode::Default; ///< of a stack's base camera
+    TransparencySortMode transparencySortMode = TransparencySortMode::Default;
     CameraType cameraType = CameraType::Game;
     /// What features ask before they add effects. There are none unless a feature brings them, so
     /// it is on, where a camera of Unity's begins without. In a stack each camera that has it on
@@ -78,7 +108,8 @@ struct Camera
     std::vector<std::shared_ptr<const Camera>> cameraStack;
     float depth = 0.0f; ///< base cameras are drawn in the order of their whole depths
     /// Of a base camera: where its picture ends up, alpha included, in place of the frame's. It
-    /// has this texture's size, format and samples. A colour; what later cameras draw may read it.
+    /// has this texture's size and format, and its samples unless allowMSAA is off or the
+    /// pipeline's msaaSampleCount is 1. A colour; what later cameras draw may read it.
     /// Bottom row first, as pictures have it, so that it is upright on meshes.
     std::shared_ptr<const RenderTexture> targetTexture;
 
@@ -117,6 +148,32 @@ struct Camera
     /// @source E. Lengyel, "Oblique View Frustum Depth Projection and Clipping", 2005
     /// Unity: Camera.CalculateObliqueMatrix (2022.3).
     glm::dmat4 CalculateObliqueMatrix(const glm::dvec4& clipPlane, float aspect) const;
+
+    /// World to clip space, z from -w to w. Unity: Camera.cullingMatrix, when read.
+    glm::dmat4 cullingMatrix(float aspect) const
+    {
+        return projectionMatrixFor(aspect) * viewMatrix();
+    }
+
+    // Places in a picture, whose width / height `aspect` is: x and y from 0 at its left and bottom
+    // edge to 1, z metres in front of the camera. Of a screen: of `size` pixels, in them. World
+    // positions are metres. They throw ContractError as gpuProjectionMatrix does. Unity's camera
+    // knows its picture by itself.
+    glm::vec3 WorldToViewportPoint(const glm::vec3& position, float aspect) const;
+    glm::vec3 ViewportToWorldPoint(const glm::vec3& position, float aspect) const;
+    /// From the near plane on.
+    Ray ViewportPointToRay(const glm::vec2& position, float aspect) const;
+    glm::vec3 WorldToScreenPoint(const glm::vec3& position, const glm::ivec2& size) const;
+    glm::vec3 ScreenToWorldPoint(const glm::vec3& position, const glm::ivec2& size) const;
+    Ray ScreenPointToRay(const glm::vec2& position, const glm::ivec2& size) const;
+    static glm::vec3 ScreenToViewportPoint(const glm::vec3& position, const glm::ivec2& size);
+    static glm::vec3 ViewportToScreenPoint(const glm::vec3& position, const glm::ivec2& size);
+    /// The camera sees these corners of a part of the picture at that distance: bottom left, top
+    /// left, top right, bottom right, in axes of its transform, so that they have z = `z`.
+    /// @param viewport  x, y, width and height, 0, 0, 1 and 1 = all of it
+    /// @source Unity: Camera.CalculateFrustumCorners (2022.3)
+    std::array<glm::vec3, 4> CalculateFrustumCorners(const glm::vec4& viewport, float z,
+                                                     float aspect) const;
 };
 
 /// What shaders get of a projection with z from -w at the near plane to w at the far one, as

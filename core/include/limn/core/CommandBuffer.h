@@ -108,6 +108,14 @@ public:
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
+    /// DrawMesh of each mesh with the matrix and sub-mesh beside it.
+    /// @throws ContractError as DrawMesh does, and if a list has not `count` elements
+    /// @source Unity: CommandBuffer.DrawMultipleMeshes (Unity 6)
+    void DrawMultipleMeshes(std::span<const glm::mat4> matrices,
+                            std::span<const std::shared_ptr<const Mesh>> meshes,
+                            std::span<const int> subsetIndices, int count,
+                            const std::shared_ptr<const Material>& material, int shaderPass = -1,
+                            const MaterialPropertyBlock& properties = {});
     /// The mesh once for each matrix. Draws become instances of one wherever they can; the material
     /// needs no enableInstancing.
     /// @param shaderPass  -1 = all passes of the shader, one after the other

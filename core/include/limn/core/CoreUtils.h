@@ -57,6 +57,11 @@ inline bool ArePostProcessesEnabled(const Camera&)
     return true;
 }
 
+/// A box of eight vertices without normals, for what is drawn inside or outside of it.
+/// @param min, max  opposite corners
+/// @source Unity: CoreUtils.CreateCubeMesh (core 14)
+std::shared_ptr<const Mesh> CreateCubeMesh(const glm::vec3& min, const glm::vec3& max);
+
 /// How many groups of `divisor` hold `value`. Unity: CoreUtils.DivRoundUp.
 constexpr int DivRoundUp(int value, int divisor)
 {

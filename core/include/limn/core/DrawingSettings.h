@@ -71,6 +71,8 @@ struct DrawingSettings
 
     /// @throws ContractError outside 0...15
     void SetShaderPassName(int index, ShaderTagId tag);
+    /// The empty name where none was set. @throws ContractError outside 0...15
+    ShaderTagId GetShaderPassName(int index) const;
 };
 
 } // namespace limn

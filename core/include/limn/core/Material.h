@@ -116,6 +116,19 @@ public:
     bool HasColor(ShaderPropertyId id) const;
     bool HasVector(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
+    // A Properties block has none of these: whether one was set.
+    bool HasMatrix(ShaderPropertyId id) const { return m_Values.HasMatrix(id); }
+    bool HasBuffer(ShaderPropertyId id) const { return m_Values.HasBuffer(id); }
+    bool HasConstantBuffer(ShaderPropertyId id) const { return m_Values.HasConstantBuffer(id); }
+    // What SetBuffer and SetConstantBuffer set; null = nothing. Unity's are handles.
+    std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const
+    {
+        return m_Values.GetBuffer(id);
+    }
+    std::shared_ptr<const GraphicsBuffer> GetConstantBuffer(ShaderPropertyId id) const
+    {
+        return HasConstantBuffer(id) ? GetBuffer(id) : nullptr;
+    }
     /// No effect: equal meshes and states become instances of one draw by themselves.
     bool enableInstancing = false;
 

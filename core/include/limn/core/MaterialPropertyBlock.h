@@ -107,6 +107,9 @@ public:
     bool HasMatrix(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
     bool HasBuffer(ShaderPropertyId id) const;
+    bool HasConstantBuffer(ShaderPropertyId id) const; ///< one that is a cbuffer's
+    /// What SetBuffer or SetConstantBuffer set; null = nothing.
+    std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const;
 
     void Remove(ShaderPropertyId id);
     /// Keeps the memory.

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limn/core/Color.h>
+#include <limn/core/PipelineState.h>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +22,13 @@ struct Bounds
     glm::vec3 extents{0.0f}; ///< half the size
 
     bool operator==(const Bounds&) const = default;
+};
+
+/// Unity: UnityEngine.Rendering.IndexFormat.
+enum class IndexFormat
+{
+    UInt16 = 0,
+    UInt32 = 1
 };
 
 /// The triangles of one material slot: a run of the index list.
@@ -87,6 +95,13 @@ public:
     std::uint32_t GetIndexCount(int submesh) const { return subMesh(submesh).indexCount; }
     std::uint32_t GetIndexStart(int submesh) const { return subMesh(submesh).indexStart; }
     std::uint32_t GetBaseVertex(int) const { return 0; }
+    /// @throws std::out_of_range if there is no such sub-mesh
+    MeshTopology GetTopology(int submesh) const
+    {
+        subMesh(submesh);
+        return MeshTopology::Triangles;
+    }
+    IndexFormat indexFormat() const { return IndexFormat::UInt32; } ///< of all meshes
     const SubMesh& subMesh(int index) const
     {
         return m_Data.subMeshes.at(static_cast<std::size_t>(index));

@@ -69,6 +69,15 @@ public:
         m_Native.DrawMesh(std::move(mesh), matrix, std::move(material), subMesh, shaderPass,
                           properties);
     }
+    void DrawMultipleMeshes(std::span<const glm::mat4> matrices,
+                            std::span<const std::shared_ptr<const Mesh>> meshes,
+                            std::span<const int> subsetIndices, int count,
+                            const std::shared_ptr<const Material>& material, int shaderPass = -1,
+                            const MaterialPropertyBlock& properties = {})
+    {
+        m_Native.DrawMultipleMeshes(matrices, meshes, subsetIndices, count, material, shaderPass,
+                                    properties);
+    }
     void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                            const std::shared_ptr<const Material>& material, int shaderPass,
                            std::span<const glm::mat4> matrices,

@@ -57,6 +57,7 @@ struct RendererListDesc
     RenderingLayerMask renderingLayerMask = RenderingLayerMask::Everything();
 
     RendererListParams ToParams() const;
+    bool IsValid() const { return true; } ///< the constructors take nothing else
 
 private:
     const CullingResults* m_Results; ///< never null

@@ -6,6 +6,7 @@
 #include <limn/core/RTHandle.h>
 #include <limn/core/RenderReport.h>
 #include <limn/core/Scene.h>
+#include <limn/core/ShadowData.h>
 #include <span>
 #include <vector>
 
@@ -115,7 +116,7 @@ struct LightData
     int maxPerObjectAdditionalLightsCount =
         0; ///< UniversalRenderPipeline::maxAdditionalLightsCount
     bool shadeAdditionalLightsPerVertex = false; ///< never
-    bool supportsAdditionalLights = true;
+    bool supportsAdditionalLights = true;        ///< the limit is not 0
     bool supportsLightLayers = true;
 
     /// The main one first, if it is one. Worked out when asked for.
@@ -135,8 +136,11 @@ struct RenderingData
     bool postProcessingEnabled = true; ///< a camera of the stack has renderPostProcessing on
     /// What is rendered, for whoever has to cull it once more; null where no pipeline renders.
     const Scene* scene = nullptr;
-    ShadowSettings shadowSettings; ///< of the pipeline. Unity: RenderingData.shadowData
-    double time = 0.0;             ///< seconds, what _Time shows rounded to float
+    ShadowSettings shadowSettings; ///< of the pipeline
+    ShadowData shadowData;
+    /// UniversalRenderPipeline::enableRenderCompatibilityMode
+    bool enableRenderCompatibilityMode = false;
+    double time = 0.0; ///< seconds, what _Time shows rounded to float
     /// The blended volumes, where a feature reads its component. (Unity:
     /// VolumeManager.instance.stack; limn has no singletons.)
     VolumeStackPointer volumeStack;

@@ -39,8 +39,9 @@ public:
                            const RenderTextureDescriptor& cameraTextureDescriptor);
     /// The pass's work. Its targets are bound and cleared already.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
-    /// The pass's work as Unity 6 has it: what is added to the graph runs when this returns. A pass
-    /// that overrides Execute, too, runs that one, as in Unity's compatibility mode.
+    /// The pass's work as Unity 6 has it: what is added to the graph runs when this returns. Of a
+    /// pass that overrides Execute, too, this is what runs, unless the pipeline's
+    /// enableRenderCompatibilityMode is on.
     /// Unity: ScriptableRenderPass.RecordRenderGraph (URP 17).
     virtual void RecordRenderGraph(RenderGraph& renderGraph, ContextContainer& frameData);
     /// Once for each OnCameraSetup, after all passes have executed or one of them has thrown.
@@ -119,6 +120,10 @@ public:
                                           SortingCriteria sortingCriteria) const;
 
 private:
+    friend class RenderGraphCamera;
+    friend class ScriptableRenderer;
+
+    bool m_RecordsGraph = true; ///< until RecordRenderGraph turns out not to be overridden
     ScriptableRenderPassInput m_Input = ScriptableRenderPassInput::None;
     bool m_OverrideCameraTarget = false;
     std::vector<RTHandle> m_Colors;

@@ -160,6 +160,11 @@ public:
     /// What it counts on, see ShaderCompilerOptions.
     bool usesReversedZBuffer() const { return !m_Compiler || m_Compiler->usesReversedZBuffer(); }
 
+    /// Which of the properties has this name; -1 = none.
+    /// @source Unity: Shader.FindPropertyIndex (2022.3)
+    int FindPropertyIndex(std::string_view propertyName) const;
+    /// A SubShader was found; whether a pass compiles is found out when it is drawn.
+    bool isSupported() const { return true; }
     /// The keywords that a new material has on, by the defaults of its properties.
     const std::vector<std::string>& initialKeywords() const { return m_InitialKeywords; }
     /// Whether a pass has this keyword. Unity: Shader.keywordSpace.

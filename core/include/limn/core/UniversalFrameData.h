@@ -65,6 +65,13 @@ public:
     void Reset() override { static_cast<LightData&>(*this) = LightData(); }
 };
 
+/// Unity: UnityEngine.Rendering.Universal.UniversalShadowData (URP 17).
+class UniversalShadowData final : public ContextItem, public ShadowData
+{
+public:
+    void Reset() override { static_cast<ShadowData&>(*this) = ShadowData(); }
+};
+
 namespace RenderingUtils
 {
 

@@ -67,6 +67,11 @@ public:
     /// where it is. Unity: UniversalRenderPipelineAsset.maxAdditionalLightsCount.
     int maxAdditionalLightsCount = 4;
 
+    /// Passes that override both Execute and RecordRenderGraph run Execute. Unity:
+    /// RenderGraphSettings.enableRenderCompatibilityMode (URP 17), where passes that override one
+    /// of the two only run in one of the modes only; here they run in both.
+    bool enableRenderCompatibilityMode = false;
+
     /// Of the main light, where it throws any. Unity: UniversalRenderPipelineAsset.
     ShadowSettings shadows;
 

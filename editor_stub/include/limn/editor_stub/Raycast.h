@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <limn/core/Camera.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/RenderQueueRange.h>
 #include <limn/core/Scene.h>
@@ -11,15 +12,6 @@
 
 namespace limn
 {
-
-struct Camera;
-
-/// A half line in world space, metres. Unity: UnityEngine.Ray, in double precision.
-struct Ray
-{
-    glm::dvec3 origin{0.0};
-    glm::dvec3 direction{0.0, 0.0, 1.0}; ///< unit length
-};
 
 /// What the camera sees at a point of its picture, from the near plane on.
 /// @param width, height  of the picture, pixels
