@@ -172,8 +172,6 @@ private:
             << type << "." << member << " is the 'same' in porting.txt, and not in the headers";
         EXPECT_FALSE(verdict == PortVerdict::Missing && isThere)
             << type << "." << member << " is 'missing' in porting.txt, and in the headers";
-        EXPECT_FALSE(verdict == PortVerdict::Refused && isThere)
-            << type << "." << member << " is 'refused' in porting.txt, and in the headers";
     }
 
     const HeaderWords m_Headers;
