@@ -11,6 +11,8 @@ function(limn_embed target function)
     endforeach()
     file(CONFIGURE OUTPUT embedded_${function}.cpp @ONLY CONTENT [[
 #include <limn/shaderlab/EmbeddedFile.h>
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Woverlength-strings" // files may have more than 64 KiB
 namespace limn::embedded
 {
 std::span<const EmbeddedFile> @function@();
@@ -22,6 +24,7 @@ std::span<const EmbeddedFile> @function@()
     return files;
 }
 }
+#pragma GCC diagnostic pop
 ]])
     target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded_${function}.cpp)
 endfunction()

@@ -62,6 +62,39 @@ TEST_F(TerrainFunctions, TreesAreDitheredByBayersMatrix)
     grid.Run();
 }
 
+TEST_F(TerrainFunctions, SpeedTreesBlendTheirLevelsOfDetail)
+{
+    const std::string body = R"(
+        #include "SpeedTreeCommon.cginc"
+        float3 Offset(float3 position, float3 other, float lod, float facing)
+        {
+            SpeedTreeVB v = (SpeedTreeVB)0;
+            v.vertex = float4(position, 1);
+            v.texcoord1 = float4(other, 0.5);
+            v.texcoord3 = float2(3, -2);
+            v.color.a = 1 - facing;
+            OffsetSpeedTreeVertex(v, lod);
+            return v.vertex.xyz;
+        })";
+    const std::vector<GridInput> places = CombineVectors(
+        {{1, 2, 3}, {-4, 0.5, 0}}, {{0, 0, 1}, {2, -1, 7}}, {{0, 0, 0}, {0.25, 0, 0}, {1, 0, 0}});
+    FunctionGrid branches("#define GEOM_TYPE_BRANCH\n#define LOD_FADE_PERCENTAGE\n" + body,
+                          ProgramLanguage::Cg);
+    branches.Add("Offset(a.xyz, b.xyz, c.x, 0)", places,
+                 [](auto& a, auto& b, auto& c) { return dvec3(a) * (1 - c.x) + dvec3(b) * c.x; });
+    branches.Run();
+    FunctionGrid leaves("#define GEOM_TYPE_LEAF\n#define LOD_FADE_PERCENTAGE\n" + body,
+                        ProgramLanguage::Cg);
+    // From the anchor to where the leaf is at the next level: 0.5, 3, -2.
+    leaves.Add("Offset(a.xyz, b.xyz, c.x, 0)", places,
+               [](auto& a, auto& b, auto& c)
+               {
+                   const dvec3 anchor(b);
+                   return anchor + (dvec3(a) - anchor) * (1 - c.x) + dvec3(0.5, 3, -2) * c.x;
+               });
+    leaves.Run();
+}
+
 TEST_F(TerrainFunctions, LeavesAreLitFromBehind)
 {
     FunctionGrid grid(R"(

@@ -16,6 +16,8 @@ constexpr std::pair<const char*, const char*> k_Guards[] = {
     {"AutoLight.cginc", "AUTOLIGHT_INCLUDED"},
     {"HLSLSupport.cginc", "HLSL_SUPPORT_INCLUDED"},
     {"Lighting.cginc", "LIGHTING_INCLUDED"},
+    {"SpeedTreeBillboardCommon.cginc", "SPEEDTREE_BILLBOARD_COMMON_INCLUDED"},
+    {"SpeedTreeCommon.cginc", "SPEEDTREE_COMMON_INCLUDED"},
     {"TerrainEngine.cginc", "TERRAIN_ENGINE_INCLUDED"},
     {"TerrainPreview.cginc", "TERRAIN_PREVIEW_INCLUDED"},
     {"TerrainSplatmapCommon.cginc", "TERRAIN_SPLATMAP_COMMON_CGINC_INCLUDED"},
