@@ -100,10 +100,9 @@ TEST(BuiltinLibrary, CompilesSpeedTreesOfEveryGeometry)
         CompileCg(define + text, {"EFFECT_BUMP", "EFFECT_HUE_VARIATION", "LOD_FADE_PERCENTAGE"});
     }
     const auto windy = CompileCg("#define ENABLE_WIND\n#define GEOM_TYPE_LEAF\n" + text);
-    EXPECT_THAT(
-        test::Messages(windy->diagnostics),
-        ElementsAre(" note: uses the wind of SpeedTrees, which limn does not have: "
-                    "they stand still"));
+    EXPECT_THAT(test::Messages(windy->diagnostics),
+                ElementsAre(" note: uses the wind of SpeedTrees, which limn does not have: "
+                            "they stand still"));
 }
 
 TEST(BuiltinLibrary, CompilesBillboardsOfSpeedTrees)
