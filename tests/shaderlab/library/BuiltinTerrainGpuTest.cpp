@@ -291,7 +291,7 @@ TEST_F(TerrainFunctions, BrushesArePlacedAndGridsAreBuilt)
     std::vector<double> vertices(36);
     for (int i = 0; i < 36; ++i)
     {
-        vertices[i] = i;
+        vertices[static_cast<std::size_t>(i)] = i;
     }
     grid.Add("BuildProceduralQuadMeshVertex(uint(a.x))", Combine(vertices),
              [](auto& a, auto&, auto&)
