@@ -1,6 +1,7 @@
 #pragma once
 #define LIGHTING_INCLUDED
 #include "UnityLightingCommon.cginc"
+#include "UnityGBuffer.cginc"
 #include "UnityGlobalIllumination.cginc"
 
 struct SurfaceOutput
@@ -26,6 +27,25 @@ fixed4 LightingLambert(SurfaceOutput s, UnityGI gi)
 #endif
     return c;
 }
+half3 limn_EmittedAndAmbient(SurfaceOutput s, UnityGI gi)
+{
+#if UNITY_SHOULD_SAMPLE_SH
+    return s.Emission + s.Albedo * gi.indirect.diffuse;
+#else
+    return s.Emission;
+#endif
+}
+half4 LightingLambert_Deferred(SurfaceOutput s, UnityGI gi, out half4 outGBuffer0,
+                               out half4 outGBuffer1, out half4 outGBuffer2)
+{
+    UnityStandardDataToGbuffer(limn_StandardData(s.Albedo, 1, 0, 0, s.Normal), outGBuffer0,
+                               outGBuffer1, outGBuffer2);
+    return half4(limn_EmittedAndAmbient(s, gi), 1);
+}
+fixed4 LightingLambert_PrePass(SurfaceOutput s, half4 light)
+{
+    return fixed4(s.Albedo * light.rgb, s.Alpha);
+}
 void LightingLambert_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi)
 {
     gi = UnityGlobalIllumination(data, 1.0, s.Normal);
@@ -45,6 +65,20 @@ fixed4 LightingBlinnPhong(SurfaceOutput s, half3 viewDir, UnityGI gi)
     c.rgb += s.Albedo * gi.indirect.diffuse;
 #endif
     return c;
+}
+half4 LightingBlinnPhong_Deferred(SurfaceOutput s, half3 viewDir, UnityGI gi,
+                                  out half4 outGBuffer0, out half4 outGBuffer1,
+                                  out half4 outGBuffer2)
+{
+    half3 specular = _SpecColor.rgb * s.Gloss * (1 / UNITY_PI);
+    UnityStandardDataToGbuffer(limn_StandardData(s.Albedo, 1, specular, s.Specular, s.Normal),
+                               outGBuffer0, outGBuffer1, outGBuffer2);
+    return half4(limn_EmittedAndAmbient(s, gi), 1);
+}
+fixed4 LightingBlinnPhong_PrePass(SurfaceOutput s, half4 light)
+{
+    fixed3 highlight = light.rgb * _SpecColor.rgb * (light.a * s.Gloss);
+    return fixed4(s.Albedo * light.rgb + highlight, s.Alpha);
 }
 void LightingBlinnPhong_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi)
 {

@@ -15,6 +15,7 @@ fixed _Cutoff;
 #define limn_SPEEDTREE_BUMP 1
 #endif
 #include "SpeedTreeVertex.cginc"
+#include "limn/SpeedTreeHue.hlsl"
 
 struct Input
 {
@@ -71,15 +72,6 @@ struct SpeedTreeFragOut
     fixed Alpha;
     SPEEDTREE_DATA_NORMAL
 };
-
-// Towards the hue of _HueVariation, about as bright as before.
-half3 limn_VaryHue(half3 color, half3 hue, half amount)
-{
-    half3 shifted = lerp(color, hue, amount);
-    half brightness = max(color.r, max(color.g, color.b)) /
-                      max(shifted.r, max(shifted.g, shifted.b));
-    return saturate(shifted * (brightness * 0.5 + 0.5));
-}
 
 void SpeedTreeFrag(Input IN, out SpeedTreeFragOut OUT)
 {

@@ -10,6 +10,18 @@ struct UnityStandardData
     float3 normalWorld;
 };
 
+UnityStandardData limn_StandardData(half3 diffuse, half occlusion, half3 specular, half smoothness,
+                                    float3 normal)
+{
+    UnityStandardData data;
+    data.diffuseColor = diffuse;
+    data.occlusion = occlusion;
+    data.specularColor = specular;
+    data.smoothness = smoothness;
+    data.normalWorld = normal;
+    return data;
+}
+
 void UnityStandardDataToGbuffer(UnityStandardData data, out half4 outGBuffer0,
                                 out half4 outGBuffer1, out half4 outGBuffer2)
 {

@@ -3,6 +3,7 @@
 #include "UnityShaderVariables.cginc"
 #include "UnityStandardConfig.cginc"
 #include "UnityLightingCommon.cginc"
+#include "UnityGBuffer.cginc"
 #include "UnityGlobalIllumination.cginc"
 #include "UnityStandardBRDF.cginc"
 
@@ -53,6 +54,22 @@ half4 LightingStandard(SurfaceOutputStandard s, float3 viewDir, UnityGI gi)
                              normalize(s.Normal), viewDir, gi.light, gi.indirect);
     return half4(c.rgb, outputAlpha);
 }
+// What goes into the targets of a deferred pass, and, given back, into the one of the light.
+half4 LightingStandard_Deferred(SurfaceOutputStandard s, float3 viewDir, UnityGI gi,
+                                out half4 outGBuffer0, out half4 outGBuffer1,
+                                out half4 outGBuffer2)
+{
+    half oneMinusReflectivity;
+    half3 specColor;
+    half3 diffuse =
+        DiffuseAndSpecularFromMetallic(s.Albedo, s.Metallic, specColor, oneMinusReflectivity);
+    UnityStandardDataToGbuffer(
+        limn_StandardData(diffuse, s.Occlusion, specColor, s.Smoothness, s.Normal), outGBuffer0,
+        outGBuffer1, outGBuffer2);
+    half4 c = UNITY_BRDF_PBS(diffuse, specColor, oneMinusReflectivity, s.Smoothness, s.Normal,
+                             viewDir, gi.light, gi.indirect);
+    return half4(c.rgb + s.Emission, 1);
+}
 void LightingStandard_GI(SurfaceOutputStandard s, UnityGIInput data, inout UnityGI gi)
 {
     gi = UnityGlobalIllumination(data, s.Occlusion, s.Smoothness, s.Normal);
@@ -79,6 +96,20 @@ half4 LightingStandardSpecular(SurfaceOutputStandardSpecular s, float3 viewDir, 
     half4 c = UNITY_BRDF_PBS(albedo, s.Specular, oneMinusReflectivity, s.Smoothness,
                              normalize(s.Normal), viewDir, gi.light, gi.indirect);
     return half4(c.rgb, outputAlpha);
+}
+half4 LightingStandardSpecular_Deferred(SurfaceOutputStandardSpecular s, float3 viewDir, UnityGI gi,
+                                        out half4 outGBuffer0, out half4 outGBuffer1,
+                                        out half4 outGBuffer2)
+{
+    half oneMinusReflectivity;
+    half3 diffuse =
+        EnergyConservationBetweenDiffuseAndSpecular(s.Albedo, s.Specular, oneMinusReflectivity);
+    UnityStandardDataToGbuffer(
+        limn_StandardData(diffuse, s.Occlusion, s.Specular, s.Smoothness, s.Normal), outGBuffer0,
+        outGBuffer1, outGBuffer2);
+    half4 c = UNITY_BRDF_PBS(diffuse, s.Specular, oneMinusReflectivity, s.Smoothness, s.Normal,
+                             viewDir, gi.light, gi.indirect);
+    return half4(c.rgb + s.Emission, 1);
 }
 void LightingStandardSpecular_GI(SurfaceOutputStandardSpecular s, UnityGIInput data,
                                  inout UnityGI gi)

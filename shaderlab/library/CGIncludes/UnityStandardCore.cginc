@@ -289,12 +289,8 @@ void fragDeferred(VertexOutputForwardBase i, out half4 outGBuffer0 : SV_Target0,
 #ifndef UNITY_HDR_ON
     color = exp2(-color);
 #endif
-    UnityStandardData data;
-    data.diffuseColor = s.diffColor;
-    data.occlusion = occlusion;
-    data.specularColor = s.specColor;
-    data.smoothness = s.smoothness;
-    data.normalWorld = s.normalWorld;
-    UnityStandardDataToGbuffer(data, outGBuffer0, outGBuffer1, outGBuffer2);
+    UnityStandardDataToGbuffer(
+        limn_StandardData(s.diffColor, occlusion, s.specColor, s.smoothness, s.normalWorld),
+        outGBuffer0, outGBuffer1, outGBuffer2);
     outEmission = half4(color, 1.0);
 }

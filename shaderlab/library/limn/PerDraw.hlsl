@@ -45,5 +45,10 @@ void limn_SetupInstance(uint instanceID)
 #define unity_WorldTransformParams (limn_PerDraw[limn_DrawIndex].worldTransformParams)
 #define unity_RenderingLayer (asfloat(limn_PerDraw[limn_DrawIndex].renderingLayer))
 
-// No cross-fading between levels of detail.
+// No object is between two levels of detail: x is how much of it shows where levels cross-fade, but
+// how far it is on its way to the next one where they blend.
+#if defined(LOD_FADE_PERCENTAGE) && !defined(LOD_FADE_CROSSFADE)
+#define unity_LODFade float4(0, 0, 0, 0)
+#else
 #define unity_LODFade float4(1, 0, 0, 0)
+#endif

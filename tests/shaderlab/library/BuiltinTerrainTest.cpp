@@ -8,23 +8,9 @@ namespace
 {
 
 using test::CompileCg;
+using test::CompileEntries;
 using test::TextureNames;
 using testing::ElementsAre;
-
-/// CompileCg() of a file's own entry functions.
-std::shared_ptr<const ShaderProgram> CompileEntries(const std::string& text, const char* vertex,
-                                                    const char* fragment,
-                                                    const std::vector<std::string>& keywords)
-{
-    PassProgram program = test::Program(text, ProgramLanguage::Cg);
-    program.vertex.name = vertex;
-    program.fragment.name = fragment;
-    ShaderCompiler compiler;
-    auto pass = compiler.Compile(program, keywords);
-    EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
-    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
-    return pass;
-}
 
 TEST(BuiltinLibrary, CompilesTreesOfTheTreeCreator)
 {
@@ -58,81 +44,6 @@ TEST(BuiltinLibrary, CompilesTreesOfTheTreeCreator)
             return LightingTreeLeaf(s, _WorldSpaceLightPos0.xyz, i.normal, 1.0) + half4(i.light, 0);
         })",
               {"DIRECTIONAL", "VERTEXLIGHT_ON"});
-}
-
-TEST(BuiltinLibrary, CompilesSpeedTreesOfEveryGeometry)
-{
-    const std::string text = R"(
-        #include "SpeedTreeCommon.cginc"
-        struct v2f { float4 pos : SV_POSITION; fixed4 color : COLOR; half3 a : TEXCOORD0; half3 b : TEXCOORD1; };
-        v2f vert(SpeedTreeVB v)
-        {
-            v2f o;
-            Input data;
-            SpeedTreeVert(v, data);
-            o.color = data.color;
-            o.a = data.interpolator1;
-            o.b = 0;
-        #ifdef GEOM_TYPE_BRANCH_DETAIL
-            o.b = data.interpolator2;
-        #endif
-            o.pos = UnityObjectToClipPos(v.vertex);
-            return o;
-        }
-        fixed4 frag(v2f i) : SV_Target
-        {
-            Input data = (Input)0;
-            data.color = i.color;
-            data.interpolator1 = i.a;
-        #ifdef GEOM_TYPE_BRANCH_DETAIL
-            data.interpolator2 = i.b;
-        #endif
-            SpeedTreeFragOut o, other;
-            SpeedTreeFrag(data, o);
-            SPEEDTREE_COPY_FRAG(other, o)
-            return fixed4(other.Albedo, other.Alpha);
-        })";
-    for (const char* geometry : {"BRANCH", "BRANCH_DETAIL", "FROND", "LEAF", "MESH"})
-    {
-        SCOPED_TRACE(geometry);
-        const std::string define = std::string("#define GEOM_TYPE_") + geometry + "\n";
-        CompileCg(define + text);
-        CompileCg(define + text, {"EFFECT_BUMP", "EFFECT_HUE_VARIATION", "LOD_FADE_PERCENTAGE"});
-    }
-    const auto windy = CompileCg("#define ENABLE_WIND\n#define GEOM_TYPE_LEAF\n" + text);
-    EXPECT_THAT(test::Messages(windy->diagnostics),
-                ElementsAre(" note: uses the wind of SpeedTrees, which limn does not have: "
-                            "they stand still"));
-}
-
-TEST(BuiltinLibrary, CompilesBillboardsOfSpeedTrees)
-{
-    const std::string text = R"(
-        #include "SpeedTreeBillboardCommon.cginc"
-        struct v2f { float4 pos : SV_POSITION; fixed4 color : COLOR; half3 a : TEXCOORD0; half3 b : TEXCOORD1; };
-        v2f vert(SpeedTreeBillboardData v)
-        {
-            v2f o;
-            Input data;
-            SpeedTreeBillboardVert(v, data);
-            o.color = data.color;
-            o.a = data.interpolator1;
-            o.b = 0;
-            o.pos = UnityObjectToClipPos(v.vertex);
-            return o;
-        }
-        fixed4 frag(v2f i) : SV_Target
-        {
-            Input data = (Input)0;
-            data.color = i.color;
-            data.interpolator1 = i.a;
-            SpeedTreeFragOut o;
-            SpeedTreeFrag(data, o);
-            return fixed4(o.Albedo, o.Alpha);
-        })";
-    CompileCg(text);
-    CompileCg("#define BILLBOARD_FACE_CAMERA_POS\n#define ENABLE_WIND\n" + text,
-              {"EFFECT_BUMP", "EFFECT_HUE_VARIATION"});
 }
 
 TEST(BuiltinLibrary, CompilesSoftOcclusionTreesAndTreeBillboards)

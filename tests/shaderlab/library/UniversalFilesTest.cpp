@@ -19,14 +19,7 @@ std::shared_ptr<const ShaderProgram> CompileUrp(const std::string& text,
                                                 const char* fragment = "frag",
                                                 const std::vector<std::string>& keywords = {})
 {
-    PassProgram program = test::Program(text);
-    program.vertex.name = vertex;
-    program.fragment.name = fragment;
-    ShaderCompiler compiler;
-    auto pass = compiler.Compile(program, keywords);
-    EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
-    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
-    return pass;
+    return test::CompileEntries(text, vertex, fragment, keywords, ProgramLanguage::Hlsl);
 }
 
 const char* const k_Sprite = R"(

@@ -2,14 +2,8 @@
 #pragma once
 #define UNIVERSAL_SHADOW_CASTER_PASS_INCLUDED
 
-#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Shadows.hlsl"
+#include "limn/ShadowCaster.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/LODCrossFade.hlsl"
-
-// Where the light is: _LightDirection for the sun, _LightPosition for one with a place.
-float3 _LightDirection;
-float3 _LightPosition;
-float3 limn_LightPosition; // relative to limn_Origin
 
 struct Attributes
 {
@@ -28,15 +22,7 @@ struct Varyings
 
 float4 GetShadowPositionHClip(Attributes input)
 {
-    float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
-    float3 position = limn_ObjectToRelative(input.positionOS.xyz);
-#ifdef _CASTING_PUNCTUAL_LIGHT_SHADOW
-    float3 lightDirection = normalize(limn_LightPosition - position);
-#else
-    float3 lightDirection = _LightDirection;
-#endif
-    return ApplyShadowClamping(
-        limn_RelativeToClip(ApplyShadowBias(position, normalWS, lightDirection)));
+    return limn_ShadowCasterClip(input.positionOS.xyz, input.normalOS);
 }
 
 Varyings ShadowPassVertex(Attributes input)

@@ -1,0 +1,235 @@
+#include "library/BuiltinTestSupport.h"
+
+#include <gmock/gmock.h>
+#include <span>
+
+// SpeedTrees of both pipelines: every kind of geometry, pass and quality of wind compiles.
+
+namespace limn
+{
+namespace
+{
+
+using test::CompileCg;
+using test::CompileEntries;
+using testing::IsEmpty;
+
+/// A pass of the author's around SpeedTreeVert and SpeedTreeFrag; VERTEX is what a vertex holds.
+const std::string k_Tree = R"(
+    struct v2f { float4 pos : SV_POSITION; fixed4 color : COLOR; half3 a : TEXCOORD0; half3 b : TEXCOORD1; };
+    v2f vert(VERTEX v)
+    {
+        v2f o;
+        Input data;
+        PLACE(v, data);
+        o.color = data.color;
+        o.a = data.interpolator1;
+        o.b = 0;
+    #ifdef GEOM_TYPE_BRANCH_DETAIL
+        o.b = data.interpolator2;
+    #endif
+        o.pos = UnityObjectToClipPos(v.vertex);
+        return o;
+    }
+    fixed4 frag(v2f i) : SV_Target
+    {
+        Input data = (Input)0;
+        data.color = i.color;
+        data.interpolator1 = i.a;
+    #ifdef GEOM_TYPE_BRANCH_DETAIL
+        data.interpolator2 = i.b;
+    #endif
+        SpeedTreeFragOut o, other;
+        SpeedTreeFrag(data, o);
+        SPEEDTREE_COPY_FRAG(other, o)
+        return fixed4(other.Albedo, other.Alpha);
+    })";
+
+TEST(BuiltinLibrary, CompilesSpeedTreesOfEveryGeometry)
+{
+    const std::string text = "#define VERTEX SpeedTreeVB\n#define PLACE SpeedTreeVert\n"
+                             "#include \"SpeedTreeCommon.cginc\"\n" +
+                             k_Tree;
+    for (const char* geometry : {"BRANCH", "BRANCH_DETAIL", "FROND", "LEAF", "MESH"})
+    {
+        SCOPED_TRACE(geometry);
+        const std::string define = std::string("#define GEOM_TYPE_") + geometry + "\n";
+        CompileCg(define + text);
+        CompileCg(define + text, {"EFFECT_BUMP", "EFFECT_HUE_VARIATION", "LOD_FADE_PERCENTAGE"});
+        const auto windy = CompileCg("#define ENABLE_WIND\n" + define + text);
+        EXPECT_THAT(windy->diagnostics, IsEmpty());
+        EXPECT_THAT(test::Disassemble(windy->vertexSpirv), testing::HasSubstr("_ST_WindGlobal"));
+    }
+}
+
+TEST(BuiltinLibrary, CompilesBillboardsOfSpeedTrees)
+{
+    const std::string text = "#define VERTEX SpeedTreeBillboardData\n"
+                             "#define PLACE SpeedTreeBillboardVert\n"
+                             "#include \"SpeedTreeBillboardCommon.cginc\"\n" +
+                             k_Tree;
+    CompileCg(text);
+    CompileCg("#define BILLBOARD_FACE_CAMERA_POS\n#define ENABLE_WIND\n" + text,
+              {"EFFECT_BUMP", "EFFECT_HUE_VARIATION"});
+}
+
+TEST(BuiltinLibrary, KnowsEveryFunctionOfTheWind)
+{
+    const std::string text = R"(
+        #include "UnityCG.cginc"
+        #include "SpeedTreeWind.cginc"
+        #ifdef WIND_EFFECT_FROND_RIPPLE_ADJUST_LIGHTING
+        #define FRAME , p.xyz, p.yzx
+        #else
+        #define FRAME
+        #endif
+        float4 vert(float4 p : POSITION, float3 n : NORMAL) : SV_Position
+        {
+            float4 waves = 0;
+            float3 v = DirectionalBranchWind(p.xyz, n, p.x, p.y, p.z, 1, 2, 3, 4, 5, 6, true, true, true, true, n);
+            v += DirectionalBranchWindFrondStyle(p.xyz, n, p.x, p.y, p.z, 1, 2, 3, 4, 5, 6, true, true, true, true, n, v);
+            v += SimpleBranchWind(p.xyz, n, p.x, p.y, p.z, 1, 2, 3, 4, true, true, false, n);
+            v *= Roll(p.x, p.y, p.z, 1, 2, p.xyz, 3, n) + Turbulence(p.x, p.y, p.z, p.w);
+            v *= Oscillate(p.xyz, p.x, p.y, p.z, p.w, true, false, true, 1, 2, waves, n);
+            v += RippleFrondTwoSided(p.xyz, n, p.x, p.y, p.z, p.w FRAME);
+            v += RippleFrond(p.xyz, n, p.x, p.y, p.z, p.w, 1 FRAME);
+            v += LeafRipple(p.xyz, n, 1, 2, 3, 4, true, 5) + wind_cross(v, n);
+            v = mul_float3x3_float3(mul_float3x3_float3x3(RotationMatrix(n, 1), RotationMatrix(n, 2)), v);
+            return waves + float4(v, 1);
+        }
+        fixed4 frag() : SV_Target { return 1; })";
+    for (const char* define :
+         {"", "#define SPEEDTREE_Z_UP\n", "#define WIND_EFFECT_FROND_RIPPLE_ADJUST_LIGHTING\n"})
+    {
+        SCOPED_TRACE(define);
+        CompileCg(define + text);
+    }
+}
+
+const std::vector<std::string> k_Tree8Variants[] = {
+    {},
+    {"EFFECT_BUMP", "EFFECT_EXTRA_TEX", "EFFECT_HUE_VARIATION", "EFFECT_SUBSURFACE",
+     "_WINDQUALITY_BEST", "LOD_FADE_PERCENTAGE"},
+    {"_WINDQUALITY_PALM", "EFFECT_SUBSURFACE", "EFFECT_BACKSIDE_NORMALS"},
+    {"_WINDQUALITY_FAST", "EFFECT_BACKSIDE_NORMALS", "EFFECT_BUMP"},
+    {"_WINDQUALITY_NONE", "EFFECT_HUE_VARIATION"},
+    {"EFFECT_BILLBOARD", "_WINDQUALITY_FASTEST", "EFFECT_BACKSIDE_NORMALS"},
+};
+
+TEST(BuiltinLibrary, CompilesSpeedTree8)
+{
+    const std::string text = R"(
+        #define ENABLE_WIND
+        #include "SpeedTree8Common.cginc"
+        struct v2f
+        {
+            float4 pos : SV_POSITION; Input data; float3 world : TEXCOORD1; float3 normal : NORMAL;
+        };
+        struct Stored { half4 a : SV_Target0; half4 b : SV_Target1; half4 c : SV_Target2; half4 d : SV_Target3; };
+        v2f vert(appdata_full v)
+        {
+            v2f o = (v2f)0;
+            SpeedTreeVert(v);
+            o.pos = UnityObjectToClipPos(v.vertex);
+            o.world = v.vertex.xyz;
+            o.normal = v.normal;
+            o.data.uv_MainTex = v.texcoord.xy;
+            o.data.color = v.color;
+            return o;
+        }
+        Stored frag(v2f i)
+        {
+            Input data = (Input)0;
+            data.uv_MainTex = i.data.uv_MainTex;
+            data.color = i.data.color;
+            SurfaceOutputStandard s = (SurfaceOutputStandard)0;
+            s.Normal = i.normal;
+            SpeedTreeSurf(data, s);
+            UnityGIInput giInput = (UnityGIInput)0;
+            UnityGI gi = (UnityGI)0;
+            LightingSpeedTreeSubsurface_GI(s, giInput, gi);
+            Stored o;
+            o.d = LightingSpeedTreeSubsurface_Deferred(s, i.world, gi, o.a, o.b, o.c);
+            o.d += LightingSpeedTreeSubsurface(s, i.world, gi);
+            return o;
+        })";
+    for (const auto& keywords : k_Tree8Variants)
+    {
+        SCOPED_TRACE(testing::PrintToString(keywords));
+        CompileCg(text, keywords);
+    }
+}
+
+std::string UrpTree(const std::string& file)
+{
+    return "#include \"Packages/com.unity.render-pipelines.universal/Shaders/Nature/" + file +
+           ".hlsl\"\n";
+}
+
+struct TreePass
+{
+    const char* define;
+    const char* vertex;
+    const char* fragment;
+};
+
+TEST(UniversalFiles, DrawSpeedTree8InEachOfItsPasses)
+{
+    const TreePass passes[] = {
+        {"#define EFFECT_BACKSIDE_NORMALS\n", "SpeedTree8Vert", "SpeedTree8Frag"},
+        {"#define GBUFFER\n", "SpeedTree8Vert", "SpeedTree8Frag"},
+        {"#define SHADOW_CASTER\n", "SpeedTree8VertDepth", "SpeedTree8FragDepth"},
+        {"#define SCENESELECTIONPASS\n", "SpeedTree8VertDepth", "SpeedTree8FragDepth"},
+        {"", "SpeedTree8VertDepthNormal", "SpeedTree8FragDepthNormal"},
+    };
+    for (const TreePass& pass : passes)
+    {
+        // The lit pass with all, the others with those that change them.
+        const bool isLit = pass.fragment == std::string("SpeedTree8Frag");
+        for (const auto& keywords : std::span(k_Tree8Variants).first(isLit ? 6 : 2))
+        {
+            SCOPED_TRACE(pass.define + testing::PrintToString(keywords));
+            CompileEntries("#define ENABLE_WIND\n" + std::string(pass.define) +
+                               UrpTree("SpeedTree8Input") + UrpTree("SpeedTree8Passes"),
+                           pass.vertex, pass.fragment, keywords, ProgramLanguage::Hlsl);
+        }
+    }
+}
+
+TEST(UniversalFiles, DrawSpeedTree7AndItsBillboardsInEachOfTheirPasses)
+{
+    const TreePass passes[] = {
+        {"#define VERTEX_COLOR\n", "SpeedTree7Vert", "SpeedTree7Frag"},
+        {"#define GBUFFER\n", "SpeedTree7Vert", "SpeedTree7Frag"},
+        {"#define SHADOW_CASTER\n", "SpeedTree7VertDepth", "SpeedTree7FragDepth"},
+        {"#define SCENESELECTIONPASS\n", "SpeedTree7VertDepth", "SpeedTree7FragDepth"},
+        {"", "SpeedTree7VertDepthNormal", "SpeedTree7FragDepthNormal"},
+    };
+    const std::vector<std::string> bumped = {"EFFECT_BUMP", "EFFECT_HUE_VARIATION",
+                                             "_MAIN_LIGHT_SHADOWS", "LOD_FADE_CROSSFADE"};
+    for (const char* geometry : {"BRANCH", "BRANCH_DETAIL", "FROND", "LEAF", "MESH"})
+    {
+        SCOPED_TRACE(geometry);
+        // The other passes have the same vertices, and fragments that details tell apart.
+        const bool isDetailed = geometry == std::string("BRANCH_DETAIL");
+        for (const TreePass& pass : std::span(passes).first(isDetailed ? std::size(passes) : 1))
+        {
+            SCOPED_TRACE(pass.define);
+            const std::string text = std::string("#define ENABLE_WIND\n#define GEOM_TYPE_") +
+                                     geometry + "\n" + pass.define + UrpTree("SpeedTree7Input") +
+                                     UrpTree("SpeedTree7Passes");
+            CompileEntries(text, pass.vertex, pass.fragment, {}, ProgramLanguage::Hlsl);
+            CompileEntries(text, pass.vertex, pass.fragment, bumped, ProgramLanguage::Hlsl);
+        }
+    }
+    const std::string board =
+        UrpTree("SpeedTree7BillboardInput") + UrpTree("SpeedTree7BillboardPasses");
+    CompileEntries(board, "SpeedTree7Vert", "SpeedTree7Frag", bumped, ProgramLanguage::Hlsl);
+    CompileEntries("#define ENABLE_WIND\n#define BILLBOARD_FACE_CAMERA_POS\n" + board,
+                   "SpeedTree7VertDepth", "SpeedTree7FragDepth", {}, ProgramLanguage::Hlsl);
+    CompileEntries(board, "SpeedTree7VertDepthNormalBillboard",
+                   "SpeedTree7FragDepthNormalBillboard", bumped, ProgramLanguage::Hlsl);
+}
+
+} // namespace
+} // namespace limn
