@@ -30,7 +30,8 @@ TEST(BuiltinLibrary, HasHeadersThatEachStandAlone)
             continue;
         }
         SCOPED_TRACE(name);
-        EXPECT_NO_THROW(test::CompileHlsl("#include \"" + name + "\"\n" + k_Entry));
+        EXPECT_NO_THROW(
+            test::CompileHlsl("#define UIE_CUSTOM_SHADER\n#include \"" + name + "\"\n" + k_Entry));
         ++count;
     }
     EXPECT_GE(count, 20);

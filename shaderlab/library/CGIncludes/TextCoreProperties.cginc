@@ -1,0 +1,3 @@
+// The older name of the file.
+#pragma once
+#include "TextCore_Properties.cginc"
