@@ -132,6 +132,21 @@ TEST(BuiltinLibrary, CompilesTerrainLayersBrushesAndTheirPreview)
                 ElementsAre("_Heightmap"));
 }
 
+TEST(BuiltinLibrary, CompilesTheTerrainToolsPackage)
+{
+    CompileCg(R"(
+        #include "UnityCG.cginc"
+        #include "Packages/com.unity.terrain-tools/Shaders/TerrainTools.hlsl"
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            float2 uv = PcUvToHeightmapUv(HeightmapUvToPcUv(p.xy)) + PaintContextUVToBrushUV(p.xy);
+            float valid = IsPcUvPartOfValidTerrainTileTexel(uv);
+            valid *= IsPcUvPartOfValidTerrainTileTexelSobel(uv, p.zw);
+            return float4(uv, valid, RemapFilterValue(p, 0, 1, 2, 3) + pow_keep_sign(p, 2));
+        })");
+}
+
 TEST(BuiltinLibrary, CompilesTheOtherPassesOfTheStandardShader)
 {
     const auto deferred = CompileEntries("#include \"UnityStandardCore.cginc\"\n", "vertDeferred",

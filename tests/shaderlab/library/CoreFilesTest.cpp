@@ -100,5 +100,74 @@ TEST(CoreLibrary, PlacesScreenCoordinatesOfAPart)
                        testing::HasSubstr("\"_ScreenSizeOverride\"")));
 }
 
+TEST(CoreLibrary, SamplesTexturesFromThreeSides)
+{
+    const std::string text = R"(
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Sampling/SampleUVMapping.hlsl"
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            UVMapping m = (UVMapping)0;
+            m.mappingType = (int)p.x % 3;
+            m.uv = p.xy;
+            m.triplanarWeights = p.xyz;
+            m.normalWS = p.zxy;
+            float4 c = SAMPLE_UVMAPPING_TEXTURE2D(_Height, sampler_Height, m);
+            c += SAMPLE_UVMAPPING_TEXTURE2D_LOD(_Height, sampler_Height, m, 1);
+            c += SAMPLE_UVMAPPING_TEXTURE2D_BIAS(_Height, sampler_Height, m, 1);
+            c.rgb += SAMPLE_UVMAPPING_NORMALMAP(_Height, sampler_Height, m, 1);
+            c.rgb += SAMPLE_UVMAPPING_NORMALMAP_AG_LOD(_Height, sampler_Height, m, 1, 2);
+            c.rgb += SAMPLE_UVMAPPING_NORMALMAP_RGB_BIAS(_Height, sampler_Height, m, 1, 2);
+            float3 tangent, bitangent;
+            SurfaceGradientGenBasisTB(c.rgb, ddx(c.rgb), ddy(c.rgb), 1, p.xy, tangent, bitangent);
+            c.rgb += SurfaceGradientFromTangentSpaceNormalAndFromTBN(c.rgb, tangent, bitangent);
+            return c;
+        })";
+    CompileCore(text);
+    CompileCore("#define SURFACE_GRADIENT\n" + text);
+}
+
+TEST(CoreLibrary, CompilesOutputForBrightDisplays)
+{
+    const std::string text = R"(
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/HDROutput.hlsl"
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            float3 c = HDRMappingFromRec709(p.rgb, 200, 0, 1000, HDRRANGEREDUCTION_BT2390, 0.3);
+            c += HDRMappingFromRec2020(p.rgb, 200, 0, 1000, HDRRANGEREDUCTION_REINHARD, 0, true);
+            c += PerformRangeReduction(c, 0, 1000) + LinearToPQForLUT(c);
+            return float4(SceneUIComposition(p, c, 200, 1000), 1);
+        })";
+    for (const char* define : {"", "#define OETF_CHOICE PRECISE_PQ\n",
+                               "#define HDR_COLORSPACE_CONVERSION_AND_ENCODING\n"
+                               "#define OETF_CHOICE ISS_APPROX_PQ\n"})
+    {
+        SCOPED_TRACE(define);
+        EXPECT_THAT(CompileCore(define + text)->diagnostics, testing::IsEmpty());
+    }
+    EXPECT_EQ(CompileCore(R"(
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/HDROutput.hlsl"
+        float4 frag(float4 p : SV_Position) : SV_Target { return float4(HDRMappingACES(p.rgb, 200, HDRRANGEREDUCTION_ACES1000NITS), 1); })")
+                  ->diagnostics.size(),
+              1u);
+}
+
+TEST(CoreLibrary, CompilesSmallFiles)
+{
+    CompileCore(R"(
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/MetaPass.hlsl"
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonShadow.hlsl"
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceFillingCurves.hlsl"
+        #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/SDF2D.hlsl"
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            UnityMetaInput meta = (UnityMetaInput)0;
+            meta.Albedo = GetShadowPosOffset(p.x, p.xyz, p.xy);
+            meta.Albedo.x += CircleSDF(p.xy, 1) + RectangleSDF(p.xy, p.zw) + EllipseSDF(p.xy, p.zw);
+            meta.Albedo.xy += DecodeMorton2D(EncodeMorton3D((uint3)p.xyz));
+            return UnityMetaFragment(meta) + UnityMetaVertexPosition(p.xyz, p.xy, p.zw);
+        })");
+}
+
 } // namespace
 } // namespace limn

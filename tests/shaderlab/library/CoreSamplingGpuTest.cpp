@@ -24,12 +24,6 @@ using glm::dvec4;
 
 using CoreSampling = GpuTest;
 
-std::string Core(const std::string& name)
-{
-    return "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/" + name +
-           ".hlsl\"\n";
-}
-
 dvec3 Spherical(double phi, double cosTheta)
 {
     const double sinTheta = std::sqrt(std::max(0.0, 1 - cosTheta * cosTheta));
@@ -38,7 +32,7 @@ dvec3 Spherical(double phi, double cosTheta)
 
 TEST_F(CoreSampling, HashesGiveTheNumbersOfTheirPublishedForm)
 {
-    FunctionGrid grid(Core("Hashes") + R"(
+    FunctionGrid grid(CoreInclude("Hashes") + R"(
         float3 Tchou23(float2 v) { float3 o; Hash_Tchou_2_3_float(v, o); return o; }
         float3 Tchou33(float3 v) { half3 o; Hash_Tchou_3_3_half(v, o); return o; }
         float4 Firsts(float3 v)
@@ -123,7 +117,7 @@ TEST_F(CoreSampling, HashesGiveTheNumbersOfTheirPublishedForm)
 
 TEST_F(CoreSampling, PointsAreSpreadEvenly)
 {
-    FunctionGrid grid(Core("Sampling/Sampling"));
+    FunctionGrid grid(CoreInclude("Sampling/Sampling"));
     const auto numbers = Combine({0.0, 1.0, 2.0, 5.0, 20.0});
     grid.Add("Fibonacci2d((uint)a.x, 21)", numbers,
              [](auto& a, auto&, auto&)
@@ -182,7 +176,7 @@ TEST_F(CoreSampling, PointsAreSpreadEvenly)
 
 TEST_F(CoreSampling, LightsAreSampledOverTheirAreas)
 {
-    FunctionGrid grid(Core("Sampling/Sampling") + R"(
+    FunctionGrid grid(CoreInclude("Sampling/Sampling") + R"(
         static const float4x4 k_Light = {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 5, 6, 7, 1};
         float4 Rectangle(float2 u) { float p; float3 P, N; SampleRectangle(u, k_Light, 4, 2, p, P, N); return float4(P, p); }
         float4 RectangleN(float2 u) { float p; float3 P, N; SampleRectangle(u, k_Light, 4, 2, p, P, N); return float4(N, p); }
@@ -226,7 +220,7 @@ TEST_F(CoreSampling, LightsAreSampledOverTheirAreas)
 
 TEST_F(CoreSampling, MaterialsOfRayTracersFollowTheirFormulas)
 {
-    FunctionGrid grid(Core("BSDF"));
+    FunctionGrid grid(CoreInclude("BSDF"));
     const auto inputs = Combine({0.1, 0.5, 0.95}, {0.2, 0.8}, {0.1, 0.6, 1.0});
     // Smith's masking of GGX by its slope: (sqrt(1 + a^2 tan^2) - 1) / 2.
     const auto lambda = [](double cosine, double roughness)
@@ -297,7 +291,7 @@ TEST_F(CoreSampling, MaterialsOfRayTracersFollowTheirFormulas)
 
 TEST_F(CoreSampling, DirectionsFollowTheMaterialsLobe)
 {
-    FunctionGrid grid(Core("ImageBasedLighting") + R"(
+    FunctionGrid grid(CoreInclude("ImageBasedLighting") + R"(
         static const float3x3 k_Frame = {0, 1, 0, 0, 0, 1, 1, 0, 0};
         float4 Ggx(float2 u, float3 V, float r)
         {

@@ -20,12 +20,6 @@ using glm::dvec4;
 
 using CoreShapes = GpuTest;
 
-std::string CoreFile(const std::string& name)
-{
-    return "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/" + name +
-           ".hlsl\"\n";
-}
-
 /// The share of a tent of half width h that lies over a texel, by sums of thin strips.
 double TentOver(double left, double h)
 {
@@ -40,7 +34,7 @@ double TentOver(double left, double h)
 
 TEST_F(CoreShapes, ShadowsAreFilteredByATent)
 {
-    FunctionGrid grid(CoreFile("Shadow/ShadowSamplingTent") + R"(
+    FunctionGrid grid(CoreInclude("Shadow/ShadowSamplingTent") + R"(
         float4 Three(float o) { float4 w; SampleShadow_GetTexelWeights_Tent_3x3(o, w); return w; }
         float3 Five(float o) { float3 v, w; SampleShadow_GetTexelWeights_Tent_5x5(o, v, w); return v; }
         float4 Seven(float o) { float4 v, w; SampleShadow_GetTexelWeights_Tent_7x7(o, v, w); return w; }
@@ -109,7 +103,7 @@ TEST_F(CoreShapes, ShadowsAreFilteredByATent)
 
 TEST_F(CoreShapes, RefractionAndPolygonsFollowTheirGeometry)
 {
-    FunctionGrid grid(CoreFile("AreaLighting") + CoreFile("Refraction") + R"(
+    FunctionGrid grid(CoreInclude("AreaLighting") + CoreInclude("Refraction") + R"(
         float4 Box(float3 V) { RefractionModelResult r = RefractionModelBox(V, float3(1, 2, 3), float3(0, 0, 1), 1.5, 0.4); return float4(r.positionWS, r.dist); }
         float4 Ball(float3 V) { RefractionModelResult r = RefractionModelSphere(V, float3(1, 2, 3), float3(0, 0, 1), 1.5, 0.4); return float4(r.positionWS, r.dist); }
         float3 Ray(float3 V) { return RefractionModelSphere(V, float3(1, 2, 3), float3(0, 0, 1), 1.5, 0.4).rayWS; }

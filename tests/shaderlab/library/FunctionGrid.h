@@ -56,6 +56,9 @@ std::vector<glm::dvec3> UnitVectors();
 /// Colours from black over dark, mid and white to bright.
 std::vector<glm::dvec3> Colors();
 
+/// The line that includes a file of core's ShaderLibrary.
+std::string CoreInclude(const std::string& name);
+
 /// Runs functions of a shader library on the device, all in one program, and compares each with an
 /// oracle: one draw per function, one texel per input.
 class FunctionGrid

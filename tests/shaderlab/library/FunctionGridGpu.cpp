@@ -180,6 +180,12 @@ std::vector<glm::dvec3> Colors()
             {0.9, 0.4, 0.1}, {0.25, 0.75, 0.25}, {4, 2, 0.5},   {100, 50, 1}};
 }
 
+std::string CoreInclude(const std::string& name)
+{
+    return "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/" + name +
+           ".hlsl\"\n";
+}
+
 FunctionGrid::FunctionGrid(std::string declarations, ProgramLanguage language)
     : m_Declarations(std::move(declarations)), m_Language(language)
 {

@@ -141,6 +141,30 @@ TEST(UniversalFiles, CopyDepth)
     EXPECT_THAT(test::Disassemble(pass->fragmentSpirv), HasSubstr("BuiltIn FragDepth"));
 }
 
+TEST(UniversalFiles, ComeWithAmbientOcclusion)
+{
+    const std::string text =
+        "#include \"Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl\"\n" +
+        Urp("ShaderLibrary/SSAO");
+    const std::vector<std::string> variants[] = {
+        {"_SOURCE_DEPTH_LOW", "_SAMPLE_COUNT_LOW"},
+        {"_SOURCE_DEPTH_MEDIUM", "_ORTHOGRAPHIC", "_SAMPLE_COUNT_MEDIUM"},
+        {"_SOURCE_DEPTH_HIGH", "_BLUE_NOISE", "_SAMPLE_COUNT_HIGH"},
+        {"_SOURCE_DEPTH_NORMALS"},
+    };
+    for (const auto& keywords : variants)
+    {
+        SCOPED_TRACE(keywords.front());
+        CompileUrp(text, "Vert", "SSAO", keywords);
+    }
+    for (const char* blur : {"HorizontalBlur", "VerticalBlur", "FinalBlur",
+                             "HorizontalGaussianBlur", "VerticalGaussianBlur", "KawaseBlur"})
+    {
+        SCOPED_TRACE(blur);
+        CompileUrp(text, "Vert", blur);
+    }
+}
+
 TEST(UniversalFiles, KnowUnity6sNamesOfTheTargetsOfADeferredPass)
 {
     const auto pass = CompileUrp(Urp("ShaderLibrary/GBufferOutput") + R"(

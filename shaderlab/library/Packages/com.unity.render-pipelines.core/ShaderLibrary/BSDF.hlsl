@@ -245,6 +245,54 @@ float3 DiffuseGGX(float3 albedo, float NdotV, float NdotL, float NdotH, float Ld
     return INV_PI * DiffuseGGXNoPI(albedo, NdotV, NdotL, NdotH, LdotV, roughness);
 }
 
+// Belcour and Barla 2017: thin films. How the eye sees interference at an optical path difference in
+// micrometres: the Fourier transforms of Gaussians that are fitted to its curves.
+float3 EvalSensitivity(float opd, float shift)
+{
+    float phase = TWO_PI * opd * 1e-6;
+    const float4 heights = float4(5.4856e-13, 4.4201e-13, 5.2481e-13, 9.7470e-14);
+    const float4 places = float4(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6);
+    const float4 widths = float4(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9);
+    float4 waves = heights * sqrt(TWO_PI * widths) * cos(places * phase + shift) *
+                   exp(-widths * Sq(phase));
+    float3 xyz = float3(waves.x + waves.w, waves.yz) / 1.0685e-7; // red has two lobes
+    return mul(XYZ_2_REC709_MAT, xyz);
+}
+
+// The reflectance of a film of a thickness of 0 to 1 over a base, seen through eta_1. The thicker the
+// film, the lower its index. iorOverBaseLayer: what baseLayerFresnel0 was told for; 0: this film.
+float3 EvalIridescence(float eta_1, float cosTheta1, float iridescenceThickness,
+                       float3 baseLayerFresnel0, float iorOverBaseLayer = 0.0)
+{
+    float eta = 2.0 - iridescenceThickness;
+    float cos2 = 1.0 - Sq(eta_1 / eta) * (1.0 - Sq(cosTheta1));
+    if (cos2 < 0.0)
+    {
+        return float3(1, 1, 1); // total reflection
+    }
+    float cosine = sqrt(cos2);
+    float top = F_Schlick(IorToFresnel0(eta, eta_1), cosTheta1);
+    if (iorOverBaseLayer > 0.0)
+    {
+        float3 baseIor = iorOverBaseLayer * Fresnel0ToIor(baseLayerFresnel0 + 0.0001);
+        baseLayerFresnel0 = IorToFresnel0(baseIor, eta.xxx);
+    }
+    float3 base = F_Schlick(baseLayerFresnel0, cosine);
+
+    // Light that crosses the film 0, 2, 4 … times; each crossing adds to the path.
+    float3 inside = clamp(top * base, 1e-5, 0.9999);
+    float3 through = Sq(1.0 - top) * base / (1.0 - inside);
+    float path = 3.0 * iridescenceThickness * cosine;
+    float3 seen = top + through;
+    float3 share = through - (1.0 - top);
+    for (int m = 1; m <= 2; ++m)
+    {
+        share *= sqrt(inside);
+        seen += share * 2.0 * EvalSensitivity(m * path, m * PI);
+    }
+    return max(seen, 0.0);
+}
+
 // Estevez and Kulla 2017: cloth, whose fibres stand up; and how they hide each other.
 float D_CharlieNoPI(float NdotH, float roughness)
 {

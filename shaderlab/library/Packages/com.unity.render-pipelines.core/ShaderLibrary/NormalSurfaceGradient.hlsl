@@ -4,6 +4,18 @@
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
+// Tangent and bitangent of any texture coordinates, by how position and they change on the screen.
+void SurfaceGradientGenBasisTB(float3 nrmVertexNormal, float3 sigmaX, float3 sigmaY, float flipSign,
+                               float2 texST, out float3 vT, out float3 vB)
+{
+    float2 dx = ddx_fine(texST);
+    float2 dy = ddy_fine(texST);
+    float area = dx.x * dy.y - dx.y * dy.x;
+    float side = area < 0.0 ? -1.0 : 1.0;
+    vT = (sigmaX * dy.y - sigmaY * dx.y) * side;
+    vT = area != 0.0 ? normalize(vT) : vT;
+    vB = cross(nrmVertexNormal, vT) * (side * flipSign);
+}
 // How far the surface rises along tangent and bitangent.
 float3 SurfaceGradientFromTBN(float2 deriv, float3 vT, float3 vB)
 {
@@ -37,4 +49,28 @@ float3 SurfaceGradientResolveNormal(float3 nrmVertexNormal, float3 surfGrad)
 float2 ConvertTangentSpaceNormalToHeightMapGradient(float2 normalXY, float rcpNormalZ, float scale)
 {
     return -scale * normalXY * rcpNormalZ;
+}
+float3 SurfaceGradientFromTangentSpaceNormalAndFromTBN(float3 normalTS, float3 vT, float3 vB,
+                                                       float scale = 1.0)
+{
+    float2 slope = ConvertTangentSpaceNormalToHeightMapGradient(
+        normalTS.xy, 1.0 / max(normalTS.z, REAL_EPS), scale);
+    return SurfaceGradientFromTBN(slope, vT, vB);
+}
+float2 UnpackDerivativeNormalRGB(float4 packedNormal, float scale = 1.0)
+{
+    float3 normal = packedNormal.rgb * 2.0 - 1.0;
+    return ConvertTangentSpaceNormalToHeightMapGradient(
+        normal.xy, 1.0 / max(normal.z, REAL_EPS), scale);
+}
+float2 UnpackDerivativeNormalAG(float4 packedNormal, float scale = 1.0)
+{
+    float2 xy = packedNormal.ag * 2.0 - 1.0;
+    return ConvertTangentSpaceNormalToHeightMapGradient(
+        xy, rsqrt(max(1.0 - dot(xy, xy), HALF_MIN_SQRT)), scale);
+}
+float2 UnpackDerivativeNormalRGorAG(float4 packedNormal, float scale = 1.0)
+{
+    packedNormal.a *= packedNormal.r;
+    return UnpackDerivativeNormalAG(packedNormal, scale);
 }
