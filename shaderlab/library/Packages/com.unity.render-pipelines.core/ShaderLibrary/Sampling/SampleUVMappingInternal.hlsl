@@ -1,4 +1,5 @@
 // SampleUVMapping.hlsl includes this for each way to sample; param is the level or the bias.
+#ifdef ADD_FUNC_SUFFIX
 
 float4 ADD_FUNC_SUFFIX(SampleUVMapping)(TEXTURE2D_PARAM(textureName, samplerName),
                                         UVMapping uvMapping, float param)
@@ -34,3 +35,5 @@ float4 ADD_FUNC_SUFFIX(SampleUVMapping)(TEXTURE2D_PARAM(textureName, samplerName
 #undef ADD_NORMAL_FUNC_SUFFIX
 #undef UNPACK_NORMAL_FUNC
 #undef UNPACK_DERIVATIVE_FUNC
+
+#endif

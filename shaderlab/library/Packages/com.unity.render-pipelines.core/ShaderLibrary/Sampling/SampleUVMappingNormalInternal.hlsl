@@ -1,6 +1,7 @@
 // SampleUVMappingInternal.hlsl includes this for each way to store a normal. With SURFACE_GRADIENT the
 // result is a surface gradient in world space, else a normal: in tangent space, but in world space from
 // three sides.
+#ifdef ADD_NORMAL_FUNC_SUFFIX
 
 float3 ADD_FUNC_SUFFIX(ADD_NORMAL_FUNC_SUFFIX(SampleUVMappingNormal))(
     TEXTURE2D_PARAM(textureName, samplerName), UVMapping uvMapping, float scale, float param)
@@ -42,3 +43,5 @@ float3 ADD_FUNC_SUFFIX(ADD_NORMAL_FUNC_SUFFIX(SampleUVMappingNormal))(
 #endif
 #undef limn_TEXEL
 }
+
+#endif
