@@ -137,5 +137,53 @@ Shader "Hidden/Universal/CoreBlit"
             }
             ENDHLSL
         }
+
+        Pass // _BlitTexture over a part of the target
+        {
+            Name "NearestQuad"
+
+            HLSLPROGRAM
+            #pragma vertex VertQuad
+            #pragma fragment FragNearest
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+            ENDHLSL
+        }
+
+        Pass // the same, bilinear
+        {
+            Name "BilinearQuad"
+
+            HLSLPROGRAM
+            #pragma vertex VertQuad
+            #pragma fragment FragBilinear
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+            ENDHLSL
+        }
+
+        Pass // "Bilinear" with the depth of another texture
+        {
+            Name "ColorAndDepth"
+            ZWrite On
+
+            HLSLPROGRAM
+            #pragma vertex Vert
+            #pragma fragment CopyColorAndDepth
+
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+
+            TEXTURE2D_FLOAT(_InputDepthTexture);
+
+            void CopyColorAndDepth(Varyings input, out float4 color : SV_Target, out float depth : SV_Depth)
+            {
+                color = SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, _BlitMipLevel);
+                depth = SAMPLE_TEXTURE2D_LOD(_InputDepthTexture, sampler_PointClamp, input.texcoord, _BlitMipLevel).r;
+            }
+            ENDHLSL
+        }
     }
 }

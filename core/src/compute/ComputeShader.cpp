@@ -4,6 +4,8 @@
 #include "scene/UniqueId.h"
 
 #include <algorithm>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/Material.h>
 #include <limn/shaderlab/InitialKeywords.h>
 
 namespace limn
@@ -111,6 +113,27 @@ void ComputeShader::Set(int kernelIndex, ShaderPropertyId id, ShaderPropertyValu
     }
     KernelAt(kernelIndex);
     m_KernelValues[static_cast<std::size_t>(kernelIndex)].Set(id, std::move(value));
+}
+
+void ComputeShader::SetFromMaterial(int kernelIndex, const Material& material)
+{
+    KernelAt(kernelIndex);
+    for (const ShaderProperty& property : material.shader()->document().properties)
+    {
+        const ShaderPropertyId id(property.name);
+        if (property.type == ShaderPropertyType::Texture && material.Find(id) == nullptr)
+        {
+            SetTexture(kernelIndex, id,
+                       DefaultTexture(property.defaultTexture, property.dimension));
+        }
+    }
+    material.values().ForEach(
+        [&](ShaderPropertyId id, const ShaderPropertyValue& value)
+        {
+            const bool isOfKernel = std::holds_alternative<BufferRange>(value) ||
+                                    std::holds_alternative<std::shared_ptr<const Texture>>(value);
+            Set(isOfKernel ? kernelIndex : k_AllKernels, id, value);
+        });
 }
 
 const ShaderPropertyValue* ComputeShader::Find(int kernelIndex, ShaderPropertyId id) const

@@ -244,10 +244,9 @@ void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color,
     SetRenderTarget(std::move(color), std::move(depth));
 }
 
-void CommandBuffer::DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias,
-                             bool bilinear, float mipLevel)
+void CommandBuffer::DrawCopy(CopyDrawCommand copy)
 {
-    m_Commands.emplace_back(CopyDrawCommand{std::move(source), scaleBias, bilinear, mipLevel});
+    m_Commands.emplace_back(std::move(copy));
 }
 
 void CommandBuffer::SetCameraColor(RTHandle color)

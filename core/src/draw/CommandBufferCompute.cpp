@@ -22,7 +22,7 @@ void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
     }
 }
 
-void ExpectBuffer(const std::shared_ptr<GraphicsBuffer>& buffer, const char* call)
+void ExpectBuffer(const std::shared_ptr<const GraphicsBuffer>& buffer, const char* call)
 {
     if (!buffer)
     {
@@ -45,6 +45,55 @@ void CommandBuffer::SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>&
 {
     ExpectBuffer(buffer, "SetBufferCounterValue");
     m_Commands.emplace_back(SetBufferCounterCommand{buffer, counterValue});
+}
+
+void CommandBuffer::CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
+                               const std::shared_ptr<const GraphicsBuffer>& dest)
+{
+    using Target = GraphicsBuffer::Target;
+    constexpr const char* k_Call = "CopyBuffer";
+    ExpectBuffer(source, k_Call);
+    ExpectBuffer(dest, k_Call);
+    const std::string subject =
+        std::string(k_Call) + " from '" + source->name() + "' to '" + dest->name() + "': ";
+    if (source == dest)
+    {
+        throw ContractError(subject + "they are one buffer");
+    }
+    if (source->size() != dest->size())
+    {
+        throw ContractError(subject + std::to_string(source->size()) + " bytes and " +
+                            std::to_string(dest->size()) + "; both must have the same");
+    }
+    if (!source->Has(Target::CopySource) || !dest->Has(Target::CopyDestination))
+    {
+        throw ContractError(subject + "the first is made with GraphicsBuffer::Target::CopySource, "
+                                      "the second with CopyDestination");
+    }
+    m_Commands.emplace_back(CopyBufferCommand{
+        source, dest, 0, 0, static_cast<std::uint32_t>((source->size() + 3) / 4)});
+}
+
+void CommandBuffer::CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>& src,
+                                     const std::shared_ptr<const GraphicsBuffer>& dst,
+                                     std::uint32_t dstOffsetBytes)
+{
+    constexpr const char* k_Call = "CopyCounterValue";
+    ExpectBuffer(src, k_Call);
+    ExpectBuffer(dst, k_Call);
+    if (!src->hasCounter())
+    {
+        throw ContractError(std::string(k_Call) + ": '" + src->name() +
+                            "' has none; only targets Append and Counter have one");
+    }
+    if (dstOffsetBytes % 4 != 0 || dst->size() < 4 || dstOffsetBytes > dst->size() - 4)
+    {
+        throw ContractError(std::string(k_Call) + " to byte " + std::to_string(dstOffsetBytes) +
+                            " of '" + dst->name() + "', which has " + std::to_string(dst->size()) +
+                            "; it is four bytes at a multiple of 4");
+    }
+    m_Commands.emplace_back(CopyBufferCommand{
+        src, dst, static_cast<std::uint32_t>(src->counterOffset() / 4), dstOffsetBytes / 4, 1});
 }
 
 void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
@@ -168,6 +217,21 @@ void CommandBuffer::SetComputeConstantBufferParam(const ComputeShaderPtr& comput
                                                   int offset, int size)
 {
     SetParam(computeShader, k_AllKernels, id, ConstantRange(std::move(buffer), offset, size));
+}
+
+void CommandBuffer::SetComputeParamsFromMaterial(const ComputeShaderPtr& computeShader,
+                                                 int kernelIndex,
+                                                 std::shared_ptr<const Material> material)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    if (!material)
+    {
+        throw ContractError("SetComputeParamsFromMaterial of '" + computeShader->name() +
+                            "': the material is null");
+    }
+    m_Commands.emplace_back(
+        SetComputeParamsCommand{computeShader, kernelIndex, std::move(material)});
 }
 
 void CommandBuffer::SetKeyword(const ComputeShaderPtr& computeShader, std::string_view keyword,

@@ -19,16 +19,6 @@ void ExpectCount(const char* call, const char* what, int count)
     }
 }
 
-void ExpectTopology(const char* call, MeshTopology topology)
-{
-    if (topology == MeshTopology::Quads || topology == MeshTopology::Points)
-    {
-        throw ContractError(std::string(call) + ": limn draws no " +
-                            (topology == MeshTopology::Quads ? "Quads" : "Points") +
-                            "; it draws Triangles, Lines and LineStrip");
-    }
-}
-
 RecordedDraw MeshDraw(const char* call, const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                       const std::shared_ptr<const Material>& material, int shaderPass)
 {
@@ -65,8 +55,7 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
     constexpr const char* k_Call = "DrawProcedural";
     ExpectCount(k_Call, "vertex", vertexCount);
     ExpectCount(k_Call, "instance", instanceCount);
-    ExpectTopology(k_Call, topology);
-    if (instanceCount == 0)
+    if (instanceCount == 0 || (topology == MeshTopology::Quads && vertexCount < 4))
     {
         return;
     }
@@ -88,7 +77,12 @@ void CommandBuffer::DrawProceduralIndirect(
 {
     constexpr const char* k_Call = "DrawProceduralIndirect";
     ExpectDrawable(material, shaderPass, matrix);
-    ExpectTopology(k_Call, topology);
+    if (topology == MeshTopology::Quads)
+    {
+        throw ContractError(std::string(k_Call) +
+                            ": Quads are drawn by indices, and the buffer's counts are those of a "
+                            "draw without; draw Triangles, six vertices a quad");
+    }
     RecordedDraw draw;
     draw.matrix = glm::dmat4(matrix);
     draw.material = material;

@@ -4,6 +4,7 @@
 
 #include "draw/PerDraw.h"
 #include "draw/ProjectedBounds.h"
+#include "draw/Topology.h"
 #include "material/ShaderGlobals.h"
 
 #include <algorithm>
@@ -55,18 +56,6 @@ float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
     return tag.reach.value_or(-1.0f);
 }
 
-/// @throws DrawError if lines are drawn and the shader's geometry function takes triangles
-void ExpectTopology(const DrawSetup& setup, const Material& material)
-{
-    if (setup.state.topology != MeshTopology::Triangles &&
-        setup.program->layout.geometryInput != GeometryInput::None)
-    {
-        throw DrawError("material '" + material.name() +
-                        "': the geometry function of its shader takes triangles, but lines are "
-                        "drawn");
-    }
-}
-
 } // namespace
 
 bool isInstanceable(const ShaderProgram& program)
@@ -94,6 +83,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     {
         EraseUnused(m_MeshPlaces);
         EraseUnused(m_WithShader);
+        EraseUnused(m_Quads);
         m_Promises.resize(std::exchange(m_PromiseCount, 0));
     }
     m_Resolver.Begin(notes);
@@ -229,6 +219,8 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
     DrawSetup draw;
     const bool isProcedural = recorded != nullptr && recorded->isProcedural;
     draw.program = material.Compile(shaderPass, isProcedural ? ProceduralKeywords() : keywords());
+    ExpectTopology(recorded != nullptr ? recorded->topology : MeshTopology::Triangles,
+                   draw.program->layout.geometryInput, material);
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
     draw.state = Override(
@@ -272,6 +264,17 @@ const MaterialPropertyBlock* DrawRecorder::LightsOf(const RecordedDraw& recorded
     return &m_ObjectLights.ValuesOf(m_ObjectLights.Find(center, extent));
 }
 
+const std::shared_ptr<const Mesh>& DrawRecorder::QuadIndices(std::uint32_t count)
+{
+    Quads& quads = m_Quads[count];
+    quads.isUsed = true;
+    if (!quads.mesh)
+    {
+        quads.mesh = MakeQuads(count);
+    }
+    return quads.mesh;
+}
+
 std::uint32_t DrawRecorder::Add(DrawSetup setup)
 {
     auto& setups = m_Frame.setups;
@@ -311,7 +314,8 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     {
         draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
-    draw.mesh = Add(recorded.mesh);
+    const bool isOfQuads = recorded.topology == MeshTopology::Quads;
+    draw.mesh = Add(isOfQuads ? QuadIndices(recorded.vertexCount / 4) : recorded.mesh);
     draw.subMesh = recorded.subMesh;
     draw.vertexCount = recorded.vertexCount;
     draw.firstInstance = static_cast<std::uint32_t>(m_Frame.instances.size());
@@ -322,11 +326,10 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
     // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
     // Unity's render textures, which are upside down: counter-clockwise is the front there.
-    setup.state.topology = recorded.topology;
-    ExpectTopology(setup, *recorded.material);
+    setup.state.topology = isOfQuads ? MeshTopology::Triangles : recorded.topology;
     setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored != (recorded.mesh == nullptr));
     draw.setup = Add(std::move(setup));
-    if (recorded.isProcedural || !MergeIntoLast(draw))
+    if (recorded.isProcedural || !recorded.mesh || !MergeIntoLast(draw))
     {
         m_Frame.commands.emplace_back(draw);
     }
@@ -335,24 +338,25 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
 void DrawRecorder::Dispatch(const RecordedDispatch& recorded)
 {
     const ComputeShader& shader = *recorded.shader;
+    Dispatch(recorded,
+             {&shader.kernelValues(recorded.kernel), nullptr, &m_Globals, &shader, recorded.kernel,
+              recorded.arguments.buffer ? &recorded.arguments : nullptr});
+}
+
+void DrawRecorder::Dispatch(const RecordedDispatch& recorded, const PropertySources& sources)
+{
     DispatchSetup setup;
-    setup.program = shader.Compile(recorded.kernel, keywords());
+    setup.program = recorded.shader->Compile(recorded.kernel, keywords());
     setup.shader = recorded.shader;
     setup.kernel = recorded.kernel;
-    const PropertySources sources{&shader.kernelValues(recorded.kernel),
-                                  nullptr,
-                                  &m_Globals,
-                                  &shader,
-                                  recorded.kernel,
-                                  recorded.arguments.buffer ? &recorded.arguments : nullptr};
     setup.bindings = m_Resolver.Resolve(setup.program, sources, m_Frame.uniformData);
     auto& setups = m_Frame.dispatchSetups;
     if (setups.empty() || setups.back() != setup)
     {
         setups.push_back(std::move(setup));
     }
-    m_Frame.commands.emplace_back(
-        DispatchCommand{static_cast<std::uint32_t>(setups.size() - 1), recorded.groups, false});
+    m_Frame.commands.emplace_back(DispatchCommand{static_cast<std::uint32_t>(setups.size() - 1),
+                                                  recorded.groups, false, false});
 }
 
 std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,

@@ -63,6 +63,8 @@ public:
 
     /// Looks a dispatch up and appends it.
     void Dispatch(const RecordedDispatch& recorded);
+    /// @param kernel  of CopyKernel.h
+    void Copy(const CopyBufferCommand& command, const std::shared_ptr<const ComputeShader>& kernel);
 
     Place MarkPlace();
     /// Runs `record` with what was global at that place.
@@ -96,6 +98,7 @@ public:
 
 private:
     void Take(ShaderPropertyId id, const ShaderPropertyValue& value);
+    void Dispatch(const RecordedDispatch& recorded, const PropertySources& sources);
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
     bool MayCover(const RecordedDraw& recorded, const PipelineState& state) const;
@@ -103,6 +106,7 @@ private:
                                                      const MaterialPropertyBlock* properties,
                                                      const PipelineState& state);
     bool MergeIntoLast(const DrawCommand& draw);
+    const std::shared_ptr<const Mesh>& QuadIndices(std::uint32_t count);
 
     struct GlobalChange
     {
@@ -135,13 +139,20 @@ private:
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
     ObjectLights m_ObjectLights;
     DrawResolver m_Resolver;
+    MaterialPropertyBlock m_CopyParams; ///< for its memory
     struct MeshPlace
     {
         std::uint32_t index = 0; ///< in the frame's table
         bool isUsed = false;     ///< in this frame
     };
     std::unordered_map<const Mesh*, MeshPlace> m_MeshPlaces;
-    bool m_HasDraws = false; ///< in this frame
+    struct Quads
+    {
+        std::shared_ptr<const Mesh> mesh;
+        bool isUsed = false; ///< in this frame
+    };
+    std::unordered_map<std::uint32_t, Quads> m_Quads; ///< by how many
+    bool m_HasDraws = false;                          ///< in this frame
     /// In the order of the draws, behind m_PromiseCount those of the frame before.
     std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises;
     std::size_t m_PromiseCount = 0;

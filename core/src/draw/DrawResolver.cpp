@@ -60,19 +60,6 @@ constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "
                                               {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
                                               {"_CameraOpaqueTexture", "gray", "gray", "400"}};
 
-/// Meshes are made of triangles, and so are procedural draws.
-void RequireTriangles(const PropertyLayout& layout, const PropertySources& sources)
-{
-    static constexpr const char* k_Taken[] = {
-        nullptr, "points", "lines", "lines with neighbours", nullptr, "triangles with neighbours"};
-    if (const char* taken = k_Taken[static_cast<std::size_t>(layout.geometryInput)])
-    {
-        throw DrawError("material '" + sources.material->name() +
-                        "': the geometry function of its shader takes " + taken +
-                        ", but triangles are drawn; write 'triangle' and an array of 3");
-    }
-}
-
 } // namespace
 
 const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
@@ -245,8 +232,6 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
                                                         const PropertySources& sources,
                                                         std::vector<std::byte>& uniformData)
 {
-    const PropertyLayout& layout = ids.pass->layout;
-    RequireTriangles(layout, sources); // of a kernel there is nothing to say
     m_Building.uniforms.clear();
     m_Building.textures.clear();
     m_Building.samplers.clear();

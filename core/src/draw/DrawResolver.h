@@ -32,6 +32,8 @@ struct PropertySources
     int kernel = 0;
     const BufferRange* arguments = nullptr; ///< of an indirect draw or dispatch; null = another one
     const MaterialPropertyBlock* lights = nullptr; ///< what an object has of them, before all else
+    /// Its buffers may be made for anything, and a counter lies in them at counterOffset().
+    bool isCopy = false;
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
     bool HasBuffers() const; ///< else no value is one

@@ -1,5 +1,7 @@
 #include "draw/IdentifiedTargets.h"
 
+#include "draw/CopyKernel.h"
+
 #include <algorithm>
 
 namespace limn
@@ -11,8 +13,15 @@ namespace
 const ShaderPropertyId _BlitTexture{"_BlitTexture"};
 const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
-constexpr int k_NearestPass = 0; // of CameraTargets::copy
+const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
+const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
+// Of CameraTargets::copy.
+constexpr int k_NearestPass = 0;
 constexpr int k_BilinearPass = 1;
+constexpr int k_NearestQuadPass = 6;
+constexpr int k_BilinearQuadPass = 7;
+constexpr int k_ColorAndDepthPass = 8;
+constexpr glm::vec4 k_WholeTexture(1.0f, 1.0f, 0.0f, 0.0f);
 
 /// A negative size is a part of the camera's.
 int SizeOf(int asked, int camera)
@@ -321,8 +330,25 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
         throw ContractError("BlitTexture: mip level " + std::to_string(command.mipLevel) + " of '" +
                             source->name() + "'; it has " + std::to_string(source->mipmapCount()));
     }
-    DrawCopy(source, command.scaleBias, command.isBilinear ? k_BilinearPass : k_NearestPass,
-             "BlitTexture", command.mipLevel);
+    MaterialPropertyBlock properties;
+    properties.SetVector(_BlitScaleBias, command.scaleBias);
+    properties.SetFloat(_BlitMipLevel, command.mipLevel);
+    if (command.depth)
+    {
+        properties.SetTexture(_InputDepthTexture, command.depth);
+    }
+    if (command.targetScaleBias)
+    {
+        properties.SetVector(_BlitScaleBiasRt, *command.targetScaleBias);
+        DrawCopy(source, command.isBilinear ? k_BilinearQuadPass : k_NearestQuadPass, "BlitQuad",
+                 std::move(properties), MeshTopology::Quads);
+        return m_Result;
+    }
+    DrawCopy(source,
+             command.depth        ? k_ColorAndDepthPass
+             : command.isBilinear ? k_BilinearPass
+                                  : k_NearestPass,
+             "BlitTexture", std::move(properties), MeshTopology::Triangles);
     return m_Result;
 }
 
@@ -349,12 +375,20 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& d
                             "' is both source and destination");
     }
     m_Result.SetRenderTarget(dest);
-    DrawCopy(source, {1.0f, 1.0f, 0.0f, 0.0f}, pass, call);
+    MaterialPropertyBlock properties;
+    properties.SetVector(_BlitScaleBias, k_WholeTexture);
+    DrawCopy(source, pass, call, std::move(properties), MeshTopology::Triangles);
 }
 
-/// Onto what is bound.
-void IdentifiedTargets::DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
-                                 std::string_view call, float mipLevel)
+void IdentifiedTargets::DrawCopy(const TexturePointer& source, int pass, std::string_view call,
+                                 MaterialPropertyBlock properties, MeshTopology topology)
+{
+    properties.SetTexture(_BlitTexture, source);
+    m_Result.DrawProcedural(glm::mat4(1.0f), CopyMaterial(call), pass, topology,
+                            topology == MeshTopology::Quads ? 4 : 3, 1, properties);
+}
+
+const std::shared_ptr<const Material>& IdentifiedTargets::CopyMaterial(std::string_view call) const
 {
     const std::shared_ptr<const Material>& material = Camera(call).copy;
     if (!material)
@@ -362,14 +396,18 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const glm::vec4& 
         throw ContractError(std::string(call) +
                             ": copying needs a shader, and the renderer has no shaderCompiler()");
     }
-    MaterialPropertyBlock properties;
-    properties.SetTexture(_BlitTexture, source);
-    properties.SetVector(_BlitScaleBias, scaleBias);
-    if (mipLevel != 0.0f)
+    return material;
+}
+
+const std::shared_ptr<const ComputeShader>& IdentifiedTargets::CopyKernel(std::string_view call)
+{
+    const std::shared_ptr<ShaderCompiler>& compiler = CopyMaterial(call)->shader()->compiler();
+    if (m_CopyCompiler != compiler)
     {
-        properties.SetFloat(_BlitMipLevel, mipLevel);
+        m_CopyKernel = MakeCopyKernel(compiler);
+        m_CopyCompiler = compiler;
     }
-    m_Result.DrawProcedural(glm::mat4(1.0f), material, pass, 3, properties);
+    return m_CopyKernel;
 }
 
 /// The target and the viewport that the frame ends with.

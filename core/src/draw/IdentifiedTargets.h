@@ -34,6 +34,9 @@ public:
     std::shared_ptr<const RenderTexture> Resolve(const GenerateMipsCommand& command) const;
     const CommandBuffer& Resolve(const SetComputeTextureCommand& command);
 
+    /// For DrawRecorder::Copy; compiled by the renderer's compiler.
+    const std::shared_ptr<const ComputeShader>& CopyKernel(std::string_view call);
+
 private:
     struct Temporary
     {
@@ -52,8 +55,10 @@ private:
     RTHandle DepthBeside(const RenderTargetIdentifier& color) const;
     void DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
                   std::string_view call);
-    void DrawCopy(const TexturePointer& source, const glm::vec4& scaleBias, int pass,
-                  std::string_view call, float mipLevel = 0.0f);
+    /// Onto what is bound, all in `properties` but the source.
+    void DrawCopy(const TexturePointer& source, int pass, std::string_view call,
+                  MaterialPropertyBlock properties, MeshTopology topology);
+    const std::shared_ptr<const Material>& CopyMaterial(std::string_view call) const;
     void BindAgain();
 
     const FrameCommands& m_Frame;
@@ -62,6 +67,8 @@ private:
     std::vector<std::string>* m_Notes = nullptr; ///< null = no camera is rendered
     std::unordered_map<ShaderPropertyId, Temporary> m_Temporaries;
     CommandBuffer m_Result;
+    std::shared_ptr<const ComputeShader> m_CopyKernel;
+    std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< whose it is
 };
 
 } // namespace limn

@@ -174,6 +174,14 @@ void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
                 {
                     m_Recorder->Dispatch(c);
                 }
+                else if constexpr (std::is_same_v<Command, CopyBufferCommand>)
+                {
+                    m_Recorder->Copy(c, m_Identified->CopyKernel("CopyBuffer"));
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeParamsCommand>)
+                {
+                    c.shader->SetFromMaterial(c.kernel, *c.material);
+                }
                 else if constexpr (std::is_same_v<Command, SetComputeParamCommand>)
                 {
                     c.shader->Set(c.kernel, c.id, c.value);
@@ -220,26 +228,34 @@ void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults
     }
 }
 
-/// When the node that drew into it last ends: whoever samples it comes behind that.
+/// When the node that drew into it last ends, or the kernel that wrote to it: whoever samples it
+/// comes behind that.
 void ScriptableRenderContext::GenerateMips(const RenderTexture& texture)
 {
-    const auto isDrawn = [&](FrameCommand& command)
+    const auto isIt = [&](const auto& other)
     {
-        const auto* target = std::get_if<SetRenderTargetCommand>(&command);
-        return target != nullptr && std::ranges::any_of(target->colors, [&](const auto& color)
-                                                        { return color.get() == &texture; });
+        return other.get() == &texture;
     };
     auto& commands = m_Frame.commands;
-    const auto last = std::find_if(commands.rbegin(), commands.rend(), isDrawn);
-    if (last != commands.rend())
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
     {
-        std::get<SetRenderTargetCommand>(*last).generatesMips = true;
+        auto* target = std::get_if<SetRenderTargetCommand>(&*command);
+        if (target != nullptr && std::ranges::any_of(target->colors, isIt))
+        {
+            target->generatesMips = true;
+            return;
+        }
+        auto* dispatch = std::get_if<DispatchCommand>(&*command);
+        if (dispatch != nullptr &&
+            std::ranges::any_of(m_Frame.Setup(*dispatch).bindings->storageTextures, isIt,
+                                &StorageTextureSlot::texture))
+        {
+            dispatch->generatesMips = true;
+            return;
+        }
     }
-    else
-    {
-        m_Report->notes.push_back("GenerateMips of '" + texture.name() +
-                                  "': nothing has drawn into it in this frame, so they stay");
-    }
+    m_Report->notes.push_back("GenerateMips of '" + texture.name() +
+                              "': nothing has drawn into it in this frame, so they stay");
 }
 
 RendererList ScriptableRenderContext::CreateRendererList(const RendererListParams& param) const

@@ -34,7 +34,9 @@ void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& sp
 /// same float, all below 1e-23 m and all above 1.8e19 m among them.
 inline float SortDistance(const glm::dvec3& offset, const SortingSettings& sorting)
 {
-    const double along = glm::dot(offset, glm::dvec3(sorting.cameraForward));
+    const bool isCustom = sorting.distanceMetric == DistanceMetric::CustomAxis;
+    const double along =
+        glm::dot(offset, glm::dvec3(isCustom ? sorting.customAxis : sorting.cameraForward));
     const double square = sorting.distanceMetric == DistanceMetric::Perspective
                               ? glm::dot(offset, offset)
                               : along * std::abs(along);

@@ -104,6 +104,12 @@ BufferSlot StorageSlot(const StorageBufferBinding& declared, ShaderPropertyId id
     }
     const GraphicsBuffer& buffer = *range->buffer;
     ExpectValid(buffer, declared.name, sources);
+    if (sources.isCopy)
+    {
+        const auto all = static_cast<std::uint32_t>((buffer.bytes().size() + 3) / 4 * 4);
+        return {declared.binding,  range->buffer, 0, all, declared.stages, false,
+                declared.isWritten};
+    }
     if (!buffer.Has(TargetsFor(declared)))
     {
         throw DrawError(Subject(declared.name, sources) + " is set to buffer '" + buffer.name() +

@@ -144,6 +144,10 @@ private:
         {
             Transition(texture, TextureUsage::RandomWrite, result.barriers);
             StateOf(texture).isFilled = true;
+            if (node.targets.generatesMips && texture->mipmapCount() > 1)
+            {
+                result.mips.push_back(texture);
+            }
         }
         for (const BufferUse& use : node.buffers)
         {

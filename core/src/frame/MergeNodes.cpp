@@ -117,6 +117,10 @@ bool DepthFits(const FrameNode& node, const FrameNode& next)
 /// Whether `next` can go on where `node` ends.
 bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
+    if (node.targets.generatesMips != next.targets.generatesMips)
+    {
+        return false; // they are made at the end of all that is in a node
+    }
     if (node.isCompute || next.isCompute)
     {
         return node.isCompute && next.isCompute && MayChangePlaces(node, next);

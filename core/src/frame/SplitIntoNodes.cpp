@@ -122,6 +122,7 @@ private:
         FrameNode& node = AddNode();
         node.isCompute = true;
         node.targets.isKept = command.isKept;
+        node.targets.generatesMips = command.generatesMips;
         FlushPending();
         node.commands.emplace_back(command);
     }

@@ -24,10 +24,11 @@ SamplerState SamplerOf(const TextureDesc& desc)
 
 glm::ivec2 SizeForCamera(const TextureDesc& desc)
 {
-    const std::string subject = "CreateTexture '" + desc.name + "'";
+    static constexpr const char* k_Call = "CreateTexture";
+    const std::string& name = desc.name.name();
     const RTHandles::ScaleFunc scale = desc.sizeMode == TextureSizeMode::Scale
-                                           ? ScaleBy(desc.scale, subject)
-                                           : ScaleBy(desc.func, subject);
+                                           ? ScaleBy(desc.scale, k_Call, name)
+                                           : ScaleBy(desc.func, k_Call, name);
     return glm::max(scale({RTHandles::maxWidth(), RTHandles::maxHeight()}), glm::ivec2(1));
 }
 
@@ -100,12 +101,12 @@ RenderGraphBuffer* RenderGraphState::Find(const GraphicsBuffer& buffer)
 
 TextureHandle UniversalRenderer::CreateRenderGraphTexture(RenderGraph& renderGraph,
                                                           const RenderTextureDescriptor& desc,
-                                                          std::string name, bool clear,
+                                                          ResourceName name, bool clear,
                                                           FilterMode filterMode,
                                                           TextureWrapMode wrapMode)
 {
     TextureDesc texture(desc);
-    texture.name = std::move(name);
+    texture.name = name;
     texture.clearBuffer = clear;
     texture.filterMode = filterMode;
     texture.wrapMode = wrapMode;
@@ -159,7 +160,7 @@ BufferHandle RenderGraph::CreateBuffer(const BufferDesc& desc)
     if (place == kept.end())
     {
         auto buffer = std::make_shared<GraphicsBuffer>(desc.target, desc.count, desc.stride);
-        buffer->SetName(desc.name);
+        buffer->SetName(desc.name.name());
         kept.push_back({desc, std::move(buffer)});
         place = kept.end() - 1;
     }
@@ -203,12 +204,12 @@ TextureHandle RenderGraph::CreateTexture(const TextureDesc& desc)
                              {
                                  const RenderTexture& texture = *candidate.texture.rt();
                                  return !candidate.isTaken && texture.descriptor() == descriptor &&
-                                        texture.sampler() == sampler && texture.name() == desc.name;
+                                        texture.sampler() == sampler && desc.name == texture.name();
                              });
     if (place == kept.end())
     {
         kept.push_back({RTHandle(
-            std::make_shared<const RenderTexture>(desc.name, descriptor, sampler, true))});
+            std::make_shared<const RenderTexture>(desc.name.name(), descriptor, sampler, true))});
         place = kept.end() - 1;
     }
     place->isTaken = true;

@@ -157,7 +157,27 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
                  float mipLevel, bool bilinear)
 {
     ExpectSource(source);
-    cmd.DrawCopy(source, scaleBias, bilinear, mipLevel);
+    cmd.DrawCopy({source, scaleBias, bilinear, mipLevel});
+}
+
+void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
+              const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
+              bool bilinear)
+{
+    cmd.DrawCopy({source, scaleBiasTex, bilinear, static_cast<float>(mipLevelTex), scaleBiasRT});
+}
+
+void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
+                       const std::shared_ptr<const RenderTexture>& sourceDepth,
+                       const glm::vec4& scaleBias, float mipLevel, bool blitDepth)
+{
+    if (blitDepth && (!sourceDepth || !IsDepthFormat(sourceDepth->graphicsFormat())))
+    {
+        throw ContractError("BlitColorAndDepth: '" + (sourceDepth ? sourceDepth->name() : "null") +
+                            "' is no depth texture");
+    }
+    cmd.DrawCopy(
+        {sourceColor, scaleBias, true, mipLevel, std::nullopt, blitDepth ? sourceDepth : nullptr});
 }
 
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,

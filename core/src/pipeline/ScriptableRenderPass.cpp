@@ -143,6 +143,22 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(std::span<const Shad
     return MakeDrawingSettings(tags, *renderingData.cameraData.camera, sortingCriteria);
 }
 
+static DistanceMetric MetricOf(const Camera& camera)
+{
+    switch (camera.transparencySortMode)
+    {
+    case TransparencySortMode::Perspective:
+        return DistanceMetric::Perspective;
+    case TransparencySortMode::Orthographic:
+        return DistanceMetric::Orthographic;
+    case TransparencySortMode::CustomAxis:
+        return DistanceMetric::CustomAxis;
+    case TransparencySortMode::Default:
+        break;
+    }
+    return camera.orthographic ? DistanceMetric::Orthographic : DistanceMetric::Perspective;
+}
+
 DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Camera& camera,
                                     SortingCriteria sortingCriteria)
 {
@@ -153,13 +169,9 @@ DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Cam
     }
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());
-    const TransparencySortMode mode = camera.transparencySortMode;
-    const bool isAlong = mode == TransparencySortMode::Default
-                             ? camera.orthographic
-                             : mode == TransparencySortMode::Orthographic;
-    settings.sortingSettings = {
-        sortingCriteria, glm::dvec3(camera.transform.worldMatrix()[3]), camera.transform.forward(),
-        isAlong ? DistanceMetric::Orthographic : DistanceMetric::Perspective};
+    settings.sortingSettings = {sortingCriteria, glm::dvec3(camera.transform.worldMatrix()[3]),
+                                camera.transform.forward(), MetricOf(camera),
+                                camera.transparencySortAxis};
     return settings;
 }
 

@@ -110,13 +110,11 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
                             "; of integers there is no average");
     }
     if (descriptor.enableRandomWrite &&
-        (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format) || mipmapCount() > 1))
+        (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format)))
     {
         throw ContractError("texture '" + this->name() + "': enableRandomWrite with " +
-                            std::to_string(samples) + " samples of " + ToString(format) + " and " +
-                            std::to_string(mipmapCount()) +
-                            " mip levels; kernels write to colours of one sample and level that "
-                            "are not sRGB");
+                            std::to_string(samples) + " samples of " + ToString(format) +
+                            "; kernels write to colours of one sample that are not sRGB");
     }
 }
 

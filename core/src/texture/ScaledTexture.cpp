@@ -121,12 +121,18 @@ const std::shared_ptr<const RenderTexture>& ScaledTexture::texture()
     return m_Texture;
 }
 
-RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const std::string& subject)
+static std::string SubjectOf(const char* call, std::string_view name)
+{
+    return std::string(call) + " '" + std::string(name) + "'";
+}
+
+RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::string_view name)
 {
     if (!(factor.x > 0.0f) || !(factor.y > 0.0f))
     {
-        throw ContractError(subject + ": the scale factor is " + std::to_string(factor.x) + ", " +
-                            std::to_string(factor.y) + "; both must be greater than 0");
+        throw ContractError(SubjectOf(call, name) + ": the scale factor is " +
+                            std::to_string(factor.x) + ", " + std::to_string(factor.y) +
+                            "; both must be greater than 0");
     }
     return [factor](const glm::ivec2& size)
     {
@@ -134,11 +140,11 @@ RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const std::string& subject
     };
 }
 
-RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const std::string& subject)
+RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call, std::string_view name)
 {
     if (!function)
     {
-        throw ContractError(subject + ": the scale function is empty");
+        throw ContractError(SubjectOf(call, name) + ": the scale function is empty");
     }
     return function;
 }
@@ -146,7 +152,7 @@ RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const std::string& s
 RTHandle RTHandles::Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& descriptor,
                           FilterMode filterMode, TextureWrapMode wrapMode, std::string name)
 {
-    auto scale = ScaleBy(std::move(scaleFunc), "RTHandles::Alloc '" + name + "'");
+    auto scale = ScaleBy(std::move(scaleFunc), "RTHandles::Alloc", name);
     return RTHandle(std::make_shared<ScaledTexture>(
         std::move(scale), descriptor, SamplerWith(filterMode, wrapMode), std::move(name)));
 }
@@ -154,7 +160,7 @@ RTHandle RTHandles::Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& de
 RTHandle RTHandles::Alloc(const glm::vec2& scaleFactor, const RenderTextureDescriptor& descriptor,
                           FilterMode filterMode, TextureWrapMode wrapMode, std::string name)
 {
-    auto scale = ScaleBy(scaleFactor, "RTHandles::Alloc '" + name + "'");
+    auto scale = ScaleBy(scaleFactor, "RTHandles::Alloc", name);
     auto texture = std::make_shared<ScaledTexture>(
         std::move(scale), descriptor, SamplerWith(filterMode, wrapMode), std::move(name));
     texture->factor = scaleFactor;

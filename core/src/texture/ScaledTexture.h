@@ -6,11 +6,12 @@ namespace limn
 {
 
 /// Times the factor, rounded.
-/// @param subject  for messages: "RTHandles::Alloc 'X'"
+/// @param call, name  for messages: "RTHandles::Alloc 'X'"
 /// @throws ContractError for a factor that is not positive
-RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const std::string& subject);
+RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::string_view name);
 /// @throws ContractError if it is empty
-RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const std::string& subject);
+RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call,
+                             std::string_view name);
 
 /// A texture whose size is worked out from the camera's.
 class ScaledTexture

@@ -288,8 +288,8 @@ TEST(EnableRandomWrite, IsForColoursOfOneSample)
     };
     make(GraphicsFormat::R16G16B16A16_SFloat, 1);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { make(GraphicsFormat::R8G8B8A8_SRGB, 1); }),
-              "texture 'texture': enableRandomWrite with 1 samples of R8G8B8A8_SRGB and 1 mip "
-              "levels; kernels write to colours of one sample and level that are not sRGB");
+              "texture 'texture': enableRandomWrite with 1 samples of R8G8B8A8_SRGB; kernels write "
+              "to colours of one sample that are not sRGB");
     EXPECT_THROW(make(GraphicsFormat::R8G8B8A8_UNorm, 4), ContractError);
     EXPECT_THROW(make(GraphicsFormat::D32_SFloat, 1), ContractError);
 }

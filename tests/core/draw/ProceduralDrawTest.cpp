@@ -77,16 +77,50 @@ TEST_F(ProceduralDraws, OfLinesCoverNothing)
     EXPECT_EQ(draws[1].fullScreen, nullptr);
 }
 
+TEST_F(ProceduralDraws, OfQuadsAreTrianglesOfTheirCorners)
+{
+    Draw(MeshTopology::Quads, 9, 2); // the ninth vertex makes no quad
+    Draw(MeshTopology::Quads, 8);
+    Draw(MeshTopology::Quads, 3);
+    Draw(MeshTopology::Points, 3);
+    const auto draws = Execute();
+    ASSERT_EQ(draws.size(), 3u);
+    ASSERT_TRUE(draws[0].mesh);
+    EXPECT_THAT(draws[0].mesh->data().triangles,
+                testing::ElementsAre(0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7));
+    EXPECT_EQ(draws[0].state.topology, MeshTopology::Triangles);
+    EXPECT_EQ(draws[0].instanceCount, 2u);
+    EXPECT_EQ(draws[1].mesh, draws[0].mesh) << "the same indices";
+    EXPECT_EQ(draws[1].instanceCount, 1u);
+    EXPECT_EQ(draws[0].fullScreen, nullptr);
+    EXPECT_EQ(draws[2].mesh, nullptr);
+    EXPECT_EQ(draws[2].state.topology, MeshTopology::Points);
+    EXPECT_EQ(draws[2].vertexCount, 3u);
+}
+
+TEST_F(ProceduralDraws, OfQuadsFaceTheSameWayAsTheTrianglesWould)
+{
+    Draw(MeshTopology::Quads, 4);
+    Draw(MeshTopology::Triangles, 3);
+    const auto draws = Execute();
+    EXPECT_EQ(draws.at(0).state.frontFaceFlipped, draws.at(1).state.frontFaceFlipped);
+}
+
 TEST_F(ProceduralDraws, AreRefusedWhereNoDeviceDrawsThem)
 {
     const auto message = [&](MeshTopology topology, int vertices, int instances)
     {
         return test::ThrownMessage<ContractError>([&] { Draw(topology, vertices, instances); });
     };
-    EXPECT_EQ(message(MeshTopology::Quads, 4, 1),
-              "DrawProcedural: limn draws no Quads; it draws Triangles, Lines and LineStrip");
-    EXPECT_EQ(message(MeshTopology::Points, 4, 1),
-              "DrawProcedural: limn draws no Points; it draws Triangles, Lines and LineStrip");
+    const auto arguments =
+        std::make_shared<GraphicsBuffer>(GraphicsBuffer::Target::IndirectArguments, 4, 4);
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [&] {
+                      m_Cmd.DrawProceduralIndirect(glm::mat4(1.0f), m_Material, 0,
+                                                   MeshTopology::Quads, arguments);
+                  }),
+              "DrawProceduralIndirect: Quads are drawn by indices, and the buffer's counts are "
+              "those of a draw without; draw Triangles, six vertices a quad");
     EXPECT_EQ(message(MeshTopology::Lines, -1, 1),
               "DrawProcedural: the vertex count -1 is negative");
     EXPECT_EQ(message(MeshTopology::Lines, 2, -1),

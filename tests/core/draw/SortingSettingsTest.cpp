@@ -37,13 +37,15 @@ protected:
         m_Items.push_back(std::move(item));
     }
     std::vector<int> SortBy(SortingCriteria criteria,
-                            DistanceMetric metric = DistanceMetric::Perspective)
+                            DistanceMetric metric = DistanceMetric::Perspective,
+                            const glm::vec3& axis = {0, 0, 1})
     {
         std::vector<int> indices(m_Items.size());
         std::iota(indices.begin(), indices.end(), 0);
         SortingSettings settings;
         settings.criteria = criteria;
         settings.distanceMetric = metric;
+        settings.customAxis = axis;
         Sort(m_Items, settings, indices);
         return indices;
     }
@@ -122,6 +124,21 @@ TEST_F(Sorting, MeasuresFromTheCameraOrAlongItsView)
     EXPECT_THAT(SortBy(SortingCriteria::BackToFront), ElementsAre(0, 1));
     EXPECT_THAT(SortBy(SortingCriteria::BackToFront, DistanceMetric::Orthographic),
                 ElementsAre(1, 0));
+}
+
+// As Unity's games seen from above do it: what is higher up is behind.
+TEST_F(Sorting, MeasuresAlongACustomAxisWhereverTheCameraLooks)
+{
+    Add({0, -2, 9});
+    Add({5, 1, 1});
+    Add({-5, 3, 4});
+    constexpr auto k_Custom = DistanceMetric::CustomAxis;
+    EXPECT_THAT(SortBy(SortingCriteria::BackToFront, k_Custom, {0, 1, 0}), ElementsAre(2, 1, 0));
+    EXPECT_THAT(SortBy(SortingCriteria::BackToFront, k_Custom, {0, -0.5f, 0}),
+                ElementsAre(0, 1, 2));
+    EXPECT_THAT(SortBy(SortingCriteria::BackToFront, k_Custom, {1, 0, 0}), ElementsAre(1, 0, 2));
+    EXPECT_THAT(SortBy(SortingCriteria::BackToFront, k_Custom, {0, 0, 0}), ElementsAre(0, 1, 2))
+        << "all are equal";
 }
 
 TEST_F(Sorting, OrdersPlacesBehindAnOrthographicCamera)

@@ -110,6 +110,14 @@ TEST(SortModes, OfACameraSayWhatSortsItsObjects)
     EXPECT_EQ(metric(), DistanceMetric::Orthographic);
     camera.transparencySortMode = TransparencySortMode::Perspective;
     EXPECT_EQ(metric(), DistanceMetric::Perspective);
+    camera.transparencySortMode = TransparencySortMode::CustomAxis;
+    camera.transparencySortAxis = {0, 1, 0};
+    EXPECT_EQ(metric(), DistanceMetric::CustomAxis);
+    EXPECT_EQ(pass.CreateDrawingSettings(ShaderTagId("A"), data, SortingCriteria::CommonTransparent)
+                  .sortingSettings.customAxis,
+              glm::vec3(0, 1, 0));
+    EXPECT_EQ(static_cast<int>(TransparencySortMode::CustomAxis), 3);
+    EXPECT_EQ(static_cast<int>(DistanceMetric::CustomAxis), 2);
 }
 
 TEST(SortModes, NoDistanceSortLeavesTheDistanceOutOfTheDefaults)

@@ -32,6 +32,14 @@ public:
     {
         return Add(SetRenderTargetCommand{{colors.begin(), colors.end()}, depth});
     }
+    /// With CommandBuffer::GenerateMips behind what is drawn.
+    FrameBuilder& BindForMips(const RenderTexturePtr& color)
+    {
+        SetRenderTargetCommand command;
+        command.colors.push_back(color);
+        command.generatesMips = true;
+        return Add(std::move(command));
+    }
     FrameBuilder& Clear(ClearFlag flags, const Color& color = Color::clear, float depth = 1.0f,
                         int stencil = 0)
     {

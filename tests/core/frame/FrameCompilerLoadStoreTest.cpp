@@ -234,5 +234,26 @@ TEST_F(FrameCompilerLoadStore, MakesMipLevelsWhereTheyAreStored)
     EXPECT_FALSE(Compile(m_Frame).passes.at(0).colors[0].generatesMips);
 }
 
+// Drawn into twice with another target in between, so that the passes might become one.
+TEST_F(FrameCompilerLoadStore, MakesMipLevelsThatOnlyTheLaterDrawsAskFor)
+{
+    RenderTextureDescriptor descriptor(8, 4, GraphicsFormat::R8G8B8A8_UNorm);
+    descriptor.useMipMap = true;
+    descriptor.autoGenerateMips = false;
+    const auto mipped = std::make_shared<const RenderTexture>("Mips", descriptor);
+    m_Frame.Bind(mipped).Draw(1).Bind(m_A).Draw(2).BindForMips(mipped).Draw(3);
+    m_Frame.Bind(m_B).Draw(4, {mipped, m_A});
+    const auto passes = Compile(m_Frame, {m_B}).passes;
+    int count = 0;
+    for (const auto& pass : passes)
+    {
+        for (const auto& color : pass.colors)
+        {
+            count += color.generatesMips ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(count, 1);
+}
+
 } // namespace
 } // namespace limn

@@ -102,4 +102,121 @@ TEST_F(ProceduralGpu, DrawsLinesAndLineStrips)
     }
 }
 
+// Two quads of 2 x 2 texels, their corners going round.
+TEST_F(ProceduralGpu, DrawsQuads)
+{
+    EXPECT_EQ(Draw("1 + v / 4 * 3 + float2(v % 4 / 2 * 2, (v + 1) / 2 % 2 * 2) + i",
+                   MeshTopology::Quads, 8, 2),
+              (std::vector<std::string>{
+                  "........",
+                  ".11.....",
+                  ".121....",
+                  "..11....",
+                  "....11..",
+                  "....121.",
+                  ".....11.",
+                  "........",
+              }));
+}
+
+TEST_F(ProceduralGpu, DrawsPointsOfOneTexel)
+{
+    EXPECT_EQ(Draw("float2(v, v) + 0.5 + float2(2 * i, 0)", MeshTopology::Points, 4, 2),
+              (std::vector<std::string>{
+                  "1.1.....",
+                  ".1.1....",
+                  "..1.1...",
+                  "...1.1..",
+                  "........",
+                  "........",
+                  "........",
+                  "........",
+              }));
+}
+
+// A shader that says how large its points are keeps that; with triangles in between, whose pipeline
+// is another one.
+TEST_F(ProceduralGpu, DrawsPointsAsLargeAsTheyShouldBe)
+{
+    const std::string size = "#pragma vertex vert\n#pragma fragment frag\n"
+                             "struct Point { float4 at : SV_POSITION; float size : PSIZE; };\n"
+                             "Point vert(uint v : SV_VertexID) { Point p; p.size = 2;\n"
+                             "p.at = float4(v * 0.5 - 0.5, 0, 0.5, 1); return p; }\n"
+                             "float4 frag() : SV_Target { return 1; }\n";
+    const auto material = std::make_shared<const Material>(
+        Shader::FromText("Shader \"Test/Size\" { SubShader { Pass { Cull Off ZTest Always ZWrite "
+                         "Off\nHLSLPROGRAM\n" +
+                             size + "ENDHLSL } } }",
+                         "size.shader", std::make_shared<ShaderCompiler>()));
+    const RTHandle target(MakeTarget(8, 8));
+    CommandBuffer cmd;
+    cmd.SetRenderTarget(target);
+    cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
+    cmd.DrawProcedural(glm::mat4(1.0f), material, 0, MeshTopology::Points, 2);
+    cmd.DrawProcedural(glm::mat4(1.0f), Placing("float2(-9, -9)"), 0, MeshTopology::Triangles, 3);
+    RenderReport report;
+    ScriptableRenderContext context(report);
+    context.ExecuteCommandBuffer(cmd);
+    const auto texture = target.rt();
+    SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
+                                        std::span(&texture, 1)));
+    ExpectNoValidationMessages();
+    const Image image = SharedDevice().ReadBack(*texture);
+    for (int y = 0; y < 8; ++y)
+    {
+        for (int x = 0; x < 8; ++x)
+        {
+            const bool isDrawn = (y == 3 || y == 4) && (x == 1 || x == 2 || x == 3 || x == 4);
+            EXPECT_EQ(Texel8(image, x, y)[0], isDrawn ? 255 : 0) << x << ", " << y;
+        }
+    }
+}
+
+// A geometry function gets points where points are drawn.
+TEST_F(ProceduralGpu, GivesPointsToAGeometryFunction)
+{
+    const auto material = std::make_shared<const Material>(Shader::FromText(
+        R"(Shader "Test/Grass" { SubShader { Pass { Cull Off ZTest Always ZWrite Off
+        HLSLPROGRAM
+        #pragma vertex vert
+        #pragma geometry geom
+        #pragma fragment frag
+        struct v2f { float4 pos : SV_POSITION; };
+        v2f vert(uint v : SV_VertexID) { v2f o; o.pos = float4(v - 0.5, 0, 0.5, 1); return o; }
+        [maxvertexcount(4)]
+        void geom(point v2f i[1], inout TriangleStream<v2f> s)
+        {
+            for (uint k = 0; k < 4; ++k)
+            {
+                v2f o = i[0];
+                o.pos.xy += (float2(k % 2, k / 2) - 0.5) * 0.5; // 2 x 2 texels
+                s.Append(o);
+            }
+        }
+        float4 frag() : SV_Target { return 1; }
+        ENDHLSL } } })",
+        "grass.shader", std::make_shared<ShaderCompiler>()));
+    const RTHandle target(MakeTarget(8, 8));
+    CommandBuffer cmd;
+    cmd.SetRenderTarget(target);
+    cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
+    cmd.DrawProcedural(glm::mat4(1.0f), material, 0, MeshTopology::Points, 2);
+    RenderReport report;
+    ScriptableRenderContext context(report);
+    context.ExecuteCommandBuffer(cmd);
+    const auto texture = target.rt();
+    SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
+                                        std::span(&texture, 1)));
+    ExpectNoValidationMessages();
+    const Image image = SharedDevice().ReadBack(*texture);
+    int count = 0;
+    for (int i = 0; i < 64; ++i)
+    {
+        count += Texel8(image, i % 8, i / 8)[0] == 255 ? 1 : 0;
+    }
+    EXPECT_EQ(count, 8);
+    EXPECT_EQ(Texel8(image, 1, 3)[0], 255);
+    EXPECT_EQ(Texel8(image, 6, 4)[0], 255);
+}
+
 } // namespace limn::test

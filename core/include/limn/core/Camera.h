@@ -52,13 +52,14 @@ enum class OpaqueSortMode
     NoDistanceSort = 2
 };
 
-/// What the distance is by which transparent objects are sorted: as the camera's lens has it, from
-/// the camera, or along its direction. Unity: UnityEngine.TransparencySortMode, without CustomAxis.
+/// What the distance is by which objects are sorted: as the camera's lens has it, from the camera,
+/// along its direction, or along transparencySortAxis. Unity: UnityEngine.TransparencySortMode.
 enum class TransparencySortMode
 {
     Default = 0,
     Perspective = 1,
-    Orthographic = 2
+    Orthographic = 2,
+    CustomAxis = 3
 };
 
 /// A half line in world space, metres. Unity: UnityEngine.Ray, in double precision.
@@ -90,6 +91,7 @@ struct Camera
     LayerMask cullingMask = LayerMask::Everything();
     OpaqueSortMode opaqueSortMode = OpaqueSortMode::Default; ///< of a stack's base camera
     TransparencySortMode transparencySortMode = TransparencySortMode::Default;
+    glm::vec3 transparencySortAxis{0, 0, 1}; ///< of CustomAxis: world, away from the viewer
     CameraType cameraType = CameraType::Game;
     /// What features ask before they add effects. There are none unless a feature brings them, so
     /// it is on, where a camera of Unity's begins without. In a stack each camera that has it on

@@ -149,7 +149,7 @@ public:
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
     /// @param instanceCount  SV_InstanceID is 0, 1 ... of them; 0 = nothing is drawn
-    /// @throws ContractError also for Quads and Points, and for a negative count
+    /// @throws ContractError also for a negative count
     /// @source Unity: CommandBuffer.DrawProcedural (2022.3)
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, MeshTopology topology, int vertexCount,
@@ -179,7 +179,7 @@ public:
                                    const MaterialPropertyBlock& properties = {});
     /// DrawProcedural with what the buffer holds when it is drawn, as four uint: vertices an
     /// instance, instances, first vertex, and 0. SV_VertexID counts from the first vertex.
-    /// @throws ContractError as DrawProcedural does, and for the buffer as
+    /// @throws ContractError as DrawProcedural does, for Quads, and for the buffer as
     ///         DrawMeshInstancedIndirect
     /// @source Unity: CommandBuffer.DrawProceduralIndirect (2022.3)
     void DrawProceduralIndirect(const glm::mat4& matrix,
@@ -205,9 +205,8 @@ public:
               std::shared_ptr<const Material> material, int pass = -1);
     /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
-    /// Blitter::BlitTexture without a material.
-    void DrawCopy(RenderTargetIdentifier source, const glm::vec4& scaleBias, bool bilinear,
-                  float mipLevel = 0.0f);
+    /// Blitter::BlitTexture without a material, BlitQuad and BlitColorAndDepth.
+    void DrawCopy(CopyDrawCommand copy);
     /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
     /// what no sampler can tell apart may be written otherwise.
     /// @throws ContractError  when executed: unless both have one size and colour format and one
@@ -320,6 +319,25 @@ public:
     void SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
                                std::uint32_t counterValue);
 
+    /// All elements, on the device; a counter stays what it is.
+    /// @throws ContractError if a buffer is null, they are the same one or not of one size in
+    /// bytes,
+    ///         the source is made without GraphicsBuffer::Target::CopySource, or `dest` without
+    ///         CopyDestination; when executed, where the device runs no kernels or no camera is
+    ///         rendered
+    /// @source Unity: CommandBuffer.CopyBuffer, Graphics.CopyBuffer (2022.3)
+    void CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
+                    const std::shared_ptr<const GraphicsBuffer>& dest);
+    /// What is counted in `src`, as a uint at a place of `dst`.
+    /// @param dstOffsetBytes  a multiple of 4
+    /// @throws ContractError if a buffer is null, `src` has no counter or the place is not in
+    /// `dst`;
+    ///         when executed, as CopyBuffer
+    /// @source Unity: CommandBuffer.CopyCounterValue (2022.3)
+    void CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>& src,
+                          const std::shared_ptr<const GraphicsBuffer>& dst,
+                          std::uint32_t dstOffsetBytes);
+
     // ComputeShader::SetFloat and its like, done when the buffer is executed: for dispatches behind
     // it, and from then on. @throws ContractError if the shader is null, and as those do
     void SetComputeFloatParam(const std::shared_ptr<ComputeShader>& computeShader,
@@ -361,6 +379,11 @@ public:
                                        ShaderPropertyId id,
                                        std::shared_ptr<const GraphicsBuffer> buffer, int offset,
                                        int size);
+    /// ComputeShader::SetFromMaterial of what the material has when the buffer is executed.
+    /// @throws ContractError also if the material is null
+    /// @source Unity: CommandBuffer.SetComputeParamsFromMaterial (2022.3)
+    void SetComputeParamsFromMaterial(const std::shared_ptr<ComputeShader>& computeShader,
+                                      int kernelIndex, std::shared_ptr<const Material> material);
     void SetKeyword(const std::shared_ptr<ComputeShader>& computeShader, std::string_view keyword,
                     bool value);
     void EnableKeyword(const std::shared_ptr<ComputeShader>& computeShader,

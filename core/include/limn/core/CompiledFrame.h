@@ -85,6 +85,8 @@ struct CompiledRenderPass
     std::vector<BufferBarrier> bufferBarriers;
     std::vector<ColorAttachment> colors;
     std::optional<DepthAttachment> depth;
+    /// What dispatches wrote whose mip levels behind the first are made at the pass's end.
+    std::vector<std::shared_ptr<const RenderTexture>> mips;
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;

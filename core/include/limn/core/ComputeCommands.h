@@ -7,6 +7,8 @@
 namespace limn
 {
 
+class Material;
+
 // What a CommandBuffer records of kernels: it is looked at when the buffer is executed.
 
 struct RecordedDispatch
@@ -23,6 +25,14 @@ struct SetComputeParamCommand
     int kernel = ComputeShader::k_AllKernels;
     ShaderPropertyId id;
     ShaderPropertyValue value;
+};
+
+/// All that a material has a value for.
+struct SetComputeParamsCommand
+{
+    std::shared_ptr<ComputeShader> shader;
+    int kernel = 0;
+    std::shared_ptr<const Material> material; ///< never null
 };
 
 struct SetComputeTextureCommand

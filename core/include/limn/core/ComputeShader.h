@@ -15,6 +15,8 @@
 namespace limn
 {
 
+class Material;
+
 /// A .compute file with values for its parameters. Kernels are compiled when they are first
 /// dispatched. Names that have no value are looked up among what is global; a number that has none
 /// there is 0, a texture or buffer is an error. Not for use by several threads at once.
@@ -92,6 +94,9 @@ public:
     {
         Set(kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
     }
+    /// What a material has a value for, its textures' defaults among them: numbers of all kernels,
+    /// textures and buffers of this one. Keywords stay as they are.
+    void SetFromMaterial(int kernelIndex, const Material& material);
     /// Unity runs it at once; limn's frames run what command buffers hold.
     template <typename Kernel>
     void Dispatch(Kernel, int, int, int)

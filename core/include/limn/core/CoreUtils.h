@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/CommandBuffer.h>
+#include <limn/core/SystemInfo.h>
 #include <utility>
 
 namespace limn
@@ -119,6 +120,16 @@ void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatr
 /// @source Unity: RenderingUtils.fullscreenMesh (URP 14)
 const std::shared_ptr<const Mesh>& fullscreenMesh();
 
+/// Unity: RenderingUtils.SupportsRenderTextureFormat, SupportsGraphicsFormat (URP 14).
+inline bool SupportsRenderTextureFormat(RenderTextureFormat format)
+{
+    return SystemInfo::SupportsRenderTextureFormat(format);
+}
+inline bool SupportsGraphicsFormat(GraphicsFormat format, FormatUsage usage)
+{
+    return SystemInfo::IsFormatSupported(format, usage);
+}
+
 } // namespace RenderingUtils
 
 /// Unity: UnityEngine.Rendering.Blitter (core 14).
@@ -179,6 +190,22 @@ inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm:
 {
     BlitTexture(cmd, source, scaleBias, mipLevel, bilinear);
 }
+/// A quad over a part of the target that is bound already, by the texture's texels.
+/// @param scaleBiasTex  of the texture, as BlitTexture's
+/// @param scaleBiasRT   of the target: size in x and y, left and top border in z and w; 1 is all
+/// @throws ContractError  when executed: the source is null, has no such level, or no camera is
+///         rendered
+/// @source Unity: Blitter.BlitQuad (core 14)
+void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
+              const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
+              bool bilinear);
+/// A colour, bilinear, and a depth, its nearest texel, over the whole of what is bound.
+/// @param sourceDepth  does not matter unless blitDepth is true
+/// @throws ContractError unless that is a depth texture; when executed, as BlitQuad
+/// @source Unity: Blitter.BlitColorAndDepth (core 14)
+void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
+                       const std::shared_ptr<const RenderTexture>& sourceDepth,
+                       const glm::vec4& scaleBias, float mipLevel, bool blitDepth);
 /// Binds `destination` first; scale 1, offset 0.
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,

@@ -218,7 +218,8 @@ struct DispatchCommand
 {
     std::uint32_t setup = 0;                      ///< of FrameTables::dispatchSetups
     std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< without DrawBindings::arguments
-    bool isKept = false; ///< it is run whether anything reads what it writes
+    bool isKept = false;        ///< it is run whether anything reads what it writes
+    bool generatesMips = false; ///< behind the first, of the textures that it writes
 
     bool operator==(const DispatchCommand&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <limn/core/FrameCompiler.h>
 #include <limn/core/Image.h>
+#include <limn/core/SystemInfo.h>
 
 namespace limn
 {
@@ -20,7 +21,9 @@ class Timeline;
 class GraphicsDevice
 {
 public:
-    virtual ~GraphicsDevice() = default;
+    GraphicsDevice(const GraphicsDevice&) = delete;
+    GraphicsDevice& operator=(const GraphicsDevice&) = delete;
+    virtual ~GraphicsDevice();
 
     /// Starts the frame; returns without waiting for it. Frames run in the order given.
     virtual void Execute(const CompiledFrame& frame) = 0;
@@ -45,12 +48,21 @@ public:
     virtual int
     GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor& descriptor) const = 0;
 
+    /// For SystemInfo, from any thread.
+    virtual bool IsFormatSupported(GraphicsFormat format, FormatUsage usage) const
+    {
+        return EveryDeviceSupports(format, usage);
+    }
+
     /// Times of the passes of the last finished frame, in order; empty where nothing is measured.
     virtual std::vector<PassTiming> LastFrameTimings() = 0;
 
     /// Where the device records from now on how long the parts of its work on the CPU take.
     /// @param timeline  null = nowhere; else it must outlive this, or another call
     virtual void SetTimeline(Timeline* timeline) { static_cast<void>(timeline); }
+
+protected:
+    GraphicsDevice();
 };
 
 } // namespace limn

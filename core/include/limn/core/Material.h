@@ -83,6 +83,7 @@ public:
     {
         Set(id, ConstantRange(std::move(value), offset, size));
     }
+    const MaterialPropertyBlock& values() const { return m_Values; } ///< that were set, or declared
     bool hasBuffers() const { return m_Values.hasBuffers(); }
     /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
     void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);

@@ -111,6 +111,16 @@ public:
     /// What SetBuffer or SetConstantBuffer set; null = nothing.
     std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const;
 
+    /// Calls `function` with the name and value of each that was set.
+    template <typename Function>
+    void ForEach(const Function& function) const
+    {
+        for (const Slot& slot : m_Slots)
+        {
+            function(slot.id, m_Values[slot.value]);
+        }
+    }
+
     void Remove(ShaderPropertyId id);
     /// Keeps the memory.
     void Clear();

@@ -10,10 +10,10 @@ namespace limn
 enum class MeshTopology
 {
     Triangles = 0,
-    Quads = 2, ///< refused: no device draws them
+    Quads = 2, ///< four vertices each, drawn as the triangles 0 1 2 and 0 2 3
     Lines = 3,
     LineStrip = 4,
-    Points = 5 ///< refused: shaders here give points no size
+    Points = 5 ///< of one texel, unless the vertex function says PSIZE
 };
 
 /// A pass's RenderState with every `[_Property]` replaced by the material's value: what a draw

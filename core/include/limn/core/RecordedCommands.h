@@ -89,6 +89,16 @@ struct SetBufferCounterCommand
     std::uint32_t value = 0;
 };
 
+/// Bytes from one buffer to another, on the device.
+struct CopyBufferCommand
+{
+    std::shared_ptr<const GraphicsBuffer> source; ///< never null
+    std::shared_ptr<const GraphicsBuffer> dest;   ///< never null
+    std::uint32_t from = 0;                       ///< words of `source`, the counter's among them
+    std::uint32_t to = 0;                         ///< words of `dest`
+    std::uint32_t count = 0;                      ///< words
+};
+
 // What names its textures by identifiers, which are looked up when the buffer is executed.
 
 struct GetTemporaryRTCommand
@@ -135,6 +145,9 @@ struct CopyDrawCommand
     glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
     bool isBilinear = false; ///< else the nearest texel
     float mipLevel = 0.0f;
+    /// Of the part of the target that a quad covers; none = a triangle over the whole.
+    std::optional<glm::vec4> targetScaleBias = std::nullopt;
+    std::shared_ptr<const RenderTexture> depth = nullptr; ///< written as depth; null = none is
 };
 
 struct CopyTextureCommand
@@ -171,14 +184,16 @@ struct DrawRendererListCommand
     std::shared_ptr<const RendererListParams> list; ///< never null
 };
 
-using RecordedCommand = std::variant<
-    SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand, EndSampleCommand,
-    RecordedDraw, SetGlobalCommand, SetKeywordCommand, SetViewProjectionCommand,
-    GetTemporaryRTCommand, ReleaseTemporaryRTCommand, SetIdentifiedTargetCommand,
-    SetCameraColorCommand, SetGlobalIdentifierCommand, IdentifiedBlitCommand, CopyDrawCommand,
-    CopyTextureCommand, SetScissorCommand, SetInvertCullingCommand, SetGlobalDepthBiasCommand,
-    DrawRendererListCommand, GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
-    SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand, SetViewCommand,
-    SetProjectionCommand, SetBufferDataCommand, SetBufferCounterCommand>;
+using RecordedCommand =
+    std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
+                 EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
+                 SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
+                 SetIdentifiedTargetCommand, SetCameraColorCommand, SetGlobalIdentifierCommand,
+                 IdentifiedBlitCommand, CopyDrawCommand, CopyTextureCommand, SetScissorCommand,
+                 SetInvertCullingCommand, SetGlobalDepthBiasCommand, DrawRendererListCommand,
+                 GenerateMipsCommand, RecordedDispatch, SetComputeParamCommand,
+                 SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand,
+                 SetViewCommand, SetProjectionCommand, SetBufferDataCommand,
+                 SetBufferCounterCommand, CopyBufferCommand, SetComputeParamsCommand>;
 
 } // namespace limn

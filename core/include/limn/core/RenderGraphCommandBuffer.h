@@ -328,6 +328,17 @@ public:
     {
         m_Cmd.SetComputeIntParams(computeShader, id, first, more...);
     }
+    void SetComputeParamsFromMaterial(const Shader& computeShader, int kernelIndex,
+                                      std::shared_ptr<const Material> material)
+    {
+        m_Cmd.SetComputeParamsFromMaterial(computeShader, kernelIndex, std::move(material));
+    }
+    void CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>& src,
+                          const std::shared_ptr<const GraphicsBuffer>& dst,
+                          std::uint32_t dstOffsetBytes)
+    {
+        m_Cmd.CopyCounterValue(src, dst, dstOffsetBytes);
+    }
     void SetComputeTextureParam(const Shader& computeShader, int kernelIndex, ShaderPropertyId id,
                                 const RTHandle& rt)
     {
@@ -420,6 +431,11 @@ public:
     void CopyTexture(const RTHandle& source, const RTHandle& dest)
     {
         native().CopyTexture(RenderTargetIdentifier(source), RenderTargetIdentifier(dest));
+    }
+    void CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
+                    const std::shared_ptr<const GraphicsBuffer>& dest)
+    {
+        native().CopyBuffer(source, dest);
     }
     void GenerateMips(const RTHandle& rt) { native().GenerateMips(RenderTargetIdentifier(rt)); }
 

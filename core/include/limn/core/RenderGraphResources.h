@@ -87,7 +87,7 @@ struct TextureDesc
     bool useDynamicScale = false;
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
     bool fallBackToBlackTexture = false;
-    std::string name;
+    ResourceName name;
 
     TextureDesc() = default;
     TextureDesc(int w, int h) : width(w), height(h) {}
@@ -185,7 +185,7 @@ struct BufferDesc
     int count = 0;
     int stride = 0; ///< bytes
     GraphicsBuffer::Target target = GraphicsBuffer::Target::Structured;
-    std::string name;
+    ResourceName name;
 
     BufferDesc() = default;
     BufferDesc(int elements, int bytes,

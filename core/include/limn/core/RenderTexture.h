@@ -49,7 +49,8 @@ struct RenderTextureDescriptor
     bool autoGenerateMips = true;
     int mipCount = 0; ///< of useMipMap: 0 = all down to 1x1
     /// Kernels may write to it, too (RWTexture2D): a colour of one sample a texel that is not
-    /// sRGB-encoded.
+    /// sRGB-encoded. Of mip levels they write to the first; GenerateMips makes the others, which
+    /// autoGenerateMips does not, as in Unity.
     bool enableRandomWrite = false;
     TextureDimension dimension = TextureDimension::Tex2D; ///< others are refused
     int volumeDepth = 1;                                  ///< others are refused

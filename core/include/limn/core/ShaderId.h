@@ -27,6 +27,7 @@ const std::string& InternedName(std::uint32_t id);
 struct PropertyTag;
 struct ShaderTag;
 struct SampleTag;
+struct ResourceTag;
 
 template <typename Tag>
 struct NameId
@@ -34,9 +35,12 @@ struct NameId
     std::uint32_t value = 0; ///< 0 = the empty name
 
     constexpr NameId() = default;
-    /// A property may be called by its name wherever its number is taken, as in Unity.
+    /// A property may be called by its name wherever its number is taken, as in Unity, and a
+    /// resource's name is a text there.
     template <std::convertible_to<std::string_view> Text>
-    explicit(!std::is_same_v<Tag, PropertyTag>) NameId(const Text& name) : value(InternName(name))
+    explicit(!std::is_same_v<Tag, PropertyTag> && !std::is_same_v<Tag, ResourceTag>)
+        NameId(const Text& name)
+        : value(InternName(name))
     {
     }
 
@@ -64,6 +68,10 @@ using ShaderTagId = detail::NameId<detail::ShaderTag>;
 
 /// The name of a group of GPU work. Each that a process uses is kept to its end.
 using SampleName = detail::NameId<detail::SampleTag>;
+
+/// What a render graph calls a texture or buffer: the same text each frame costs no memory. Each
+/// that a process uses is kept to its end.
+using ResourceName = detail::NameId<detail::ResourceTag>;
 
 } // namespace limn
 

@@ -33,8 +33,9 @@ constexpr bool operator&(SortingCriteria a, SortingCriteria b)
 /// Unity: UnityEngine.Rendering.DistanceMetric.
 enum class DistanceMetric
 {
-    Perspective,  ///< distance from the camera
-    Orthographic, ///< distance along the view direction
+    Perspective = 0,  ///< distance from the camera
+    Orthographic = 1, ///< distance along the view direction
+    CustomAxis = 2    ///< distance along SortingSettings::customAxis
 };
 
 /// Unity: UnityEngine.Rendering.SortingSettings (2022.3).
@@ -44,6 +45,7 @@ struct SortingSettings
     glm::dvec3 cameraPosition{0.0};   ///< world, metres
     glm::vec3 cameraForward{0, 0, 1}; ///< world, unit length
     DistanceMetric distanceMetric = DistanceMetric::Perspective;
+    glm::vec3 customAxis{0, 0, 1}; ///< world, of any length; what lies farther along it is farther
 
     bool operator==(const SortingSettings&) const = default;
 };

@@ -36,7 +36,7 @@ public:
     /// @param clear  to black, or to far, before the first pass that writes it
     static TextureHandle
     CreateRenderGraphTexture(RenderGraph& renderGraph, const RenderTextureDescriptor& desc,
-                             std::string name, bool clear,
+                             ResourceName name, bool clear,
                              FilterMode filterMode = FilterMode::Point,
                              TextureWrapMode wrapMode = TextureWrapMode::Clamp);
 

@@ -244,6 +244,7 @@ VkPrimitiveTopology ToVkTopology(MeshTopology topology)
 {
     return topology == MeshTopology::Lines       ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST
            : topology == MeshTopology::LineStrip ? VK_PRIMITIVE_TOPOLOGY_LINE_STRIP
+           : topology == MeshTopology::Points    ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST
                                                  : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
 }
 

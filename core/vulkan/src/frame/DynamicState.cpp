@@ -143,8 +143,10 @@ PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& for
     key.alphaToMask = state.alphaToMask;
     key.depthClamp = !state.zClip;
     key.conservative = state.conservative;
-    key.topology = state.topology == MeshTopology::Triangles ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
-                                                             : VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    key.topology = ToVkTopology(state.topology);
+    key.topology = key.topology == VK_PRIMITIVE_TOPOLOGY_LINE_STRIP
+                       ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST // of one class
+                       : key.topology;
     key.logicOp = isLogical(op) ? std::optional(ToVkLogicOp(op)) : std::nullopt;
     // The command that sets a blend equation knows the plain operations only, and at least one
     // target.

@@ -47,6 +47,11 @@ void PassRecorder::Record()
         vkCmdEndRendering(m_Commands);
         GenerateMips();
     }
+    const UsageScope written = ToUsageScope(TextureUsage::RandomWrite);
+    for (const auto& texture : m_Pass.mips)
+    {
+        RecordMips(m_Commands, m_Images.Find(*texture)->readImage(), *texture, written, written);
+    }
     if (!m_Pass.name.empty())
     {
         EndLabel();

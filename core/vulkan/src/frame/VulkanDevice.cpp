@@ -204,6 +204,11 @@ int VulkanDevice::GetRenderTextureSupportedMSAASampleCount(
     return vulkan::SupportedSampleCount(m_Impl->context, RenderTexture("", descriptor));
 }
 
+bool VulkanDevice::IsFormatSupported(GraphicsFormat format, FormatUsage usage) const
+{
+    return vulkan::IsFormatSupported(m_Impl->context, format, usage);
+}
+
 const std::vector<std::string>& VulkanDevice::missingShaderFeatures() const
 {
     return m_Impl->context.capabilities().missingShaderFeatures;

@@ -1,8 +1,9 @@
 #include "programs/ImageFormats.h"
 
+#include "programs/Spirv.h"
+
 #include <algorithm>
 #include <limn/shaderlab/Diagnostic.h>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -12,21 +13,7 @@ namespace limn::vulkan
 namespace
 {
 
-using Words = std::vector<std::uint32_t>;
-
-constexpr std::size_t k_HeaderSize = 5; // words
-constexpr std::size_t k_BoundWord = 3;
-
 // Of the SPIR-V specification.
-enum Opcode : std::uint32_t
-{
-    OpCapability = 17,
-    OpTypeImage = 25,
-    OpTypePointer = 32,
-    OpVariable = 59,
-    OpLoad = 61,
-    OpDecorate = 71
-};
 constexpr std::uint32_t k_ExtendedFormats = 49; // capabilities
 constexpr std::uint32_t k_ReadWithoutFormat = 55;
 constexpr std::uint32_t k_Binding = 33; // a decoration
@@ -68,14 +55,15 @@ public:
     FormatWriter(const Words& spirv, const std::map<std::uint32_t, std::uint32_t>& formats)
         : m_Spirv(spirv), m_Result(spirv.begin(), spirv.begin() + k_HeaderSize)
     {
-        Each([&](std::uint32_t op, std::span<const std::uint32_t> words)
-             { Learn(op, words, formats); });
+        EachInstruction(m_Spirv, [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                        { Learn(op, words, formats); });
     }
 
     Words Write()
     {
         Add({(2u << 16) | OpCapability, k_ExtendedFormats});
-        Each([this](std::uint32_t op, std::span<const std::uint32_t> words) { Copy(op, words); });
+        EachInstruction(m_Spirv, [this](std::uint32_t op, std::span<const std::uint32_t> words)
+                        { Copy(op, words); });
         return std::move(m_Result);
     }
 
@@ -85,18 +73,6 @@ private:
         std::uint32_t image = 0;
         std::uint32_t pointer = 0;
     };
-
-    template <typename Function>
-    void Each(const Function& function) const
-    {
-        for (std::size_t i = k_HeaderSize; i < m_Spirv.size();)
-        {
-            const std::size_t size =
-                std::clamp<std::size_t>(m_Spirv[i] >> 16, 1, m_Spirv.size() - i);
-            function(m_Spirv[i] & 0xffffu, std::span(m_Spirv).subspan(i, size));
-            i += size;
-        }
-    }
 
     void Learn(std::uint32_t op, std::span<const std::uint32_t> words,
                const std::map<std::uint32_t, std::uint32_t>& formats)

@@ -154,7 +154,8 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
                              const ProgramObjects& pass, int colorOutputs, const PipelineKey& key)
 {
     PipelineParts parts;
-    parts.stages = {Stage(VK_SHADER_STAGE_VERTEX_BIT, pass.vertex.get()),
+    const UniqueShaderModule& vertex = pass.points && isOfPoints(key) ? pass.points : pass.vertex;
+    parts.stages = {Stage(VK_SHADER_STAGE_VERTEX_BIT, vertex.get()),
                     Stage(VK_SHADER_STAGE_FRAGMENT_BIT, pass.fragment.get())};
     if (pass.geometry)
     {

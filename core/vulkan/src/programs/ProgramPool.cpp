@@ -4,6 +4,7 @@
 #include "device/Translate.h"
 #include "programs/ImageFormats.h"
 #include "programs/PipelineBuilder.h"
+#include "programs/PointSize.h"
 #include <algorithm>
 
 #include <limn/core/DrawError.h>
@@ -176,6 +177,10 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
         {
             return pipeline.get();
         }
+    }
+    if (isOfPoints(key) && !program.geometry && !program.points)
+    {
+        program.points = CreateModule(WithPointSize(compiled.vertexSpirv));
     }
     program.pipelines.emplace_back(
         key, BuildPipeline(m_Context, m_Cache.get(), program, compiled.layout.colorOutputs, key));

@@ -37,6 +37,11 @@ struct PipelineKey
     bool operator==(const PipelineKey&) const = default;
 };
 
+inline bool isOfPoints(const PipelineKey& key)
+{
+    return key.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+}
+
 /// A vertex input and where its values come from.
 struct VertexFetch
 {
@@ -53,6 +58,7 @@ using ImageFormats = std::map<std::uint32_t, std::uint32_t>;
 struct ProgramObjects
 {
     UniqueShaderModule vertex;
+    UniqueShaderModule points;   ///< `vertex` WithPointSize; null until points are drawn
     UniqueShaderModule geometry; ///< null where the program has no such function
     UniqueShaderModule fragment;
     /// Of a kernel, which has none of the others: by the formats of the textures that it reads and

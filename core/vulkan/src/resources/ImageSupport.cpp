@@ -1,6 +1,7 @@
 #include "resources/ImageSupport.h"
 
 #include "device/Check.h"
+#include "device/Translate.h"
 #include "resources/ImageDescription.h"
 #include <algorithm>
 #include <bit>
@@ -44,7 +45,74 @@ void RequireMips(const VulkanContext& context, const VkImageCreateInfo& info,
     }
 }
 
+/// What a usage asks of the format; 0 = limn has no such usage.
+VkFormatFeatureFlags FeaturesFor(GraphicsFormat format, FormatUsage usage)
+{
+    const VkFormatFeatureFlags target = IsDepthFormat(format)
+                                            ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                            : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+    switch (usage)
+    {
+    case FormatUsage::Sample:
+        return VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    case FormatUsage::Linear:
+        return VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    case FormatUsage::Render:
+    case FormatUsage::MSAA2x:
+    case FormatUsage::MSAA4x:
+    case FormatUsage::MSAA8x:
+        return target;
+    case FormatUsage::Blend:
+        return VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    case FormatUsage::GetPixels:
+    case FormatUsage::SetPixels:
+    case FormatUsage::SetPixels32:
+        return VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
+    case FormatUsage::ReadPixels:
+        return target | VK_FORMAT_FEATURE_TRANSFER_SRC_BIT;
+    case FormatUsage::LoadStore:
+        return VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
+    case FormatUsage::Sparse:
+    case FormatUsage::StencilSampling:
+        break;
+    }
+    return 0;
+}
+
+/// 1 where it is not about them.
+int SamplesFor(FormatUsage usage)
+{
+    return usage == FormatUsage::MSAA2x   ? 2
+           : usage == FormatUsage::MSAA4x ? 4
+           : usage == FormatUsage::MSAA8x ? 8
+                                          : 1;
+}
+
 } // namespace
+
+bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage)
+{
+    const VkFormatFeatureFlags needed = FeaturesFor(format, usage);
+    if (format == GraphicsFormat::None || needed == 0)
+    {
+        return false;
+    }
+    VkFormatProperties can{};
+    vkGetPhysicalDeviceFormatProperties(context.physicalDevice(), ToVkFormat(format), &can);
+    if ((can.optimalTilingFeatures & needed) != needed)
+    {
+        return false;
+    }
+    const int samples = SamplesFor(usage);
+    if (samples == 1)
+    {
+        return true;
+    }
+    RenderTextureDescriptor descriptor(4, 4, format);
+    descriptor.msaaSamples = samples;
+    return ComponentType(format) == UniformType::Float && // others cannot be resolved
+           SupportedSampleCount(context, RenderTexture("", descriptor)) == samples;
+}
 
 int SupportedSampleCount(const VulkanContext& context, const RenderTexture& texture)
 {

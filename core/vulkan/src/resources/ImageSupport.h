@@ -2,12 +2,15 @@
 
 #include "device/VulkanContext.h"
 #include <limn/core/RenderTexture.h>
+#include <limn/core/SystemInfo.h>
 
 namespace limn::vulkan
 {
 
 /// The samples a texel that the device does of the texture: at most as many as it has.
 int SupportedSampleCount(const VulkanContext& context, const RenderTexture& texture);
+
+bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage);
 
 /// @throws ContractError naming the texture, if the device makes no such image: of its dimension,
 ///         format, size, samples or mip levels

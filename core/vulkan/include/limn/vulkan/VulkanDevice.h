@@ -84,6 +84,7 @@ public:
     TextureFootprint Footprint(const RenderTexture& texture) override;
     int GetRenderTextureSupportedMSAASampleCount(
         const RenderTextureDescriptor& descriptor) const override;
+    bool IsFormatSupported(GraphicsFormat format, FormatUsage usage) const override;
     std::vector<PassTiming> LastFrameTimings() override;
     /// Gets "wait for a slot", "prepare", "record commands", "submit", and of ReadBack "wait".
     void SetTimeline(Timeline* timeline) override;

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <limn/core/ComputeShader.h>
+
+namespace limn
+{
+
+/// A kernel that copies words from one buffer to another, of any targets, for DrawRecorder::Copy.
+std::shared_ptr<const ComputeShader> MakeCopyKernel(std::shared_ptr<ShaderCompiler> compiler);
+
+} // namespace limn

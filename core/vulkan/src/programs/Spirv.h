@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace limn::vulkan
+{
+
+using Words = std::vector<std::uint32_t>;
+
+// Of a module's header.
+inline constexpr std::size_t k_HeaderSize = 5; // words
+inline constexpr std::size_t k_BoundWord = 3;
+
+enum Opcode : std::uint32_t
+{
+    OpLine = 8,
+    OpEntryPoint = 15,
+    OpCapability = 17,
+    OpTypeVoid = 19, ///< the first type
+    OpTypeFloat = 22,
+    OpTypeImage = 25,
+    OpTypePointer = 32,
+    OpTypeForwardPointer = 39, ///< the last type
+    OpConstant = 43,
+    OpFunction = 54,
+    OpVariable = 59,
+    OpLoad = 61,
+    OpStore = 62,
+    OpDecorate = 71,
+    OpMemberDecorate = 72,
+    OpLabel = 248,
+    OpNoLine = 317
+};
+
+/// Calls `function` with the opcode and the words of each instruction, in order.
+template <typename Function>
+void EachInstruction(const Words& spirv, const Function& function)
+{
+    for (std::size_t i = k_HeaderSize; i < spirv.size();)
+    {
+        const std::size_t size = std::clamp<std::size_t>(spirv[i] >> 16, 1, spirv.size() - i);
+        function(spirv[i] & 0xffffu, std::span(spirv).subspan(i, size));
+        i += size;
+    }
+}
+
+} // namespace limn::vulkan
