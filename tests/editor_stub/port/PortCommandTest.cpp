@@ -110,7 +110,7 @@ TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
     ExpectAll(ported.report,
               {"| condition | `#if UNITY_6000_0_OR_NEWER` | left out | HeightFogFeature.cs:43:1 |",
                "| condition | `#if WITH_FOG && UNITY_2021_2_OR_NEWER` | read |",
-               "| `MeshTopology.Quads` | HeightFogFeature.cs:102:80 | refused |",
+               "| `MeshTopology.Quads` | HeightFogFeature.cs:102:80 | same |  |",
                "| setting | `HeightFogFeature.m_Wind` | `Vector3 m_Wind = new Vector3(1, 0, 0)` | "
                "HeightFogFeature.cs:37 | TODO |"});
     EXPECT_EQ("HeightFog: {}\n", ReadText("out/HeightFog.profile.yaml"));
