@@ -57,7 +57,7 @@ void DrawRecorder::Copy(const CopyBufferCommand& command,
     const std::uint32_t groups = DivideUp(command.count, k_Threads);
     RecordedDispatch dispatch;
     dispatch.shader = kernel;
-    dispatch.groups = {std::min(groups, k_MostInARow), DivideUp(groups, k_MostGroups), 1};
+    dispatch.groups = {std::min(groups, k_MostInARow), DivideUp(groups, k_MostInARow), 1};
     m_CopyParams.SetBuffer(_From, command.source);
     m_CopyParams.SetBuffer(_To, command.dest);
     m_CopyParams.SetInt(_FirstFrom, static_cast<int>(command.from));
