@@ -2,7 +2,8 @@
 
 #include <gmock/gmock.h>
 
-// The UI Toolkit's and TextCore's files.
+// The UI Toolkit's and TextCore's files, and those for scripts that draw indirectly or for
+// displays.
 
 namespace limn
 {
@@ -38,6 +39,51 @@ TEST(BuiltinLibrary, CompilesTextOfDistanceFields)
         SCOPED_TRACE(define);
         CompileEntries(define + text, "VertShader", "PixShader");
     }
+}
+
+TEST(BuiltinLibrary, CompilesIndirectDraws)
+{
+    const std::string text = R"(
+        #include "UnityCG.cginc"
+        #define UNITY_INDIRECT_DRAW_ARGS IndirectDrawIndexedArgs
+        #include "UnityIndirect.cginc"
+        StructuredBuffer<float4> _Places;
+        float4 vert(uint vertexID : SV_VertexID, uint instanceID : SV_InstanceID) : SV_Position
+        {
+            InitIndirectDrawArgs(0);
+            uint instance = GetIndirectInstanceID(instanceID);
+            return UnityObjectToClipPos(_Places[instance + GetIndirectVertexID(vertexID)]);
+        }
+        fixed4 frag() : SV_Target { return 1; })";
+    EXPECT_THAT(test::Messages(CompileCg(text)->diagnostics),
+                testing::ElementsAre(" note: uses the arguments of an indirect draw in its shader, "
+                                     "which limn does not have: they are 0 there"));
+    CompileCg(R"(
+        #include "UnityCG.cginc"
+        #include "UnityIndirect.cginc"
+        ByteAddressBuffer _Args;
+        float4 vert(uint vertexID : SV_VertexID) : SV_Position
+        {
+            IndirectDrawArgs args;
+            IndirectDrawIndexedArgs indexed;
+            GetIndirectDrawArgs(args, _Args, GetCommandID(1));
+            GetIndirectDrawArgs(indexed, _Args, 2);
+            return GetIndirectVertexID_Base(indexed, vertexID) + GetIndirectVertexCount(args);
+        }
+        fixed4 frag() : SV_Target { return 1; })");
+}
+
+TEST(BuiltinLibrary, CompilesColorsOfDisplays)
+{
+    CompileCg(R"(
+        #include "UnityColorGamut.cginc"
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        fixed4 frag(float4 p : SV_Position) : SV_Target
+        {
+            float3 c = SimpleHDRDisplayToneMapAndOETF(p.rgb, kColorGamutHDR10, true, 200, 1000);
+            c += InverseSimpleHDRDisplayToneMapAndOETF(c, (int)p.w, false, 200, 1000);
+            return fixed4(c, 1);
+        })");
 }
 
 } // namespace

@@ -112,6 +112,10 @@ TEST(UniversalFiles, DrawParticlesInEachOfTheirPasses)
          "fragParticleSceneHighlight"},
         {"ParticlesLitInput", "ParticlesEditorPass", "vertParticleEditor",
          "fragParticleScenePicking"},
+        {"ParticlesLitInput", "ParticlesLitGbufferPass", "ParticlesGBufferVertex",
+         "ParticlesGBufferFragment"},
+        {"ParticlesSimpleLitInput", "ParticlesSimpleLitGBufferPass", "ParticlesLitGBufferVertex",
+         "ParticlesLitGBufferFragment"},
     };
     const std::vector<std::string> variants[] = {
         {},
@@ -132,6 +136,17 @@ TEST(UniversalFiles, DrawParticlesInEachOfTheirPasses)
                        pass.fragment, keywords);
         }
     }
+}
+
+TEST(UniversalFiles, DrawMasksOfSpritesAndUnlitSurfacesDeferred)
+{
+    CompileUrp(Urp("ShaderLibrary/Core") + Urp("ShaderLibrary/UniversalDOTSInstancing") +
+                   Urp("Shaders/2D/Include/SpriteMaskShared"),
+               "MaskRenderingVertex", "MaskRenderingFragment");
+    const std::string unlit = Urp("Shaders/UnlitInput") + Urp("Shaders/UnlitGBufferPass");
+    CompileUrp(unlit, "UnlitPassVertex", "UnlitPassFragment");
+    CompileUrp(unlit, "UnlitPassVertex", "UnlitPassFragment",
+               {"_ALPHATEST_ON", "_ALPHAMODULATE_ON", "_SCREEN_SPACE_OCCLUSION"});
 }
 
 TEST(UniversalFiles, CopyDepth)

@@ -2,13 +2,7 @@
 #pragma once
 #define UNIVERSAL_DEBUGGING_COMMON_INCLUDED
 
-#define DEBUGLIGHTINGFEATUREFLAGS_NONE 0
-#define DEBUGLIGHTINGFEATUREFLAGS_GLOBAL_ILLUMINATION 1
-#define DEBUGLIGHTINGFEATUREFLAGS_MAIN_LIGHT 2
-#define DEBUGLIGHTINGFEATUREFLAGS_ADDITIONAL_LIGHTS 4
-#define DEBUGLIGHTINGFEATUREFLAGS_VERTEX_LIGHTING 8
-#define DEBUGLIGHTINGFEATUREFLAGS_EMISSION 16
-#define DEBUGLIGHTINGFEATUREFLAGS_AMBIENT_OCCLUSION 32
+#include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Debug/DebugViewEnums.cs.hlsl"
 
 bool IsLightingFeatureEnabled(uint bitMask) { return true; }
 bool IsOnlyAOLightingFeatureEnabled() { return false; }

@@ -1,0 +1,6 @@
+// Instances of entities, which limn has not.
+#pragma once
+#define UNIVERSAL_DOTS_INSTANCING_INCLUDED
+
+#define unity_SelectionID _SelectionID
+#define UNITY_SETUP_DOTS_RENDER_BOUNDS

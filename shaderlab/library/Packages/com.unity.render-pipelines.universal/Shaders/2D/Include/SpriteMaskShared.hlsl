@@ -1,0 +1,31 @@
+// Sprites that mark where others show.
+#pragma once
+#define SPRITE_MASK_SHARED
+
+half _Cutoff;
+TEXTURE2D(_MainTex);
+SAMPLER(sampler_MainTex);
+
+struct Attributes
+{
+    float4 positionOS : POSITION;
+    half2 texcoord : TEXCOORD0;
+};
+struct Varyings
+{
+    float4 positionCS : SV_POSITION;
+    half2 uv : TEXCOORD0;
+};
+
+Varyings MaskRenderingVertex(Attributes input)
+{
+    Varyings output;
+    output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
+    output.uv = input.texcoord;
+    return output;
+}
+half4 MaskRenderingFragment(Varyings input) : SV_Target
+{
+    clip(SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, input.uv).a - _Cutoff);
+    return half4(1, 1, 1, 0.2);
+}
