@@ -1,9 +1,20 @@
 #pragma once
 #define UNITY_STANDARD_CORE_FORWARD_INCLUDED
 #include "UnityStandardConfig.cginc"
-#include "UnityStandardCore.cginc"
 
+#if UNITY_STANDARD_SIMPLE
+#include "UnityStandardCoreForwardSimple.cginc"
+VertexOutputBaseSimple vertBase(VertexInput v) { return vertForwardBaseSimple(v); }
+VertexOutputForwardAddSimple vertAdd(VertexInput v) { return vertForwardAddSimple(v); }
+half4 fragBase(VertexOutputBaseSimple i) : SV_Target { return fragForwardBaseSimpleInternal(i); }
+half4 fragAdd(VertexOutputForwardAddSimple i) : SV_Target
+{
+    return fragForwardAddSimpleInternal(i);
+}
+#else
+#include "UnityStandardCore.cginc"
 VertexOutputForwardBase vertBase(VertexInput v) { return vertForwardBase(v); }
 VertexOutputForwardBase vertAdd(VertexInput v) { return vertForwardAdd(v); }
 half4 fragBase(VertexOutputForwardBase i) : SV_Target { return fragForwardBaseInternal(i); }
 half4 fragAdd(VertexOutputForwardBase i) : SV_Target { return fragForwardAddInternal(i); }
+#endif

@@ -160,15 +160,19 @@ TEST(BuiltinLibrary, CompilesTheOtherPassesOfTheStandardShader)
             UnityGI gi = FragmentGI(p.xyz, 1, p, 1, 0.5, p.xyz, p.xyz, DummyLight());
             return half4(gi.indirect.diffuse, 1);
         })");
-    const std::string simple =
-        "#include \"UnityStandardCoreForwardSimple.cginc\"\n"
-        "VertexOutputBaseSimple vert(VertexInput v) { return vertForwardBaseSimple(v); }\n";
-    CompileCg(simple + "half4 frag(VertexOutputBaseSimple i) : SV_Target { return "
-                       "fragForwardBaseSimple(i); }",
-              {"FOG_LINEAR", "_NORMALMAP"});
-    CompileCg(simple + "half4 frag(VertexOutputForwardAddSimple i) : SV_Target { return "
-                       "fragForwardAddSimple(i) * MetallicSetup_Reflectivity(); }",
-              {"POINT"});
+    const std::string simple = "#define UNITY_STANDARD_SIMPLE 1\n"
+                               "#define UNITY_SETUP_BRDF_INPUT MetallicSetup\n"
+                               "#include \"UnityStandardCoreForward.cginc\"\n";
+    for (const auto& keywords : {std::vector<std::string>{"FOG_LINEAR", "_NORMALMAP"},
+                                 {"POINT", "_METALLICGLOSSMAP"},
+                                 {"_SPECULARHIGHLIGHTS_OFF", "_SPECULAR_HIGHLIGHTS_OFF"}})
+    {
+        SCOPED_TRACE(keywords.front());
+        CompileEntries(simple, "vertBase", "fragBase", keywords);
+        CompileEntries(simple, "vertAdd", "fragAdd", keywords);
+    }
+    CompileEntries("#include \"UnityStandardCoreForwardSimple.cginc\"\n", "vertForwardBaseSimple",
+                   "fragForwardBaseSimple");
 }
 
 TEST(BuiltinLibrary, CompilesTheOtherPassesOfParticles)

@@ -56,6 +56,10 @@ std::vector<glm::dvec3> UnitVectors();
 /// Colours from black over dark, mid and white to bright.
 std::vector<glm::dvec3> Colors();
 
+/// A texture of floats, texel by texel from the first row on.
+std::shared_ptr<const Texture2D> MakeTexture(int width, int height,
+                                             const std::function<glm::vec4(int x, int y)>& texel);
+
 /// The line that includes a file of core's ShaderLibrary.
 std::string CoreInclude(const std::string& name);
 

@@ -180,6 +180,19 @@ std::vector<glm::dvec3> Colors()
             {0.9, 0.4, 0.1}, {0.25, 0.75, 0.25}, {4, 2, 0.5},   {100, 50, 1}};
 }
 
+std::shared_ptr<const Texture2D> MakeTexture(int width, int height,
+                                             const std::function<glm::vec4(int x, int y)>& texel)
+{
+    std::vector<std::byte> bytes;
+    for (int i = 0; i < width * height; ++i)
+    {
+        const glm::vec4 value = texel(i % width, i / width);
+        Append(bytes, &value, sizeof(value));
+    }
+    return std::make_shared<Texture2D>("texels", width, height, GraphicsFormat::R32G32B32A32_SFloat,
+                                       std::move(bytes));
+}
+
 std::string CoreInclude(const std::string& name)
 {
     return "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/" + name +

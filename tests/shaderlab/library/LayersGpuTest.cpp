@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -22,16 +21,10 @@ using glm::dvec4;
 
 using LayerFunctions = GpuTest;
 
-std::shared_ptr<const Texture2D> Texels(int width, int height, const std::vector<dvec4>& texels)
+std::shared_ptr<const Texture2D> Row(const std::vector<dvec4>& texels)
 {
-    std::vector<std::byte> bytes(texels.size() * sizeof(glm::vec4));
-    for (std::size_t i = 0; i < texels.size(); ++i)
-    {
-        const glm::vec4 texel(texels[i]);
-        std::memcpy(bytes.data() + i * sizeof(texel), &texel, sizeof(texel));
-    }
-    return std::make_shared<Texture2D>("texels", width, height, GraphicsFormat::R32G32B32A32_SFloat,
-                                       bytes);
+    return MakeTexture(static_cast<int>(texels.size()), 1,
+                       [&](int x, int) { return texels[static_cast<std::size_t>(x)]; });
 }
 
 const dvec4 k_Layers[] = {
@@ -42,12 +35,12 @@ const dvec4 k_Right(0.1, 0.2, 0.5, 0.4);
 /// A control texture of two texels, each at an edge of the terrain, and a layer of one colour each.
 void SetLayers(FunctionGrid& grid)
 {
-    grid.SetTexture("_Control", Texels(2, 1, {k_Left, k_Right}));
+    grid.SetTexture("_Control", Row({k_Left, k_Right}));
     grid.SetGlobal("_Control_TexelSize", {0.5f, 1, 2, 1});
     for (int i = 0; i < 4; ++i)
     {
         const std::string number = std::to_string(i);
-        grid.SetTexture("_Splat" + number, Texels(1, 1, {k_Layers[i]}));
+        grid.SetTexture("_Splat" + number, Row({k_Layers[i]}));
         grid.SetGlobal("_Splat" + number + "_ST", {4, 4, 0, 0});
     }
 }
@@ -198,6 +191,68 @@ TEST_F(LayerFunctions, TerrainsOfUrpShowTheHighestLayer)
              },
              {1e-4, 1e-5});
     grid.Run();
+}
+
+TEST_F(LayerFunctions, SimpleStandardSurfacesAreLitFromTheirVertices)
+{
+    for (const bool hasNormalMap : {false, true})
+    {
+        FunctionGrid grid((hasNormalMap ? "#define _NORMALMAP\n" : "") + std::string(R"(
+            #define _GLOSSYREFLECTIONS_OFF
+            #define UNITY_SETUP_BRDF_INPUT MetallicSetup
+            #include "UnityStandardCoreForwardSimple.cginc"
+            float3 Lit(float3 place, float3 normal)
+            {
+                VertexInput v = (VertexInput)0;
+                v.vertex = float4(place, 1);
+                v.normal = normal;
+            #ifdef _NORMALMAP
+                v.tangent = float4(normalize(cross(normal, float3(0.3, 0.5, 0.9))), 1);
+            #endif
+                return fragForwardBaseSimpleInternal(vertForwardBaseSimple(v)).rgb;
+            })"),
+                          ProgramLanguage::Cg);
+        for (int i = 0; i < 4; ++i)
+        {
+            grid.perDraw.objectToWorld[i * 5] = 1;
+            grid.perDraw.worldToObject[i * 5] = 1;
+        }
+        grid.perDraw.worldTransformParams[3] = 1;
+        grid.SetTexture("_BumpMap", Row({dvec4(0.5, 0.5, 1, 1)})); // flat
+        grid.SetGlobal("_BumpScale", {1});
+        grid.SetGlobal("_Color", {0.8f, 0.4f, 0.2f, 1});
+        grid.SetGlobal("_Metallic", {0.25f});
+        grid.SetGlobal("_Glossiness", {0.6f});
+        grid.SetGlobal("_LightColor0", {1, 0.5f, 2, 1});
+        grid.SetGlobal("_MainLightColor", {1, 0.5f, 2, 1});
+        grid.SetGlobal("_MainLightPosition", {0, 0.6f, 0.8f, 0});
+        grid.SetGlobal("_WorldSpaceCameraPos", {1, 2, 6, 0});
+        grid.SetGlobal("limn_CameraPos", {1, 2, 6, 1});
+        grid.SetGlobal("unity_AmbientSky", {0.1f, 0.2f, 0.3f, 1});
+        const dvec3 light(0, 0.6, 0.8);
+        grid.Add("Lit(a.xyz, b.xyz)",
+                 CombineVectors({{0, 0, 0}, {1, 1, 1}, {-2, 0, 5}}, UnitVectors()),
+                 [=](auto& a, auto& b, auto&)
+                 {
+                     const dvec3 albedo(0.8, 0.4, 0.2);
+                     const dvec3 diffuse = albedo * (0.96 * 0.75);
+                     const dvec3 specular = glm::mix(dvec3(0.04), albedo, 0.25);
+                     const dvec3 normal(b);
+                     const dvec3 view = glm::normalize(dvec3(1, 2, 6) - dvec3(a));
+                     // Phong's lobe, a quarter as narrow as Blinn's of the same roughness
+                     const double power = (2 / std::pow(0.4, 4.0) - 2) / 4;
+                     const double mirrored = glm::dot(glm::reflect(-view, normal), light);
+                     const double lobe =
+                         std::min(16.0, std::pow(std::abs(mirrored), power) * (power + 1) / 2);
+                     const double fresnel = std::pow(1 - Saturate(glm::dot(normal, view)), 4.0);
+                     const double grazing = 0.6 + 1 - 0.96 * 0.75;
+                     return dvec3(1, 0.5, 2) * Saturate(glm::dot(normal, light)) *
+                                (diffuse + specular * lobe) +
+                            dvec3(0.1, 0.2, 0.3) * glm::mix(specular, dvec3(grazing), fresnel);
+                 },
+                 {2e-3, 2e-4});
+        grid.Run();
+    }
 }
 
 TEST_F(LayerFunctions, InterfacesAddressGradientsAndPages)

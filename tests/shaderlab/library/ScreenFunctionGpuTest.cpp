@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -24,19 +23,6 @@ using glm::dvec4;
 using TexturePtr = std::shared_ptr<const Texture2D>;
 
 constexpr int k_Size = 8;
-
-TexturePtr MakeTexture(int width, int height, const std::function<glm::vec4(int, int)>& texel)
-{
-    std::vector<glm::vec4> texels;
-    for (int i = 0; i < width * height; ++i)
-    {
-        texels.push_back(texel(i % width, i / width));
-    }
-    std::vector<std::byte> bytes(texels.size() * sizeof(glm::vec4));
-    std::memcpy(bytes.data(), texels.data(), bytes.size());
-    return std::make_shared<Texture2D>("texels", width, height, GraphicsFormat::R32G32B32A32_SFloat,
-                                       std::move(bytes));
-}
 
 /// A camera at (3, -1, 2) that looks along +z, with 8x8 pixels and reversed depth from 1 to 20, and
 /// two walls before it: the left half of the pixels sees the first.
