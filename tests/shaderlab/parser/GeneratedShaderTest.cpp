@@ -116,6 +116,9 @@ TEST(GeneratedShader, CompilesEveryPassOfAShaderGraph)
                                   {"DepthOnlyPass", "SHADERPASS_DEPTHONLY"},
                                   {"ShadowCasterPass", "SHADERPASS_SHADOWCASTER"},
                                   {"DepthNormalsOnlyPass", "SHADERPASS_DEPTHNORMALSONLY"},
+                                  {"PBRGBufferPass", "SHADERPASS_GBUFFER"},
+                                  {"UnlitGBufferPass", "SHADERPASS_GBUFFER"},
+                                  {"PBR2DPass", "SHADERPASS_2D"},
                                   {"LightingMetaPass", "SHADERPASS_META"}})
     {
         SCOPED_TRACE(item.file);
@@ -133,6 +136,85 @@ TEST(GeneratedShader, CompilesEveryPassOfAShaderGraph)
             EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
         }
     }
+}
+
+// A sprite's graph has a colour, texture coordinates and a place on the screen to hand on.
+constexpr const char* k_SpriteGraph = R"(
+    #define ATTRIBUTES_NEED_NORMAL
+    #define ATTRIBUTES_NEED_TANGENT
+    #define ATTRIBUTES_NEED_TEXCOORD0
+    #define ATTRIBUTES_NEED_COLOR
+    #define VARYINGS_NEED_NORMAL_WS
+    #define VARYINGS_NEED_TANGENT_WS
+    #define VARYINGS_NEED_TEXCOORD0
+    #define VARYINGS_NEED_COLOR
+    #define VARYINGS_NEED_SCREENPOSITION
+    #define FEATURES_GRAPH_VERTEX
+    #define CUSTOMINTERPOLATOR_VARYPASSTHROUGH_FUNC CustomInterpolatorPassThroughFunc
+    int _ObjectId; int _PassValue; float4 _SelectionID;
+    struct Attributes { float3 positionOS : POSITION; float3 normalOS : NORMAL;
+                        float4 tangentOS : TANGENT; float4 uv0 : TEXCOORD0; float4 color : COLOR; };
+    struct Varyings { float4 positionCS : SV_POSITION; float3 normalWS : INTERP0;
+                      float4 tangentWS : INTERP1; float4 texCoord0 : INTERP2;
+                      float4 color : INTERP3; float4 screenPosition : INTERP4;
+                      float own : INTERP5; };
+    #define PackedVaryings Varyings
+    Varyings PackVaryings(Varyings v) { return v; }
+    Varyings UnpackVaryings(Varyings v) { return v; }
+    struct VertexDescriptionInputs { float3 position; float3 normal; float3 tangent; };
+    struct VertexDescription { float3 Position; float3 Normal; float3 Tangent; float own; };
+    VertexDescription VertexDescriptionFunction(VertexDescriptionInputs i)
+    {
+        VertexDescription o; o.Position = i.position; o.Normal = i.normal; o.Tangent = i.tangent;
+        o.own = i.position.x; return o;
+    }
+    VertexDescriptionInputs BuildVertexDescriptionInputs(Attributes i)
+    {
+        VertexDescriptionInputs o; o.position = i.positionOS; o.normal = i.normalOS;
+        o.tangent = i.tangentOS.xyz; return o;
+    }
+    void CustomInterpolatorPassThroughFunc(inout Varyings v, VertexDescription d) { v.own = d.own; }
+    struct SurfaceDescriptionInputs { float4 uv0; float own; };
+    struct SurfaceDescription { float3 BaseColor; float Alpha; float4 SpriteColor;
+                                float4 SpriteMask; float3 NormalTS; float AlphaClipThreshold; };
+    SurfaceDescriptionInputs BuildSurfaceDescriptionInputs(Varyings v)
+    {
+        SurfaceDescriptionInputs i; i.uv0 = v.texCoord0; i.own = v.own; return i;
+    }
+    SurfaceDescription SurfaceDescriptionFunction(SurfaceDescriptionInputs i)
+    {
+        SurfaceDescription s; s.BaseColor = i.uv0.xyz; s.Alpha = i.own; s.SpriteColor = i.uv0;
+        s.SpriteMask = 1; s.NormalTS = float3(0, 0, 1); s.AlphaClipThreshold = 0.5; return s;
+    }
+)";
+
+// Generated passes of sprites, and those that select objects in the editor.
+TEST(GeneratedShader, CompilesTheOtherPassesOfSpritesAndTheEditor)
+{
+    const std::string sprites = "Editor/2D/ShaderGraph/Includes/";
+    const std::string graphs = "Editor/ShaderGraph/Includes/";
+    for (const GraphPass& item : {GraphPass{"SpriteUnlitPass", "SHADERPASS_SPRITEUNLIT"},
+                                  {"SpriteLitPass", "SHADERPASS_SPRITELIT"},
+                                  {"SpriteNormalPass", "SHADERPASS_SPRITENORMAL"},
+                                  {"SpriteForwardPass", "SHADERPASS_SPRITEFORWARD"},
+                                  {"SelectionPickingPass", "SHADERPASS_DEPTHONLY"}})
+        for (const std::string& folder : {sprites, graphs})
+            for (const char* define :
+                 {"SCENESELECTIONPASS", "SCENEPICKINGPASS", "UNIVERSAL_USELEGACYSPRITEBLOCKS"})
+            {
+                SCOPED_TRACE(std::string(item.file) + " " + folder + " " + define);
+                if (folder == sprites && std::string(item.file) == "SelectionPickingPass")
+                    continue;
+                const std::string text =
+                    "#define SHADERPASS " + std::string(item.kind) + "\n#define " + define +
+                    " 1\n#define ALPHA_CLIP_THRESHOLD 1\n#define _ALPHATEST_ON 1\n" + k_Libraries +
+                    k_SpriteGraph + Include(k_Includes + graphs + "Varyings.hlsl") +
+                    Include(k_Includes + folder + item.file + ".hlsl");
+                ShaderCompiler compiler;
+                const auto pass = compiler.Compile(test::Program(text), {});
+                EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
+                EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+            }
 }
 
 } // namespace

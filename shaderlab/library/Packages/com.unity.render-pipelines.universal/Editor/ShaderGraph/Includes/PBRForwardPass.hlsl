@@ -1,71 +1,14 @@
 // Entry points of a generated lit pass.
 #pragma once
+#include "limn/GraphLit.hlsl"
 
 PackedVaryings vert(Attributes input) { return PackVaryings(BuildVaryings(input)); }
-
-InputData limn_GraphInputData(Varyings input, SurfaceDescription surface)
-{
-    InputData inputData = (InputData)0;
-    inputData.positionWS = input.positionWS;
-    inputData.positionCS = input.positionCS;
-    inputData.normalWS = input.normalWS;
-#if defined(_NORMALMAP) && _NORMAL_DROPOFF_TS
-    float3 bitangent = cross(input.normalWS, input.tangentWS.xyz) * input.tangentWS.w *
-                       GetOddNegativeScale();
-    inputData.tangentToWorld = float3x3(input.tangentWS.xyz, bitangent, input.normalWS);
-    inputData.normalWS = TransformTangentToWorld(surface.NormalTS, inputData.tangentToWorld);
-#elif defined(_NORMALMAP) && _NORMAL_DROPOFF_OS
-    inputData.normalWS = TransformObjectToWorldNormal(surface.NormalOS);
-#elif defined(_NORMALMAP) && _NORMAL_DROPOFF_WS
-    inputData.normalWS = surface.NormalWS;
-#endif
-    inputData.normalWS = NormalizeNormalPerPixel(inputData.normalWS);
-    inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(input.positionWS);
-    inputData.shadowCoord = TransformWorldToShadowCoord(input.positionWS);
-    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0),
-                                                input.fogFactorAndVertexLight.x);
-    inputData.vertexLighting = input.fogFactorAndVertexLight.yzw;
-#if !defined(LIGHTMAP_ON)
-    inputData.bakedGI = SampleSHPixel(input.sh, inputData.normalWS);
-#endif
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
-    inputData.shadowMask = float4(1, 1, 1, 1);
-    return inputData;
-}
-
-SurfaceData limn_GraphSurfaceData(SurfaceDescription surface, float alpha)
-{
-    SurfaceData result = (SurfaceData)0;
-    result.albedo = AlphaModulate(surface.BaseColor, alpha);
-#ifdef _SPECULAR_SETUP
-    result.specular = surface.Specular;
-    result.metallic = 1.0;
-#else
-    result.metallic = saturate(surface.Metallic);
-#endif
-    result.smoothness = saturate(surface.Smoothness);
-    result.occlusion = surface.Occlusion;
-    result.emission = surface.Emission;
-    result.alpha = saturate(alpha);
-    result.clearCoatSmoothness = 1.0;
-#ifdef _CLEARCOAT
-    result.clearCoatMask = saturate(surface.CoatMask);
-    result.clearCoatSmoothness = saturate(surface.CoatSmoothness);
-#endif
-    return result;
-}
 
 void frag(PackedVaryings packedInput, out float4 outColor : SV_Target0)
 {
     Varyings unpacked = UnpackVaryings(packedInput);
     SurfaceDescription surface = BuildSurfaceDescription(unpacked);
-    float alpha = 1.0;
-#if defined(_ALPHATEST_ON)
-    alpha = surface.Alpha;
-    AlphaDiscard(alpha, surface.AlphaClipThreshold);
-#elif defined(_SURFACE_TYPE_TRANSPARENT)
-    alpha = surface.Alpha;
-#endif
+    float alpha = limn_GraphAlpha(surface);
     InputData inputData = limn_GraphInputData(unpacked, surface);
     outColor = UniversalFragmentPBR(inputData, limn_GraphSurfaceData(surface, alpha));
     outColor.rgb = MixFog(outColor.rgb, inputData.fogCoord);

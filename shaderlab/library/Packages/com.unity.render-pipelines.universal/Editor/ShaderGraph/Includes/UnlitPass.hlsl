@@ -1,6 +1,7 @@
 // Entry points of a generated unlit pass.
 #pragma once
 
+#include "limn/GraphSurface.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Unlit.hlsl"
 
 PackedVaryings vert(Attributes input) { return PackVaryings(BuildVaryings(input)); }
@@ -9,13 +10,7 @@ void frag(PackedVaryings packedInput, out float4 outColor : SV_Target0)
 {
     Varyings unpacked = UnpackVaryings(packedInput);
     SurfaceDescription surface = BuildSurfaceDescription(unpacked);
-    float alpha = 1.0;
-#if defined(_ALPHATEST_ON)
-    alpha = surface.Alpha;
-    AlphaDiscard(alpha, surface.AlphaClipThreshold);
-#elif defined(_SURFACE_TYPE_TRANSPARENT)
-    alpha = surface.Alpha;
-#endif
+    float alpha = limn_GraphAlpha(surface);
     InputData inputData = (InputData)0;
     inputData.positionCS = unpacked.positionCS;
     inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(unpacked.positionCS);

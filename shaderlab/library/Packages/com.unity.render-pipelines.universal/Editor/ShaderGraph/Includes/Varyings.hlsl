@@ -24,12 +24,21 @@ float4 limn_ShadowPosition(float3 positionWS, float3 normalWS)
 }
 #endif
 
+#if defined(FEATURES_GRAPH_VERTEX)
+VertexDescription BuildVertexDescription(Attributes input)
+{
+    return VertexDescriptionFunction(BuildVertexDescriptionInputs(input));
+}
+#endif
+
 Varyings BuildVaryings(Attributes input)
 {
     Varyings output = (Varyings)0;
 #if defined(FEATURES_GRAPH_VERTEX)
-    VertexDescription vertexDescription =
-        VertexDescriptionFunction(BuildVertexDescriptionInputs(input));
+    VertexDescription vertexDescription = BuildVertexDescription(input);
+#if defined(CUSTOMINTERPOLATOR_VARYPASSTHROUGH_FUNC)
+    CustomInterpolatorPassThroughFunc(output, vertexDescription);
+#endif
     input.positionOS = vertexDescription.Position;
 #if defined(ATTRIBUTES_NEED_NORMAL) && defined(VARYINGS_NEED_NORMAL_WS)
     input.normalOS = vertexDescription.Normal;
@@ -80,7 +89,7 @@ Varyings BuildVaryings(Attributes input)
 #ifdef VARYINGS_NEED_SCREENPOSITION
     output.screenPosition = ComputeScreenPos(output.positionCS);
 #endif
-#if SHADERPASS == SHADERPASS_FORWARD && !defined(LIGHTMAP_ON)
+#if (SHADERPASS == SHADERPASS_FORWARD || SHADERPASS == SHADERPASS_GBUFFER) && !defined(LIGHTMAP_ON)
     OUTPUT_SH(normalWS, output.sh);
 #endif
 #ifdef VARYINGS_NEED_FOG_AND_VERTEX_LIGHT
