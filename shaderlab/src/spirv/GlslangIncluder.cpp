@@ -129,6 +129,16 @@ std::string SpellNonFinite(std::string line)
     return line;
 }
 
+/// A line without what glslang would read over letter by letter: blanks at its begin, and what it
+/// says if it is a comment.
+std::string_view Shorten(std::string_view line)
+{
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const bool isComment = line.starts_with("//") && !Continues(line) &&
+                           line.find("*/") == line.npos; // which may end one of several lines
+    return isComment ? "" : line;
+}
+
 } // namespace
 
 std::string TranslateDirectives(std::string_view text)
@@ -144,7 +154,7 @@ std::string TranslateDirectives(std::string_view text)
         const bool isDirective = line.find('#') != line.npos;
         const std::string translated = isDropped     ? ""
                                        : isDirective ? SpellNonFinite(TranslateLine(line))
-                                                     : std::string(line);
+                                                     : std::string(Shorten(line));
         isDropped = translated.empty() && Continues(line);
         result.append(translated);
         result += '\n';
