@@ -236,15 +236,11 @@ public:
         {
             return tokens.Text(index + ahead);
         };
-        if (text(0) == "struct")
+        if (tokens.isWord(index))
         {
-            m_Next = {text(1), true, 1};
+            return TakeWord(text(0), text(1), text(2), text(3));
         }
-        else if (text(0) == "typedef" && text(3) == ";")
-        {
-            m_Depths[text(2)] = DepthOf(text(1));
-        }
-        else if (text(0) == "{")
+        if (text(0) == "{")
         {
             m_Open.push_back(m_Next);
             m_Next = {};
@@ -257,12 +253,6 @@ public:
         {
             m_Next = {};
         }
-        else if (tokens.isWord(index) && (m_Next.isStruct || !m_Open.empty()))
-        {
-            Type& holder = m_Next.isStruct ? m_Next : m_Open.back();
-            holder.depth = std::max(holder.depth, DepthOf(text(0)) + 1);
-            return holder.depth;
-        }
         return 0;
     }
 
@@ -273,6 +263,27 @@ private:
         bool isStruct = false; ///< or whatever else has braces
         std::size_t depth = 0;
     };
+
+    std::size_t TakeWord(std::string_view word, std::string_view next, std::string_view name,
+                         std::string_view end)
+    {
+        const bool isMember = !m_Open.empty() && m_Open.back().isStruct;
+        if (word == "struct")
+        {
+            m_Next = {next, true, 1};
+        }
+        else if (word == "typedef" && end == ";")
+        {
+            m_Depths[name] = DepthOf(next);
+        }
+        else if (m_Next.isStruct || isMember)
+        {
+            Type& holder = m_Next.isStruct ? m_Next : m_Open.back();
+            holder.depth = std::max(holder.depth, DepthOf(word) + 1);
+            return holder.depth;
+        }
+        return 0;
+    }
 
     std::size_t DepthOf(std::string_view type) const
     {

@@ -139,7 +139,7 @@ HlslNode* HlslTreeParser::ReadPrefix()
     if (Text() == "(" && !isEnd())
     {
         HlslType type;
-        const std::size_t behind = ReadType(m_Index + 1, type);
+        const std::size_t behind = ReadArrayType(m_Index + 1, type);
         if (behind != 0 && m_Tokens.Text(behind) == ")" && isTypeName(m_Index + 1) &&
             isOperand(behind + 1))
         {
@@ -153,7 +153,7 @@ HlslNode* HlslTreeParser::ReadCast()
 {
     HlslNode* node = Make(HlslNodeKind::Cast, m_Index);
     const std::size_t behind = m_Tokens.AfterBracket(m_Index);
-    ReadType(m_Index + 1, node->type);
+    ReadArrayType(m_Index + 1, node->type);
     m_Index = behind;
     node->Add(ReadPrefix());
     return Close(node);
@@ -310,6 +310,16 @@ std::size_t HlslTreeParser::ReadType(std::size_t index, HlslType& type) const
     }
     type = TypeOf(m_Declarations, word, argument);
     return behind;
+}
+
+std::size_t HlslTreeParser::ReadArrayType(std::size_t index, HlslType& type) const
+{
+    index = ReadType(index, type);
+    for (; index != 0 && m_Tokens.Text(index) == "["; index = m_Tokens.AfterBracket(index))
+    {
+        ++type.dimensions;
+    }
+    return index;
 }
 
 } // namespace limn

@@ -152,10 +152,9 @@ public:
             m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
             if (tree.variable)
             {
-                const auto& dimensions = tree.variable->dimensions;
                 m_Lowering.LowerInitializer(*tree.root,
                                             TypeOf(m_Source.declarations, *tree.variable),
-                                            dimensions.empty() ? "" : dimensions.front());
+                                            tree.variable->dimensions);
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)

@@ -71,6 +71,8 @@ private:
     /// Of the type at the index, template arguments and `unsigned` included; the index behind it,
     /// or 0 where there is none.
     std::size_t ReadType(std::size_t index, HlslType& type) const;
+    /// The same with the brackets of an array behind.
+    std::size_t ReadArrayType(std::size_t index, HlslType& type) const;
     bool isTypeName(std::size_t index) const;
     bool isOperand(std::size_t index) const;
 

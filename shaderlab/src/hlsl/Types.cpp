@@ -1,9 +1,9 @@
 #include "hlsl/Types.h"
 
-#include "text/Text.h"
+#include "text/WordList.h"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <utility>
 
 namespace limn
@@ -27,82 +27,21 @@ bool isSize(char c)
     return c >= '1' && c <= '4';
 }
 
-template <std::size_t N>
-bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 // Functions of the language by what they give. Those that are not here give what is not known.
-constexpr std::array<std::string_view, 61> k_LikeArguments = {"abs",
-                                                              "acos",
-                                                              "asin",
-                                                              "atan",
-                                                              "atan2",
-                                                              "ceil",
-                                                              "clamp",
-                                                              "cos",
-                                                              "cosh",
-                                                              "ddx",
-                                                              "ddx_coarse",
-                                                              "ddx_fine",
-                                                              "ddy",
-                                                              "ddy_coarse",
-                                                              "ddy_fine",
-                                                              "degrees",
-                                                              "exp",
-                                                              "exp2",
-                                                              "fma",
-                                                              "floor",
-                                                              "fmod",
-                                                              "frac",
-                                                              "frexp",
-                                                              "fwidth",
-                                                              "ldexp",
-                                                              "lerp",
-                                                              "log",
-                                                              "log10",
-                                                              "log2",
-                                                              "mad",
-                                                              "max",
-                                                              "min",
-                                                              "modf",
-                                                              "normalize",
-                                                              "pow",
-                                                              "radians",
-                                                              "rcp",
-                                                              "round",
-                                                              "rsqrt",
-                                                              "saturate",
-                                                              "sin",
-                                                              "sinh",
-                                                              "smoothstep",
-                                                              "sqrt",
-                                                              "step",
-                                                              "tan",
-                                                              "tanh",
-                                                              "trunc",
-                                                              "faceforward",
-                                                              "reflect",
-                                                              "refract",
-                                                              "countbits",
-                                                              "reversebits",
-                                                              "firstbithigh",
-                                                              "firstbitlow",
-                                                              "QuadReadAcrossX",
-                                                              "QuadReadAcrossY",
-                                                              "QuadReadAcrossDiagonal",
-                                                              "WaveReadLaneFirst",
-                                                              "WaveActiveSum",
-                                                              "WaveActiveMax"};
+const WordList k_LikeArguments(
+    "abs acos asin atan atan2 ceil clamp cos cosh ddx ddx_coarse ddx_fine ddy ddy_coarse "
+    "ddy_fine degrees exp exp2 fma floor fmod frac frexp fwidth ldexp lerp log log10 log2 mad "
+    "max min modf normalize pow radians rcp round rsqrt saturate sin sinh smoothstep sqrt step "
+    "tan tanh trunc faceforward reflect refract countbits reversebits firstbithigh firstbitlow "
+    "QuadReadAcrossX QuadReadAcrossY QuadReadAcrossDiagonal WaveReadLaneFirst WaveActiveSum "
+    "WaveActiveMax");
 
-constexpr std::array<std::string_view, 8> k_IntegerLikeArguments = {
-    "abs", "clamp", "countbits", "max", "min", "reversebits", "firstbithigh", "firstbitlow"};
+const WordList
+    k_IntegerLikeArguments("abs clamp countbits max min reversebits firstbithigh firstbitlow");
 
-constexpr std::array<std::string_view, 4> k_FloatScalars = {"length", "distance", "dot",
-                                                            "determinant"};
-constexpr std::array<std::string_view, 3> k_Truths = {"isnan", "isinf", "isfinite"};
-constexpr std::array<std::string_view, 2> k_Truth = {"any", "all"};
+const WordList k_FloatScalars("length distance dot determinant");
+const WordList k_Truths("isnan isinf isfinite");
+const WordList k_Truth("any all");
 
 HlslType PromoteAll(std::span<const HlslType> arguments)
 {
@@ -172,6 +111,13 @@ HlslType HlslType::As(int newColumns, int newRows) const
     return Number(scalar, newColumns, newRows);
 }
 
+HlslType HlslType::Innermost() const
+{
+    HlslType type = *this;
+    type.dimensions = 0;
+    return type;
+}
+
 HlslType HlslType::Of(HlslScalar newScalar) const
 {
     return Number(newScalar, columns, rows);
@@ -220,36 +166,20 @@ std::optional<HlslType> NumberType(std::string_view word)
 
 bool isObjectType(std::string_view word)
 {
-    constexpr std::array<std::string_view, 14> k_Starts = {"Texture",
-                                                           "Sampler",
-                                                           "sampler",
-                                                           "StructuredBuffer",
-                                                           "ByteAddressBuffer",
-                                                           "Buffer",
-                                                           "RW",
-                                                           "RasterizerOrdered",
-                                                           "AppendStructuredBuffer",
-                                                           "ConsumeStructuredBuffer",
-                                                           "texture",
-                                                           "PointStream",
-                                                           "LineStream",
-                                                           "TriangleStream"};
-    return std::any_of(k_Starts.begin(), k_Starts.end(),
-                       [&](std::string_view start) { return word.starts_with(start); });
+    static const WordList s_Starts(
+        "Texture Sampler sampler StructuredBuffer ByteAddressBuffer Buffer RW RasterizerOrdered "
+        "AppendStructuredBuffer ConsumeStructuredBuffer texture PointStream LineStream "
+        "TriangleStream");
+    return s_Starts.HasStartOf(word);
 }
 
 bool isTypeModifier(std::string_view word)
 {
-    constexpr std::array<std::string_view, 29> k_Modifiers = {
-        "static",     "const",         "uniform",         "extern",
-        "volatile",   "precise",       "shared",          "inline",
-        "row_major",  "column_major",  "nointerpolation", "linear",
-        "centroid",   "noperspective", "sample",          "in",
-        "out",        "inout",         "snorm",           "unorm",
-        "lowp",       "mediump",       "highp",           "groupshared",
-        "point",      "line",          "triangle",        "lineadj",
-        "triangleadj"};
-    return Contains(k_Modifiers, word);
+    static const WordList s_Modifiers(
+        "static const uniform extern volatile precise shared inline row_major column_major "
+        "nointerpolation linear centroid noperspective sample in out inout snorm unorm "
+        "groupshared point line triangle lineadj triangleadj");
+    return s_Modifiers.Has(word);
 }
 
 HlslType Promote(const HlslType& left, const HlslType& right)
@@ -275,10 +205,8 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
 {
     if (name.starts_with("tex"))
     {
-        constexpr std::string_view k_Starts[] = {"tex1D", "tex2D", "tex3D", "texCUBE"};
-        const bool isSample =
-            std::any_of(std::begin(k_Starts), std::end(k_Starts),
-                        [&](std::string_view start) { return name.starts_with(start); });
+        static const WordList s_Starts("tex1D tex2D tex3D texCUBE");
+        const bool isSample = s_Starts.HasStartOf(name);
         return isSample ? HlslType::Number(HlslScalar::Float, 4) : HlslType();
     }
     if (arguments.empty() || !std::all_of(arguments.begin(), arguments.end(),
@@ -287,11 +215,11 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
         return {};
     }
     const HlslType& first = arguments.front();
-    if (Contains(k_Truth, name))
+    if (k_Truth.Has(name))
     {
         return HlslType::Number(HlslScalar::Bool);
     }
-    if (Contains(k_Truths, name))
+    if (k_Truths.Has(name))
     {
         return first.Of(HlslScalar::Bool);
     }
@@ -322,64 +250,37 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
     {
         return all.isNumber() ? HlslType::Number(FloatOf(all.scalar), 3) : HlslType();
     }
-    if (Contains(k_FloatScalars, name))
+    if (k_FloatScalars.Has(name))
     {
         const bool isInteger = name == "dot" && !all.isFloating();
         return all.isNumber() ? HlslType::Number(isInteger ? all.scalar : FloatOf(all.scalar))
                               : HlslType();
     }
-    if (Contains(k_LikeArguments, name) && all.isNumber())
+    if (k_LikeArguments.Has(name) && all.isNumber())
     {
-        return Contains(k_IntegerLikeArguments, name) ? all : all.Of(FloatOf(all.scalar));
+        return k_IntegerLikeArguments.Has(name) ? all : all.Of(FloatOf(all.scalar));
     }
     return {};
 }
 
 bool isIntrinsic(std::string_view name)
 {
-    constexpr std::array<std::string_view, 28> k_Others = {"abort",
-                                                           "asdouble",
-                                                           "asfloat",
-                                                           "asint",
-                                                           "asuint",
-                                                           "clip",
-                                                           "cross",
-                                                           "dst",
-                                                           "errorf",
-                                                           "f16tof32",
-                                                           "f32tof16",
-                                                           "isfinite",
-                                                           "isinf",
-                                                           "isnan",
-                                                           "lit",
-                                                           "msad4",
-                                                           "mul",
-                                                           "noise",
-                                                           "printf",
-                                                           "sign",
-                                                           "sincos",
-                                                           "transpose",
-                                                           "D3DCOLORtoUBYTE4",
-                                                           "CheckAccessFullyMapped",
-                                                           "NonUniformResourceIndex",
-                                                           "GetRenderTargetSampleCount",
-                                                           "GetRenderTargetSamplePosition",
-                                                           "limn_Lacks"};
-    constexpr std::array<std::string_view, 9> k_Starts = {
-        "tex1D", "tex2D", "tex3D",  "texCUBE", "Interlocked", "EvaluateAttribute",
-        "Wave",  "Quad",  "Process"};
-    return Contains(k_LikeArguments, name) || Contains(k_FloatScalars, name) ||
-           Contains(k_Truth, name) || Contains(k_Others, name) || name.ends_with("MemoryBarrier") ||
-           name.ends_with("MemoryBarrierWithGroupSync") ||
-           std::any_of(k_Starts.begin(), k_Starts.end(),
-                       [&](std::string_view start) { return name.starts_with(start); });
+    static const WordList s_Others(
+        "abort asdouble asfloat asint asuint clip cross dst errorf f16tof32 f32tof16 isfinite "
+        "isinf isnan lit msad4 mul noise printf sign sincos transpose D3DCOLORtoUBYTE4 "
+        "CheckAccessFullyMapped NonUniformResourceIndex GetRenderTargetSampleCount "
+        "GetRenderTargetSamplePosition limn_Lacks");
+    static const WordList s_Starts(
+        "tex1D tex2D tex3D texCUBE Interlocked EvaluateAttribute Wave Quad Process");
+    return k_LikeArguments.Has(name) || k_FloatScalars.Has(name) || k_Truth.Has(name) ||
+           s_Others.Has(name) || name.ends_with("MemoryBarrier") ||
+           name.ends_with("MemoryBarrierWithGroupSync") || s_Starts.HasStartOf(name);
 }
 
 bool isComponentwise(std::string_view intrinsic)
 {
-    constexpr std::array<std::string_view, 4> k_OfVectors = {"normalize", "faceforward", "reflect",
-                                                             "refract"};
-    return Contains(k_LikeArguments, intrinsic) && !Contains(k_OfVectors, intrinsic);
+    static const WordList s_OfVectors("normalize faceforward reflect refract");
+    return k_LikeArguments.Has(intrinsic) && !s_OfVectors.Has(intrinsic);
 }
 
 HlslType MethodType(const HlslType& object, std::string_view method)

@@ -58,6 +58,7 @@ struct HlslType
     /// The same with other components; of a matrix's row, say.
     HlslType As(int newColumns, int newRows = 0) const;
     HlslType Of(HlslScalar newScalar) const;
+    HlslType Innermost() const; ///< of what is no array in an array
     /// "float3x3"; `half` is float. Of numbers only.
     std::string Spelling() const;
 

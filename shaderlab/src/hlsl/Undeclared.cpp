@@ -8,9 +8,9 @@ namespace limn
 std::vector<Diagnostic> HlslUndeclared::Describe(const HlslTokens& tokens,
                                                  const HlslDeclarations& declarations) const
 {
-    std::vector<std::string_view> known = {"float",  "half",     "int",      "uint",  "bool",
-                                           "float2", "float3",   "float4",   "half2", "half3",
-                                           "half4",  "float3x3", "float4x4", "fixed", "fixed4"};
+    std::vector<std::string_view> known = {"float",  "half",     "int",     "uint",  "bool",
+                                           "float2", "float3",   "float4",  "half2", "half3",
+                                           "half4",  "float3x3", "float4x4"};
     for (const HlslStruct& type : declarations.structs)
     {
         known.push_back(type.name);
@@ -24,7 +24,11 @@ std::vector<Diagnostic> HlslUndeclared::Describe(const HlslTokens& tokens,
     };
     for (const std::size_t token : types)
     {
-        const std::string nearest(NearestName(tokens.Text(token), known));
+        const std::string_view text = tokens.Text(token);
+        constexpr std::string_view k_Fixed = "fixed"; // of CG programs, where it is half
+        const std::string nearest = text.starts_with(k_Fixed)
+                                        ? "half" + std::string(text.substr(k_Fixed.size()))
+                                        : std::string(NearestName(text, known));
         add(token,
             nearest.empty() ? "unknown type" : "unknown type; did you mean '" + nearest + "'?");
     }

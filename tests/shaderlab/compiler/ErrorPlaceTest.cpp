@@ -131,6 +131,21 @@ TEST(ErrorPlace, OfAMisspeltTypeIsTheType)
                     At(line, "_Missing") + "'_Missing': unknown variable"));
 }
 
+TEST(ErrorPlace, OfAValueInAList)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float2 a[] = { 1, 2, _Missing, 4 }; return a[0].xyxy; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, NeverMeansTheTypeItself)
+{
+    const std::string line = "float4 frag() : SV_Target { fixed3 a = 1; return a.xyzz; }";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "fixed3") + "'fixed3': unknown type; did you mean 'half3'?"));
+}
+
 TEST(ErrorPlace, TakesTypesOfAFunctionForTypes)
 {
     EXPECT_THAT(FragmentMessages("float4 frag() : SV_Target { struct L { float a; }; typedef L K; "

@@ -272,15 +272,23 @@ TEST(HlslDialect, LeavesTheNameNoiseToTheAuthor)
     CompileFragment(R"(
         float noise(float2 p) { return frac(sin(dot(p, float2(12.9, 78.2))) * 43758.5); }
         fixed4 frag(v2f i) : SV_Target { float noise2 = noise(i.uv); return noise2; })");
-    // The language's own function exists on no device.
-    try
+}
+
+TEST(HlslDialect, RefusesFunctionsThatNoDeviceHas)
+{
+    for (const std::string call : {"noise(i.uv)", "msad4(1, uint2(1, 2), uint4(1, 2, 3, 4))"})
     {
-        test::CompileHlsl(k_Vertex + "float4 frag(v2f i) : SV_Target { return noise(i.uv); }");
-        FAIL();
-    }
-    catch (const AssetError& error)
-    {
-        EXPECT_THAT(error.what(), HasSubstr("'noise_': no matching overloaded function found"));
+        SCOPED_TRACE(call);
+        try
+        {
+            test::CompileHlsl(k_Vertex + "float4 frag(v2f i) : SV_Target { return " + call + "; }");
+            ADD_FAILURE() << "nothing was thrown";
+        }
+        catch (const AssetError& error)
+        {
+            EXPECT_THAT(error.what(), HasSubstr("'" + call.substr(0, call.find('(')) +
+                                                "_': no matching overloaded function found"));
+        }
     }
 }
 

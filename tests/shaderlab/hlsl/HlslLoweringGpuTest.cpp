@@ -135,6 +135,96 @@ TEST_F(HlslDialectValues, ListsAreTakenNumberByNumber)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, ListsOfArraysAreTakenNumberByNumber)
+{
+    FunctionGrid grid(R"(
+        #define SIZE 3
+        static const float s_Kernel[SIZE][SIZE] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+        struct Light { float3 direction; float range; };
+        static const Light s_Lights[2] = {1, 2, 3, 4, 5, 6, 7, 8};
+        static const Light s_Nested[] = {{1, 2, 3, 4}, {{5, 6, 7}, 8}};
+        float4 Columns(float4 v)
+        {
+            float2 pairs[2][2] = {v, v.zw, v.xy};
+            float4 rows[2] = {{v.xy, v.xy}, {v.zw, 1, 2}};
+            Light lights[2] = {v, {v.yzw, 9}};
+            return float4(pairs[0][1].x, pairs[1][1].y, rows[1].y * rows[1].w, lights[1].range);
+        }
+        float4 Filled(float4 v)
+        {
+            float2 a[3] = (float2[3])v.x;
+            float b[SIZE];
+            b = (float[SIZE])0;
+            b[1] = v.y;
+            return float4(a[0].x, a[2].y, b[1], b[2]);
+        })");
+    grid.Add("float3(s_Kernel[0][2], s_Kernel[1][0], s_Kernel[2][1])", k_Once,
+             OfA([](auto&) { return glm::dvec3(3, 4, 8); }));
+    grid.Add("float4(s_Lights[1].direction, s_Lights[0].range)", k_Once,
+             OfA([](auto&) { return glm::dvec4(5, 6, 7, 4); }));
+    grid.Add("float4(s_Nested[1].direction, s_Nested[1].range)", k_Once,
+             OfA([](auto&) { return glm::dvec4(5, 6, 7, 8); }));
+    grid.Add("Columns(a)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(a.z, a.y, a.w * 2, 9); }));
+    grid.Add("Filled(a)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(a.x, a.x, a.y, 0); }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, TruthsAreJoinedInPlace)
+{
+    FunctionGrid grid(R"(
+        float Joined(float4 v)
+        {
+            bool odd = v.x > 0.5;
+            odd ^= v.y > 0.5;
+            bool2 both = v.xy > 0.5;
+            both &= odd;
+            both |= v.zw > 0.5;
+            return odd + 2 * both.x + 4 * both.y;
+        }
+        float Turned(float x) { return ~(x > 0.5); })");
+    grid.Add("Joined(a)", k_Inputs,
+             OfA(
+                 [](const glm::dvec4& a)
+                 {
+                     const bool odd = (a.x > 0.5) != (a.y > 0.5);
+                     const bool first = ((a.x > 0.5) && odd) || a.z > 0.5;
+                     const bool second = ((a.y > 0.5) && odd) || a.w > 0.5;
+                     return (odd ? 1.0 : 0.0) + (first ? 2.0 : 0.0) + (second ? 4.0 : 0.0);
+                 }));
+    grid.Add("Turned(a.x)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return a.x > 0.5 ? -2.0 : -1.0; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, ExponentsMayBeAnyNumber)
+{
+    FunctionGrid grid("");
+    grid.Add("ldexp(a.xy, float2(3, -2))", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec2(a.x * 8, a.y / 4); }));
+    grid.Add("ldexp(a.x, 0.5)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return a.x * std::sqrt(2.0); }));
+    grid.Add("ldexp(a.x, 2)", k_Inputs, OfA([](const glm::dvec4& a) { return a.x * 4; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, StructsMayBeDeclaredWithTheirVariables)
+{
+    FunctionGrid grid(R"(
+        static struct { float a; float2 b; } s_First = {1, 2, 3}, s_Second = {4, 5, 6};
+        static const struct Named { float c; } s_Third = {7};
+        float Sum(Named n)
+        {
+            struct { float d; } local;
+            const struct Inner { struct { float f; } inner; } other = {8};
+            local.d = other.inner.f;
+            return n.c + s_First.b.y + s_Second.a + local.d;
+        })");
+    grid.Add("Sum(s_Third)", k_Once, OfA([](auto&) { return 22.0; }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, FunctionsAndOperatorsOfMatricesWorkOnEachElement)
 {
     FunctionGrid grid(R"(

@@ -53,11 +53,11 @@ TEST(Lowering, GivesAVariableWhoseValueNamesAnotherOfItsNameItsOwn)
 
 TEST(Lowering, PutsTheNumbersOfAnArrayOfVectorsInConstructors)
 {
-    EXPECT_EQ("void f() { float2 a[] =\n{ float2(1, 2), float2(3, -4) }; }",
+    EXPECT_EQ("void f() { float2 a[] =\n {float2(1 , 2 ), float2(3, -4) }; }",
               Lowered("void f() { float2 a[] =\n{ 1, 2, float2(3, -4) }; }"));
-    EXPECT_EQ("void f() { int2x2 m[1] = {int2x2(1, 2, 3, 4)}; }",
+    EXPECT_EQ("void f() { int2x2 m[1] = {int2x2(1 , 2 , 3 , 4)}; }",
               Lowered("void f() { int2x2 m[1] = {1, 2, 3, 4}; }"));
-    EXPECT_EQ("void f(float4 v) { float2 a[] = {(v ).xy, (v ).zw, float2(v.x, 1)}; }",
+    EXPECT_EQ("void f(float4 v) { float2 a[] =  {(v ).xy, (v ).zw, float2(v.x , 1)}; }",
               Lowered("void f(float4 v) { float2 a[] = {v, v.x, 1}; }"));
 }
 

@@ -25,6 +25,7 @@ void HlslLowering::LowerCall(HlslNode& node)
         else if (!isMethod)
         {
             LowerParts(node);
+            LowerExponent(node);
             LowerMatrixFunction(node);
         }
         return;
@@ -77,6 +78,18 @@ void HlslLowering::LowerParts(HlslNode& node)
              ")p; return rest; } ");
         m_Code.Spelling(node.token) = "limn_" + name;
     }
+}
+
+/// `ldexp(x, e)` takes any number as the exponent; glslang makes invalid SPIR-V of floats.
+void HlslLowering::LowerExponent(HlslNode& node)
+{
+    if (Text(node.token) != "ldexp" || node.CountChildren() != 2 || !node.type.isNumber())
+    {
+        return;
+    }
+    const std::string type = node.type.Of(HlslScalar::Float).Spelling();
+    Need(type + " limn_ldexp(" + type + " x, " + type + " e) { return x * exp2(e); } ");
+    m_Code.Spelling(node.token) = "limn_ldexp";
 }
 
 /// The language cuts what is larger than the parameter; glslang only from vector to vector.

@@ -1,9 +1,9 @@
 #include "hlsl/lowering/Lowering.h"
+#include "program/IntegerExpression.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace limn
@@ -11,14 +11,6 @@ namespace limn
 
 namespace
 {
-
-/// How many of an array's numbers an item of its list is; 0 = not to be told.
-int ComponentsOf(const HlslNode& item, int element)
-{
-    return item.kind == HlslNodeKind::List ? element
-           : item.type.isNumber()          ? item.type.components()
-                                           : 0;
-}
 
 /// The values of a list and of the lists in it, in order.
 void Flatten(const HlslNode& list, std::vector<const HlslNode*>& items)
@@ -36,49 +28,109 @@ void Flatten(const HlslNode& list, std::vector<const HlslNode*>& items)
     }
 }
 
-/// Deals the values of a list out to the members of a struct, number by number.
+/// What a list gives its values to.
+struct Slot
+{
+    HlslType type; ///< of an array's elements
+    std::span<const std::string_view> dimensions;
+
+    Slot Element() const { return {type, dimensions.subspan(1)}; }
+};
+
+constexpr std::int64_t k_MostElements = 4096;
+
+/// How many elements the array has; 0 = its list tells.
+std::size_t CountOf(const Slot& array, const HlslDeclarations& declarations)
+{
+    const std::string_view size = array.dimensions.front();
+    return static_cast<std::size_t>(
+        std::clamp<std::int64_t>(EvaluateInteger(size, declarations.constants), 0, k_MostElements));
+}
+
+bool Fits(const HlslNode& list, const Slot& slot, const HlslDeclarations& declarations);
+
+/// @param isCounted  the array has as many items as elements
+bool FitsElement(const HlslNode& item, const Slot& element, bool isCounted,
+                 const HlslDeclarations& declarations)
+{
+    if (item.kind == HlslNodeKind::List)
+    {
+        return Fits(item, element, declarations);
+    }
+    const bool isOne = element.dimensions.empty() && element.type.isNumber();
+    return !item.type.isNumber() ||
+           (isOne && (isCounted || item.type.components() == element.type.components()));
+}
+
+/// Whether glslang reads the list as it is meant: an item, or a list, for each element or member.
+bool Fits(const HlslNode& list, const Slot& slot, const HlslDeclarations& declarations)
+{
+    const std::size_t items = list.CountChildren();
+    const HlslStruct* const structure = declarations.FindStruct(slot.type.name);
+    const std::size_t count = slot.dimensions.empty() ? items : CountOf(slot, declarations);
+    bool fits = count == 0 || items <= count;
+    for (const HlslNode* item = list.child; item; item = item->next)
+    {
+        fits = fits && (!slot.dimensions.empty()
+                            ? FitsElement(*item, slot.Element(), items == count, declarations)
+                        : structure ? item->kind != HlslNodeKind::List
+                                    : !item->type.isVector());
+    }
+    return fits && (!slot.dimensions.empty() || !structure || items == structure->members.size());
+}
+
+/// Stands for a value that stays where it is in what a ListDealer writes.
+constexpr char k_Whole = '\1';
+
+/// Deals the values of a list out to what it initialises, number by number: to HLSL the brackets in
+/// a list say nothing.
 class ListDealer
 {
 public:
-    ListDealer(const HlslDeclarations& declarations, const HlslEditor& code, const HlslNode& list)
+    ListDealer(const HlslDeclarations& declarations, HlslEditor& code, const HlslNode& list)
         : m_Declarations(declarations), m_Code(code)
     {
         Flatten(list, m_Items);
     }
 
-    /// `{ … }` as glslang wants it; "" where the values do not fit.
-    std::string Deal(const HlslStruct& type)
+    /// Spells the list as glslang wants it, unless it does not fit.
+    void Deal(const HlslNode& list, const Slot& slot)
     {
-        const std::string text = DealMembers(type);
-        return m_Fits && m_Next == m_Items.size() ? text : "";
+        const std::string text = DealSlot(slot);
+        if (m_Fits && m_Next == m_Items.size())
+        {
+            Spell(list, text);
+        }
     }
 
 private:
     std::string DealMembers(const HlslStruct& type)
     {
+        constexpr int k_Deepest = 100; // of structs that hold themselves, which are mistakes
+        m_Fits = m_Fits && !type.members.empty() && ++m_Depth <= k_Deepest;
         std::string text;
-        for (const HlslVariable& member : type.members)
+        for (std::size_t i = 0; m_Fits && i < type.members.size(); ++i)
         {
-            text += (text.empty() ? "{" : ", ") +
-                    DealArray(TypeOf(m_Declarations, member), member.dimensions);
+            const HlslVariable& member = type.members[i];
+            text += (i == 0 ? "{" : ", ") +
+                    DealSlot({TypeOf(m_Declarations, member).Innermost(), member.dimensions});
         }
+        --m_Depth;
         return text + "}";
     }
 
-    std::string DealArray(const HlslType& type, std::span<const std::string_view> dimensions)
+    std::string DealSlot(const Slot& slot)
     {
-        if (dimensions.empty())
+        if (slot.dimensions.empty())
         {
-            return DealOne(type);
+            return DealOne(slot.type);
         }
-        int count = 0;
-        const std::string_view size = dimensions.front();
-        std::from_chars(size.data(), size.data() + size.size(), count);
-        m_Fits = m_Fits && count > 0;
+        const std::size_t known = CountOf(slot, m_Declarations);
+        m_Fits = m_Fits && (known > 0 || slot.dimensions.front().empty());
         std::string text;
-        for (int i = 0; i < count && m_Fits; ++i)
+        for (std::size_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
         {
-            text += (i == 0 ? "{" : ", ") + DealArray(type, dimensions.subspan(1));
+            text += (i == 0 ? "{" : ", ") + DealSlot(slot.Element());
         }
         return text + "}";
     }
@@ -110,12 +162,16 @@ private:
         const int taken = std::min(left, all - m_Taken);
         const bool isPart = taken < all;
         m_Fits = m_Fits && (item.type.isNumber() || left == 1) && (!isPart || item.type.isVector());
-        std::string text = m_Code.Spelled(item.first, item.end);
+        std::string text(1, k_Whole);
         if (isPart)
         {
-            text = "(" + text + ").";
+            text = "(" + m_Code.Spelled(item.first, item.end) + ").";
             text += std::string_view("xyzw").substr(static_cast<std::size_t>(m_Taken) % 4,
                                                     static_cast<std::size_t>(taken));
+        }
+        else
+        {
+            m_Whole.push_back(&item);
         }
         left -= taken;
         m_Taken += taken;
@@ -124,11 +180,29 @@ private:
         return text;
     }
 
+    /// What is taken whole stays in its place, so that messages about it tell that.
+    void Spell(const HlslNode& list, std::string_view text)
+    {
+        std::size_t token = list.first;
+        for (const HlslNode* item : m_Whole)
+        {
+            m_Code.Erase(token, item->first);
+            const std::size_t size = text.find(k_Whole);
+            m_Code.Spelling(item->first).insert(0, text.substr(0, size));
+            text.remove_prefix(size + 1);
+            token = item->end;
+        }
+        m_Code.Erase(token, list.end);
+        m_Code.Spelling(list.end - 1) = text;
+    }
+
     const HlslDeclarations& m_Declarations;
-    const HlslEditor& m_Code;
+    HlslEditor& m_Code;
     std::vector<const HlslNode*> m_Items;
+    std::vector<const HlslNode*> m_Whole; ///< of them
     std::size_t m_Next = 0;
     int m_Taken = 0; ///< of its numbers
+    int m_Depth = 0; ///< of structs in structs
     bool m_Fits = true;
 };
 
@@ -140,130 +214,49 @@ void HlslLowering::LowerDeclarator(HlslNode& node)
     {
         return;
     }
-    const bool isArray = node.type.dimensions == 1 && Text(node.token + 1) == "[";
-    const std::size_t behind = isArray ? m_Code.AfterBracket(node.token + 1) : 0;
-    LowerInitializer(*node.child, node.type,
-                     isArray ? m_Code.Span(node.token + 2, behind - 1) : std::string_view());
+    std::vector<std::string_view> dimensions;
+    for (std::size_t i = node.token + 1; Text(i) == "["; i = m_Code.AfterBracket(i))
+    {
+        dimensions.push_back(m_Code.Span(i + 1, m_Code.AfterBracket(i) - 1));
+    }
+    LowerInitializer(*node.child, node.type, dimensions);
 }
 
-/// `float3x3 m = {v, w, 1, 2, 3}` means `float3x3(v, w, 1, 2, 3)`: glslang wants a number, or a
-/// row, for each element.
-void HlslLowering::LowerList(HlslNode& list, const HlslType& type)
-{
-    int sum = 0;
-    bool hasVectors = false;
-    for (const HlslNode* item = list.child; item; item = item->next)
-    {
-        const bool isKnown = item->type.isScalar() || item->type.isVector();
-        sum += isKnown ? item->type.columns : type.components() + 1;
-        hasVectors = hasVectors || item->type.isVector();
-    }
-    if (hasVectors && sum == type.components())
-    {
-        m_Code.Spelling(list.first) = type.Spelling() + "(";
-        m_Code.Spelling(list.end - 1) = ")";
-    }
-}
-
-/// The numbers that an array of vectors or matrices is initialised with stand in constructors:
-/// `float2 a[] = {1, 2, uv4, float2(3, 4)}` means `{float2(1, 2), uv4.xy, uv4.zw, float2(3, 4)}`,
-/// which glslang does not see by itself.
 void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
-                                    std::string_view dimension)
+                                    std::span<const std::string_view> dimensions)
 {
-    if (value.kind == HlslNodeKind::List && type.kind == HlslType::Kind::Struct)
-    {
-        LowerStructList(value, type);
-        return;
-    }
-    if (value.kind == HlslNodeKind::List && type.isNumber() && type.components() > 1)
-    {
-        LowerList(value, type);
-        return;
-    }
-    HlslType element = type;
-    element.dimensions = 0;
-    const int components = element.components();
-    const bool isWhole = dimension == std::to_string(value.CountChildren());
-    if (value.kind != HlslNodeKind::List || type.dimensions != 1 || !element.isNumber() || isWhole)
+    const HlslDeclarations& declarations = m_Globals.declarations();
+    const Slot slot{type.Innermost(), dimensions};
+    const bool isKnown = type.dimensions == dimensions.size() &&
+                         (slot.type.isNumber() || declarations.FindStruct(slot.type.name));
+    if (value.kind != HlslNodeKind::List || !isKnown || Fits(value, slot, declarations))
     {
         return;
     }
-    std::vector<std::pair<HlslNode*, HlslNode*>> groups; // of items that make up an element
-    std::vector<HlslNode*> several;                      // items that make up several
-    int sum = 0;
-    for (HlslNode* item = value.child; item; item = item->next)
-    {
-        const int own = ComponentsOf(*item, components);
-        if (own > components && own % components == 0 && sum == 0 && item->type.isVector())
-        {
-            several.push_back(item);
-            continue;
-        }
-        if (own == 0 || sum + own > components)
-        {
-            return; // the items do not tell
-        }
-        if (sum == 0)
-        {
-            groups.emplace_back(item, item);
-        }
-        groups.back().second = item;
-        sum = (sum + own) % components;
-        if (own == components)
-        {
-            groups.pop_back();
-        }
-    }
-    if (sum != 0)
-    {
-        return;
-    }
-    for (const auto& [first, last] : groups)
-    {
-        m_Code.Wrap(first->first, last->end, element.Spelling() + "(", ")");
-    }
-    for (HlslNode* item : several)
-    {
-        SplitItem(*item, components);
-    }
+    ListDealer(declarations, m_Code, value).Deal(value, slot);
 }
 
-/// To HLSL the brackets in a list say nothing: its numbers are the members' one after the other.
-void HlslLowering::LowerStructList(HlslNode& list, const HlslType& type)
+/// `(float4[2])0` gives each element the value; to glslang it is one element of an array.
+void HlslLowering::LowerArrayCast(HlslNode& node)
 {
-    const HlslStruct* const structure = m_Globals.declarations().FindStruct(type.name);
-    bool isNested = false;
-    for (const HlslNode* item = list.child; item; item = item->next)
-    {
-        isNested = isNested || item->kind == HlslNodeKind::List;
-    }
-    if (type.dimensions > 0 || !structure ||
-        (!isNested && list.CountChildren() == structure->members.size()))
+    const HlslType element = node.type.Innermost();
+    const std::size_t open = m_Code.tokens().MatchingOpen(node.child->first - 2);
+    const std::string_view size = m_Code.Span(open + 1, node.child->first - 2);
+    const std::int64_t count = EvaluateInteger(size, m_Globals.declarations().constants);
+    if (node.type.dimensions != 1 || !node.child->type.isScalar() || count < 1 ||
+        count > k_MostElements || !element.isNumber())
     {
         return;
     }
-    ListDealer dealer(m_Globals.declarations(), m_Code, list);
-    if (const std::string dealt = dealer.Deal(*structure); !dealt.empty())
-    {
-        m_Code.Erase(list.first, list.end);
-        m_Code.Spelling(list.first) = dealt;
-    }
-}
-
-/// `v` becomes `(v).xy, (v).zw`.
-void HlslLowering::SplitItem(HlslNode& item, int components)
-{
-    const std::string text = "(" + m_Code.Spelled(item.first, item.end) + ").";
-    std::string pieces;
-    for (int i = 0; i < item.type.columns; i += components)
-    {
-        const auto begin = static_cast<std::size_t>(i);
-        pieces += (i > 0 ? ", " : "") + text;
-        pieces += std::string_view("xyzw").substr(begin, static_cast<std::size_t>(components));
-    }
-    m_Code.Erase(item.first, item.end);
-    m_Code.Spelling(item.first) = pieces;
+    const std::string name = element.Spelling();
+    const std::string array = "limn_" + name + "_" + std::to_string(count);
+    const std::string value = node.child->type.Of(HlslScalar::Float).Spelling();
+    Need("typedef " + name + " " + array + "[" + std::to_string(count) + "]; " + array +
+         " limn_fill_" + array + "(" + value + " v) { " + array + " a; for (int i = 0; i < " +
+         std::to_string(count) + "; ++i) { a[i] = (" + name + ")v; } return a; } ");
+    m_Code.Erase(node.first, node.child->first);
+    m_Code.Spelling(node.first) = " limn_fill_" + array + "(";
+    Wrap(*node.child, "", ")");
 }
 
 } // namespace limn

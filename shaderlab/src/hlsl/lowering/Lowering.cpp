@@ -3,6 +3,16 @@
 namespace limn
 {
 
+namespace
+{
+
+bool isTruth(const HlslNode& node)
+{
+    return node.type.isScalar() && node.type.scalar == HlslScalar::Bool;
+}
+
+} // namespace
+
 HlslLowering::HlslLowering(HlslEditor& code, const HlslGlobals& globals)
     : m_Code(code), m_Globals(globals)
 {
@@ -33,6 +43,20 @@ void HlslLowering::Lower(HlslNode& node, bool isInitial)
     LowerNode(node);
 }
 
+/// glslang makes invalid SPIR-V of `a &= b` where they are true or false, not of `a = a & b`.
+void HlslLowering::LowerTruthAssignment(const HlslNode& node)
+{
+    const std::string_view mark = Text(node.token);
+    if ((mark == "&=" || mark == "|=" || mark == "^=") &&
+        node.child->type.scalar == HlslScalar::Bool && node.child->type.isNumber())
+    {
+        const std::string target = m_Code.Spelled(node.child->first, node.child->end);
+        m_Code.Spelling(node.token) = "= " + target + " " + std::string(mark.substr(0, 1)) + " (" +
+                                      node.child->type.Spelling() + ")(";
+        Wrap(*node.child->next, "", ")");
+    }
+}
+
 void HlslLowering::LowerNode(HlslNode& node)
 {
     switch (node.kind)
@@ -48,11 +72,11 @@ void HlslLowering::LowerNode(HlslNode& node)
         break;
     case HlslNodeKind::Binary:
     case HlslNodeKind::Assign:
+        LowerTruthAssignment(node);
         LowerMatrixOperator(node);
         break;
     case HlslNodeKind::Prefix:
-        if (Text(node.token) == "-" && node.child->type.isScalar() &&
-            node.child->type.scalar == HlslScalar::Bool)
+        if ((Text(node.token) == "-" || Text(node.token) == "~") && isTruth(*node.child))
         {
             Wrap(*node.child, "(int)(", ")");
         }

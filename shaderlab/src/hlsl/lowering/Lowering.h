@@ -5,6 +5,7 @@
 #include "hlsl/Tree.h"
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,8 +29,9 @@ public:
     void Rename(const HlslResolver& resolver, HlslNode& root);
     /// The value of a variable of the type, where it is a list.
     ///
-    /// @param dimension  what stands in the brackets of an array
-    void LowerInitializer(HlslNode& value, const HlslType& type, std::string_view dimension);
+    /// @param dimensions  what stands in the brackets of an array
+    void LowerInitializer(HlslNode& value, const HlslType& type,
+                          std::span<const std::string_view> dimensions);
 
     /// Declarations of the functions that the edits call; they belong before all code.
     const std::string& functions() const { return m_Functions; }
@@ -41,6 +43,7 @@ private:
     void Need(const std::string& text);
 
     void LowerNode(HlslNode& node);
+    void LowerTruthAssignment(const HlslNode& node);
     // Loops.cpp
     void Hoist(const HlslNode& loop);
     // Matrices.cpp
@@ -55,12 +58,11 @@ private:
     void LowerCall(HlslNode& node);
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
+    void LowerExponent(HlslNode& node);
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
     // Initializers.cpp
     void LowerDeclarator(HlslNode& node);
-    void LowerStructList(HlslNode& list, const HlslType& type);
-    void LowerList(HlslNode& list, const HlslType& type);
-    void SplitItem(HlslNode& item, int components);
+    void LowerArrayCast(HlslNode& node);
 
     HlslEditor& m_Code;
     const HlslGlobals& m_Globals;

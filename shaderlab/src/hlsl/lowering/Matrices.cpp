@@ -101,6 +101,11 @@ std::string HlslLowering::CastFunction(const HlslType& type)
 /// Of an integer cast to a matrix glslang takes the bits for floats.
 void HlslLowering::LowerCast(HlslNode& node)
 {
+    if (node.type.dimensions > 0)
+    {
+        LowerArrayCast(node);
+        return;
+    }
     if (!node.type.isMatrix() || !node.child ||
         (node.child->type.isMatrix() && node.child->type.isFloating()))
     {

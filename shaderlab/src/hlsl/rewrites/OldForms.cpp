@@ -1,6 +1,7 @@
 #include "hlsl/rewrites/Rewrites.h"
 
 #include "hlsl/Editor.h"
+#include "hlsl/Types.h"
 
 #include <algorithm>
 #include <string_view>
@@ -38,6 +39,10 @@ public:
             {
                 TakeWord(i);
             }
+            if (m_Depth == 0 && (Text(i) == ";" || Text(i) == "}"))
+            {
+                m_Declaration = i + 1;
+            }
         }
     }
 
@@ -64,6 +69,10 @@ private:
         else if (word == "typedef" && Text(index + 1) == "struct")
         {
             TakeTypedef(index);
+        }
+        else if (word == "struct" && (m_Depth == 0 || (isInFunction() && !isInStruct(index))))
+        {
+            TakeStructVariables(index);
         }
         else if (word == "unsigned")
         {
@@ -119,6 +128,49 @@ private:
         }
     }
 
+    /// `static struct { … } name = …` becomes `struct limn_Struct1 { … }; static limn_Struct1 name
+    /// = …`: glslang takes a struct without a name for one of that name.
+    void TakeStructVariables(std::size_t index)
+    {
+        const bool hasName = m_Code.isWord(index + 1);
+        const std::size_t open = index + (hasName ? 2 : 1);
+        const std::size_t behind = m_Code.AfterBracket(open);
+        if (Text(open) != "{" || !m_Code.isWord(behind) || Text(index - 1) == "typedef")
+        {
+            return;
+        }
+        std::size_t first = index;
+        while (first > 0 && isTypeModifier(Text(first - 1)))
+        {
+            --first;
+        }
+        const std::string name =
+            hasName ? std::string(Text(index + 1)) : "limn_Struct" + std::to_string(index);
+        m_Code.Spelling(index) = hasName ? "struct" : "struct " + name;
+        m_Code.Spelling(behind - 1) += "; " + std::string(m_Code.Span(first, index)) + " " + name;
+        m_Code.Erase(first, index);
+    }
+
+    bool isInStruct(std::size_t index) const
+    {
+        for (; index > m_Declaration && Text(index) != "{"; --index)
+        {
+            index = Text(index) == "}" ? m_Code.tokens().MatchingOpen(index) : index;
+        }
+        return Text(index - 1) == "struct" || Text(index - 2) == "struct";
+    }
+
+    /// Whether the brackets at hand are of a function.
+    bool isInFunction() const
+    {
+        std::size_t index = m_Declaration;
+        while (index < m_Code.size() && Text(index) != "(" && Text(index) != "{")
+        {
+            ++index;
+        }
+        return Text(index) == "(";
+    }
+
     /// `SamplerState name : register(s0) { … }`
     void TakeSampler(std::size_t name)
     {
@@ -160,7 +212,8 @@ private:
 
     HlslEditor& m_Code;
     std::vector<Diagnostic>& m_Warnings;
-    int m_Depth = 0; ///< brackets around the token
+    int m_Depth = 0;               ///< brackets around the token
+    std::size_t m_Declaration = 0; ///< of the file, that the token is in: its first
     bool m_isInConstants = false;
 };
 

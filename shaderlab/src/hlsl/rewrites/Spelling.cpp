@@ -2,11 +2,11 @@
 
 #include "hlsl/Checks.h"
 #include "hlsl/Editor.h"
-#include "text/Text.h"
+#include "text/WordList.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,28 +18,17 @@ namespace
 {
 
 // Words that mean something before a type, so that another word follows.
-constexpr std::array<std::string_view, 7> k_StageModifiers = {
-    "linear", "centroid", "point", "line", "triangle", "triangleadj", "lineadj"};
+const WordList k_StageModifiers("linear centroid point line triangle triangleadj lineadj");
 
 // Types, and a word of GLSL, that name members and variables as well.
-constexpr std::array<std::string_view, 6> k_TypeNames = {"sampler", "texture", "matrix",
-                                                         "vector",  "string",  "layout"};
+const WordList k_TypeNames("sampler texture matrix vector string layout");
 
-constexpr std::array<std::string_view, 4> k_ObjectModifiers = {"static", "uniform", "extern", "in"};
+const WordList k_ObjectModifiers("static uniform extern in");
 
-constexpr std::array<std::string_view, 18> k_Objects = {
-    "sampler",          "sampler2D",        "sampler3D",
-    "samplerCUBE",      "SamplerState",     "SamplerComparisonState",
-    "Texture1D",        "Texture2D",        "Texture3D",
-    "TextureCube",      "Texture1DArray",   "Texture2DArray",
-    "TextureCubeArray", "Texture2DMS",      "Texture2DMSArray",
-    "Buffer",           "StructuredBuffer", "ByteAddressBuffer"};
-
-template <std::size_t N>
-bool Contains(const std::array<std::string_view, N>& words, std::string_view word)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
+const WordList k_Objects(
+    "sampler sampler2D sampler3D samplerCUBE SamplerState SamplerComparisonState Texture1D "
+    "Texture2D Texture3D TextureCube Texture1DArray Texture2DArray TextureCubeArray Texture2DMS "
+    "Texture2DMSArray Buffer StructuredBuffer ByteAddressBuffer");
 
 class Speller
 {
@@ -68,7 +57,7 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (word == "shared" || (Contains(k_StageModifiers, word) && !isWord(index + 1)))
+        if (word == "shared" || (k_StageModifiers.Has(word) && !isWord(index + 1)))
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
@@ -77,10 +66,10 @@ private:
         {
             m_Code.Spelling(index).clear(); // before the name of a type, as in C
         }
-        else if (word == "noise" && Text(index + 1) == "(")
+        else if ((word == "noise" || word == "msad4") && Text(index + 1) == "(")
         {
-            // The language has a function of this name that no device knows; glslang crashes on it.
-            m_Code.Spelling(index) = "noise_";
+            // The language has them and no device does; glslang crashes on them.
+            m_Code.Spelling(index) = std::string(word) + "_";
         }
         else if (word == "sampler" && isSampledBy(Text(index + 1)))
         {
@@ -92,7 +81,7 @@ private:
             m_Code.Spelling(index) =
                 isWord(index + 1) ? "StructuredBuffer<float4>" : "StructuredBuffer";
         }
-        else if ((Contains(k_TypeNames, word) && isNameHere(index)) || isTypeAsSemantic(index))
+        else if ((k_TypeNames.Has(word) && isNameHere(index)) || isTypeAsSemantic(index))
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
@@ -145,7 +134,7 @@ private:
     {
         const std::string_view word = Text(index);
         const std::string_view next = Text(index + 1);
-        const bool isType = Contains(k_TypeNames, word) || word.starts_with("float") ||
+        const bool isType = k_TypeNames.Has(word) || word.starts_with("float") ||
                             word.starts_with("int") || word.starts_with("uint");
         return isType && Text(index - 1) == ":" && isWord(index - 2) &&
                (next == ";" || next == "," || next == ")" || next == "{");
@@ -154,11 +143,11 @@ private:
     /// Whether a texture, sampler or buffer is declared here, modifiers first.
     bool isObject(std::size_t index) const
     {
-        while (Contains(k_ObjectModifiers, Text(index)))
+        while (k_ObjectModifiers.Has(Text(index)))
         {
             ++index;
         }
-        return Contains(k_Objects, Text(index)) && (isWord(index + 1) || Text(index + 1) == "<");
+        return k_Objects.Has(Text(index)) && (isWord(index + 1) || Text(index + 1) == "<");
     }
 
     /// `Texture2D<vector<float, 4>>`: here `>>` is no shift.
