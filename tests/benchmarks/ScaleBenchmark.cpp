@@ -63,7 +63,8 @@ namespace limn::benchmarks
 namespace
 {
 
-/// Draws the camera's opaque objects once more in a raster pass of a render graph.
+/// Draws the camera's opaque objects once more in a raster pass of a render graph, and into a
+/// texture whose name is longer than what a std::string holds without asking for memory.
 class GraphFeature final : public ScriptableRendererFeature
 {
 public:
@@ -99,6 +100,23 @@ private:
             builder.SetRenderAttachmentDepth(resources.activeDepthTexture());
             builder.SetRenderFunc([](const PassData& own, RasterGraphContext& context)
                                   { context.cmd.DrawRendererList(own.list); });
+            AddOwnTexture(graph);
+        }
+
+    private:
+        static void AddOwnTexture(RenderGraph& graph)
+        {
+            struct PassData
+            {
+            };
+            TextureDesc desc(glm::vec2(0.5f));
+            desc.name = "_TextureOfTheBenchmarkWithAQuiteLongName";
+            PassData* data = nullptr;
+            auto builder = graph.AddRasterRenderPass<PassData>("Own texture", data);
+            builder.SetRenderAttachment(graph.CreateTexture(desc), 0);
+            builder.AllowPassCulling(false);
+            builder.SetRenderFunc([](const PassData&, RasterGraphContext& context)
+                                  { context.cmd.ClearRenderTarget(ClearFlag::Color, Color::red); });
         }
     };
     Pass m_Pass;

@@ -39,6 +39,9 @@ const ShaderPropertyId limn_LightPosition{"limn_LightPosition"};
 /// How many squares shaders have room for.
 constexpr std::size_t k_MostSlices = 64;
 constexpr std::size_t k_CubeSides = 6;
+// Squares smaller than these, texels along a side, do not look like shadows (URP's).
+constexpr int k_LeastOfHard = 8;
+constexpr int k_LeastOfSoft = 16;
 
 bool ThrowsShadows(const Light& light)
 {
@@ -166,6 +169,7 @@ bool AdditionalLightsShadowCasterPass::Setup(const RenderingData& renderingData)
     {
         ExpectValid(settings);
         FindSlices(renderingData);
+        PlaceSlices(renderingData);
     }
     if (m_Slices.empty())
     {
@@ -181,7 +185,6 @@ bool AdditionalLightsShadowCasterPass::Setup(const RenderingData& renderingData)
         m_ShadowMap = RTHandle(std::make_shared<const RenderTexture>(
             "_AdditionalLightsShadowmapTexture", descriptor, sampler, true));
     }
-    PlaceSlices(renderingData, size);
     ConfigureTarget(m_ShadowMap);
     ConfigureClear(ClearFlag::Depth, Color::black);
     return true;
@@ -234,27 +237,52 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
     }
 }
 
-/// All alike, as large as they can be. Each sees a few texels more than its light, so that filters
-/// find what they look for within it (URP's bias of a point's field of view).
-void AdditionalLightsShadowCasterPass::PlaceSlices(const RenderingData& renderingData,
-                                                   int resolution)
+/// Each sees a few texels more than its light, so that filters find what they look for within it
+/// (URP's bias of a point's field of view).
+void AdditionalLightsShadowCasterPass::PlaceSlices(const RenderingData& renderingData)
 {
-    int across = 1;
-    while (static_cast<std::size_t>(across) * static_cast<std::size_t>(across) < m_Slices.size())
+    const ShadowSettings& settings = renderingData.shadowSettings;
+    const auto lights = renderingData.lightData.additionalLights;
+    m_Requests.clear();
+    for (std::size_t i = 0; i < m_Slices.size(); ++i)
     {
-        across *= 2;
+        if (i > 0 && m_Slices[i].light == m_Slices[i - 1].light)
+        {
+            ++m_Requests.back().count;
+            continue;
+        }
+        const Light& light = *lights[m_Slices[i].light];
+        const bool isSoft = SoftnessOf(LookOf(light), settings) > 0;
+        m_Requests.push_back(
+            {ResolutionOf(light, TiersOf(settings)), isSoft ? k_LeastOfSoft : k_LeastOfHard, 1});
     }
-    const int side = resolution / across;
-    int index = 0;
-    for (Slice& slice : m_Slices)
+    PlaceShadowSquares(m_Requests, settings.additionalLightsShadowmapResolution, m_Tiles);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m_Slices.size(); ++i)
     {
-        const Light& light = *renderingData.lightData.additionalLights[slice.light];
-        slice.tile = {index % across * side, index / across * side, side, side};
-        ++index;
-        const int softness = SoftnessOf(LookOf(light), renderingData.shadowSettings);
-        const double margin = softness + 1.5; // texels
+        const int side = m_Tiles[i].width;
+        if (side == 0)
+        {
+            continue;
+        }
+        if (kept != i)
+        {
+            m_Slices[kept] = std::move(m_Slices[i]);
+        }
+        Slice& slice = m_Slices[kept++];
+        const Light& light = *lights[slice.light];
+        slice.tile = m_Tiles[i];
+        const double margin = SoftnessOf(LookOf(light), settings) + 1.5; // texels
         slice.slope = std::tan(slice.halfAngle) / (1.0 - 2.0 * margin / std::max(side, 16));
         slice.texelSize = slice.slope * static_cast<double>(light.range) / side;
+    }
+    if (kept < m_Slices.size())
+    {
+        renderingData.report->notes.push_back(
+            "some lights throw no shadows: of " + std::to_string(m_Slices.size()) +
+            " squares the map of " + std::to_string(settings.additionalLightsShadowmapResolution) +
+            " texels has room for " + std::to_string(kept) + " that are large enough");
+        m_Slices.resize(kept);
     }
 }
 

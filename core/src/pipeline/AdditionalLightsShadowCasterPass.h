@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pipeline/ShadowSquares.h"
+
 #include <limn/core/ScriptableRenderPass.h>
 
 namespace limn
@@ -38,13 +40,15 @@ private:
     };
 
     void FindSlices(const RenderingData& renderingData);
-    void PlaceSlices(const RenderingData& renderingData, int resolution);
+    void PlaceSlices(const RenderingData& renderingData);
     void DrawSlice(ScriptableRenderContext& context, RenderingData& renderingData,
                    const Slice& slice) const;
     void SetReceiverConstants(CommandBuffer& cmd, const RenderingData& renderingData) const;
 
     RTHandle m_ShadowMap;
     std::vector<Slice> m_Slices;
+    std::vector<ShadowSquares> m_Requests; ///< of lights; this and the next for their memory
+    std::vector<ViewportRect> m_Tiles;
 };
 
 } // namespace limn

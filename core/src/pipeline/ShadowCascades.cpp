@@ -199,6 +199,14 @@ void ExpectValid(const ShadowSettings& s)
     Expect(s.additionalLightsShadowmapResolution >= 64 &&
                s.additionalLightsShadowmapResolution <= 8192,
            "additionalLightsShadowmapResolution", "64...8192");
+    const auto isTier = [](int texels)
+    {
+        return texels >= 16 && texels <= 8192;
+    };
+    Expect(isTier(s.additionalLightsShadowResolutionTierLow) &&
+               isTier(s.additionalLightsShadowResolutionTierMedium) &&
+               isTier(s.additionalLightsShadowResolutionTierHigh),
+           "additionalLightsShadowResolutionTier", "16...8192");
     Expect(s.shadowDistance >= 0.0f && std::isfinite(s.shadowDistance), "shadowDistance",
            "0 or more");
     Expect(s.shadowCascadeCount >= 1 && s.shadowCascadeCount <= k_MostCascades,

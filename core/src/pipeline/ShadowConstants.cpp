@@ -24,6 +24,20 @@ glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& setting
     return glm::vec4(glm::dvec2(texels) * (-texelSize * reach), 0.0, 0.0);
 }
 
+glm::ivec3 TiersOf(const ShadowSettings& settings)
+{
+    return {settings.additionalLightsShadowResolutionTierLow,
+            settings.additionalLightsShadowResolutionTierMedium,
+            settings.additionalLightsShadowResolutionTierHigh};
+}
+
+int ResolutionOf(const Light& light, const glm::ivec3& tiers)
+{
+    using Tier = AdditionalLightsShadowResolutionTier;
+    const Tier tier = light.additionalLightsShadowResolutionTier;
+    return tier == Tier::Custom ? light.shadowResolution : tiers[static_cast<int>(tier)];
+}
+
 glm::vec2 FadeScaleAndBias(double distance, double border)
 {
     const double end = distance * distance;

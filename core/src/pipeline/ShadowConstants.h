@@ -33,6 +33,12 @@ int SoftnessOf(const LightShadowLook& light, const ShadowSettings& settings);
 glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& settings,
                      double texelSize);
 
+/// ShadowSettings' resolutions of squares: low, medium, high.
+glm::ivec3 TiersOf(const ShadowSettings& settings);
+
+/// What a light asks for.
+int ResolutionOf(const Light& light, const glm::ivec3& tiers);
+
 /// For the square of a distance: 0 where shadows begin to fade, 1 where they end.
 glm::vec2 FadeScaleAndBias(double distance, double border);
 

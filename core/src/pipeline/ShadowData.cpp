@@ -1,5 +1,7 @@
 #include <limn/core/RenderingData.h>
 
+#include "pipeline/ShadowConstants.h"
+
 #include <algorithm>
 
 namespace limn
@@ -56,7 +58,8 @@ ShadowData::ShadowData(const ShadowSettings& settings, const LightData& lights)
       shadowmapDepthBufferBits(32),
       m_Scene(lights.mainLightIndex >= 0 ? lights.scene : nullptr),
       m_AdditionalLights(lights.additionalLights),
-      m_Bias(settings.shadowDepthBias, settings.shadowNormalBias, 0.0f, 0.0f)
+      m_Bias(settings.shadowDepthBias, settings.shadowNormalBias, 0.0f, 0.0f),
+      m_Tiers(TiersOf(settings))
 {
 }
 
@@ -72,6 +75,20 @@ std::vector<glm::vec4> ShadowData::bias() const
         biases.push_back(BiasOf(*light, m_Bias));
     }
     return biases;
+}
+
+std::vector<int> ShadowData::resolution() const
+{
+    std::vector<int> resolutions;
+    if (m_Scene != nullptr)
+    {
+        resolutions.push_back(m_Tiers.z);
+    }
+    for (const Light* light : m_AdditionalLights)
+    {
+        resolutions.push_back(ResolutionOf(*light, m_Tiers));
+    }
+    return resolutions;
 }
 
 } // namespace limn

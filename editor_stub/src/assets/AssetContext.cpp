@@ -61,11 +61,13 @@ bool isFrom(const Shader& shader, const std::filesystem::path& file)
                        { return pass.program && pass.program->file == file; });
 }
 
+/// With mip levels, as Unity imports textures unless it is told otherwise.
 std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
 {
     const Image image = ReadPng(path);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             image.format, FlipRows(image.texels, image.height));
+                                             image.format, FlipRows(image.texels, image.height),
+                                             SamplerState(), true);
 }
 
 } // namespace

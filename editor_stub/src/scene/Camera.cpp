@@ -186,6 +186,16 @@ void ReadLights(const YamlNode& node, SceneLoader& loader)
         map.Read("innerSpotAngle", light.innerSpotAngle);
         ReadLightShadows(map, light, diagnostics);
         map.Read("shadowNearPlane", light.shadowNearPlane);
+        if (const YamlNode* tierNode = map.Find("additionalLightsShadowResolutionTier"))
+        {
+            using Tier = AdditionalLightsShadowResolutionTier;
+            const auto tier =
+                ReadEnum(*tierNode, k_ShadowResolutionTiers,
+                         map.SubjectOf("additionalLightsShadowResolutionTier"), diagnostics);
+            light.additionalLightsShadowResolutionTier =
+                tier ? static_cast<Tier>(*tier) : light.additionalLightsShadowResolutionTier;
+        }
+        map.Read("shadowResolution", light.shadowResolution);
         map.Finish();
         loader.asset.scene.additionalLights.push_back(std::move(light));
     }

@@ -33,6 +33,8 @@ inline constexpr EnumEntry k_LightTypes[] = {{"Spot", 0}, {"Directional", 1}, {"
 inline constexpr EnumEntry k_LightShadows[] = {{"None", 0}, {"Hard", 1}, {"Soft", 2}};
 inline constexpr EnumEntry k_LightShadowQualities[] = {
     {"UsePipelineSettings", 0}, {"Low", 1}, {"Medium", 2}, {"High", 3}};
+inline constexpr EnumEntry k_ShadowResolutionTiers[] = {
+    {"Custom", -1}, {"Low", 0}, {"Medium", 1}, {"High", 2}};
 inline constexpr EnumEntry k_ShadowCastingModes[] = {
     {"Off", 0}, {"On", 1}, {"TwoSided", 2}, {"ShadowsOnly", 3}};
 
@@ -64,6 +66,7 @@ enum class SceneValue
     Lights,
     LightShadows,
     LightShadowQuality,
+    ShadowResolutionTier,
     ShadowCastingMode,
     Shadows,
     Renderer,
@@ -222,6 +225,8 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     k_ShadowStrength,
     k_SoftShadowQuality,
     {"shadowNearPlane", Number, "Metres to where its shadow map's depth begins", {0.01, 10.0}},
+    {"additionalLightsShadowResolutionTier", ShadowResolutionTier},
+    {"shadowResolution", Integer, "Of tier Custom: texels of the shadow map", {16.0, 8192.0}},
     k_UsePipelineSettings,
     k_ShadowBias,
     k_ShadowNormalBias};

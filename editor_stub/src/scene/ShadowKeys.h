@@ -25,6 +25,13 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
           "Of spots and points");
     visit("m_AdditionalLightsShadowmapResolution", s.additionalLightsShadowmapResolution,
           ValueRange{64.0, 8192.0}, "Texels along a side of the shadow map of spots and points");
+    constexpr ValueRange k_Tier{16.0, 8192.0};
+    visit("m_AdditionalLightsShadowResolutionTierLow", s.additionalLightsShadowResolutionTierLow,
+          k_Tier, "Texels along a side of a light's square on it");
+    visit("m_AdditionalLightsShadowResolutionTierMedium",
+          s.additionalLightsShadowResolutionTierMedium, k_Tier, "");
+    visit("m_AdditionalLightsShadowResolutionTierHigh", s.additionalLightsShadowResolutionTierHigh,
+          k_Tier, "");
     visit("m_ShadowDistance", s.shadowDistance, ValueRange{0.0, 1e9},
           "Metres from the camera to where shadows end");
     visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0}, "");

@@ -179,6 +179,8 @@ private:
             return EnumSchema(k_LightShadows);
         case SceneValue::LightShadowQuality:
             return EnumSchema(k_LightShadowQualities);
+        case SceneValue::ShadowResolutionTier:
+            return EnumSchema(k_ShadowResolutionTiers);
         case SceneValue::ShadowCastingMode:
             return EnumSchema(k_ShadowCastingModes);
         case SceneValue::Shadows:

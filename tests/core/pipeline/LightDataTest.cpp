@@ -23,6 +23,7 @@ public:
         ShadowData shadows;
         ShadowData shadowsInGraph;
         std::vector<glm::vec4> biases;
+        std::vector<int> resolutions;
     };
     explicit LightsReader(Seen& seen) : m_Pass(seen) {}
     void Create() override {}
@@ -32,6 +33,7 @@ public:
         m_Pass.seen.lights = data.lightData.visibleLights();
         m_Pass.seen.shadows = data.shadowData;
         m_Pass.seen.biases = data.shadowData.bias();
+        m_Pass.seen.resolutions = data.shadowData.resolution();
         renderer.EnqueuePass(m_Pass);
     }
 
@@ -205,6 +207,21 @@ TEST_F(LightDataOfAFrame, HasABiasOfEachVisibleLight)
                 testing::ElementsAre(glm::vec4(3, 2, 0, 0), glm::vec4(0.25f, 0.75f, 0, 0)));
     m_Scene.mainLight.intensity = 0.0f;
     EXPECT_THAT(Render().biases, testing::ElementsAre(glm::vec4(0.25f, 0.75f, 0, 0)));
+}
+
+TEST_F(LightDataOfAFrame, HasTheResolutionThatEachVisibleLightAsksFor)
+{
+    using Tier = AdditionalLightsShadowResolutionTier;
+    m_Pipeline.shadows.additionalLightsShadowResolutionTierLow = 64;
+    Add(LightType::Spot, {0, 0, 5}).additionalLightsShadowResolutionTier = Tier::Low;
+    Add(LightType::Spot, {0, 0, 5}).additionalLightsShadowResolutionTier = Tier::Medium;
+    Light& own = Add(LightType::Point, {0, 0, 5});
+    own.additionalLightsShadowResolutionTier = Tier::Custom;
+    own.shadowResolution = 96;
+    Add(LightType::Spot, {0, 0, 5});
+    EXPECT_THAT(Render().resolutions, testing::ElementsAre(1024, 64, 512, 96, 1024));
+    m_Scene.mainLight.intensity = 0.0f;
+    EXPECT_THAT(Render().resolutions, testing::ElementsAre(64, 512, 96, 1024));
 }
 
 TEST_F(LightDataOfAFrame, SaysHowManyAnObjectMayHave)

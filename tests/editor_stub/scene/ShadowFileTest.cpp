@@ -35,7 +35,8 @@ TEST(ShadowFile, OtherLightsSayHowTheirShadowsAre)
         "lights:\n"
         "  - {shadows: Hard, shadowStrength: 0.25, shadowNearPlane: 0.5}\n"
         "  - {type: Spot, shadows: Soft, softShadowQuality: Low, usePipelineSettings: false,\n"
-        "     shadowBias: 2, shadowNormalBias: 3}\n"
+        "     shadowBias: 2, shadowNormalBias: 3, shadowResolution: 64,\n"
+        "     additionalLightsShadowResolutionTier: Custom}\n"
         "  - {}\n"
         "shadows: {additionalLightShadowsSupported: false}\n");
     EXPECT_FALSE(asset.shadows.additionalLightShadowsSupported);
@@ -49,6 +50,11 @@ TEST(ShadowFile, OtherLightsSayHowTheirShadowsAre)
     EXPECT_FALSE(lights[1].usePipelineSettings);
     EXPECT_EQ(2.0f, lights[1].shadowBias);
     EXPECT_EQ(3.0f, lights[1].shadowNormalBias);
+    EXPECT_EQ(AdditionalLightsShadowResolutionTier::Custom,
+              lights[1].additionalLightsShadowResolutionTier);
+    EXPECT_EQ(64, lights[1].shadowResolution);
+    EXPECT_EQ(AdditionalLightsShadowResolutionTier::High,
+              lights[2].additionalLightsShadowResolutionTier);
     EXPECT_EQ(LightShadows::None, lights[2].shadows);
     EXPECT_THAT(
         folder.ProblemsOf("camera: {}\nlights:\n  - {shadows: Smooth, shadowNearPlane: 0}\n"),
@@ -94,6 +100,9 @@ TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)
                               "  m_MainLightShadowsSupported: 1\n"
                               "  m_MainLightShadowmapResolution: 4096\n"
                               "  m_AdditionalLightsShadowmapResolution: 1024\n"
+                              "  m_AdditionalLightsShadowResolutionTierLow: 128\n"
+                              "  m_AdditionalLightsShadowResolutionTierMedium: 256\n"
+                              "  m_AdditionalLightsShadowResolutionTierHigh: 512\n"
                               "  m_ShadowDistance: 150\n"
                               "  m_ShadowCascadeCount: 4\n"
                               "  m_Cascade2Split: 0.25\n"
@@ -108,6 +117,9 @@ TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)
     wanted.mainLightShadowmapResolution = 4096;
     wanted.additionalLightShadowsSupported = false; // Unity's default
     wanted.additionalLightsShadowmapResolution = 1024;
+    wanted.additionalLightsShadowResolutionTierLow = 128;
+    wanted.additionalLightsShadowResolutionTierMedium = 256;
+    wanted.additionalLightsShadowResolutionTierHigh = 512;
     wanted.shadowDistance = 150.0f;
     wanted.shadowCascadeCount = 4;
     wanted.cascadeBorder = 0.1f;

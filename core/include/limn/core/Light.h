@@ -24,6 +24,16 @@ enum class LightShadows
     Soft = 2
 };
 
+/// Which of ShadowSettings' resolutions a light's shadows have. Unity: the constants of
+/// UnityEngine.Rendering.Universal.UniversalAdditionalLightData (URP 14).
+enum class AdditionalLightsShadowResolutionTier
+{
+    Custom = -1, ///< Light::shadowResolution
+    Low = 0,
+    Medium = 1,
+    High = 2
+};
+
 /// A light besides the main one. Unity: UnityEngine.Light (2022.3).
 struct Light
 {
@@ -43,6 +53,9 @@ struct Light
     bool usePipelineSettings = true;
     float shadowBias = 0.05f;      ///< texels of the shadow map, towards the light
     float shadowNormalBias = 0.4f; ///< texels, along the normal
+    AdditionalLightsShadowResolutionTier additionalLightsShadowResolutionTier =
+        AdditionalLightsShadowResolutionTier::High;
+    int shadowResolution = 128; ///< of tier Custom: texels, as ShadowSettings has them
 };
 
 /// How many lights besides the main one shaders get. Unity: MAX_VISIBLE_LIGHTS of its small

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limn/core/ShadowSettings.h>
 #include <span>
@@ -14,8 +15,7 @@ struct LightData;
 
 /// What shadows the pipeline and the frame's lights ask for; whether a map is drawn depends on what
 /// there is to throw them and to show them.
-/// Unity: UnityEngine.Rendering.Universal.ShadowData (URP 14), without `resolution`: the squares of
-/// additional lights are all alike.
+/// Unity: UnityEngine.Rendering.Universal.ShadowData (URP 14).
 struct ShadowData
 {
     bool supportsMainLightShadows = false; ///< the pipeline does, and the main light throws them
@@ -37,11 +37,15 @@ struct ShadowData
     /// Of each of LightData::visibleLights(), texels: towards the light and along the normal, 0, 0.
     /// Worked out when asked for. Unity: ShadowData.bias, a list.
     std::vector<glm::vec4> bias() const;
+    /// Of each of them, texels along a side of a square that it asks for on the map of additional
+    /// lights. The main one is of tier High, and has another map. Unity: ShadowData.resolution.
+    std::vector<int> resolution() const;
 
 private:
     const Scene* m_Scene = nullptr; ///< with a main light
     std::span<const Light* const> m_AdditionalLights;
     glm::vec4 m_Bias{0.0f}; ///< the pipeline's
+    glm::ivec3 m_Tiers{0};  ///< low, medium, high
 };
 
 } // namespace limn

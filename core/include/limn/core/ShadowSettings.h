@@ -26,6 +26,11 @@ struct ShadowSettings
     /// Of spots and points, on one map. Unity's assets begin with false.
     bool additionalLightShadowsSupported = true;
     int additionalLightsShadowmapResolution = 2048; ///< texels along a side of it, 64...8192
+    // Texels along a side of a square of it, of lights of each tier: a spot has one, a point six.
+    // The power of two at or below; where they have no room, all are halved until they do.
+    int additionalLightsShadowResolutionTierLow = 256; ///< 16...8192, as the next two
+    int additionalLightsShadowResolutionTierMedium = 512;
+    int additionalLightsShadowResolutionTierHigh = 1024;
     float shadowDistance = 50.0f; ///< metres from the camera to where shadows end, >= 0
     int shadowCascadeCount = 1;   ///< 1...4
     // Where the cascades but the last end, as shares of the distance, each above the one before.
