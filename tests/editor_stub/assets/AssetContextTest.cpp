@@ -84,6 +84,13 @@ TEST_F(AssetContextTest, PutsThePicturesBottomRowAtVZeroAsUnityImportsIt)
     EXPECT_EQ(std::byte{255}, texture->texels().at(4)) << "row 1 is red";
 }
 
+TEST_F(AssetContextTest, GivesTexturesAllMipLevelsAsUnityImportsThem)
+{
+    WritePng(folder / "wide.png",
+             {8, 2, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(8 * 2 * 4)});
+    EXPECT_EQ(4, assets.LoadTexture(folder / "wide.png")->mipmapCount()); // 8x2, 4x1, 2x1, 1x1
+}
+
 TEST_F(AssetContextTest, ForgetsTheMeshOfABufferAndTheShadersOfAnInclude)
 {
     const auto shader = assets.LoadShader(folder / "own.shader");

@@ -20,7 +20,7 @@ public:
     {
         for (const char* folder :
              {"core/include/limn/core", "volume/include/limn/volume",
-              "shaderlab/include/limn/shaderlab", "editor_stub/include/limn/editor_stub"})
+              "shaderlab/include/limn/shaderlab", "features/include/limn/features"})
         {
             for (const auto& entry : std::filesystem::directory_iterator(SourcePath(folder)))
             {
