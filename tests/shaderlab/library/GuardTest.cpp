@@ -66,6 +66,8 @@ constexpr std::pair<const char*, const char*> k_Guards[] = {
      "UNITY_COMMON_LIGHTING_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl",
      "UNITY_COMMON_MATERIAL_INCLUDED"},
+    {"Packages/com.unity.render-pipelines.core/ShaderLibrary/DebugMipmapStreamingMacros.hlsl",
+     "UNITY_DEBUG_MIPMAP_STREAMING_MACROS_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/EntityLighting.hlsl",
      "UNITY_ENTITY_LIGHTING_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/Filtering.hlsl",
@@ -305,6 +307,8 @@ constexpr std::pair<const char*, const char*> k_Guards[] = {
      "UNIVERSAL_COPY_DEPTH_PASS_INCLUDED"},
     {"Packages/com.unity.render-pipelines.universal/Shaders/PostProcessing/Common.hlsl",
      "UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED"},
+    {"Packages/com.unity.shadergraph/ShaderGraphLibrary/Functions.hlsl",
+     "UNITY_GRAPHFUNCTIONS_INCLUDED"},
 };
 
 } // namespace

@@ -217,5 +217,71 @@ TEST(GeneratedShader, CompilesTheOtherPassesOfSpritesAndTheEditor)
             }
 }
 
+const std::string k_Fullscreen =
+    "Packages/com.unity.shadergraph/Editor/Generation/Targets/Fullscreen/Includes/";
+
+// A graph for the whole screen, with Unity 6's macros.
+constexpr const char* k_FullscreenGraph = R"(
+    struct Attributes { uint vertexID : VERTEXID_SEMANTIC; };
+    struct SurfaceDescriptionInputs { float3 WorldSpacePosition; float2 uv; };
+    struct Varyings { SV_POSITION_QUALIFIERS float4 positionCS : SV_POSITION;
+                      float4 texCoord0 : INTERP0; float4 texCoord1 : INTERP1; };
+    #define PackedVaryings Varyings
+    Varyings PackVaryings(Varyings v) { return v; }
+    Varyings UnpackVaryings(Varyings v) { return v; }
+    CBUFFER_START(UnityPerMaterial)
+    float4 _Tint; UNITY_TEXTURE_STREAMING_DEBUG_VARS;
+    CBUFFER_END
+    float _FlipY;
+    TEXTURE2D_X(_BlitTexture);
+    struct SurfaceDescription { float3 BaseColor; float Alpha; float FullscreenEyeDepth;
+                                float FullscreenLinear01Depth; float FullscreenRawDepth; };
+    SurfaceDescription SurfaceDescriptionFunction(SurfaceDescriptionInputs IN)
+    {
+        SurfaceDescription s = (SurfaceDescription)0;
+        s.BaseColor = LOAD_TEXTURE2D_X_LOD(_BlitTexture, uint2(IN.uv * _ScreenSize.xy), 0).rgb;
+        float4 fog; float density; SHADERGRAPH_FOG(IN.WorldSpacePosition, fog, density);
+        s.BaseColor = lerp(s.BaseColor, OklabToLinear(LinearToOklab(fog.rgb)), density);
+        s.BaseColor *= SHADERGRAPH_BAKED_GI(IN.WorldSpacePosition, 1, IN.uv, IN.uv, true);
+        s.BaseColor *= SHADERGRAPH_BAKED_GI(IN.WorldSpacePosition, 1, (uint2)IN.uv, IN.uv, IN.uv,
+                                            true);
+        s.BaseColor += SHADERGRAPH_MAIN_LIGHT_DIRECTION() * SHADERGRAPH_OBJECT_POSITION +
+            SHADERGRAPH_RENDERER_BOUNDS_MAX - SHADERGRAPH_RENDERER_BOUNDS_MIN;
+        s.FullscreenEyeDepth = s.FullscreenLinear01Depth = s.FullscreenRawDepth = 0.5;
+        s.Alpha = _Tint.a; return s;
+    }
+    SurfaceDescriptionInputs BuildSurfaceDescriptionInputs(Varyings input)
+    {
+        SurfaceDescriptionInputs output;
+        float3 normalWS = SHADERGRAPH_SAMPLE_SCENE_NORMAL(input.texCoord0.xy);
+        float3 viewDirWS = normalize(input.texCoord1.xyz);
+        output.WorldSpacePosition = viewDirWS + normalWS +
+            SHADERGRAPH_SAMPLE_SCENE_DEPTH(input.texCoord0.xy);
+        output.uv = input.texCoord0.xy; return output;
+    }
+)";
+
+TEST(GeneratedShader, CompilesPassesForTheWholeScreen)
+{
+    for (const char* file : {"Blit", "DrawProcedural"})
+        for (const char* mode : {"EYE", "LINEAR01", "RAW"})
+        {
+            SCOPED_TRACE(std::string(file) + " " + mode);
+            const std::string text =
+                "#define DEPTH_WRITE 1\n#define DEPTH_WRITE_MODE_" + std::string(mode) +
+                "\n#define REQUIRE_DEPTH_TEXTURE\n#define REQUIRE_NORMAL_TEXTURE\n" +
+                Include(k_Fullscreen + "FullscreenShaderPass.cs.hlsl") + k_Libraries +
+                Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/"
+                        "DebugMipmapStreamingMacros.hlsl") +
+                k_FullscreenGraph + Include(k_Fullscreen + "FullscreenCommon.hlsl") +
+                Include(k_Fullscreen + "Fullscreen" + file + ".hlsl");
+            ShaderCompiler compiler;
+            const auto pass =
+                compiler.Compile(test::Program(text), std::vector<std::string>{"FOG_LINEAR"});
+            EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
+            EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+        }
+}
+
 } // namespace
 } // namespace limn

@@ -6,6 +6,8 @@
 
 #define VERTEXID_SEMANTIC SV_VertexID
 #define INSTANCEID_SEMANTIC SV_InstanceID
+#define SV_POSITION_QUALIFIERS
+#define DEPTH_OFFSET_SEMANTIC SV_Depth
 #define FRONT_FACE_SEMANTIC SV_IsFrontFace
 #define FRONT_FACE_TYPE bool
 #define IS_FRONT_VFACE(value, front, back) ((value) ? (front) : (back))

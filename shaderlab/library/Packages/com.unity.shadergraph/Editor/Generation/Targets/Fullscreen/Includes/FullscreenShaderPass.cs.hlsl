@@ -1,0 +1,6 @@
+// Kinds of full-screen passes.
+#pragma once
+#define FULLSCREENSHADERPASS_CS_HLSL
+
+#define FULLSCREENSHADERPASS_BLIT (0)
+#define FULLSCREENSHADERPASS_DRAW_PROCEDURAL (1)
