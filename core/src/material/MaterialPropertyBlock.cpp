@@ -116,14 +116,29 @@ template <typename Value>
 void MaterialPropertyBlock::PutValue(ShaderPropertyId id, Value&& value)
 {
     m_HasBuffers = m_HasBuffers || std::holds_alternative<BufferRange>(value);
-    if (const Slot* slot = FindSlot(id))
+    if (const std::uint32_t place = FindPlace(id))
     {
-        m_Values[slot->value] = std::forward<Value>(value);
+        m_Values[place - 1] = std::forward<Value>(value);
         return;
     }
+    constexpr std::size_t k_Large = 32; // as what is global always is
+    const Slot slot{id, static_cast<std::uint32_t>(m_Values.size())};
     m_Values.push_back(std::forward<Value>(value));
-    m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id),
-                   {id, static_cast<std::uint32_t>(m_Values.size() - 1)});
+    m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id), slot);
+    if (!m_Places.empty())
+    {
+        SetPlace(slot);
+    }
+    else if (m_Slots.size() > k_Large)
+    {
+        std::ranges::for_each(m_Slots, [this](const Slot& each) { SetPlace(each); });
+    }
+}
+
+void MaterialPropertyBlock::SetPlace(const Slot& slot)
+{
+    m_Places.resize(std::max<std::size_t>(m_Places.size(), slot.id.value + std::size_t{1}));
+    m_Places[slot.id.value] = slot.value + 1;
 }
 
 void MaterialPropertyBlock::Put(ShaderPropertyId id, const ShaderPropertyValue& value)
@@ -164,7 +179,13 @@ void MaterialPropertyBlock::Remove(ShaderPropertyId id)
     }
     // The last value takes the place of the removed one.
     const auto last = static_cast<std::uint32_t>(m_Values.size() - 1);
-    std::ranges::find(m_Slots, last, &Slot::value)->value = removed->value;
+    const auto moved = std::ranges::find(m_Slots, last, &Slot::value);
+    moved->value = removed->value;
+    if (!m_Places.empty())
+    {
+        SetPlace(*moved);
+        m_Places[id.value] = 0;
+    }
     if (removed->value != last)
     {
         m_Values[removed->value] = std::move(m_Values.back());
@@ -176,6 +197,7 @@ void MaterialPropertyBlock::Remove(ShaderPropertyId id)
 void MaterialPropertyBlock::Clear()
 {
     m_Slots.clear();
+    m_Places.clear();
     m_Values.clear();
     m_HasBuffers = false;
 }

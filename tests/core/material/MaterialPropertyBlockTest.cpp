@@ -12,7 +12,7 @@ TEST(MaterialPropertyBlock, HoldsTheLastValueOfEachNameThatIsNotRemoved)
 {
     std::mt19937 random(1);
     std::vector<ShaderPropertyId> ids;
-    for (int i = 0; i < 12; ++i)
+    for (int i = 0; i < 120; ++i)
     {
         ids.emplace_back("HoldsTheLastValue" + std::to_string(i));
     }
@@ -22,12 +22,12 @@ TEST(MaterialPropertyBlock, HoldsTheLastValueOfEachNameThatIsNotRemoved)
     {
         const ShaderPropertyId id = ids[random() % ids.size()];
         const auto value = static_cast<float>(step);
-        if (const auto kind = random() % 100; kind == 0)
+        if (const auto kind = random() % 1000; kind == 0)
         {
             block.Clear();
             expected.clear();
         }
-        else if (kind < 5)
+        else if (kind < 20)
         {
             MaterialPropertyBlock other;
             other.SetFloat(id, value);
@@ -36,7 +36,7 @@ TEST(MaterialPropertyBlock, HoldsTheLastValueOfEachNameThatIsNotRemoved)
             expected[id] = value;
             expected[ids.front()] = value + 0.5f;
         }
-        else if (kind < 50)
+        else if (kind < 400)
         {
             block.Remove(id);
             expected.erase(id);

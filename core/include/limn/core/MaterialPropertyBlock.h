@@ -81,8 +81,8 @@ public:
     /// The value, or null if none was set. Until the next change.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const
     {
-        const Slot* slot = FindSlot(id);
-        return slot != nullptr ? &m_Values[slot->value] : nullptr;
+        const std::uint32_t place = FindPlace(id);
+        return place != 0 ? &m_Values[place - 1] : nullptr;
     }
 
     // What was set; zeros, an empty array or null where nothing was, or something of another kind.
@@ -133,16 +133,22 @@ private:
         ShaderPropertyId id;
         std::uint32_t value = 0; ///< in m_Values
     };
-    const Slot* FindSlot(ShaderPropertyId id) const
+    /// One more than where the value is in m_Values; 0 = there is none.
+    std::uint32_t FindPlace(ShaderPropertyId id) const
     {
+        if (!m_Places.empty())
+        {
+            return id.value < m_Places.size() ? m_Places[id.value] : 0;
+        }
         // By halves, without branches: nothing foretells which way they go.
         const Slot* slot = m_Slots.data();
         for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
         {
             slot += count / 2 * static_cast<std::size_t>(!(id < slot[count / 2].id));
         }
-        return !m_Slots.empty() && slot->id == id ? slot : nullptr;
+        return !m_Slots.empty() && slot->id == id ? slot->value + 1 : 0;
     }
+    void SetPlace(const Slot& slot);
     friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
     /// As Set, of a value that is known to be finite.
     void Put(ShaderPropertyId id, const ShaderPropertyValue& value);
@@ -150,7 +156,8 @@ private:
     template <typename Value>
     void PutValue(ShaderPropertyId id, Value&& value);
 
-    std::vector<Slot> m_Slots; ///< by id
+    std::vector<Slot> m_Slots;           ///< by id
+    std::vector<std::uint32_t> m_Places; ///< by id: what FindPlace gives; of large blocks only
     std::vector<ShaderPropertyValue> m_Values;
     bool m_HasBuffers = false;
 };
