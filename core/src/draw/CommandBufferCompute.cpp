@@ -50,7 +50,6 @@ void CommandBuffer::SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>&
 void CommandBuffer::CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
                                const std::shared_ptr<const GraphicsBuffer>& dest)
 {
-    using Target = GraphicsBuffer::Target;
     constexpr const char* k_Call = "CopyBuffer";
     ExpectBuffer(source, k_Call);
     ExpectBuffer(dest, k_Call);
@@ -65,7 +64,8 @@ void CommandBuffer::CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& sour
         throw ContractError(subject + std::to_string(source->size()) + " bytes and " +
                             std::to_string(dest->size()) + "; both must have the same");
     }
-    if (!source->Has(Target::CopySource) || !dest->Has(Target::CopyDestination))
+    if (!source->Has(GraphicsBuffer::Target::CopySource) ||
+        !dest->Has(GraphicsBuffer::Target::CopyDestination))
     {
         throw ContractError(subject + "the first is made with GraphicsBuffer::Target::CopySource, "
                                       "the second with CopyDestination");
