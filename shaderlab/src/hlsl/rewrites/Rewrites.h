@@ -32,8 +32,9 @@ std::string SpellEnums(std::string text);
 /// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
 /// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
 /// `texture2D`, `textureCUBE`; `unsigned int` is `uint`, structs that a typedef names are
-/// declared by that name, those that variables are declared with before them, `uniform` says nothing of a function's parameter, and `row_major` nothing
-/// of a uniform matrix, whose elements limn sets by row and column.
+/// declared by that name, those that variables are declared with before them, `uniform` says
+/// nothing of a function's parameter, and `row_major` nothing of a uniform matrix, whose elements
+/// limn sets by row and column.
 void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 
 /// Preprocessed HLSL in which `struct B : A` has a copy of A's members in front of its own, and
