@@ -8,12 +8,6 @@ namespace limn
 namespace
 {
 
-bool isSample(const PassCommand& command)
-{
-    return std::holds_alternative<BeginSampleCommand>(command) ||
-           std::holds_alternative<EndSampleCommand>(command);
-}
-
 /// What comes from the CPU is there: nothing to wait for.
 void AddRead(std::vector<std::shared_ptr<const Texture>>& reads,
              const std::shared_ptr<const Texture>& texture)
@@ -187,37 +181,21 @@ void Merge(ClearCommand& clear, const ClearCommand& other)
 
 void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
 {
-    std::vector<PassCommand> samples;
-    std::vector<FrameNode> kept;
-    for (FrameNode& node : nodes)
-    {
-        if (node.whyLeftOut.empty())
-        {
-            node.commands.insert(node.commands.begin(), samples.begin(), samples.end());
-            samples.clear();
-            kept.push_back(std::move(node));
-            continue;
-        }
-        LeftOut leftOut{node.name, std::move(node.whyLeftOut), {}, node.place};
-        for (const auto& target : TargetsOf(node))
-        {
-            leftOut.targets.push_back(target->name());
-        }
-        frame.leftOut.push_back(std::move(leftOut));
-        for (PassCommand& command : node.commands)
-        {
-            if (isSample(command))
-            {
-                samples.push_back(std::move(command));
-            }
-        }
-    }
-    if (!kept.empty())
-    {
-        auto& last = kept.back().commands;
-        last.insert(last.end(), samples.begin(), samples.end());
-    }
-    nodes = std::move(kept);
+    std::erase_if(nodes,
+                  [&](FrameNode& node)
+                  {
+                      if (node.whyLeftOut.empty())
+                      {
+                          return false;
+                      }
+                      LeftOut leftOut{node.name, std::move(node.whyLeftOut), {}, node.place};
+                      for (const auto& target : TargetsOf(node))
+                      {
+                          leftOut.targets.push_back(target->name());
+                      }
+                      frame.leftOut.push_back(std::move(leftOut));
+                      return true;
+                  });
 }
 
 void EraseEmptySamples(FrameNode& node)

@@ -89,16 +89,15 @@ void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
 /// Takes over what `other` clears, in place of what `clear` says about the same.
 void Merge(ClearCommand& clear, const ClearCommand& other);
 
-/// Takes the nodes out that have a reason for it: to CompiledFrame::leftOut. The samples that begin
-/// or end in them stay.
+/// Takes the nodes out that have a reason for it: to CompiledFrame::leftOut.
 void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame);
 
 /// Erases samples that begin and end with nothing in between.
 void EraseEmptySamples(FrameNode& node);
 
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
-/// or cleared, so binding alone makes no node and ends none. Each dispatch is a node. Samples left
-/// open end with the frame.
+/// or cleared, so binding alone makes no node and ends none. Each dispatch is a node. Samples that
+/// go on in another node begin there anew, and those left open end with the frame.
 /// @throws ContractError as CompileFrame
 std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands,
                                       const FrameTables& tables);
@@ -119,6 +118,7 @@ void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables);
 /// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
 /// outputs stay, since others know them by identity.
 void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+/// Makes one node of those on equal targets, past or behind all that does not mind.
 void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables);
 /// Resolves samples where something reads them before the texture's next node: as late as possible,
 /// and not where they are only drawn on.

@@ -1,6 +1,7 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limn
 {
@@ -39,21 +40,6 @@ bool MayChangePlaces(const FrameNode& a, const FrameNode& b)
 {
     return !SharesTarget(a, b) && !ReadsTargetOf(a, b) && !ReadsTargetOf(b, a) &&
            !DisputesBuffer(a, b);
-}
-
-bool SamplesAreBalanced(const FrameNode& node)
-{
-    int depth = 0;
-    for (const PassCommand& command : node.commands)
-    {
-        depth += std::holds_alternative<BeginSampleCommand>(command) ? 1 : 0;
-        depth -= std::holds_alternative<EndSampleCommand>(command) ? 1 : 0;
-        if (depth < 0)
-        {
-            return false;
-        }
-    }
-    return depth == 0;
 }
 
 const RenderTexture& AnyTarget(const FrameNode& node)
@@ -220,24 +206,52 @@ void Continue(FrameNode& node, FrameNode& next, FrameTables& tables)
     CollectReads(node, tables);
 }
 
-/// The node that `next` can go on with, past all that it may change places with.
-FrameNode* FindBegun(std::vector<FrameNode>& nodes, const FrameNode& next,
-                     const FrameTables& tables)
+/// The node that `next` can go on with, and the ones behind it that have to run before both.
+struct Begun
 {
-    const bool canMove = SamplesAreBalanced(next);
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+    std::size_t node = 0;
+    std::vector<std::size_t> before; ///< last one first
+};
+
+std::optional<Begun> FindBegun(const std::vector<FrameNode>& nodes, const FrameNode& next,
+                               const FrameTables& tables)
+{
+    Begun begun;
+    for (begun.node = nodes.size(); begun.node-- > 0;)
     {
-        const bool isNeighbour = node == nodes.rbegin();
-        if ((isNeighbour || SharesTarget(*node, next)) && CanContinue(*node, next, tables))
+        const FrameNode& node = nodes[begun.node];
+        const bool canWait = std::ranges::all_of(begun.before, [&](std::size_t i)
+                                                 { return MayChangePlaces(node, nodes[i]); });
+        const bool isNeighbour = begun.node + 1 == nodes.size();
+        const bool sharesTarget = SharesTarget(node, next);
+        if (canWait && (isNeighbour || sharesTarget) && CanContinue(node, next, tables))
         {
-            return &*node;
+            return begun;
         }
-        if (!canMove || !MayChangePlaces(*node, next))
+        if (sharesTarget)
         {
-            return nullptr;
+            return std::nullopt; // whatever draws into it before that has to stay before
+        }
+        if (!canWait || !MayChangePlaces(node, next))
+        {
+            begun.before.push_back(begun.node);
         }
     }
-    return nullptr;
+    return std::nullopt;
+}
+
+/// Moves the node behind all that has to run before.
+/// @return where it is then
+std::size_t Delay(std::vector<FrameNode>& nodes, const Begun& begun)
+{
+    std::size_t at = begun.node;
+    for (auto i = begun.before.rbegin(); i != begun.before.rend(); ++i)
+    {
+        const auto first = nodes.begin() + static_cast<std::ptrdiff_t>(at++);
+        const auto moved = nodes.begin() + static_cast<std::ptrdiff_t>(*i);
+        std::rotate(first, moved, moved + 1);
+    }
+    return at;
 }
 
 } // namespace
@@ -247,10 +261,9 @@ void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables)
     std::vector<FrameNode> merged;
     for (FrameNode& node : nodes)
     {
-        FrameNode* begun = FindBegun(merged, node, tables);
-        if (begun)
+        if (const auto begun = FindBegun(merged, node, tables))
         {
-            Continue(*begun, node, tables);
+            Continue(merged[Delay(merged, *begun)], node, tables);
         }
         else
         {

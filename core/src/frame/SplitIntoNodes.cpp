@@ -129,7 +129,7 @@ private:
 
     void Take(const BeginSampleCommand& command)
     {
-        m_Samples.push_back(command.name.name());
+        m_Samples.push_back(command);
         m_Pending.emplace_back(command);
         ++m_PendingBegins;
     }
@@ -154,9 +154,10 @@ private:
     {
         if (!m_Target)
         {
-            throw ContractError(std::string(what) + " was recorded " +
-                                (m_Samples.empty() ? "" : "in '" + m_Samples.back() + "' ") +
-                                "before any render target was set");
+            throw ContractError(
+                std::string(what) + " was recorded " +
+                (m_Samples.empty() ? "" : "in '" + m_Samples.back().name.name() + "' ") +
+                "before any render target was set");
         }
         if (!IsOnTarget())
         {
@@ -175,10 +176,19 @@ private:
         return m_Nodes.back();
     }
 
+    /// Samples that are open end with the node before and begin anew in this one, so that each node
+    /// stands for itself.
     FrameNode& AddNode()
     {
+        const auto open = static_cast<std::ptrdiff_t>(m_Samples.size()) - m_PendingBegins;
+        if (!m_Nodes.empty())
+        {
+            auto& commands = m_Nodes.back().commands;
+            commands.insert(commands.end(), static_cast<std::size_t>(open), EndSampleCommand{});
+        }
         FrameNode& node = m_Nodes.emplace_back();
-        node.name = m_Samples.empty() ? std::string() : m_Samples.back();
+        node.commands.assign(m_Samples.begin(), m_Samples.begin() + open);
+        node.name = m_Samples.empty() ? std::string() : m_Samples.back().name.name();
         node.place = m_Nodes.size();
         m_NodeViewport.reset();
         m_Started = false;
@@ -211,7 +221,7 @@ private:
     std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
     std::vector<PassCommand> m_Pending; ///< samples begun, which are the next node's, or empty
     int m_PendingBegins = 0;            ///< of them, those that have not ended
-    std::vector<std::string> m_Samples; ///< open ones, outermost first
+    std::vector<BeginSampleCommand> m_Samples; ///< open ones, outermost first
 };
 
 } // namespace

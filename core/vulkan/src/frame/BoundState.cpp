@@ -71,7 +71,10 @@ void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& stat
         vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
         // What a pipeline has baked in is not set any more.
         m_Blend = state.blend.isDynamic ? m_Blend : std::nullopt;
-        m_VertexProgram = draw.program->fetches.empty() ? nullptr : m_VertexProgram;
+        if (draw.program->fetches.empty())
+        {
+            m_Vertices.reset();
+        }
     }
     if (m_State != &state)
     {
@@ -168,36 +171,52 @@ void BoundState::SetBlend(const BlendState& state)
 
 void BoundState::BindMesh(const PreparedDraw& draw)
 {
-    const bool hasVertices = !draw.program->fetches.empty(); // else it makes them of SV_VertexID
-    if (hasVertices && (m_VertexProgram != draw.program || m_VertexMesh != draw.mesh))
+    if (!draw.program->fetches.empty()) // else it makes vertices of SV_VertexID
     {
-        m_VertexProgram = draw.program;
-        m_VertexMesh = draw.mesh;
-        BindVertices(*draw.program, draw.mesh);
+        const VertexBinding vertices = VerticesOf(draw);
+        if (m_Vertices != vertices)
+        {
+            m_Vertices = vertices;
+            BindVertices(vertices);
+        }
     }
-    if (draw.mesh != nullptr && m_IndexMesh != draw.mesh)
+    if (draw.mesh != nullptr && m_Indices != draw.mesh->block->buffer())
     {
-        m_IndexMesh = draw.mesh;
-        vkCmdBindIndexBuffer(m_Commands, draw.mesh->buffer.handle.get(), 0, VK_INDEX_TYPE_UINT32);
+        m_Indices = draw.mesh->block->buffer();
+        vkCmdBindIndexBuffer(m_Commands, m_Indices, 0, VK_INDEX_TYPE_UINT32);
     }
 }
 
-void BoundState::BindVertices(const ProgramObjects& program, const PooledMesh* mesh)
+/// SV_VertexID counts from the mesh's first vertex; Vulkan's index counts from the first one bound.
+BoundState::VertexBinding BoundState::VerticesOf(const PreparedDraw& draw)
+{
+    const bool countsFromFirst = draw.mesh != nullptr && draw.program->readsVertexIndex;
+    return {draw.program, draw.mesh != nullptr ? draw.mesh->block : nullptr,
+            countsFromFirst ? draw.mesh->range.firstVertex : 0};
+}
+
+std::int32_t BoundState::VertexOffset(const PreparedDraw& draw) const
+{
+    return static_cast<std::int32_t>(draw.mesh->range.firstVertex - VerticesOf(draw).first);
+}
+
+void BoundState::BindVertices(const VertexBinding& binding)
 {
     constexpr std::size_t k_Most = 32;
     std::array<VkBuffer, k_Most> buffers{};
     std::array<VkDeviceSize, k_Most> offsets{};
     std::array<VkDeviceSize, k_Most> strides{};
-    const std::vector<VertexFetch>& fetches = program.fetches;
+    const std::vector<VertexFetch>& fetches = binding.program->fetches;
+    const MeshBlock* const block = binding.block;
     for (std::size_t i = 0; i < fetches.size(); ++i)
     {
         const std::size_t attribute = fetches[i].attribute;
-        const bool carried = mesh != nullptr && attribute < k_VertexAttributeCount &&
-                             mesh->arrays[attribute].stride != 0;
-        buffers.at(i) = carried ? mesh->buffer.handle.get() : m_Constants;
-        offsets.at(i) =
-            carried ? mesh->arrays[attribute].offset : MeshPool::ConstantOffset(attribute);
-        strides.at(i) = carried ? mesh->arrays[attribute].stride : 0;
+        const bool carried = block != nullptr && attribute < k_VertexAttributeCount &&
+                             block->attributes()[attribute];
+        buffers.at(i) = carried ? block->buffer() : m_Constants;
+        offsets.at(i) = carried ? block->ArrayOffset(attribute, binding.first)
+                                : MeshPool::ConstantOffset(attribute);
+        strides.at(i) = carried ? MeshBlock::Stride(attribute) : 0;
     }
     vkCmdBindVertexBuffers2(m_Commands, 0, static_cast<std::uint32_t>(fetches.size()),
                             buffers.data(), offsets.data(), nullptr, strides.data());

@@ -17,14 +17,26 @@ public:
     /// @lifetime keeps `state` until the next call
     void BindPipeline(const PreparedDraw& draw, const DynamicState& state);
     void BindMesh(const PreparedDraw& draw);
+    /// What to add to each index of the draw's mesh.
+    std::int32_t VertexOffset(const PreparedDraw& draw) const;
     void BindRun(const PreparedDraw& draw, const PreparedRun& run);
 
 private:
+    struct VertexBinding
+    {
+        const ProgramObjects* program = nullptr; ///< which reads them
+        const MeshBlock* block = nullptr;        ///< null = there is none
+        std::uint32_t first = 0;                 ///< the one of index 0
+
+        bool operator==(const VertexBinding&) const = default;
+    };
+
+    static VertexBinding VerticesOf(const PreparedDraw& draw);
     void SetFixed(const FixedState& state);
     void SetDepth(const FixedState& state, const FixedState* known);
     void SetStencil(const FixedState& state, const FixedState* known);
     void SetBlend(const BlendState& state);
-    void BindVertices(const ProgramObjects& program, const PooledMesh* mesh);
+    void BindVertices(const VertexBinding& binding);
 
     VkCommandBuffer m_Commands;
     const ExtensionFunctions& m_Functions;
@@ -35,9 +47,8 @@ private:
     const DynamicState* m_State = nullptr;
     std::optional<FixedState> m_Fixed;
     std::optional<BlendState> m_Blend;
-    const ProgramObjects* m_VertexProgram = nullptr; ///< for which vertices are bound
-    const PooledMesh* m_VertexMesh = nullptr;        ///< of them
-    const PooledMesh* m_IndexMesh = nullptr;
+    std::optional<VertexBinding> m_Vertices;
+    VkBuffer m_Indices = VK_NULL_HANDLE;
     VkDescriptorSet m_Set = VK_NULL_HANDLE;
     VkPipelineLayout m_SetLayout = VK_NULL_HANDLE; ///< that m_Set is bound with
 };

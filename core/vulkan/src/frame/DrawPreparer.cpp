@@ -145,8 +145,8 @@ void DrawPreparer::Add(const DrawCommand& draw)
             UseState(setup);
         }
     }
-    UseMesh(draw);
     m_Draw.arguments = ArgumentsOf(m_Tables.Setup(draw).bindings.get());
+    UseMesh(draw);
     AddRuns(draw);
     m_Frame.draws.push_back(m_Draw);
     m_Last = &draw;
@@ -228,9 +228,13 @@ void DrawPreparer::UseState(const DrawSetup& setup)
 void DrawPreparer::UseMesh(const DrawCommand& draw)
 {
     const std::shared_ptr<const Mesh>& mesh = m_Tables.MeshOf(draw);
-    if (m_Last == nullptr || m_Last->mesh != draw.mesh)
+    const bool isIndirect = m_Draw.arguments.buffer != VK_NULL_HANDLE;
+    if (m_Last == nullptr || m_Last->mesh != draw.mesh || m_LastIsIndirect != isIndirect)
     {
-        m_Draw.mesh = mesh ? &m_Resources.meshes.Use(mesh, m_Number) : nullptr;
+        m_Draw.mesh = !mesh        ? nullptr
+                      : isIndirect ? &m_Resources.meshes.UseAlone(mesh, m_Number)
+                                   : &m_Resources.meshes.Use(mesh, m_Number);
+        m_LastIsIndirect = isIndirect;
     }
     m_Draw.indices = mesh ? IndicesOf(draw, *mesh) : SubMesh{};
 }

@@ -45,7 +45,8 @@ private:
     ProgramObjects* m_Program = nullptr;      ///< of the last draw, as what follows
     bool m_HasBindings = false;
     PreparedDraw m_Draw;
-    PreparedRun m_LastRun; ///< of m_Last
+    PreparedRun m_LastRun;         ///< of m_Last
+    bool m_LastIsIndirect = false; ///< likewise
 };
 
 } // namespace limn::vulkan

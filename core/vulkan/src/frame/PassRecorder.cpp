@@ -136,7 +136,8 @@ void PassRecorder::Run(const DrawCommand& draw)
         else
         {
             vkCmdDrawIndexed(m_Commands, prepared.indices.indexCount, run.instances.count,
-                             prepared.indices.indexStart, 0, run.instances.first);
+                             prepared.mesh->range.firstIndex + prepared.indices.indexStart,
+                             m_Bound.VertexOffset(prepared), run.instances.first);
         }
     }
 }

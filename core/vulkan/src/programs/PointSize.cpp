@@ -10,18 +10,9 @@ namespace
 {
 
 // Of the SPIR-V specification.
-constexpr std::uint32_t k_BuiltIn = 11; // a decoration
-constexpr std::uint32_t k_PointSize = 1;
 constexpr std::uint32_t k_Output = 3; // a storage class
 
 using Instruction = std::span<const std::uint32_t>;
-
-bool isSize(std::uint32_t op, Instruction words)
-{
-    const std::size_t at = op == OpMemberDecorate ? 3 : 2;
-    return (op == OpDecorate || op == OpMemberDecorate) && words.size() > at + 1 &&
-           words[at] == k_BuiltIn && words[at + 1] == k_PointSize;
-}
 
 class SizeWriter
 {
@@ -47,7 +38,7 @@ private:
         if (op >= OpTypeVoid && op <= OpTypeForwardPointer && !m_IsDecorated)
         {
             m_IsDecorated = true; // annotations come before all types
-            Add(OpDecorate, {m_Variable, k_BuiltIn, k_PointSize});
+            Add(OpDecorate, {m_Variable, k_BuiltIn, BuiltInPointSize});
         }
         if (op == OpFunction)
         {
@@ -108,17 +99,16 @@ private:
 
 Words WithPointSize(const Words& vertexSpirv)
 {
-    bool hasSize = false;
     std::uint32_t floatType = 0;
     EachInstruction(vertexSpirv,
                     [&](std::uint32_t op, Instruction words)
                     {
-                        hasSize = hasSize || isSize(op, words);
                         const bool isFloat = op == OpTypeFloat && words[2] == 32;
                         floatType = isFloat ? words[1] : floatType;
                     });
     // A position is made of floats, so that there is the type.
-    return hasSize || floatType == 0 ? vertexSpirv : SizeWriter(vertexSpirv, floatType).Write();
+    const bool isComplete = HasBuiltIn(vertexSpirv, BuiltInPointSize) || floatType == 0;
+    return isComplete ? vertexSpirv : SizeWriter(vertexSpirv, floatType).Write();
 }
 
 } // namespace limn::vulkan

@@ -164,6 +164,7 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
             .first->second;
     }
     objects.vertex = CreateModule(program->vertexSpirv);
+    objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, BuiltInVertexIndex);
     objects.fragment = CreateModule(program->fragmentSpirv);
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
 }

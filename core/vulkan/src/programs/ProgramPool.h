@@ -68,6 +68,7 @@ struct ProgramObjects
     UniquePipelineLayout layout;
     VkShaderStageFlags pushStages = 0; ///< that read the DrawConstants
     std::vector<VertexFetch> fetches;
+    bool readsVertexIndex = false; ///< the vertex function, as SV_VertexID
     std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;
 };

@@ -35,6 +35,14 @@ enum Opcode : std::uint32_t
     OpNoLine = 317
 };
 
+inline constexpr std::uint32_t k_BuiltIn = 11; // a decoration
+
+enum BuiltIn : std::uint32_t
+{
+    BuiltInPointSize = 1,
+    BuiltInVertexIndex = 42
+};
+
 /// Calls `function` with the opcode and the words of each instruction, in order.
 template <typename Function>
 void EachInstruction(const Words& spirv, const Function& function)
@@ -45,6 +53,23 @@ void EachInstruction(const Words& spirv, const Function& function)
         function(spirv[i] & 0xffffu, std::span(spirv).subspan(i, size));
         i += size;
     }
+}
+
+/// Whether the instruction says that something is this built-in value.
+inline bool isBuiltIn(std::uint32_t op, std::span<const std::uint32_t> words, BuiltIn builtIn)
+{
+    const std::size_t at = op == OpMemberDecorate ? 3 : 2;
+    return (op == OpDecorate || op == OpMemberDecorate) && words.size() > at + 1 &&
+           words[at] == k_BuiltIn && words[at + 1] == builtIn;
+}
+
+/// Whether the module reads or writes it.
+inline bool HasBuiltIn(const Words& spirv, BuiltIn builtIn)
+{
+    bool has = false;
+    EachInstruction(spirv, [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                    { has = has || isBuiltIn(op, words, builtIn); });
+    return has;
 }
 
 } // namespace limn::vulkan

@@ -32,10 +32,12 @@ struct DeviceResources
     {
     }
 
-    /// Grows where an image, a buffer or a layout that a frame knows is gone or another one.
+    /// Grows where an image, a buffer, a mesh or a layout that a frame knows is gone or another
+    /// one.
     std::uint64_t changeCount() const
     {
-        return m_Allocator.returnedCount() + images.changeCount() + programs.freedCount();
+        return m_Allocator.returnedCount() + images.changeCount() + meshes.freedCount() +
+               programs.freedCount();
     }
     /// Frees what nobody owns or uses.
     void Sweep(std::uint64_t finished)

@@ -10,10 +10,14 @@ namespace limn::vulkan
 namespace
 {
 
-template <typename T>
-std::span<const std::byte> Bytes(const std::vector<T>& values)
+/// What a shared block holds: some hundred small meshes.
+constexpr MeshSize k_SharedCapacity{4096, 16384};
+
+/// Whether it leaves a shared block room for others.
+bool isSmall(const MeshSize& size)
 {
-    return std::as_bytes(std::span{values});
+    return size.vertices <= k_SharedCapacity.vertices / 4 &&
+           size.indices <= k_SharedCapacity.indices / 4;
 }
 
 /// What meshes without an attribute give, by attribute, and behind them zeros.
@@ -22,38 +26,6 @@ std::array<std::array<float, 4>, k_VertexAttributeCount + 1> Constants()
     std::array<std::array<float, 4>, k_VertexAttributeCount + 1> constants{};
     std::ranges::transform(VertexAttributes(), constants.begin(), &VertexAttribute::missing);
     return constants;
-}
-
-/// Lays the mesh out and returns the bytes needed, at least 4: Vulkan has no empty buffers. The
-/// indices come first: lavapipe 22.3.6 draws nothing of vkCmdDrawIndexedIndirect where they are
-/// bound at an offset.
-VkDeviceSize LayOut(const MeshData& data, PooledMesh& pooled)
-{
-    VkDeviceSize end = Bytes(data.triangles).size();
-    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
-    {
-        const VertexAttribute& attribute = VertexAttributes()[i];
-        const std::span<const float> values = attribute.values(data);
-        pooled.arrays[i] = {end, values.empty() ? 0 : attribute.components * sizeof(float)};
-        end += values.size_bytes();
-    }
-    return std::max<VkDeviceSize>(end, 4);
-}
-
-void Write(const MeshData& data, const PooledMesh& pooled, std::byte* target)
-{
-    const auto copy = [&](std::span<const std::byte> bytes, VkDeviceSize offset)
-    {
-        if (!bytes.empty())
-        {
-            std::memcpy(target + offset, bytes.data(), bytes.size());
-        }
-    };
-    copy(Bytes(data.triangles), 0);
-    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
-    {
-        copy(std::as_bytes(VertexAttributes()[i].values(data)), pooled.arrays[i].offset);
-    }
 }
 
 } // namespace
@@ -75,8 +47,19 @@ VkDeviceSize MeshPool::ConstantOffset(std::size_t attribute)
 
 PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
 {
-    const auto found = m_Meshes.find(mesh->id());
-    if (found != m_Meshes.end())
+    return Use(m_Meshes, mesh, number, false);
+}
+
+PooledMesh& MeshPool::UseAlone(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
+{
+    return Use(m_Alone, mesh, number, true);
+}
+
+PooledMesh& MeshPool::Use(Meshes& meshes, const std::shared_ptr<const Mesh>& mesh,
+                          std::uint64_t number, bool alone)
+{
+    const auto found = meshes.find(mesh->id());
+    if (found != meshes.end())
     {
         found->second.lastUse = number;
         return found->second;
@@ -85,17 +68,45 @@ PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t
     pooled.owner = mesh;
     pooled.createdBy = number;
     pooled.lastUse = number;
-    const VkDeviceSize size = LayOut(mesh->data(), pooled);
-    pooled.buffer = Buffer{m_Device,
-                           m_Allocator,
-                           size,
-                           VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
-                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                           MemoryUse::Gpu,
-                           mesh->name()};
-    PooledMesh& stored = m_Meshes.emplace(mesh->id(), std::move(pooled)).first->second;
+    Place(pooled, *mesh, alone);
+    PooledMesh& stored = meshes.emplace(mesh->id(), std::move(pooled)).first->second;
     m_Uploads.push_back({&stored, mesh});
     return stored;
+}
+
+void MeshPool::Place(PooledMesh& pooled, const Mesh& mesh, bool alone)
+{
+    const AttributeSet attributes = AttributesOf(mesh.data());
+    const MeshSize size = SizeOf(mesh.data());
+    if (!alone && isSmall(size))
+    {
+        PlaceInShared(pooled, attributes, size);
+        return;
+    }
+    pooled.own = std::make_unique<MeshBlock>(m_Device, m_Allocator, attributes, size, mesh.name());
+    pooled.block = pooled.own.get();
+    pooled.range = pooled.block->Allocate(size).value();
+}
+
+void MeshPool::PlaceInShared(PooledMesh& pooled, const AttributeSet& attributes,
+                             const MeshSize& size)
+{
+    const auto placed = [&](MeshBlock& block)
+    {
+        const auto range = block.attributes() == attributes ? block.Allocate(size) : std::nullopt;
+        if (range)
+        {
+            pooled.block = &block;
+            pooled.range = *range;
+        }
+        return range.has_value();
+    };
+    if (std::ranges::none_of(m_Shared, [&](const auto& block) { return placed(*block); }))
+    {
+        m_Shared.push_back(std::make_unique<MeshBlock>(m_Device, m_Allocator, attributes,
+                                                       k_SharedCapacity, "small meshes"));
+        placed(*m_Shared.back());
+    }
 }
 
 void MeshPool::RecordUploads(UploadCommands& uploads)
@@ -104,14 +115,9 @@ void MeshPool::RecordUploads(UploadCommands& uploads)
     {
         return;
     }
-    VkCommandBuffer commands = uploads.commands();
     for (const Upload& upload : m_Uploads)
     {
-        const VkDeviceSize size = upload.pooled->buffer.size;
-        const UploadedBytes bytes = uploads.staging().Allocate(size);
-        Write(upload.mesh->data(), *upload.pooled, bytes.mapped);
-        const VkBufferCopy region{bytes.offset, 0, size};
-        vkCmdCopyBuffer(commands, bytes.buffer, upload.pooled->buffer.handle.get(), 1, &region);
+        RecordUpload(upload, uploads);
     }
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
@@ -123,36 +129,92 @@ void MeshPool::RecordUploads(UploadCommands& uploads)
     info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     info.memoryBarrierCount = 1;
     info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &info);
+    vkCmdPipelineBarrier2(uploads.commands(), &info);
     m_UploadCount += m_Uploads.size();
     m_Uploads.clear();
 }
 
+void MeshPool::RecordUpload(const Upload& upload, UploadCommands& uploads) const
+{
+    const MeshData& data = upload.mesh->data();
+    const MeshBlock& block = *upload.pooled->block;
+    const auto copy = [&](std::span<const std::byte> bytes, VkDeviceSize offset)
+    {
+        const UploadedBytes staged = uploads.staging().Allocate(bytes.size());
+        std::memcpy(staged.mapped, bytes.data(), bytes.size());
+        const VkBufferCopy region{staged.offset, offset, bytes.size()};
+        vkCmdCopyBuffer(uploads.commands(), staged.buffer, block.buffer(), 1, &region);
+    };
+    if (!data.triangles.empty())
+    {
+        copy(std::as_bytes(std::span{data.triangles}),
+             MeshBlock::IndexOffset(upload.pooled->range.firstIndex));
+    }
+    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
+    {
+        if (block.attributes()[i])
+        {
+            copy(std::as_bytes(VertexAttributes()[i].values(data)),
+                 block.ArrayOffset(i, upload.pooled->range.firstVertex));
+        }
+    }
+}
+
 void MeshPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
 {
-    for (auto& [id, mesh] : m_Meshes)
+    for (Meshes* meshes : {&m_Meshes, &m_Alone})
     {
-        if (mesh.lastUse == number)
+        for (auto& [id, mesh] : *meshes)
         {
-            uses.push_back(&mesh.lastUse);
+            if (mesh.lastUse == number)
+            {
+                uses.push_back(&mesh.lastUse);
+            }
         }
+    }
+}
+
+/// Of the meshes, and of the shared blocks those that nothing is left in.
+template <typename Condition>
+void MeshPool::Erase(const Condition& condition)
+{
+    std::size_t erased = 0;
+    for (Meshes* meshes : {&m_Meshes, &m_Alone})
+    {
+        erased += std::erase_if(*meshes,
+                                [&](auto& entry)
+                                {
+                                    const bool isOver = condition(entry.second);
+                                    if (isOver)
+                                    {
+                                        entry.second.block->Free(entry.second.range);
+                                    }
+                                    return isOver;
+                                });
+    }
+    if (erased > 0)
+    {
+        m_Freed += erased;
+        std::erase_if(m_Shared, [](const auto& block) { return block->isEmpty(); });
     }
 }
 
 void MeshPool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
-    std::erase_if(m_Meshes, [&](const auto& entry) { return entry.second.createdBy == number; });
-    for (auto& [id, mesh] : m_Meshes)
+    Erase([&](const PooledMesh& mesh) { return mesh.createdBy == number; });
+    for (Meshes* meshes : {&m_Meshes, &m_Alone})
     {
-        mesh.lastUse = std::min(mesh.lastUse, number - 1);
+        for (auto& [id, mesh] : *meshes)
+        {
+            mesh.lastUse = std::min(mesh.lastUse, number - 1);
+        }
     }
 }
 
 void MeshPool::Sweep(std::uint64_t finished)
 {
-    std::erase_if(m_Meshes, [&](const auto& entry)
-                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+    Erase([&](const PooledMesh& mesh) { return mesh.owner.expired() && mesh.lastUse <= finished; });
 }
 
 } // namespace limn::vulkan

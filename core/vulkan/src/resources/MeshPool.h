@@ -1,42 +1,42 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
-#include <limn/core/VertexAttribute.h>
+#include "resources/MeshBlock.h"
 #include <unordered_map>
 
 namespace limn::vulkan
 {
 
-/// The buffer behind one mesh: its indices and then its attribute arrays.
+/// Where a mesh lies on the device.
 struct PooledMesh
 {
-    struct Array
-    {
-        VkDeviceSize offset = 0;
-        VkDeviceSize stride = 0; ///< 0 = the mesh lacks it
-    };
-
     std::weak_ptr<const Mesh> owner;
-    Buffer buffer;
-    std::array<Array, k_VertexAttributeCount> arrays; ///< by VertexAttributes()
+    MeshBlock* block = nullptr;
+    MeshBlock::Range range;
+    std::unique_ptr<MeshBlock> own; ///< `block`, where no other mesh is in it
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;
 };
 
-/// All mesh buffers, found by their mesh; made and freed as ImagePool does.
+/// All meshes of the device; made and freed as ImagePool does. Small ones of the same attributes
+/// share blocks.
 class MeshPool
 {
 public:
     MeshPool(VkDevice device, MemoryAllocator& allocator);
 
     PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
+    /// With a block of its own, where it begins with vertex 0 and index 0: the counts of an
+    /// indirect draw name them so.
+    PooledMesh& UseAlone(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
     void RecordUploads(UploadCommands& uploads);
     /// Adds the PooledMesh::lastUse of those that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
-    std::size_t size() const { return m_Meshes.size(); }
+    std::size_t size() const { return m_Meshes.size() + m_Alone.size(); }
     std::uint64_t uploadCount() const { return m_UploadCount; } ///< since construction
+    std::uint64_t freedCount() const { return m_Freed; }        ///< likewise
 
     /// One value of each attribute for meshes that lack it, to be read with stride 0, and zeros for
     /// what no mesh has.
@@ -45,18 +45,31 @@ public:
     static VkDeviceSize ConstantOffset(std::size_t attribute);
 
 private:
+    using Meshes = std::unordered_map<std::uint64_t, PooledMesh>; ///< by Mesh::id
+
     struct Upload
     {
         PooledMesh* pooled = nullptr;
         std::shared_ptr<const Mesh> mesh;
     };
 
+    PooledMesh& Use(Meshes& meshes, const std::shared_ptr<const Mesh>& mesh, std::uint64_t number,
+                    bool alone);
+    void Place(PooledMesh& pooled, const Mesh& mesh, bool alone);
+    void PlaceInShared(PooledMesh& pooled, const AttributeSet& attributes, const MeshSize& size);
+    void RecordUpload(const Upload& upload, UploadCommands& uploads) const;
+    template <typename Condition>
+    void Erase(const Condition& condition);
+
     VkDevice m_Device;
     MemoryAllocator& m_Allocator;
     Buffer m_Constants;
-    std::unordered_map<std::uint64_t, PooledMesh> m_Meshes; ///< by Mesh::id
+    std::vector<std::unique_ptr<MeshBlock>> m_Shared;
+    Meshes m_Meshes;
+    Meshes m_Alone;
     std::vector<Upload> m_Uploads;
     std::uint64_t m_UploadCount = 0;
+    std::uint64_t m_Freed = 0;
 };
 
 } // namespace limn::vulkan
