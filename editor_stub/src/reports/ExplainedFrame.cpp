@@ -135,13 +135,9 @@ private:
 
     void AddCommands(const CompiledRenderPass& pass, ExplainedPass& result)
     {
-        std::vector<std::string> names{pass.name};
+        result.name = pass.Title();
         for (const PassCommand& command : pass.commands)
         {
-            if (const auto* sample = std::get_if<BeginSampleCommand>(&command))
-            {
-                names.push_back(sample->name.name());
-            }
             if (const auto* draw = std::get_if<DrawCommand>(&command))
             {
                 ++result.draws;
@@ -153,14 +149,6 @@ private:
             {
                 ++result.dispatches;
                 AddBindings(*m_Tables.Setup(*dispatch).bindings, result);
-            }
-        }
-        for (std::size_t i = 0; i < names.size(); ++i)
-        {
-            const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
-            if (!names[i].empty() && std::find(names.begin(), end, names[i]) == end)
-            {
-                result.name += (result.name.empty() ? "" : " + ") + names[i];
             }
         }
     }

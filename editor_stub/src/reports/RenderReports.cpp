@@ -93,17 +93,28 @@ Json FrameCounts(const RenderMeasurements& measurements)
               {"deviceAllocated", measurements.memory.allocatedBytes}}}};
 }
 
-/// A pass of a feature may be several of the device's, all of its name.
-Json GpuTime(const std::string& pass, const std::vector<PassTiming>& timings)
+/// What the device took for a pass of a feature, which may be several of its own; and the passes
+/// that it is a part of, whose times are of all their parts.
+void AddGpuTime(const std::string& pass, const RenderMeasurements& measurements, Json& result)
 {
-    double total = 0.0;
-    bool isMeasured = false;
-    for (const PassTiming& timing : timings)
+    const std::vector<CompiledRenderPass>& compiled = measurements.lastFrame.frame->passes;
+    Json total = nullptr;
+    Json shared = Json::array();
+    for (std::size_t i = 0; i < std::min(compiled.size(), measurements.gpuPasses.size()); ++i)
     {
-        total += timing.name == pass ? timing.milliseconds : 0.0;
-        isMeasured = isMeasured || timing.name == pass;
+        const std::vector<std::string> names = compiled[i].SampleNames();
+        const PassTiming& timing = measurements.gpuPasses[i];
+        if (names.size() == 1 && names[0] == pass)
+        {
+            total = (total.is_null() ? 0.0 : total.get<double>()) + timing.milliseconds;
+        }
+        else if (std::ranges::find(names, pass) != names.end())
+        {
+            shared.push_back(timing.name);
+        }
     }
-    return isMeasured ? Json(total) : Json(nullptr);
+    result["gpuMilliseconds"] = std::move(total);
+    result["partOf"] = std::move(shared);
 }
 
 Json Passes(const RenderMeasurements& measurements)
@@ -111,9 +122,9 @@ Json Passes(const RenderMeasurements& measurements)
     Json passes = Json::array();
     for (const ExecutedPassReport& pass : measurements.lastFrame.report.passes)
     {
-        passes.push_back({{"name", pass.name.name()},
-                          {"event", static_cast<int>(pass.renderPassEvent)},
-                          {"gpuMilliseconds", GpuTime(pass.name.name(), measurements.gpuPasses)}});
+        Json result{{"name", pass.name.name()}, {"event", static_cast<int>(pass.renderPassEvent)}};
+        AddGpuTime(pass.name.name(), measurements, result);
+        passes.push_back(std::move(result));
     }
     return passes;
 }

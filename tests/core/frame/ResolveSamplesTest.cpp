@@ -57,9 +57,10 @@ TEST_F(ResolvedSamples, AreResolvedWhereADrawReadsThemAndNotKept)
 
 TEST_F(ResolvedSamples, AreKeptAndNotResolvedWhereTheyAreOnlyDrawnOn)
 {
-    Begin(m_Smooth, 1);
+    const RenderTexturePtr depth = Smooth("depth", true, GraphicsFormat::D32_SFloat);
+    m_Frame.Bind(m_Smooth, depth).Clear(ClearFlag::All, Color::red).Draw(1);
     const RenderTexturePtr between = Smooth("between");
-    Begin(between, 2);
+    m_Frame.Bind(between, depth).Clear(ClearFlag::Color).Draw(2); // cannot go before
     m_Frame.Bind(m_Smooth).Draw(3, {between});
     const CompiledFrame frame = m_Compiler.Compile(m_Frame.Take(), {m_Smooth});
     ASSERT_EQ(frame.passes.size(), 3u);

@@ -78,19 +78,21 @@ TEST(ExplainedFrame, TellsLoadStoreBarriersAndDrawsOfEachPass)
 {
     const auto explained = ExplainAsJson({"explain", Sample("furniture")});
     const auto& passes = explained.at("frame").at("passes");
-    ASSERT_EQ(5u, passes.size());
-    const auto& mask = passes[1];
+    ASSERT_EQ(4u, passes.size());
+    const auto& mask = passes[0];
     EXPECT_EQ("Screen Space Outline", mask.at("name"));
     EXPECT_EQ(13, mask.at("drawsBeforeInstancing"));
     EXPECT_LT(mask.at("draws"), 13);
     EXPECT_EQ(nlohmann::json::parse(R"([{"texture": "_RendererDrawingTexture", "load": "clear",
                                         "store": "store"}])"),
               mask.at("targets"));
-    EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture"])"), passes[2].at("samples"));
+    EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture"])"), passes[1].at("samples"));
     EXPECT_EQ(nlohmann::json::parse(R"({"texture": "_RendererDrawingTexture",
                                         "before": "ColorAttachment", "after": "ShaderRead"})"),
-              passes[2].at("barriers")[0]);
-    EXPECT_EQ("load", passes[3].at("targets")[0].at("load"));
+              passes[1].at("barriers")[0]);
+    EXPECT_EQ("clear", passes[2].at("targets")[0].at("load"));
+    EXPECT_EQ("Draw Opaque Objects + Draw Transparent Objects + Screen Space Outline",
+              passes[2].at("name"));
     EXPECT_TRUE(explained.at("leftOut").empty());
 }
 
@@ -100,20 +102,20 @@ TEST(ExplainedFrame, TellsTheBytesAndTheLifeOfEachTexture)
     const auto explained = ExplainAsJson({"explain", Sample("furniture")});
     const auto& camera = TextureNamed(explained, "_CameraColorAttachmentA");
     EXPECT_EQ(7372800, camera.at("bytes"));
-    EXPECT_EQ(1, camera.at("firstPass"));
-    EXPECT_EQ(5, camera.at("lastPass"));
+    EXPECT_EQ(3, camera.at("firstPass"));
+    EXPECT_EQ(4, camera.at("lastPass"));
     const auto& mask = TextureNamed(explained, "_RendererDrawingTexture");
     EXPECT_EQ(230400, mask.at("bytes"));
-    EXPECT_EQ(2, mask.at("firstPass"));
-    EXPECT_EQ(3, mask.at("lastPass"));
+    EXPECT_EQ(1, mask.at("firstPass"));
+    EXPECT_EQ(2, mask.at("lastPass"));
     EXPECT_TRUE(TextureNamed(explained, "limn_Output").at("output"));
     EXPECT_FALSE(mask.at("output"));
-    // The depth is needed in the first pass only, and both textures of the outline behind it; these
-    // two are needed at once.
-    EXPECT_EQ(nlohmann::json::parse(R"(["_CameraDepthAttachment"])"), mask.at("sharesMemoryWith"));
-    EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture", "_OutlineTexture"])"),
-              TextureNamed(explained, "_CameraDepthAttachment").at("sharesMemoryWith"));
-    EXPECT_TRUE(camera.at("sharesMemoryWith").empty()) << "it lives through all passes";
+    // The mask is not needed any more when the camera's passes begin; the edges are.
+    EXPECT_EQ(nlohmann::json::parse(R"(["_CameraColorAttachmentA"])"), mask.at("sharesMemoryWith"));
+    EXPECT_EQ(nlohmann::json::parse(R"(["_RendererDrawingTexture"])"),
+              camera.at("sharesMemoryWith"));
+    EXPECT_TRUE(TextureNamed(explained, "_OutlineTexture").at("sharesMemoryWith").empty())
+        << "it is needed beside each of the others";
 }
 
 TEST(ExplainedFrame, HasNoPassAndNoTextureOfAnOutlineOfNothing)

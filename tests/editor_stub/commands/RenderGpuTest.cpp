@@ -283,7 +283,10 @@ TEST_F(Render, StatsTellPassesCountsAndTextures)
                                       [](const auto& pass) { return pass["name"] == "Outline"; });
     ASSERT_NE(passes.end(), outline);
     EXPECT_EQ(500, (*outline)["event"]);
-    EXPECT_GE((*outline)["gpuMilliseconds"], 0.0);
+    EXPECT_GE((*outline)["gpuMilliseconds"], 0.0) << "mask and edges";
+    EXPECT_EQ(nlohmann::json::parse(R"(["Draw Opaque Objects + Outline"])"), (*outline)["partOf"])
+        << "its composite";
+    EXPECT_EQ("Draw Opaque Objects + Outline", stats["gpuPasses"][2]["name"]);
     const auto& draws = stats["drawRenderers"];
     const auto draw = std::find_if(draws.begin(), draws.end(),
                                    [](const auto& entry) { return entry["pass"] == "Outline"; });

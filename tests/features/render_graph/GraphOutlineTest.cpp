@@ -19,7 +19,7 @@ TEST(GraphOutline, IsCompiledToTheSamePassesAsTheOldStyle)
         const RenderResult actual = newStyle.Render();
         EXPECT_THAT(PassesOf(actual), testing::ElementsAreArray(PassesOf(expected)))
             << "frame " << frame;
-        EXPECT_EQ(PassesOf(actual).size(), 5u);
+        EXPECT_EQ(PassesOf(actual).size(), 4u);
         EXPECT_EQ(TextureCount(actual), TextureCount(expected));
         EXPECT_THAT(actual.report.notes, testing::IsEmpty());
     }

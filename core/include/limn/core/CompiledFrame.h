@@ -94,6 +94,11 @@ struct CompiledRenderPass
 
     /// Whether it has dispatches, and no attachments.
     bool isCompute() const { return colors.empty() && !depth; }
+    /// Its name and those of all samples in it, each once; passes that were recorded apart may be
+    /// one.
+    std::vector<std::string> SampleNames() const;
+    /// All of them: "Draw Opaque Objects + Outline".
+    std::string Title() const;
 };
 
 /// Where a texture lies in memory that it shares with others, which hold nothing while it does.

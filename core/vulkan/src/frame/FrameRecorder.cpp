@@ -200,7 +200,7 @@ void FrameRecorder::RecordPasses(const CompiledFrame& frame) const
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         const PreparedPass& pass = m_Prepared.passes[i];
-        m_Slot.BeginTiming(frame.passes[i].name);
+        m_Slot.BeginTiming(frame.passes[i].Title());
         RecordBarriers(commands, barriers.subspan(pass.firstBarrier, pass.barrierCount),
                        memory.subspan(pass.firstMemoryBarrier, pass.memoryBarrierCount));
         PassRecorder{m_Context, m_Resources.images, commands, frame.passes[i],
