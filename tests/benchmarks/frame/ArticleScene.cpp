@@ -67,10 +67,10 @@ void ArticleScene::AddObjects(const ArticleSettings& settings)
             settings.shape.value_or(i % 2 == 0 ? PrimitiveType::Cube : PrimitiveType::Quad)));
     }
     std::vector<std::shared_ptr<const Material>> materials;
+    const auto lit = FindShippedShader("Universal Render Pipeline/Lit", m_Compiler);
     for (int i = 0; i < settings.materials; ++i)
     {
-        auto material = std::make_shared<Material>(
-            FindShippedShader("Universal Render Pipeline/Lit", m_Compiler));
+        auto material = std::make_shared<Material>(lit);
         const float shade =
             0.3f + 0.7f * static_cast<float>(i + 1) / static_cast<float>(settings.materials);
         material->SetColor(ShaderPropertyId("_BaseColor"), {shade, 0.6f, 1.0f - shade, 1.0f});
