@@ -56,6 +56,7 @@ ArticleScene::ArticleScene(const ArticleSettings& settings, GraphicsDevice& devi
     m_Request.height = settings.height;
     m_Request.volumeStack = m_Stack.get();
     m_Request.compile.limitsRegions = settings.limitsRegions;
+    m_Request.compile.leavesOut = settings.leavesOut;
 }
 
 void ArticleScene::AddObjects(const ArticleSettings& settings)

@@ -22,6 +22,7 @@ struct ArticleSettings
     std::optional<PrimitiveType> shape;
     bool hasOutline = true;
     bool limitsRegions = false;
+    bool leavesOut = true; ///< see FrameCompilerOptions
 };
 
 /// The article's frame: lit objects of which every tenth is outlined, all of them in the picture.
