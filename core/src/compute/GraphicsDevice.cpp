@@ -1,7 +1,44 @@
 #include <limn/core/GraphicsDevice.h>
 
+#include <limn/core/PendingReadback.h>
+
 namespace limn
 {
+
+namespace
+{
+
+/// What was there already.
+class FinishedReadback final : public PendingReadback
+{
+public:
+    explicit FinishedReadback(Image image)
+        : PendingReadback({image.width, image.height, image.format, {}}),
+          m_Texels(std::move(image.texels))
+    {
+    }
+
+private:
+    bool isReady() override { return true; }
+    void Wait() override {}
+    std::vector<std::byte> Take() override { return std::move(m_Texels); }
+
+    std::vector<std::byte> m_Texels;
+};
+
+} // namespace
+
+std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const RenderTexture& texture)
+{
+    return std::make_shared<FinishedReadback>(ReadBack(texture));
+}
+
+std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const GraphicsBuffer& buffer)
+{
+    std::vector<std::byte> bytes = ReadBackBuffer(buffer);
+    return std::make_shared<FinishedReadback>(
+        Image{static_cast<int>(bytes.size()), 1, GraphicsFormat::R8_UNorm, std::move(bytes)});
+}
 
 std::vector<std::byte> GraphicsDevice::ReadBackBuffer(const GraphicsBuffer& buffer)
 {

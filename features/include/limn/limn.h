@@ -3,6 +3,7 @@
 // Everything a program that renders with limn needs, but for the device: add
 // <limn/vulkan/VulkanDevice.h> to draw, <limn/core/RecordingDevice.h> to test without a GPU.
 
+#include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/GltfMesh.h>

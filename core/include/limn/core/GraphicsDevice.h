@@ -10,11 +10,12 @@ namespace limn
 /// How long one pass of a frame took on the device.
 struct PassTiming
 {
-    std::string name;
+    std::string name; ///< CompiledRenderPass::Title
     double milliseconds = 0.0;
     double start = 0.0; ///< milliseconds after the frame's first pass began
 };
 
+class PendingReadback;
 class Timeline;
 
 /// Runs compiled frames. VulkanDevice draws; RecordingDevice keeps what it was given.
@@ -42,6 +43,11 @@ public:
     /// GraphicsBuffer::bytes() as the last frame left them; waits for it.
     /// @throws ContractError if no frame has used the buffer
     virtual std::vector<std::byte> ReadBackBuffer(const GraphicsBuffer& buffer);
+
+    /// The same without waiting, for AsyncGPUReadback. A device that has nothing to wait for reads
+    /// at once.
+    virtual std::shared_ptr<PendingReadback> BeginReadBack(const RenderTexture& texture);
+    virtual std::shared_ptr<PendingReadback> BeginReadBack(const GraphicsBuffer& buffer);
 
     /// How many samples a texel it draws such a texture with: at most the descriptor's msaaSamples,
     /// and at least 1. Unity: SystemInfo.GetRenderTextureSupportedMSAASampleCount.

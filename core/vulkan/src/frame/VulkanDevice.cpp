@@ -22,12 +22,28 @@ public:
           queue(context)
     {
     }
+    /// Requests end with the device.
+    ~Impl()
+    {
+        for (const auto& copy : copies)
+        {
+            copy->callback = {};
+            copy->Finish(true);
+        }
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     /// The slot for the next frame, once the GPU is done with it.
     vulkan::FrameSlot& TakeSlot(std::uint64_t structure);
     void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
     void KeepTimings(vulkan::FrameSlot& slot);
     Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
+    std::shared_ptr<vulkan::ReadBackCopy> Copy(const RenderTexture& texture,
+                                               VkImageAspectFlagBits aspect);
+    std::shared_ptr<vulkan::ReadBackCopy> Copy(const GraphicsBuffer& buffer);
+    /// Of those that are under way.
+    void FinishCopies();
 
     vulkan::VulkanContext context;
     vulkan::MemoryAllocator allocator;
@@ -41,6 +57,7 @@ public:
     TextureStates textureStates;     ///< after the last frame submitted
     std::uint64_t lastStructure = 0; ///< of that frame
     vulkan::SubmitQueue queue;
+    std::vector<std::shared_ptr<vulkan::ReadBackCopy>> copies; ///< that are under way
 };
 
 vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot(std::uint64_t structure)
@@ -92,6 +109,7 @@ VulkanDevice::~VulkanDevice() = default;
 
 void VulkanDevice::Execute(const CompiledFrame& frame)
 {
+    m_Impl->FinishCopies();
     vulkan::FrameSlot& slot = m_Impl->TakeSlot(frame.structure);
     m_Impl->resources.Sweep(m_Impl->queue.finishedNumber());
     m_Impl->Record(frame, slot);
@@ -106,12 +124,24 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
 void VulkanDevice::Wait()
 {
     m_Impl->queue.Wait(m_Impl->queue.lastNumber());
+    m_Impl->FinishCopies();
 }
 
-Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
+void VulkanDevice::Impl::FinishCopies()
+{
+    // A callback may begin others.
+    for (const auto& copy : std::vector(copies))
+    {
+        copy->Finish(false);
+    }
+    std::erase_if(copies, [](const auto& copy) { return copy->isDone(); });
+}
+
+std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const RenderTexture& texture,
+                                                               VkImageAspectFlagBits aspect)
 {
     const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";
-    const vulkan::PooledImage* image = resources.images.Find(texture);
+    vulkan::PooledImage* image = resources.images.Find(texture);
     if (image == nullptr)
     {
         throw ContractError(subject + "no frame has drawn it");
@@ -127,32 +157,59 @@ Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFl
         throw ContractError(subject + "the last pass that drew into it did not resolve its " +
                             std::to_string(image->samples) + " samples a texel");
     }
-    return Measure(
-        timeline, "wait",
-        [&] { return vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect); });
+    auto copy = vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+    image->lastUse = copy->number();
+    return copy;
 }
 
-Image VulkanDevice::ReadBack(const RenderTexture& texture)
+std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const GraphicsBuffer& buffer)
 {
-    return m_Impl->ReadBack(texture, IsDepthFormat(texture.graphicsFormat())
-                                         ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                         : VK_IMAGE_ASPECT_COLOR_BIT);
-}
-
-std::vector<std::byte> VulkanDevice::ReadBackBuffer(const GraphicsBuffer& buffer)
-{
-    const vulkan::PooledBuffer* pooled = m_Impl->resources.buffers.Find(buffer);
+    vulkan::PooledBuffer* pooled = resources.buffers.Find(buffer);
     if (pooled == nullptr)
     {
         throw ContractError("buffer '" + buffer.name() +
                             "' cannot be read back: no frame has used it");
     }
+    auto copy = vulkan::CopyToCpu(context, allocator, queue, *pooled, buffer.bytes().size());
+    pooled->lastUse = copy->number();
+    return copy;
+}
+
+Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
+{
+    return Measure(timeline, "wait", [&] { return Copy(texture, aspect)->WaitAndTake(); });
+}
+
+namespace
+{
+
+VkImageAspectFlagBits AspectOf(const RenderTexture& texture)
+{
+    return IsDepthFormat(texture.graphicsFormat()) ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                   : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+} // namespace
+
+Image VulkanDevice::ReadBack(const RenderTexture& texture)
+{
+    return m_Impl->ReadBack(texture, AspectOf(texture));
+}
+
+std::vector<std::byte> VulkanDevice::ReadBackBuffer(const GraphicsBuffer& buffer)
+{
     return Measure(m_Impl->timeline, "wait",
-                   [&]
-                   {
-                       return vulkan::CopyToCpu(m_Impl->context, m_Impl->allocator, m_Impl->queue,
-                                                *pooled, buffer.bytes().size());
-                   });
+                   [&] { return m_Impl->Copy(buffer)->WaitAndTake().texels; });
+}
+
+std::shared_ptr<PendingReadback> VulkanDevice::BeginReadBack(const RenderTexture& texture)
+{
+    return m_Impl->copies.emplace_back(m_Impl->Copy(texture, AspectOf(texture)));
+}
+
+std::shared_ptr<PendingReadback> VulkanDevice::BeginReadBack(const GraphicsBuffer& buffer)
+{
+    return m_Impl->copies.emplace_back(m_Impl->Copy(buffer));
 }
 
 double VulkanDevice::MeasureCopyBandwidth()

@@ -101,6 +101,12 @@ PooledBuffer& BufferPool::Add(const std::shared_ptr<const GraphicsBuffer>& buffe
     return m_Buffers.emplace(buffer->id(), std::move(pooled)).first->second;
 }
 
+PooledBuffer* BufferPool::Find(const GraphicsBuffer& buffer)
+{
+    const auto found = m_Buffers.find(buffer.id());
+    return found == m_Buffers.end() ? nullptr : &found->second;
+}
+
 const PooledBuffer* BufferPool::Find(const GraphicsBuffer& buffer) const
 {
     const auto found = m_Buffers.find(buffer.id());

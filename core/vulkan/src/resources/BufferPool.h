@@ -33,6 +33,7 @@ public:
     PooledBuffer& Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,
                       UploadCommands& uploads);
     /// Null if no frame has used the buffer.
+    PooledBuffer* Find(const GraphicsBuffer& buffer);
     const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
     std::vector<std::shared_ptr<const GraphicsBuffer>> UsedBy(std::uint64_t number) const;
     void Rollback(std::uint64_t number) noexcept;

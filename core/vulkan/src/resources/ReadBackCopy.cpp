@@ -1,8 +1,5 @@
 #include "resources/ReadBackCopy.h"
 
-#include "frame/FrameSlot.h"
-#include <functional>
-
 namespace limn::vulkan
 {
 
@@ -22,16 +19,23 @@ GraphicsFormat CopiedFormat(GraphicsFormat format, VkImageAspectFlagBits aspect)
     }
 }
 
-/// What was copied is there for the CPU.
-void RecordHostBarrier(VkCommandBuffer commands)
+VkMemoryBarrier2 BehindCopy(VkAccessFlags2 copied, VkPipelineStageFlags2 stages,
+                            VkAccessFlags2 access)
 {
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    RecordBarrier(commands, barrier);
+    barrier.srcAccessMask = copied;
+    barrier.dstStageMask = stages;
+    barrier.dstAccessMask = access;
+    return barrier;
+}
+
+/// What was copied is there for the CPU.
+void RecordHostBarrier(VkCommandBuffer commands)
+{
+    RecordBarrier(commands, BehindCopy(VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
+                                       VK_ACCESS_2_HOST_READ_BIT));
 }
 
 void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image& size,
@@ -47,73 +51,95 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image&
     RecordHostBarrier(commands);
 }
 
-/// Submits what `record` records and waits for it.
-void RunNow(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
-            const std::function<void(VkCommandBuffer)>& record)
+std::size_t SizeOf(const Image& shape)
 {
-    FrameSlot slot{context, allocator};
-    slot.BeginRecording(0);
-    record(slot.commands());
-    slot.EndRecording();
-    slot.Submit(queue);
-    try
-    {
-        queue.Wait(slot.number());
-    }
-    catch (...)
-    {
-        queue.WaitIdle(); // the copy may still be at it
-        throw;
-    }
+    return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) *
+           static_cast<std::size_t>(BytesPerTexel(shape.format));
 }
 
 } // namespace
 
-Image CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
-                const PooledImage& image, const RenderTexture& texture,
-                VkImageAspectFlagBits aspect)
+ReadBackCopy::ReadBackCopy(const VulkanContext& context, MemoryAllocator& allocator,
+                           SubmitQueue& queue, Image shape, const Record& record)
+    : PendingReadback(std::move(shape)), m_Queue(queue), m_Size(SizeOf(result()))
 {
-    Image result;
-    result.width = texture.width();
-    result.height = texture.height();
-    result.format = CopiedFormat(texture.graphicsFormat(), aspect);
-    const auto size = static_cast<std::size_t>(result.width) *
-                      static_cast<std::size_t>(result.height) *
-                      static_cast<std::size_t>(BytesPerTexel(result.format));
-    const Buffer buffer{
-        context.device(),    allocator,         size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-        MemoryUse::ReadBack, "read-back buffer"};
-    RunNow(context, allocator, queue,
-           [&](VkCommandBuffer commands)
-           { RecordCopy(commands, image, result, aspect, buffer.handle.get()); });
-    const std::byte* texels = buffer.memory.mapped();
-    result.texels.assign(texels, texels + size);
-    return result;
+    m_Buffer.emplace(context.device(), allocator, m_Size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                     MemoryUse::ReadBack, "read-back buffer");
+    m_Slot.emplace(context, allocator);
+    m_Slot->BeginRecording(0);
+    record(m_Slot->commands(), m_Buffer->handle.get());
+    m_Slot->EndRecording();
+    m_Slot->Submit(queue);
+    m_Number = m_Slot->number();
 }
 
-std::vector<std::byte> CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator,
-                                 SubmitQueue& queue, const PooledBuffer& buffer, std::size_t size)
+ReadBackCopy::~ReadBackCopy()
 {
-    const Buffer target{
-        context.device(),    allocator,         size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-        MemoryUse::ReadBack, "read-back buffer"};
-    RunNow(context, allocator, queue,
-           [&](VkCommandBuffer commands)
-           {
-               VkMemoryBarrier2 barrier{}; // whatever wrote it last
-               barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-               barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-               barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-               barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-               barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
-               RecordBarrier(commands, barrier);
-               const VkBufferCopy region{0, 0, size};
-               vkCmdCopyBuffer(commands, buffer.buffer.handle.get(), target.handle.get(), 1,
-                               &region);
-               RecordHostBarrier(commands);
-           });
-    const std::byte* bytes = target.memory.mapped();
-    return {bytes, bytes + size};
+    if (m_Slot)
+    {
+        m_Queue.WaitIdle(); // the copy may still be at it
+    }
+}
+
+Image ReadBackCopy::WaitAndTake()
+{
+    Wait();
+    Image image = result();
+    image.texels = Take();
+    Release();
+    return image;
+}
+
+std::vector<std::byte> ReadBackCopy::Take()
+{
+    const std::byte* bytes = m_Buffer->memory.mapped();
+    return {bytes, bytes + m_Size};
+}
+
+void ReadBackCopy::Release() noexcept
+{
+    if (hasError())
+    {
+        m_Queue.WaitIdle();
+    }
+    m_Slot.reset();
+    m_Buffer.reset();
+}
+
+std::shared_ptr<ReadBackCopy> CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator,
+                                        SubmitQueue& queue, const PooledImage& image,
+                                        const RenderTexture& texture, VkImageAspectFlagBits aspect)
+{
+    const Image shape{
+        texture.width(), texture.height(), CopiedFormat(texture.graphicsFormat(), aspect), {}};
+    return std::make_shared<ReadBackCopy>(context, allocator, queue, shape,
+                                          [&](VkCommandBuffer commands, VkBuffer target)
+                                          { RecordCopy(commands, image, shape, aspect, target); });
+}
+
+std::shared_ptr<ReadBackCopy> CopyToCpu(const VulkanContext& context, MemoryAllocator& allocator,
+                                        SubmitQueue& queue, const PooledBuffer& buffer,
+                                        std::size_t size)
+{
+    const auto record = [&](VkCommandBuffer commands, VkBuffer target)
+    {
+        VkMemoryBarrier2 barrier{}; // whatever wrote it last
+        barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+        barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+        barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
+        RecordBarrier(commands, barrier);
+        const VkBufferCopy region{0, 0, size};
+        vkCmdCopyBuffer(commands, buffer.buffer.handle.get(), target, 1, &region);
+        RecordHostBarrier(commands);
+        // Whoever writes it next knows nothing of the copy.
+        RecordBarrier(commands, BehindCopy(VK_ACCESS_2_TRANSFER_READ_BIT,
+                                           VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                           VK_ACCESS_2_MEMORY_WRITE_BIT));
+    };
+    const Image shape{static_cast<int>(size), 1, GraphicsFormat::R8_UNorm, {}};
+    return std::make_shared<ReadBackCopy>(context, allocator, queue, shape, record);
 }
 
 } // namespace limn::vulkan

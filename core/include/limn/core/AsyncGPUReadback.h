@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limn/core/Image.h>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace limn
+{
+
+class GraphicsBuffer;
+class GraphicsDevice;
+class RenderTexture;
+class PendingReadback;
+
+/// A copy from the device to the CPU that frames do not wait for. Copies of the request are the
+/// same one; it may outlive its device, which finishes it at its end.
+/// @source Unity: AsyncGPUReadbackRequest (2022.3)
+class AsyncGPUReadbackRequest
+{
+public:
+    explicit AsyncGPUReadbackRequest(std::shared_ptr<PendingReadback> pending);
+
+    /// Whether it is over, as of the last frame that was executed, Update() or WaitForCompletion().
+    bool done() const;
+    /// Whether it is over without a result: the device was lost.
+    bool hasError() const;
+    /// Looks whether it is over, and calls the callback if so. A device does that before each
+    /// frame.
+    void Update();
+    /// Returns when it is over and the callback has been called. Nothing is stopped but this
+    /// thread.
+    void WaitForCompletion();
+
+    /// The texels of a texture, top row first (Unity's begin with the bottom row), or a buffer's
+    /// elements. Lives as long as a copy of the request.
+    /// @throws ContractError if it is not over, or has an error, or is no whole number of elements
+    template <typename Element>
+    std::span<const Element> GetData() const
+    {
+        static_assert(std::is_trivially_copyable_v<Element>);
+        const std::span<const std::byte> bytes = Bytes(sizeof(Element));
+        return {reinterpret_cast<const Element*>(bytes.data()), bytes.size() / sizeof(Element)};
+    }
+    /// The texels with their format, as GraphicsDevice::ReadBack; a buffer's bytes are a row of
+    /// R8_UNorm.
+    /// @throws ContractError if it is not over, or has an error
+    const Image& image() const;
+    int width() const;                 ///< texels; of a buffer its bytes
+    int height() const;                ///< texels; of a buffer 1
+    std::size_t layerDataSize() const; ///< bytes; 0 before it is over
+
+private:
+    std::span<const std::byte> Bytes(std::size_t elementSize) const;
+
+    std::shared_ptr<PendingReadback> m_Pending;
+};
+
+/// Begins copies of what the last frame left. Unity's knows the device by itself.
+/// @source Unity: AsyncGPUReadback (2022.3)
+class AsyncGPUReadback
+{
+public:
+    using Callback = std::function<void(const AsyncGPUReadbackRequest&)>;
+
+    /// @param texture  an output of the last frame
+    /// @param callback called once, in a call of the device or of the request, also on an error
+    /// @throws ContractError if it was none
+    static AsyncGPUReadbackRequest Request(GraphicsDevice& device, const RenderTexture& texture,
+                                           Callback callback = {});
+    /// @throws ContractError if no frame has used the buffer
+    static AsyncGPUReadbackRequest Request(GraphicsDevice& device, const GraphicsBuffer& buffer,
+                                           Callback callback = {});
+};
+
+} // namespace limn
