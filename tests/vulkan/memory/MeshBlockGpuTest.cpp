@@ -146,6 +146,24 @@ TEST_F(MeshesOfABlockGpu, AreReadByShadersOfBothKinds)
     EXPECT_EQ(drawn, "1.1.21..");
 }
 
+TEST_F(MeshesOfABlockGpu, AreDrawnByTheCountsOfABufferToo)
+{
+    const auto mesh = Column(3);
+    const auto counts =
+        MakeBuffer(std::vector<std::uint32_t>{mesh->GetIndexCount(0), 1, mesh->GetIndexStart(0),
+                                              mesh->GetBaseVertex(0), 0},
+                   GraphicsBuffer::Target::IndirectArguments);
+    const auto drawn = Draw(
+        [&](CommandBuffer& cmd)
+        {
+            cmd.DrawMesh(Column(0), glm::mat4(1.0f), Colored(), 0, 0);
+            cmd.DrawMesh(mesh, glm::mat4(1.0f), Colored(), 0, 0);
+            cmd.DrawMeshInstancedIndirect(mesh, 0, Colored(), 0, counts);
+            cmd.DrawMesh(mesh, glm::mat4(1.0f), Colored(), 0, 0);
+        });
+    EXPECT_EQ(drawn, "1..3....");
+}
+
 TEST_F(MeshesOfABlockGpu, LeaveTheirPlaceToOthersWhenTheyGo)
 {
     const auto kept = Column(7);
