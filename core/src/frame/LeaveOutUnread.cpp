@@ -88,6 +88,10 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
             node->whyLeftOut = "nothing reads " + NamesOf(*node);
             continue;
         }
+        for (const SampleResolve& resolve : node->resolves)
+        {
+            read.insert(resolve.from->id());
+        }
         for (const auto& target : targets)
         {
             if (Overwrites(*node, *target))

@@ -71,6 +71,23 @@ TEST_F(ResolvedSamples, AreKeptAndNotResolvedWhereTheyAreOnlyDrawnOn)
     EXPECT_EQ(frame.passes[2].colors[0].store, StoreOp::DontCare);
 }
 
+TEST_F(ResolvedSamples, AreDrawnByAllNodesWhereTheyAreCopied)
+{
+    Begin(m_Smooth, 1);
+    const RenderTexturePtr between = test::Target("between", 8, 4);
+    m_Frame.Bind(between).Draw(2);
+    DrawOn(m_Smooth, 3);
+    const RenderTexturePtr copy = test::Target("copy", 8, 4, false, GraphicsFormat::R8_UNorm);
+    m_Frame.Bind(copy).Blit(4, {m_Smooth}, "copy");
+    const CompiledFrame frame = m_Compiler.Compile(m_Frame.Take(), {copy, between});
+    std::vector<std::string> drawn;
+    for (const CompiledRenderPass& pass : frame.passes)
+    {
+        std::ranges::copy(test::CommandsOf(pass), std::back_inserter(drawn));
+    }
+    EXPECT_THAT(drawn, testing::UnorderedElementsAre("draw 1", "draw 2", "draw 3"));
+}
+
 TEST_F(ResolvedSamples, AreKeptAndResolvedWhereTheyAreReadAndThenDrawnOn)
 {
     Begin(m_Smooth, 1);
