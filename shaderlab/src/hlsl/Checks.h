@@ -34,7 +34,4 @@ void RequireSound(const HlslSource& source);
 /// @throws AssetError  at those that are wrong
 void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals);
 
-/// "'word': a ';' is missing before it", there.
-Diagnostic MissingSemicolon(const HlslTokens& tokens, std::size_t token);
-
 } // namespace limn
