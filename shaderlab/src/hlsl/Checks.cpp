@@ -81,6 +81,47 @@ bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobal
                : false;
 }
 
+void CheckLabel(const HlslNode& label, const HlslTokens& tokens, const HlslGlobals& globals,
+                std::vector<HlslProblem>& problems)
+{
+    const HlslNode* parent = label.parent;
+    while (parent && parent->kind != HlslNodeKind::Switch)
+    {
+        parent = parent->parent;
+    }
+    const HlslNode* const variable =
+        FindNode(label, [&](const HlslNode& part) { return isVariable(part, tokens, globals); });
+    if (!parent)
+    {
+        problems.push_back({label.token, "it stands outside of a switch"});
+    }
+    else if (variable)
+    {
+        problems.push_back({variable->token, "no constant, which the value of a case has to be"});
+    }
+}
+
+void CheckGather(const HlslNode& method, const HlslTokens& tokens,
+                 std::vector<HlslProblem>& problems)
+{
+    const std::string_view name = tokens.Text(method.token);
+    const HlslType& texture = method.child->type;
+    if (texture.kind != HlslType::Kind::Object || !name.starts_with("GatherCmp"))
+    {
+        return;
+    }
+    if (texture.name.starts_with("TextureCube"))
+    {
+        problems.push_back({method.token, "of cubes limn compares no four texels at once; use "
+                                          "'SampleCmpLevelZero' for each"});
+    }
+    else if (name != "GatherCmp" && name != "GatherCmpRed")
+    {
+        problems.push_back({method.token, "a device compares the first number of a texel only; use "
+                                          "'GatherCmpRed'"});
+    }
+}
+
 constexpr std::size_t k_DeepestBrackets = 500;
 constexpr std::size_t k_DeepestOperators = 2000;
 constexpr std::size_t k_DeepestStructs = 100;
@@ -346,30 +387,18 @@ std::string DescribeDeepMacros()
     return DescribeDepth(std::to_string(k_DeepestBrackets) + " brackets");
 }
 
-void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
+void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     std::vector<HlslProblem> problems;
     for (const HlslNode& node : nodes)
     {
-        if (node.kind != HlslNodeKind::Label)
+        if (node.kind == HlslNodeKind::Label)
         {
-            continue;
+            CheckLabel(node, tokens, globals, problems);
         }
-        const HlslNode* parent = node.parent;
-        while (parent && parent->kind != HlslNodeKind::Switch)
+        else if (node.kind == HlslNodeKind::Method)
         {
-            parent = parent->parent;
-        }
-        const HlslNode* const variable =
-            FindNode(node, [&](const HlslNode& part) { return isVariable(part, tokens, globals); });
-        if (!parent)
-        {
-            problems.push_back({node.token, "it stands outside of a switch"});
-        }
-        else if (variable)
-        {
-            problems.push_back(
-                {variable->token, "no constant, which the value of a case has to be"});
+            CheckGather(node, tokens, problems);
         }
     }
     tokens.Refuse(problems);

@@ -355,7 +355,7 @@ private:
             }
         }
         m_Tokens.Refuse(parser.unended());
-        RequireLabels(m_Nodes, m_Tokens, m_Source.globals);
+        RequireSoundNodes(m_Nodes, m_Tokens, m_Source.globals);
         m_UnknownTypes = parser.unknownTypes();
     }
 

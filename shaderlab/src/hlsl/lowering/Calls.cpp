@@ -20,7 +20,11 @@ void HlslLowering::LowerCall(HlslNode& node)
             LowerArgument(*argument, function->parameters[index++]);
         }
     }
-    else if (!isMethod && m_Globals.FindCalled(node, name).empty())
+    else if (isMethod)
+    {
+        LowerGather(node);
+    }
+    else if (m_Globals.FindCalled(node, name).empty())
     {
         if ((name == "any" || name == "all") && node.child)
         {
@@ -29,6 +33,16 @@ void HlslLowering::LowerCall(HlslNode& node)
         LowerParts(node);
         LowerExponent(node);
         LowerMatrixFunction(node);
+    }
+}
+
+/// Without an offset glslang makes invalid SPIR-V of it.
+void HlslLowering::LowerGather(const HlslNode& node)
+{
+    constexpr std::size_t k_WithoutOffset = 4; // texture, sampler, place and what is compared
+    if (Text(node.token).starts_with("GatherCmp") && node.CountChildren() == k_WithoutOffset)
+    {
+        Wrap(*node.last, "", ", int2(0, 0)");
     }
 }
 

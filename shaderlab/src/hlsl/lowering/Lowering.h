@@ -58,6 +58,7 @@ private:
     std::string CastFunction(const HlslType& type);
     // Calls.cpp
     void LowerCall(HlslNode& node);
+    void LowerGather(const HlslNode& node);
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);

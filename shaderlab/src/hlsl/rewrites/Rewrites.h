@@ -37,6 +37,13 @@ void SpellEnums(HlslEditor& code);
 /// limn sets by row and column.
 void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 
+/// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
+void TakeStructsOutOfBuffers(HlslEditor& code);
+
+/// Takes namespaces away: what they declare, uniforms apart, gets a name with theirs in it. glslang
+/// finds no types in them, and no names of them that stand alone.
+void TakeNamespaces(HlslEditor& code);
+
 /// Gives `struct B : A` a copy of A's members in front of its own; glslang reads over the base.
 void CopyBaseMembers(HlslEditor& code);
 

@@ -195,6 +195,8 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
         }
     };
     rewrite(SpellEnums);
+    rewrite(TakeStructsOutOfBuffers);
+    rewrite(TakeNamespaces);
     rewrite(CopyBaseMembers);
     rewrite(TakeStaticMembers);
     rewrite(

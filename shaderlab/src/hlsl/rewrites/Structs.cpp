@@ -166,6 +166,36 @@ void TakeStaticMembers(HlslEditor& code)
     StaticTaker(code).Take();
 }
 
+void TakeStructsOutOfBuffers(HlslEditor& code)
+{
+    for (std::size_t i = 0; i < code.size(); ++i)
+    {
+        if ((code.Text(i) != "cbuffer" && code.Text(i) != "tbuffer") || !code.isWord(i + 1))
+        {
+            continue;
+        }
+        const std::size_t open = code.FindOutside(i, "{");
+        const std::size_t end = code.AfterBracket(open);
+        for (std::size_t j = open + 1; j < end; ++j)
+        {
+            const bool isNamed = code.isWord(j + 1);
+            const std::size_t members = j + (isNamed ? 2 : 1);
+            if (code.Text(j) != "struct" || code.Text(members) != "{")
+            {
+                continue;
+            }
+            const std::size_t behind = code.AfterBracket(members);
+            const std::string name =
+                isNamed ? std::string(code.Text(j + 1)) : "limn_Struct" + std::to_string(j);
+            code.Spelling(i).insert(0,
+                                    "struct " + name + " " + code.Spelled(members, behind) + "; ");
+            code.Erase(j, behind);
+            code.Spelling(j) = code.isWord(behind) ? name : "";
+            j = behind - 1;
+        }
+    }
+}
+
 void CopyBaseMembers(HlslEditor& code)
 {
     std::map<std::string_view, std::string> members; // by the name of the struct
