@@ -24,6 +24,11 @@ char ClosingOf(std::string_view open)
 void RequirePairs(const HlslTokens& tokens)
 {
     std::vector<std::size_t> open;
+    const auto failOpen = [&](std::size_t token, const std::string& where)
+    {
+        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
+                                                  "' is missing for it" + where)});
+    };
     for (std::size_t i = 0; i < tokens.size(); ++i)
     {
         const int step = tokens.Step(i);
@@ -31,30 +36,23 @@ void RequirePairs(const HlslTokens& tokens)
         {
             open.push_back(i);
         }
-        if (step >= 0)
-        {
-            continue;
-        }
-        if (open.empty())
+        else if (step < 0 && open.empty())
         {
             throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
         }
-        const char closing = ClosingOf(tokens.Text(open.back()));
-        if (tokens.Text(i)[0] != closing)
+        else if (step < 0)
         {
-            const HlslPlace place = tokens.Place(i);
-            throw AssetError({tokens.Error(
-                open.back(), std::string("a '") + closing + "' is missing for it before the '" +
-                                 std::string(tokens.Text(i)) + "' of line " +
-                                 std::to_string(place.location.line))});
+            if (tokens.Text(i)[0] != ClosingOf(tokens.Text(open.back())))
+            {
+                failOpen(open.back(), " before the '" + std::string(tokens.Text(i)) + "' of line " +
+                                          std::to_string(tokens.Place(i).location.line));
+            }
+            open.pop_back();
         }
-        open.pop_back();
     }
     if (!open.empty())
     {
-        throw AssetError(
-            {tokens.Error(open.front(), std::string("a '") + ClosingOf(tokens.Text(open.front())) +
-                                            "' is missing for it")});
+        failOpen(open.front(), "");
     }
 }
 

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 
 namespace limn
@@ -48,6 +47,7 @@ public:
           m_Tokens(source.tokens),
           m_Code(source.tokens),
           m_Lowering(m_Code, source.globals),
+          m_Resolver(source.tokens, source.globals),
           m_Reach(source.tokens, source.globals, entry)
     {
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
@@ -96,12 +96,9 @@ public:
     RewrittenHlsl Finish(const std::string& entry)
     {
         std::map<std::size_t, std::string_view> unknownNames;
-        for (const Tree& tree : m_Trees)
+        for (const HlslProblem& name : m_Resolver.unknown())
         {
-            for (const HlslProblem& name : tree.resolver->unknown())
-            {
-                unknownNames[name.token] = name.text;
-            }
+            unknownNames[name.token] = name.text;
         }
         return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_UnknownTypes,
                 unknownNames, std::move(m_Nodes)};
@@ -143,9 +140,9 @@ public:
     /// Everything that glslang takes for something else.
     void Lower()
     {
+        m_Lowering.Rename(m_Resolver, m_Nodes);
         for (const Tree& tree : m_Trees)
         {
-            m_Lowering.Rename(*tree.resolver, m_Nodes);
             m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
             if (tree.variable)
             {
@@ -308,7 +305,6 @@ private:
     {
         HlslNode* root = nullptr;
         const HlslVariable* variable = nullptr; ///< null of a body
-        std::unique_ptr<HlslResolver> resolver;
     };
 
     static bool isWritable(std::string_view type)
@@ -324,20 +320,17 @@ private:
         {
             if (function.hasBody)
             {
-                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
-                HlslNode* root = parser.ParseBlock(function.body);
-                resolver->ResolveBody(*root, function, owner);
-                m_Trees.push_back({root, nullptr, std::move(resolver)});
+                m_Trees.push_back({parser.ParseBlock(function.body), nullptr});
+                m_Resolver.ResolveBody(*m_Trees.back().root, function, owner);
             }
         };
         for (const HlslVariable& variable : m_Source.declarations.statics)
         {
             if (variable.valueToken > 0)
             {
-                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
-                HlslNode* root = parser.ParseValue(variable.valueToken, variable.valueEnd);
-                resolver->ResolveValue(*root);
-                m_Trees.push_back({root, &variable, std::move(resolver)});
+                m_Trees.push_back(
+                    {parser.ParseValue(variable.valueToken, variable.valueEnd), &variable});
+                m_Resolver.ResolveValue(*m_Trees.back().root);
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)
@@ -406,6 +399,7 @@ private:
     const HlslTokens& m_Tokens;
     HlslEditor m_Code;
     HlslLowering m_Lowering;
+    HlslResolver m_Resolver;
     const HlslReach m_Reach;
     HlslNodes m_Nodes;
     std::vector<Tree> m_Trees;
