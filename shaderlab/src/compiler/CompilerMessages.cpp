@@ -19,7 +19,7 @@ public:
     MessagePlacer(const HlslSource& source, const RewrittenHlsl& hlsl)
         : m_Source(source), m_Hlsl(hlsl)
     {
-        for (const std::size_t token : hlsl.undeclared.types)
+        for (const std::size_t token : hlsl.unknownTypes)
         {
             m_Errors.push_back({token, source.tokens.Place(token)});
         }
@@ -142,6 +142,34 @@ std::vector<Diagnostic> PlaceMessages(const std::vector<Diagnostic>& messages,
                                       const HlslSource& source, const RewrittenHlsl& hlsl)
 {
     return MessagePlacer(source, hlsl).Place(messages);
+}
+
+std::vector<Diagnostic> DescribeUndeclared(const HlslSource& source, const RewrittenHlsl& hlsl)
+{
+    std::vector<std::string_view> known = {"float",  "half",     "int",     "uint",  "bool",
+                                           "float2", "float3",   "float4",  "half2", "half3",
+                                           "half4",  "float3x3", "float4x4"};
+    for (const HlslStruct& type : source.declarations.structs)
+    {
+        known.push_back(type.name);
+    }
+    std::vector<Diagnostic> diagnostics;
+    for (const std::size_t token : hlsl.unknownTypes)
+    {
+        const std::string_view text = source.tokens.Text(token);
+        constexpr std::string_view k_Fixed = "fixed"; // of CG programs, where it is half
+        const std::string nearest = text.starts_with(k_Fixed)
+                                        ? "half" + std::string(text.substr(k_Fixed.size()))
+                                        : std::string(NearestName(text, known));
+        diagnostics.push_back(source.tokens.Error(
+            token,
+            nearest.empty() ? "unknown type" : "unknown type; did you mean '" + nearest + "'?"));
+    }
+    for (const auto& [token, problem] : hlsl.unknownNames)
+    {
+        diagnostics.push_back(source.tokens.Error(token, problem));
+    }
+    return diagnostics;
 }
 
 } // namespace limn

@@ -16,4 +16,8 @@ namespace limn
 std::vector<Diagnostic> PlaceMessages(const std::vector<Diagnostic>& messages,
                                       const HlslSource& source, const RewrittenHlsl& hlsl);
 
+/// Types and names that nobody declares, each once; the types first, each with the name that may be
+/// meant.
+std::vector<Diagnostic> DescribeUndeclared(const HlslSource& source, const RewrittenHlsl& hlsl);
+
 } // namespace limn

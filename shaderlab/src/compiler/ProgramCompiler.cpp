@@ -271,7 +271,7 @@ std::vector<std::uint32_t> BuildRewritten(const Sources& sources, const HlslSour
     catch (const AssetError& error)
     {
         std::vector<Diagnostic> found = PlaceMessages(error.diagnostics(), source, hlsl);
-        const auto undeclared = hlsl.undeclared.Describe(source.tokens, source.declarations);
+        const auto undeclared = DescribeUndeclared(source, hlsl);
         found.insert(found.end(), undeclared.begin(), undeclared.end());
         AddDiagnostics(errors, found, program, EntryOf(program, stage));
     }

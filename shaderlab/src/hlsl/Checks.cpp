@@ -15,13 +15,6 @@ namespace limn
 namespace
 {
 
-Diagnostic ErrorAt(const HlslTokens& tokens, std::size_t token, const std::string& message)
-{
-    const HlslPlace place = tokens.Place(token);
-    return {Severity::Error, place.file, place.location,
-            "'" + std::string(tokens.Text(token)) + "': " + message};
-}
-
 char ClosingOf(std::string_view open)
 {
     return open == "(" ? ')' : open == "[" ? ']' : '}';
@@ -31,6 +24,11 @@ char ClosingOf(std::string_view open)
 void RequirePairs(const HlslTokens& tokens)
 {
     std::vector<std::size_t> open;
+    const auto failOpen = [&](std::size_t token, const std::string& where)
+    {
+        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
+                                                  "' is missing for it" + where)});
+    };
     for (std::size_t i = 0; i < tokens.size(); ++i)
     {
         const int step = tokens.Step(i);
@@ -38,85 +36,88 @@ void RequirePairs(const HlslTokens& tokens)
         {
             open.push_back(i);
         }
-        if (step >= 0)
+        else if (step < 0 && open.empty())
         {
-            continue;
+            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
         }
-        if (open.empty())
+        else if (step < 0)
         {
-            throw AssetError({ErrorAt(tokens, i, "no bracket is open here that it closes")});
+            if (tokens.Text(i)[0] != ClosingOf(tokens.Text(open.back())))
+            {
+                failOpen(open.back(), " before the '" + std::string(tokens.Text(i)) + "' of line " +
+                                          std::to_string(tokens.Place(i).location.line));
+            }
+            open.pop_back();
         }
-        const char closing = ClosingOf(tokens.Text(open.back()));
-        if (tokens.Text(i)[0] != closing)
-        {
-            const HlslPlace place = tokens.Place(i);
-            throw AssetError(
-                {ErrorAt(tokens, open.back(),
-                         std::string("a '") + closing + "' is missing for it before the '" +
-                             std::string(tokens.Text(i)) + "' of line " +
-                             std::to_string(place.location.line))});
-        }
-        open.pop_back();
     }
     if (!open.empty())
     {
-        throw AssetError({ErrorAt(tokens, open.front(),
-                                  std::string("a '") + ClosingOf(tokens.Text(open.front())) +
-                                      "' is missing for it")});
+        failOpen(open.front(), "");
     }
 }
 
-/// `f().method(`, as token indices of the method's name.
-std::vector<std::size_t> MethodsOfResults(const HlslSource& source)
+/// Whether `) . method (` stands at the index.
+bool isMethodOfResult(const HlslSource& source, std::size_t index)
 {
-    const auto isText = [&](std::size_t index, std::string_view text)
-    {
-        return source.tokens.Text(index) == text;
-    };
-    std::set<std::string_view> methods;
-    for (const HlslStruct& type : source.declarations.structs)
-    {
-        for (const HlslFunction& method : type.methods)
-        {
-            methods.insert(method.name);
-        }
-    }
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i + 3 < source.tokens.size() && !methods.empty(); ++i)
-    {
-        const std::string_view name = source.tokens.Text(i + 2);
-        if (isText(i, ")") && isText(i + 1, ".") && isText(i + 3, "(") && methods.count(name) > 0)
-        {
-            found.push_back(i + 2);
-        }
-    }
-    return found;
+    const HlslTokens& tokens = source.tokens;
+    return tokens.Text(index) == ")" && tokens.Text(index + 1) == "." &&
+           tokens.Text(index + 3) == "(" &&
+           !source.globals.FindMethods(tokens.Text(index + 2)).empty();
 }
 
-/// What in an expression is known when the program runs only; null where nothing is.
-const HlslNode* FindVariable(const HlslNode& node, const HlslTokens& tokens,
-                             const HlslGlobals& globals)
+/// Whether the node's value is known when the program runs only.
+bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals)
 {
-    const bool isName = node.kind == HlslNodeKind::Name;
     const bool isConstant =
         node.local ? node.local->parent &&
                          tokens.Span(node.local->parent->first, node.local->token).find("const") !=
                              std::string_view::npos
-                   : node.variable && node.variable->Has("const");
-    const bool isCall =
-        node.kind == HlslNodeKind::Call && !globals.FindFunctions(tokens.Text(node.token)).empty();
-    if ((isName && !isConstant && (node.local || node.variable)) || isCall)
+                   : !node.variable || node.variable->Has("const");
+    return node.kind == HlslNodeKind::Name ? !isConstant
+           : node.kind == HlslNodeKind::Call
+               ? !globals.FindFunctions(tokens.Text(node.token)).empty()
+               : false;
+}
+
+void CheckLabel(const HlslNode& label, const HlslTokens& tokens, const HlslGlobals& globals,
+                std::vector<HlslProblem>& problems)
+{
+    const HlslNode* parent = label.parent;
+    while (parent && parent->kind != HlslNodeKind::Switch)
     {
-        return &node;
+        parent = parent->parent;
     }
-    for (const HlslNode* child = node.child; child; child = child->next)
+    const HlslNode* const variable =
+        FindNode(label, [&](const HlslNode& part) { return isVariable(part, tokens, globals); });
+    if (!parent)
     {
-        if (const HlslNode* found = FindVariable(*child, tokens, globals))
-        {
-            return found;
-        }
+        problems.push_back({label.token, "it stands outside of a switch"});
     }
-    return nullptr;
+    else if (variable)
+    {
+        problems.push_back({variable->token, "no constant, which the value of a case has to be"});
+    }
+}
+
+void CheckGather(const HlslNode& method, const HlslTokens& tokens,
+                 std::vector<HlslProblem>& problems)
+{
+    const std::string_view name = tokens.Text(method.token);
+    const HlslType& texture = method.child->type;
+    if (texture.kind != HlslType::Kind::Object || !name.starts_with("GatherCmp"))
+    {
+        return;
+    }
+    if (texture.name.starts_with("TextureCube"))
+    {
+        problems.push_back({method.token, "of cubes limn compares no four texels at once; use "
+                                          "'SampleCmpLevelZero' for each"});
+    }
+    else if (name != "GatherCmp" && name != "GatherCmpRed")
+    {
+        problems.push_back({method.token, "a device compares the first number of a texel only; use "
+                                          "'GatherCmpRed'"});
+    }
 }
 
 constexpr std::size_t k_DeepestBrackets = 500;
@@ -384,87 +385,41 @@ std::string DescribeDeepMacros()
     return DescribeDepth(std::to_string(k_DeepestBrackets) + " brackets");
 }
 
-void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
+void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
-    std::vector<Diagnostic> diagnostics;
+    std::vector<HlslProblem> problems;
     for (const HlslNode& node : nodes)
     {
-        if (node.kind != HlslNodeKind::Label)
+        if (node.kind == HlslNodeKind::Label)
         {
-            continue;
+            CheckLabel(node, tokens, globals, problems);
         }
-        const HlslNode* parent = node.parent;
-        while (parent && parent->kind != HlslNodeKind::Switch)
+        else if (node.kind == HlslNodeKind::Method)
         {
-            parent = parent->parent;
-        }
-        if (!parent)
-        {
-            diagnostics.push_back(ErrorAt(tokens, node.token, "it stands outside of a switch"));
-        }
-        else if (const HlslNode* variable =
-                     node.child ? FindVariable(*node.child, tokens, globals) : nullptr)
-        {
-            diagnostics.push_back(ErrorAt(tokens, variable->token,
-                                          "no constant, which the value of a case has to be"));
+            CheckGather(node, tokens, problems);
         }
     }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics));
-    }
-}
-
-Diagnostic MissingSemicolon(const HlslTokens& tokens, std::size_t token)
-{
-    return ErrorAt(tokens, token, "a ';' is missing before it");
+    tokens.Refuse(problems);
 }
 
 void RequireSound(const HlslSource& source)
 {
     RequirePairs(source.tokens);
-    std::vector<Diagnostic> diagnostics;
-    for (const std::size_t token : source.declarations.unended)
-    {
-        diagnostics.push_back(MissingSemicolon(source.tokens, token));
-    }
-    for (const std::size_t token : source.declarations.templates)
-    {
-        diagnostics.push_back(ErrorAt(source.tokens, token,
-                                      "limn reads no templates of HLSL 2021; write the function or "
-                                      "struct once for each type"));
-    }
-    for (const std::size_t token : source.declarations.interfaces)
-    {
-        diagnostics.push_back(ErrorAt(source.tokens, token,
-                                      "limn has no interfaces of HLSL; write their functions as "
-                                      "methods of the structs that have them"));
-    }
-    for (const std::size_t token : source.declarations.unknownMacros)
-    {
-        diagnostics.push_back(ErrorAt(source.tokens, token,
-                                      "unknown macro; a declaration is expected here, so define it "
-                                      "or include the file that does"));
-    }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics)); // the rest may be what is not declared by these
-    }
+    source.tokens.Refuse(source.declarations.problems); // others may come of them
+    std::vector<HlslProblem> problems;
     for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
     {
-        diagnostics.push_back(ErrorAt(source.tokens, variable->token,
-                                      "redefinition; something else has this name already"));
+        problems.push_back({variable->token, "redefinition; something else has this name already"});
     }
-    for (const std::size_t token : MethodsOfResults(source))
+    for (std::size_t i = 0; i + 3 < source.tokens.size(); ++i)
     {
-        diagnostics.push_back(ErrorAt(source.tokens, token,
-                                      "a method of what a function returns cannot be called; keep "
-                                      "the result in a variable first"));
+        if (isMethodOfResult(source, i))
+        {
+            problems.push_back({i + 2, "a method of what a function returns cannot be called; keep "
+                                       "the result in a variable first"});
+        }
     }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics));
-    }
+    source.tokens.Refuse(problems);
 }
 
 } // namespace limn

@@ -28,13 +28,12 @@ std::string DescribeDeepMacros();
 /// @throws AssetError with all of them
 void RequireSound(const HlslSource& source);
 
-/// Labels stand in a switch and are constants; glslang crashes on others.
+/// Labels stand in a switch and are constants; glslang crashes on others. `GatherCmp` is of
+/// textures that are no cubes, and of their first number.
 ///
 /// @param nodes  resolved
 /// @throws AssetError  at those that are wrong
-void RequireLabels(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals);
-
-/// "'word': a ';' is missing before it", there.
-Diagnostic MissingSemicolon(const HlslTokens& tokens, std::size_t token);
+void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens,
+                       const HlslGlobals& globals);
 
 } // namespace limn

@@ -10,6 +10,13 @@ namespace limn
 namespace
 {
 
+constexpr std::string_view k_Template =
+    "limn reads no templates of HLSL 2021; write the function or struct once for each type";
+constexpr std::string_view k_Interface = "limn has no interfaces of HLSL; write their functions as "
+                                         "methods of the structs that have them";
+constexpr std::string_view k_UnknownMacro = "unknown macro; a declaration is expected here, so "
+                                            "define it or include the file that does";
+
 /// Walks the tokens of a file once, declaration by declaration. What it does not understand it
 /// passes over: the compiler behind it judges the code.
 class DeclarationReader
@@ -39,8 +46,10 @@ private:
         return accepted;
     }
 
-    /// From an opening bracket to behind the one that closes it.
-    void SkipBalanced() { m_Index = m_Tokens.AfterBracket(m_Index); }
+    /// A token, or from an opening bracket to behind the one that closes it.
+    void Skip() { m_Index = m_Tokens.AfterBracket(m_Index); }
+    void SkipTo(std::string_view mark) { m_Index = m_Tokens.FindOutside(m_Index, mark); }
+    void Complain(std::string_view problem) { m_Result.problems.push_back({m_Index, problem}); }
     /// From a `<` to behind its `>`.
     void SkipTemplate()
     {
@@ -52,25 +61,6 @@ private:
         } while (depth > 0 && !isEnd());
     }
 
-    void SkipTo(std::string_view mark)
-    {
-        while (!isEnd() && Text() != mark)
-        {
-            if (Text() == "{")
-            {
-                SkipBalanced();
-            }
-            else if (Text() == "(")
-            {
-                SkipBalanced();
-            }
-            else
-            {
-                ++m_Index;
-            }
-        }
-    }
-
     void ReadDeclaration()
     {
         const std::size_t begin = m_Index;
@@ -78,20 +68,15 @@ private:
         while (Text() == "[")
         {
             const std::size_t first = m_Index;
-            SkipBalanced();
+            Skip();
             attributes.push_back(Span(first));
         }
-        if (Text() == "template" && Text(1) == "<")
+        const bool isTemplate = Text() == "template" && Text(1) == "<";
+        if (isTemplate || (Text() == "interface" && Text(2) == "{"))
         {
-            m_Result.templates.push_back(m_Index);
+            Complain(isTemplate ? k_Template : k_Interface);
             SkipTo("{");
-            SkipBalanced();
-        }
-        else if (Text() == "interface" && Text(2) == "{")
-        {
-            m_Result.interfaces.push_back(m_Index);
-            SkipTo("{");
-            SkipBalanced();
+            Skip();
         }
         else if (Text() == "struct" && Text(2) == "{")
         {
@@ -137,10 +122,7 @@ private:
     void ReadConstantBuffer()
     {
         const std::string_view name = Text(1);
-        while (!isEnd() && Text() != "{")
-        {
-            ++m_Index;
-        }
+        SkipTo("{");
         std::vector<HlslVariable> members = ReadMembers(nullptr);
         for (HlslVariable& member : members)
         {
@@ -166,7 +148,7 @@ private:
             }
             while (Text() == "[")
             {
-                SkipBalanced();
+                Skip();
             }
             if (SkipUnknownMacro())
             {
@@ -231,10 +213,7 @@ private:
         while (Accept("["))
         {
             const std::size_t first = m_Index;
-            while (!isEnd() && Text() != "]")
-            {
-                ++m_Index;
-            }
+            SkipTo("]");
             variable.dimensions.push_back(Span(first));
             Accept("]");
         }
@@ -244,7 +223,7 @@ private:
             ++m_Index;
             if (Text() == "(")
             {
-                SkipBalanced();
+                Skip();
             }
             else
             {
@@ -257,26 +236,10 @@ private:
             variable.valueToken = first;
             while (!isEnd() && Text() != "," && Text() != ";" && Text() != ")")
             {
-                SkipValue();
+                Skip();
             }
             variable.value = Span(first);
             variable.valueEnd = m_Index;
-        }
-    }
-
-    void SkipValue()
-    {
-        if (Text() == "(")
-        {
-            SkipBalanced();
-        }
-        else if (Text() == "{")
-        {
-            SkipBalanced();
-        }
-        else
-        {
-            ++m_Index;
         }
     }
 
@@ -309,7 +272,7 @@ private:
         }
         else if (Text() == "}" && !isEnd())
         {
-            m_Result.unended.push_back(m_Index);
+            Complain(k_MissingSemicolon);
         }
         else if (m_Index == start)
         {
@@ -324,8 +287,9 @@ private:
         {
             return false;
         }
-        m_Result.unknownMacros.push_back(m_Index++);
-        SkipBalanced();
+        Complain(k_UnknownMacro);
+        ++m_Index;
+        Skip();
         Accept(";");
         return true;
     }
@@ -395,7 +359,7 @@ private:
         function.body = m_Index;
         if (function.hasBody)
         {
-            SkipBalanced();
+            Skip();
         }
         else
         {

@@ -56,6 +56,8 @@ struct HlslStruct
     std::vector<HlslFunction> methods;
 };
 
+inline constexpr std::string_view k_MissingSemicolon = "a ';' is missing before it";
+
 /// `typedef type name;`
 struct HlslAlias
 {
@@ -72,14 +74,11 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
-    /// Tokens: each name before brackets where a declaration should be, which is a macro unknown.
-    std::vector<std::size_t> unknownMacros;
+    /// What is no declaration, or none that limn reads.
+    std::vector<HlslProblem> problems;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
-    std::vector<std::size_t> unended;      ///< tokens: each `}` before which a `;` is missing
     std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
-    std::vector<std::size_t> templates;    ///< tokens: each `template`
-    std::vector<std::size_t> interfaces;   ///< tokens: each `interface`
 
     /// The type behind a typedef; other names stay as they are.
     ///

@@ -58,6 +58,8 @@ public:
     /// Text before the first token, which may be left out.
     void Prepend(std::string_view text) { m_Prepended += text; }
 
+    /// Whether any token is spelled anew.
+    bool isEdited() const { return !m_Spelling.empty(); }
     std::string Assemble() const;
     /// For a compiler: each token is in a line of its own, which it is the number of, from 1; so
     /// messages tell the token. Of directives between tokens only pragmas stay.

@@ -72,9 +72,8 @@ HlslNode* HlslTreeParser::ReadExpression()
     HlslNode* left = ReadAssignment();
     while (Text() == "," && !isEnd())
     {
-        HlslNode* node = Make(HlslNodeKind::Binary, left->first);
+        HlslNode* node = MakeAround(HlslNodeKind::Binary, left);
         ++m_Index;
-        node->Add(left);
         node->Add(ReadAssignment());
         left = Close(node);
     }
@@ -86,9 +85,8 @@ HlslNode* HlslTreeParser::ReadAssignment()
     HlslNode* left = ReadBinary(1);
     if (Text() == "?" && !isEnd())
     {
-        HlslNode* node = Make(HlslNodeKind::Ternary, left->first);
+        HlslNode* node = MakeAround(HlslNodeKind::Ternary, left);
         ++m_Index;
-        node->Add(left);
         node->Add(ReadAssignment());
         if (Text() == ":")
         {
@@ -99,9 +97,8 @@ HlslNode* HlslTreeParser::ReadAssignment()
     }
     else if (isAssignment(Text()) && !isEnd())
     {
-        HlslNode* node = Make(HlslNodeKind::Assign, left->first);
+        HlslNode* node = MakeAround(HlslNodeKind::Assign, left);
         ++m_Index;
-        node->Add(left);
         node->Add(ReadAssignment());
         left = Close(node);
     }
@@ -118,9 +115,8 @@ HlslNode* HlslTreeParser::ReadBinary(int precedence)
         {
             break;
         }
-        HlslNode* node = Make(HlslNodeKind::Binary, left->first);
+        HlslNode* node = MakeAround(HlslNodeKind::Binary, left);
         ++m_Index;
-        node->Add(left);
         node->Add(ReadBinary(own + 1));
         left = Close(node);
     }
@@ -169,21 +165,17 @@ HlslNode* HlslTreeParser::ReadPostfix()
         if (text == "." && isWord(1))
         {
             ++m_Index;
-            node = Make(Text(1) == "(" ? HlslNodeKind::Method : HlslNodeKind::Member, value->first);
-            node->Add(value);
+            node = MakeAround(Text(1) == "(" ? HlslNodeKind::Method : HlslNodeKind::Member, value);
             ++m_Index;
             value = node->kind == HlslNodeKind::Method ? ReadArguments(node, ")") : Close(node);
         }
         else if (text == "[")
         {
-            node = Make(HlslNodeKind::Index, value->first);
-            node->Add(value);
-            value = ReadArguments(node, "]");
+            value = ReadArguments(MakeAround(HlslNodeKind::Index, value), "]");
         }
         else if (text == "++" || text == "--")
         {
-            node = Make(HlslNodeKind::Postfix, value->first);
-            node->Add(value);
+            node = MakeAround(HlslNodeKind::Postfix, value);
             ++m_Index;
             value = Close(node);
         }

@@ -44,11 +44,8 @@ bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
 {
     const auto isSame = [](const HlslVariable& left, const HlslVariable& right)
     {
-        const auto first = NumberType(left.type);
-        const auto second = NumberType(right.type);
         return left.dimensions.size() == right.dimensions.size() &&
-               (left.type == right.type ||
-                (first && second && first->Spelling() == second->Spelling()));
+               isSameType(left.type, right.type);
     };
     return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
                       b.parameters.end(), isSame);
@@ -152,23 +149,26 @@ std::span<const HlslFunction* const> HlslGlobals::FindMethods(std::string_view n
     return found == m_Methods.end() ? std::span<const HlslFunction* const>() : found->second;
 }
 
-std::vector<const HlslFunction*> HlslGlobals::FindMethods(std::string_view name,
-                                                          const HlslType& owner) const
+std::vector<const HlslFunction*> HlslGlobals::FindCalled(const HlslNode& node,
+                                                         std::string_view name) const
 {
-    const auto all = FindMethods(name);
-    const HlslStruct* type =
-        owner.kind == HlslType::Kind::Struct ? m_Declarations.FindStruct(owner.name) : nullptr;
-    std::vector<const HlslFunction*> methods;
-    for (const HlslFunction* method : all)
+    const bool isMethod = node.kind == HlslNodeKind::Method;
+    const auto functions = isMethod ? std::span<const HlslFunction* const>() : FindFunctions(name);
+    const auto all = functions.empty() ? FindMethods(name) : functions;
+    const HlslStruct* type = isMethod && node.child->type.kind == HlslType::Kind::Struct
+                                 ? m_Declarations.FindStruct(node.child->type.name)
+                                 : nullptr;
+    std::vector<const HlslFunction*> called;
+    for (const HlslFunction* function : all)
     {
-        const bool isOwn = type && !type->methods.empty() && method >= type->methods.data() &&
-                           method < type->methods.data() + type->methods.size();
+        const bool isOwn = type && !type->methods.empty() && function >= type->methods.data() &&
+                           function < type->methods.data() + type->methods.size();
         if (isOwn || !type)
         {
-            methods.push_back(method);
+            called.push_back(function);
         }
     }
-    return methods;
+    return called;
 }
 
 const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,

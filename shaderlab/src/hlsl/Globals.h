@@ -26,9 +26,8 @@ public:
     std::span<const HlslFunction* const> FindFunctions(std::string_view name) const;
     /// Methods of any struct.
     std::span<const HlslFunction* const> FindMethods(std::string_view name) const;
-    /// Those of the type; of any, where it is not known.
-    std::vector<const HlslFunction*> FindMethods(std::string_view name,
-                                                 const HlslType& owner) const;
+    /// Those that a Call or Method may mean: functions, or else methods of any struct; methods.
+    std::vector<const HlslFunction*> FindCalled(const HlslNode& node, std::string_view name) const;
 
     /// What an overload is called that differs from another one in half for float only, which
     /// glslang takes for a second definition; null of others.

@@ -1,83 +1,48 @@
 #include "hlsl/Reach.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace limn
 {
 
-namespace
-{
-
-class Finder
-{
-public:
-    Finder(const HlslTokens& tokens, const HlslDeclarations& declarations) : m_Tokens(tokens)
-    {
-        for (const HlslFunction& function : declarations.functions)
-        {
-            m_ByName[function.name].push_back(&function);
-        }
-    }
-
-    void Reach(std::string_view name, std::set<const HlslFunction*>& functions) const
-    {
-        std::vector<std::string_view> pending = {name};
-        while (!pending.empty())
-        {
-            const auto found = m_ByName.find(pending.back());
-            pending.pop_back();
-            if (found == m_ByName.end())
-            {
-                continue;
-            }
-            for (const HlslFunction* function : found->second)
-            {
-                if (!functions.insert(function).second)
-                {
-                    continue;
-                }
-                for (std::size_t i = function->begin; i < function->end; ++i)
-                {
-                    if (m_Tokens.isWord(i))
-                    {
-                        pending.push_back(m_Tokens.Text(i));
-                    }
-                }
-            }
-        }
-    }
-
-private:
-    const HlslTokens& m_Tokens;
-    std::unordered_map<std::string_view, std::vector<const HlslFunction*>> m_ByName;
-};
-
-} // namespace
-
-HlslReach::HlslReach(const HlslTokens& tokens, const HlslDeclarations& declarations,
-                     std::string_view entry)
+HlslReach::HlslReach(const HlslTokens& tokens, const HlslGlobals& globals, std::string_view entry)
     : m_Tokens(tokens), m_IsLeftOut(tokens.size(), false)
 {
-    for (const HlslFunction& function : declarations.functions)
+    for (const HlslFunction& function : globals.declarations().functions)
     {
-        std::fill(m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.begin),
-                  m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.end), true);
+        Mark(function, true);
     }
-    const Finder finder(tokens, declarations);
-    finder.Reach(entry, m_Functions);
-    for (std::size_t i = 0; i < tokens.size(); ++i)
+    std::vector<std::string_view> pending = {entry};
+    const auto addWords = [&](std::size_t first, std::size_t end)
     {
-        if (!m_IsLeftOut[i] && tokens.isWord(i))
+        for (; first < end; ++first)
         {
-            finder.Reach(tokens.Text(i), m_Functions);
+            if (tokens.isWord(first) && !m_IsLeftOut[first])
+            {
+                pending.push_back(tokens.Text(first));
+            }
+        }
+    };
+    addWords(0, tokens.size());
+    while (!pending.empty())
+    {
+        const auto functions = globals.FindFunctions(pending.back());
+        pending.pop_back();
+        for (const HlslFunction* function : functions)
+        {
+            if (m_Functions.insert(function).second)
+            {
+                Mark(*function, false);
+                addWords(function->begin, function->end);
+            }
         }
     }
-    for (const HlslFunction* function : m_Functions)
-    {
-        std::fill(m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function->begin),
-                  m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function->end), false);
-    }
+}
+
+void HlslReach::Mark(const HlslFunction& function, bool isLeftOut)
+{
+    std::fill(m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.begin),
+              m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.end), isLeftOut);
 }
 
 bool HlslReach::Names(std::string_view word) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hlsl/Declarations.h"
+#include "hlsl/Globals.h"
 
 #include <set>
 #include <string_view>
@@ -14,10 +14,9 @@ namespace limn
 class HlslReach
 {
 public:
-    /// @param tokens        outlive this, as do
-    /// @param declarations  of the same text
-    HlslReach(const HlslTokens& tokens, const HlslDeclarations& declarations,
-              std::string_view entry);
+    /// @param tokens   outlive this, as do
+    /// @param globals  of the same text
+    HlslReach(const HlslTokens& tokens, const HlslGlobals& globals, std::string_view entry);
 
     const std::set<const HlslFunction*>& functions() const { return m_Functions; }
     /// By token: whether it is of a function out of reach.
@@ -26,6 +25,8 @@ public:
     bool Names(std::string_view word) const;
 
 private:
+    void Mark(const HlslFunction& function, bool isLeftOut);
+
     const HlslTokens& m_Tokens;
     std::set<const HlslFunction*> m_Functions;
     std::vector<bool> m_IsLeftOut;

@@ -12,14 +12,6 @@ namespace limn
 namespace
 {
 
-/// half is float.
-bool isSameType(std::string_view a, std::string_view b)
-{
-    const auto first = NumberType(a);
-    const auto second = NumberType(b);
-    return a == b || (first && second && first->Spelling() == second->Spelling());
-}
-
 bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
 {
     return isSameType(a.type, b.type) && a.templateArgument == b.templateArgument &&

@@ -26,14 +26,14 @@ void HlslResolver::ResolveBody(HlslNode& body, const HlslFunction& function,
     {
         Declare(parameter.name, {nullptr, &parameter, TypeOf(m_Globals.declarations(), parameter)});
     }
-    ResolveStatement(body);
+    Resolve(body);
     Close();
 }
 
 void HlslResolver::ResolveValue(HlslNode& value)
 {
     Open();
-    ResolveExpression(value);
+    Resolve(value);
     Close();
 }
 
@@ -52,53 +52,27 @@ void HlslResolver::Declare(std::string_view name, const Entry& entry)
     m_Scopes.back().push_back(name);
 }
 
-void HlslResolver::ResolveStatement(HlslNode& node)
+void HlslResolver::Resolve(HlslNode& node)
 {
-    switch (node.kind)
+    const bool isBlock = node.kind == HlslNodeKind::Block;
+    if (isBlock)
     {
-    case HlslNodeKind::Block:
         Open();
-        for (HlslNode* child = node.child; child; child = child->next)
-        {
-            ResolveStatement(*child);
-        }
-        Close();
-        break;
-    case HlslNodeKind::Declaration:
-        ResolveDeclaration(node);
-        break;
-    case HlslNodeKind::For:
-        ResolveFor(node);
-        break;
-    case HlslNodeKind::If:
-    case HlslNodeKind::While:
-    case HlslNodeKind::Do:
-    case HlslNodeKind::Switch:
-    case HlslNodeKind::Label:
-    case HlslNodeKind::Return:
-    case HlslNodeKind::Expression:
-        for (HlslNode* child = node.child; child; child = child->next)
-        {
-            ResolveStatement(*child);
-        }
-        break;
-    default:
-        ResolveExpression(node);
-        break;
     }
-}
-
-void HlslResolver::ResolveFor(HlslNode& node)
-{
     for (HlslNode* child = node.child; child; child = child->next)
     {
-        ResolveStatement(*child);
+        Resolve(*child);
     }
-    if (!node.child || node.child->kind != HlslNodeKind::Declaration)
+    if (isBlock)
     {
-        return;
+        Close();
     }
-    for (HlslNode* name = node.child->child; name; name = name->next)
+    ResolveType(node);
+}
+
+void HlslResolver::EndLoop(const HlslNode& loop)
+{
+    for (HlslNode* name = loop.child ? loop.child->child : nullptr; name; name = name->next)
     {
         if (name->kind == HlslNodeKind::Declarator)
         {
@@ -110,27 +84,19 @@ void HlslResolver::ResolveFor(HlslNode& node)
     }
 }
 
-void HlslResolver::ResolveDeclaration(HlslNode& node)
+void HlslResolver::DeclareLocal(HlslNode& declarator)
 {
-    for (HlslNode* child = node.child; child; child = child->next)
+    const std::string_view name = m_Tokens.Text(declarator.token);
+    for (std::uint32_t i = declarator.token + 1; i < declarator.end; ++i)
     {
-        if (child->kind != HlslNodeKind::Declarator)
+        // Its own value names another one: glslang takes it for the new.
+        if (m_Tokens.Text(i) == name && m_Tokens.Text(i - 1) != ".")
         {
-            continue;
+            Rename(declarator);
+            break;
         }
-        ResolveChildren(*child);
-        const std::string_view name = m_Tokens.Text(child->token);
-        for (std::uint32_t i = child->token + 1; i < child->end; ++i)
-        {
-            // Its own value names another one: glslang takes it for the new.
-            if (m_Tokens.Text(i) == name && m_Tokens.Text(i - 1) != ".")
-            {
-                Rename(*child);
-                break;
-            }
-        }
-        Declare(name, {child, nullptr, child->type});
     }
+    Declare(name, {&declarator, nullptr, declarator.type});
 }
 
 void HlslResolver::Rename(HlslNode& declarator)
@@ -141,50 +107,27 @@ void HlslResolver::Rename(HlslNode& declarator)
     }
 }
 
-void HlslResolver::ResolveChildren(HlslNode& node)
+void HlslResolver::ResolveType(HlslNode& node)
 {
-    for (HlslNode* child = node.child; child; child = child->next)
-    {
-        ResolveExpression(*child);
-    }
-}
-
-void HlslResolver::ResolveExpression(HlslNode& node)
-{
-    ResolveChildren(node);
     const auto first = [&]
     {
         return node.child ? node.child->type : HlslType();
     };
-    const auto arguments = [&](HlslNode* child)
-    {
-        std::vector<HlslType> types;
-        for (; child; child = child->next)
-        {
-            types.push_back(child->type);
-        }
-        return types;
-    };
     switch (node.kind)
     {
+    case HlslNodeKind::Declarator:
+        DeclareLocal(node);
+        break;
+    case HlslNodeKind::For:
+        EndLoop(node);
+        break;
     case HlslNodeKind::Name:
         ResolveName(node);
         break;
     case HlslNodeKind::Call:
-        node.type = CallType(node, arguments(node.child));
-        break;
     case HlslNodeKind::Method:
-    {
-        const std::string_view name = m_Tokens.Text(node.token);
-        const auto methods = m_Globals.FindMethods(name, first());
-        const auto types = arguments(node.child->next);
-        const HlslFunction* method = ChooseOverload(m_Globals.declarations(), methods, types);
-        node.type =
-            first().kind == HlslType::Kind::Object ? ObjectMethodType(first(), name)
-            : method ? TypeOf(m_Globals.declarations(), method->returnType, method->returnArgument)
-                     : HlslType();
+        node.type = CallType(node);
         break;
-    }
     case HlslNodeKind::Member:
         node.type = MemberType(node);
         break;
@@ -252,12 +195,22 @@ const HlslResolver::Entry& HlslResolver::Meant(const std::vector<Entry>& entries
     return isOther ? *lasting : entries.back();
 }
 
-HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> arguments)
+HlslType HlslResolver::CallType(HlslNode& node)
 {
     const std::string_view name = m_Tokens.Text(node.token);
-    auto functions = m_Globals.FindFunctions(name);
-    functions = functions.empty() ? m_Globals.FindMethods(name) : functions;
-    if (functions.empty())
+    const bool isMethod = node.kind == HlslNodeKind::Method;
+    if (isMethod && node.child->type.kind == HlslType::Kind::Object)
+    {
+        return ObjectMethodType(node.child->type, name);
+    }
+    std::vector<HlslType> arguments;
+    for (const HlslNode* child = isMethod ? node.child->next : node.child; child;
+         child = child->next)
+    {
+        arguments.push_back(child->type);
+    }
+    const auto functions = m_Globals.FindCalled(node, name);
+    if (functions.empty() && !isMethod)
     {
         if (!isIntrinsic(name))
         {
@@ -265,10 +218,10 @@ HlslType HlslResolver::CallType(const HlslNode& node, std::span<const HlslType> 
         }
         return IntrinsicType(name, arguments);
     }
-    const HlslFunction* function = ChooseOverload(m_Globals.declarations(), functions, arguments);
-    return function
-               ? TypeOf(m_Globals.declarations(), function->returnType, function->returnArgument)
-               : HlslType();
+    node.function = ChooseOverload(m_Globals.declarations(), functions, arguments);
+    return node.function ? TypeOf(m_Globals.declarations(), node.function->returnType,
+                                  node.function->returnArgument)
+                         : HlslType();
 }
 
 HlslType HlslResolver::MemberType(const HlslNode& node)

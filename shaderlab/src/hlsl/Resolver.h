@@ -32,13 +32,9 @@ public:
     /// another one of the same name.
     const std::vector<HlslNode*>& renamed() const { return m_Renamed; }
 
-    struct Unknown
-    {
-        std::size_t token = 0;
-        std::string_view problem; ///< in glslang's words, which stops at the first
-    };
     /// Names of variables, functions and members that nobody declares.
-    const std::vector<Unknown>& unknown() const { return m_Unknown; }
+    /// In glslang's words, which stops at the first.
+    const std::vector<HlslProblem>& unknown() const { return m_Unknown; }
 
 private:
     struct Entry
@@ -52,15 +48,14 @@ private:
     void Open() { m_Scopes.emplace_back(); }
     void Close();
     void Declare(std::string_view name, const Entry& entry);
-    void ResolveStatement(HlslNode& node);
-    void ResolveFor(HlslNode& node);
-    void ResolveDeclaration(HlslNode& node);
-    void ResolveChildren(HlslNode& node);
-    void ResolveExpression(HlslNode& node);
+    void Resolve(HlslNode& node);
+    void ResolveType(HlslNode& node);
+    void EndLoop(const HlslNode& loop);
+    void DeclareLocal(HlslNode& declarator);
     void ResolveName(HlslNode& node);
     void Rename(HlslNode& declarator);
     static const Entry& Meant(const std::vector<Entry>& entries, bool hasMembers);
-    HlslType CallType(const HlslNode& node, std::span<const HlslType> arguments);
+    HlslType CallType(HlslNode& node);
     HlslType MemberType(const HlslNode& node);
     HlslType BinaryType(const HlslNode& node) const;
     HlslType ObjectMethodType(const HlslType& object, std::string_view method) const;
@@ -71,7 +66,7 @@ private:
     std::unordered_map<std::string_view, std::vector<Entry>> m_Names;
     std::vector<std::vector<std::string_view>> m_Scopes; ///< what each declares
     std::vector<HlslNode*> m_Renamed;
-    std::vector<Unknown> m_Unknown;
+    std::vector<HlslProblem> m_Unknown;
 };
 
 } // namespace limn

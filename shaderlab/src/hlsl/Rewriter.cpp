@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 
 namespace limn
@@ -48,7 +47,8 @@ public:
           m_Tokens(source.tokens),
           m_Code(source.tokens),
           m_Lowering(m_Code, source.globals),
-          m_Reach(source.tokens, source.declarations, entry)
+          m_Resolver(source.tokens, source.globals),
+          m_Reach(source.tokens, source.globals, entry)
     {
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
@@ -71,12 +71,10 @@ public:
         {
             if (isWritable(object.type) && m_Reach.Names(object.name))
             {
-                const HlslPlace place = m_Tokens.Place(object.token);
-                throw UnsupportedProgramError(
-                    {Severity::Error, place.file, place.location,
-                     "'" + std::string(object.name) + "': a " + std::string(object.type) +
-                         " can be written to, which limn does in compute shaders only; its passes "
-                         "read textures and buffers"});
+                throw UnsupportedProgramError(m_Tokens.Error(
+                    object.token, "a " + std::string(object.type) +
+                                      " can be written to, which limn does in compute shaders "
+                                      "only; its passes read textures and buffers"));
             }
         }
     }
@@ -97,15 +95,13 @@ public:
 
     RewrittenHlsl Finish(const std::string& entry)
     {
-        for (const Tree& tree : m_Trees)
+        std::map<std::size_t, std::string_view> unknownNames;
+        for (const HlslProblem& name : m_Resolver.unknown())
         {
-            for (const HlslResolver::Unknown& name : tree.resolver->unknown())
-            {
-                m_Undeclared.names[name.token] = name.problem;
-            }
+            unknownNames[name.token] = name.text;
         }
-        return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_Undeclared,
-                std::move(m_Nodes)};
+        return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_UnknownTypes,
+                unknownNames, std::move(m_Nodes)};
     }
 
     /// glslang crashes on those of bool, and has none of one row or column.
@@ -128,13 +124,11 @@ public:
             const bool isFlat = type.isMatrix() && (type.rows == 1 || type.columns == 1);
             if (type.isMatrix() && (isFlat || type.scalar == HlslScalar::Bool))
             {
-                const HlslPlace place = m_Tokens.Place(i);
                 const std::string other = isFlat ? type.As(type.components()).Spelling()
                                                  : type.Of(HlslScalar::Float).Spelling();
-                diagnostics.push_back({Severity::Error, place.file, place.location,
-                                       "'" + std::string(word) + "': limn has no matrices of " +
-                                           (isFlat ? "one row or column" : "bool") + "; use '" +
-                                           other + "'"});
+                diagnostics.push_back(m_Tokens.Error(
+                    i, std::string("limn has no matrices of ") +
+                           (isFlat ? "one row or column" : "bool") + "; use '" + other + "'"));
             }
         }
         if (!diagnostics.empty())
@@ -146,9 +140,9 @@ public:
     /// Everything that glslang takes for something else.
     void Lower()
     {
+        m_Lowering.Rename(m_Resolver, m_Nodes);
         for (const Tree& tree : m_Trees)
         {
-            m_Lowering.Rename(*tree.resolver, *tree.root);
             m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
             if (tree.variable)
             {
@@ -171,9 +165,9 @@ public:
     void CopyAssignedUniforms()
     {
         std::set<const HlslVariable*> written;
-        for (const Tree& tree : m_Trees)
+        for (const HlslNode& node : m_Nodes)
         {
-            FindWrittenUniforms(*tree.root, m_Source.tokens, m_Source.globals, written);
+            FindWrittenUniforms(node, m_Tokens, m_Source.globals, written);
         }
         for (const HlslVariable* uniform : written)
         {
@@ -311,7 +305,6 @@ private:
     {
         HlslNode* root = nullptr;
         const HlslVariable* variable = nullptr; ///< null of a body
-        std::unique_ptr<HlslResolver> resolver;
     };
 
     static bool isWritable(std::string_view type)
@@ -327,20 +320,17 @@ private:
         {
             if (function.hasBody)
             {
-                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
-                HlslNode* root = parser.ParseBlock(function.body);
-                resolver->ResolveBody(*root, function, owner);
-                m_Trees.push_back({root, nullptr, std::move(resolver)});
+                m_Trees.push_back({parser.ParseBlock(function.body), nullptr});
+                m_Resolver.ResolveBody(*m_Trees.back().root, function, owner);
             }
         };
         for (const HlslVariable& variable : m_Source.declarations.statics)
         {
             if (variable.valueToken > 0)
             {
-                auto resolver = std::make_unique<HlslResolver>(m_Tokens, m_Source.globals);
-                HlslNode* root = parser.ParseValue(variable.valueToken, variable.valueEnd);
-                resolver->ResolveValue(*root);
-                m_Trees.push_back({root, &variable, std::move(resolver)});
+                m_Trees.push_back(
+                    {parser.ParseValue(variable.valueToken, variable.valueEnd), &variable});
+                m_Resolver.ResolveValue(*m_Trees.back().root);
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)
@@ -357,41 +347,21 @@ private:
                 add(method, &owner);
             }
         }
-        RequireEnds(parser.unended());
-        RequireLabels(m_Nodes, m_Tokens, m_Source.globals);
-        m_Undeclared.types = parser.unknownTypes();
-    }
-
-    void RequireEnds(const std::vector<std::size_t>& unended) const
-    {
-        std::vector<Diagnostic> diagnostics;
-        for (const std::size_t token : unended)
-        {
-            diagnostics.push_back(MissingSemicolon(m_Tokens, token));
-        }
-        if (!diagnostics.empty())
-        {
-            throw AssetError(std::move(diagnostics));
-        }
+        m_Tokens.Refuse(parser.unended());
+        RequireSoundNodes(m_Nodes, m_Tokens, m_Source.globals);
+        m_UnknownTypes = parser.unknownTypes();
     }
 
     /// Whether the value calls a function of the author or names one of the variables.
-    bool CallsOrNames(const HlslNode& node, const std::set<const HlslVariable*>& variables) const
+    bool CallsOrNames(const HlslNode& value, const std::set<const HlslVariable*>& variables) const
     {
-        const bool isCall = node.kind == HlslNodeKind::Call &&
-                            !m_Source.globals.FindFunctions(m_Tokens.Text(node.token)).empty();
-        if (isCall || (node.kind == HlslNodeKind::Name && variables.contains(node.variable)))
+        const auto isOne = [&](const HlslNode& node)
         {
-            return true;
-        }
-        for (const HlslNode* child = node.child; child; child = child->next)
-        {
-            if (CallsOrNames(*child, variables))
-            {
-                return true;
-            }
-        }
-        return false;
+            return node.kind == HlslNodeKind::Call
+                       ? !m_Source.globals.FindFunctions(m_Tokens.Text(node.token)).empty()
+                       : node.kind == HlslNodeKind::Name && variables.contains(node.variable);
+        };
+        return FindNode(value, isOne) != nullptr;
     }
 
     /// Erases the tokens of `span`, from `token` on.
@@ -429,10 +399,11 @@ private:
     const HlslTokens& m_Tokens;
     HlslEditor m_Code;
     HlslLowering m_Lowering;
+    HlslResolver m_Resolver;
     const HlslReach m_Reach;
     HlslNodes m_Nodes;
     std::vector<Tree> m_Trees;
-    HlslUndeclared m_Undeclared;
+    std::vector<std::size_t> m_UnknownTypes;
     std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
     std::string m_Prologue;
     std::vector<std::string> m_StandIns;
@@ -466,9 +437,7 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
 {
     const auto fail = [&](const std::string& message)
     {
-        const HlslPlace place = source.tokens.Place(kernel.token);
-        throw AssetError(place.file, place.location,
-                         "'" + std::string(kernel.name) + "': " + message);
+        throw AssetError({source.tokens.Error(kernel.token, message)});
     };
     if (ThreadsOf(kernel).empty())
     {

@@ -2,10 +2,9 @@
 
 #include "hlsl/Declarations.h"
 #include "hlsl/Resolver.h"
-#include "hlsl/Undeclared.h"
 #include "stages/EntryPointWriter.h"
 
-#include <memory>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,8 +33,10 @@ struct RewrittenHlsl
     /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
     /// that name.
     std::vector<std::string> standIns;
-    /// Mistakes if the compiler finds any, which stops at the first name that it does not know.
-    HlslUndeclared undeclared;
+    /// Tokens of types and names that nobody declares, and what is said of the names. Mistakes if
+    /// the compiler finds any, which stops at the first name that it does not know.
+    std::vector<std::size_t> unknownTypes;
+    std::map<std::size_t, std::string_view> unknownNames;
     /// The expressions and statements of the source that were rewritten.
     HlslNodes nodes;
 };

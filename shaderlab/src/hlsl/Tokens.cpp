@@ -204,4 +204,24 @@ HlslPlace HlslTokens::Place(std::size_t index) const
     return place;
 }
 
+Diagnostic HlslTokens::Error(std::size_t index, std::string_view message) const
+{
+    const HlslPlace place = Place(index);
+    return {Severity::Error, place.file, place.location,
+            "'" + std::string(Text(index)) + "': " + std::string(message)};
+}
+
+void HlslTokens::Refuse(const std::vector<HlslProblem>& problems) const
+{
+    std::vector<Diagnostic> diagnostics;
+    for (const HlslProblem& problem : problems)
+    {
+        diagnostics.push_back(Error(problem.token, problem.text));
+    }
+    if (!diagnostics.empty())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+}
+
 } // namespace limn

@@ -37,6 +37,13 @@ struct HlslPlace
 };
 HlslPlace PlaceOf(std::string_view source, std::size_t offset);
 
+/// What is wrong at a token.
+struct HlslProblem
+{
+    std::size_t token = 0;
+    std::string_view text;
+};
+
 /// The tokens of a text, and which brackets belong together.
 class HlslTokens
 {
@@ -68,6 +75,10 @@ public:
     std::size_t FindOutside(std::size_t index, std::string_view mark) const;
     /// Where a token is in the author's file.
     HlslPlace Place(std::size_t index) const;
+    /// "'token': message", there.
+    Diagnostic Error(std::size_t index, std::string_view message) const;
+    /// @throws AssetError  with all problems, if there are any
+    void Refuse(const std::vector<HlslProblem>& problems) const;
 
     std::string_view source() const { return m_Source; }
     const std::vector<HlslToken>& all() const { return m_Tokens; }

@@ -62,6 +62,7 @@ struct HlslNode
     // Of a Name, by ResolveTypes(); both null where nobody declares it.
     HlslNode* local = nullptr;              ///< Declarator
     const HlslVariable* variable = nullptr; ///< a parameter, member or global
+    const HlslFunction* function = nullptr; ///< of a Call or Method: the author's that it means
 
     HlslNode* Child(std::size_t index) const;
     void Add(HlslNode* added);
@@ -70,6 +71,22 @@ struct HlslNode
 
 /// Owner of nodes, which stay where they are.
 using HlslNodes = std::deque<HlslNode>;
+
+/// The first node of a tree for which it holds; null where there is none.
+template <typename F>
+const HlslNode* FindNode(const HlslNode& root, F&& holds)
+{
+    if (holds(root))
+    {
+        return &root;
+    }
+    const HlslNode* found = nullptr;
+    for (const HlslNode* child = root.child; child && !found; child = child->next)
+    {
+        found = FindNode(*child, holds);
+    }
+    return found;
+}
 
 /// The type that a declared variable has: of a member, parameter or global.
 HlslType TypeOf(const HlslDeclarations& declarations, const HlslVariable& variable);

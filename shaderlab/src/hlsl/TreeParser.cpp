@@ -59,6 +59,13 @@ HlslNode* HlslTreeParser::Make(HlslNodeKind kind, std::size_t first)
     return &node;
 }
 
+HlslNode* HlslTreeParser::MakeAround(HlslNodeKind kind, HlslNode* operand)
+{
+    HlslNode* node = Make(kind, operand->first);
+    node->Add(operand);
+    return node;
+}
+
 HlslNode* HlslTreeParser::Close(HlslNode* node)
 {
     node->end = static_cast<std::uint32_t>(std::min(m_Index, m_End));
@@ -227,14 +234,11 @@ HlslNode* HlslTreeParser::ReadDo(std::size_t first)
 HlslNode* HlslTreeParser::ReadLabel(std::size_t first)
 {
     HlslNode* node = Make(HlslNodeKind::Label, first);
-    if (Text(0) == "case")
+    const bool isCase = Text() == "case";
+    ++m_Index;
+    if (isCase)
     {
-        ++m_Index;
         node->Add(ReadExpression());
-    }
-    else
-    {
-        ++m_Index;
     }
     m_Index += Text() == ":" ? 1 : 0;
     return Close(node);
@@ -320,7 +324,7 @@ HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
         HlslNode* value = ReadAssignment();
         if (isWord() && m_Tokens.Text(m_Index - 1) != ")") // `(type)word` may be of a type unknown
         {
-            m_Unended.push_back(m_Index);
+            m_Unended.push_back({m_Index, k_MissingSemicolon});
         }
         const bool isWhole = Text() == "," || Text() == ";" || Text() == ")";
         node->Add(isWhole ? value

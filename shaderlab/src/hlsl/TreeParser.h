@@ -24,7 +24,7 @@ public:
     HlslNode* ParseBlock(std::size_t open);
     /// Tokens of what was read that go on where a declaration ends: words before which a `;` is
     /// missing. glslang reads over that.
-    const std::vector<std::size_t>& unended() const { return m_Unended; }
+    const std::vector<HlslProblem>& unended() const { return m_Unended; }
 
     /// Tokens of what was read that stand where a type does and are none.
     const std::vector<std::size_t>& unknownTypes() const { return m_UnknownTypes; }
@@ -37,6 +37,8 @@ private:
     bool isWord(std::size_t ahead = 0) const { return m_Tokens.isWord(m_Index + ahead); }
     bool isEnd() const { return m_Index >= m_End; }
     HlslNode* Make(HlslNodeKind kind, std::size_t first);
+    /// With the operand as its first child; the parser is at the operator.
+    HlslNode* MakeAround(HlslNodeKind kind, HlslNode* operand);
     /// Where the parser is now is behind the node.
     HlslNode* Close(HlslNode* node);
     /// From one token to the one before `end`, where it goes on.
@@ -80,7 +82,7 @@ private:
     const HlslDeclarations& m_Declarations;
     HlslNodes& m_Nodes;
     std::unordered_set<std::string_view> m_TypeNames; ///< of the author, local ones as well
-    std::vector<std::size_t> m_Unended;
+    std::vector<HlslProblem> m_Unended;
     std::vector<std::size_t> m_UnknownTypes;
     std::size_t m_Index = 0;
     std::size_t m_End = 0;

@@ -164,6 +164,13 @@ std::optional<HlslType> NumberType(std::string_view word)
     return std::nullopt;
 }
 
+bool isSameType(std::string_view a, std::string_view b)
+{
+    const auto first = NumberType(a);
+    const auto second = NumberType(b);
+    return a == b || (first && second && first->Spelling() == second->Spelling());
+}
+
 bool isObjectType(std::string_view word)
 {
     static const WordList s_Starts(

@@ -68,6 +68,9 @@ struct HlslType
 /// float, half3, int2x2, min16float, dword, matrix, vector …; nothing of other words.
 std::optional<HlslType> NumberType(std::string_view word);
 
+/// Whether glslang takes the words for one type: half is float.
+bool isSameType(std::string_view a, std::string_view b);
+
 /// Whether the word names textures, samplers or buffers, of Direct3D 9 as well.
 bool isObjectType(std::string_view word);
 bool isTypeModifier(std::string_view word);

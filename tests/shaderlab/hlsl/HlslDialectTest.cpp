@@ -387,6 +387,40 @@ TEST(HlslDialect, TakesConstantObjects)
     EXPECT_EQ(pass->layout.storageBuffers.size(), 1u);
 }
 
+TEST(HlslDialect, GathersCompareFourTexels)
+{
+    const std::string declared = "Texture2D _Map; Texture2DArray _Maps; SamplerComparisonState "
+                                 "sampler_Map; float4 Of(Texture2D map, SamplerComparisonState s, "
+                                 "float2 uv) { return map.GatherCmp(s, uv, 0.25); }";
+    for (const std::string call :
+         {"_Map.GatherCmp(sampler_Map, i.uv, 0.25)", "_Map.GatherCmpRed(sampler_Map, i.uv, 0.25)",
+          "_Map.GatherCmp(sampler_Map, i.uv, 0.25, int2(1, 0))",
+          "_Maps.GatherCmp(sampler_Map, i.uv.xyx, 0.25)", "Of(_Map, sampler_Map, i.uv)"})
+    {
+        SCOPED_TRACE(call);
+        const auto pass =
+            CompileFragment(declared + "float4 frag(v2f i) : SV_Target { return " + call + "; }");
+        const std::string text = Disassemble(pass->fragmentSpirv);
+        EXPECT_THAT(text, HasSubstr("OpImageDrefGather %v4float"));
+        EXPECT_THAT(text, HasSubstr("%float_0_25 ConstOffset"));
+    }
+}
+
+TEST(HlslDialect, RefusesGathersThatCannotCompare)
+{
+    EXPECT_THAT(
+        test::CompileMessages(test::Program(
+            k_Vertex + "TextureCube _Sky;\nTexture2D _Map;\nSamplerComparisonState sampler_Map;\n"
+                       "float4 frag(v2f i) : SV_Target\n{\n"
+                       "float4 a = _Sky.GatherCmp(sampler_Map, float3(0, 1, 0), 0.5);\n"
+                       "return a + _Map.GatherCmpGreen(sampler_Map, i.uv, 0.5);\n}")),
+        ElementsAre(
+            HasSubstr("'GatherCmp': of cubes limn compares no four texels at once; use "
+                      "'SampleCmpLevelZero' for each"),
+            HasSubstr("'GatherCmpGreen': a device compares the first number of a texel only; use "
+                      "'GatherCmpRed'")));
+}
+
 TEST(HlslDialect, RefusesTexturesOfOneDimension)
 {
     EXPECT_THAT(test::CompileMessages(test::Program(

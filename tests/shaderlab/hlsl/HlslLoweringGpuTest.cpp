@@ -225,6 +225,53 @@ TEST_F(HlslDialectValues, StructsMayBeDeclaredWithTheirVariables)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, StructsMayBeDeclaredInBuffersWithTheirVariables)
+{
+    FunctionGrid grid(R"(
+        cbuffer Settings
+        {
+            float _Before;
+            struct Pair { float a, b; } _One, _Two[2];
+            struct { float c; } _Three;
+            struct Late { float d; };
+            Late _Four;
+        };
+        float Sum(Pair p) { return p.a * p.b + _Two[1].b + _Three.c + _Four.d + _Before; })");
+    grid.SetGlobal("_Before", {1});
+    grid.SetGlobal("_One.a", {2});
+    grid.SetGlobal("_One.b", {3});
+    grid.Add("Sum(_One)", k_Once, OfA([](auto&) { return 7.0; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, NamespacesHoldWhateverAFileDoes)
+{
+    FunctionGrid grid(R"(
+        float Scale(float x) { return x * 1000; }
+        namespace Inks
+        {
+            float4 _Tint;
+            enum class Kind { Dry = 3, Wet };
+            static const float k_Size = 2, k_Area = k_Size * k_Size;
+            struct Drop { float size, k_Own; static const float k_Most = 7; float Area() { return size * k_Size; } };
+            Drop Make(float size) { Drop d; d.size = size; d.k_Own = 0; return d; }
+            float Scale(float x) { return x * k_Area; }
+            namespace Thin { float Scale(float x) { return x / k_Size; } float Both(float x) { return Scale(x) + Inks::Scale(x); } }
+        }
+        namespace Pens { struct Drop { float2 ends; }; float Scale(Inks::Drop d) { Drop own; own.ends = d.size; return own.ends.y; } }
+        Inks::Drop _Unused(Inks::Drop d) { return d; }
+        float4 Call(float x)
+        {
+            Inks::Drop d = _Unused(Inks::Make(x));
+            Pens::Drop p; p.ends = 1;
+            return float4(d.Area() + Pens::Scale(d), Inks::Thin::Both(x), Scale(p.ends.x) + Inks::k_Area, Inks::Drop::k_Most + Inks::Kind::Wet + Inks::_Tint.y);
+        })");
+    grid.SetGlobal("_Tint", {0, 50, 0, 0});
+    grid.Add("Call(a.x)", k_Inputs,
+             OfA([](const glm::dvec4& a) { return glm::dvec4(3 * a.x, 4.5 * a.x, 1004, 61); }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, FunctionsAndOperatorsOfMatricesWorkOnEachElement)
 {
     FunctionGrid grid(R"(

@@ -23,6 +23,7 @@ public:
     }
 
     HlslNode& root() { return *m_Root; }
+    const HlslNodes& nodes() const { return m_Nodes; }
     const HlslResolver& resolver() const { return m_Resolver; }
 
 private:
@@ -42,7 +43,7 @@ inline std::string Lowered(const std::string& text)
         if (function.hasBody)
         {
             ResolvedBody body(source, function);
-            lowering.Rename(body.resolver(), body.root());
+            lowering.Rename(body.resolver(), body.nodes());
             lowering.Lower(body.root(), false);
         }
     }

@@ -1,7 +1,5 @@
 #include "hlsl/lowering/Lowering.h"
 
-#include <vector>
-
 namespace limn
 {
 
@@ -9,41 +7,42 @@ void HlslLowering::LowerCall(HlslNode& node)
 {
     const std::string_view name = Text(node.token);
     const bool isMethod = node.kind == HlslNodeKind::Method;
-    HlslNode* const first = isMethod ? node.child->next : node.child;
-    const std::vector<const HlslFunction*> methods =
-        isMethod ? m_Globals.FindMethods(name, node.child->type)
-                 : std::vector<const HlslFunction*>();
-    auto functions =
-        isMethod ? std::span<const HlslFunction* const>(methods) : m_Globals.FindFunctions(name);
-    functions = functions.empty() && !isMethod ? m_Globals.FindMethods(name) : functions;
-    if (functions.empty())
+    if (const HlslFunction* function = node.function)
     {
-        if (!isMethod && (name == "any" || name == "all") && first)
+        if (const std::string* spelling = m_Globals.FindSpelling(*function))
+        {
+            m_Code.Spelling(node.token) = *spelling;
+        }
+        std::size_t index = 0;
+        for (HlslNode* argument = isMethod ? node.child->next : node.child; argument;
+             argument = argument->next)
+        {
+            LowerArgument(*argument, function->parameters[index++]);
+        }
+    }
+    else if (isMethod)
+    {
+        LowerGather(node);
+    }
+    else if (m_Globals.FindCalled(node, name).empty())
+    {
+        if ((name == "any" || name == "all") && node.child)
         {
             LowerTruth(node);
         }
-        else if (!isMethod)
-        {
-            LowerParts(node);
-            LowerExponent(node);
-            LowerMatrixFunction(node);
-        }
-        return;
+        LowerParts(node);
+        LowerExponent(node);
+        LowerMatrixFunction(node);
     }
-    std::vector<HlslType> types;
-    for (const HlslNode* argument = first; argument; argument = argument->next)
+}
+
+/// Without an offset glslang makes invalid SPIR-V of it.
+void HlslLowering::LowerGather(const HlslNode& node)
+{
+    constexpr std::size_t k_WithoutOffset = 4; // texture, sampler, place and what is compared
+    if (Text(node.token).starts_with("GatherCmp") && node.CountChildren() == k_WithoutOffset)
     {
-        types.push_back(argument->type);
-    }
-    const HlslFunction* function = ChooseOverload(m_Globals.declarations(), functions, types);
-    if (const std::string* spelling = function ? m_Globals.FindSpelling(*function) : nullptr)
-    {
-        m_Code.Spelling(node.token) = *spelling;
-    }
-    std::size_t index = 0;
-    for (HlslNode* argument = first; argument && function; argument = argument->next)
-    {
-        LowerArgument(*argument, function->parameters[index++]);
+        Wrap(*node.last, "", ", int2(0, 0)");
     }
 }
 

@@ -10,16 +10,6 @@ namespace limn
 namespace
 {
 
-template <typename F>
-void ForEachNode(HlslNode& node, F&& each)
-{
-    each(node);
-    for (HlslNode* child = node.child; child; child = child->next)
-    {
-        ForEachNode(*child, each);
-    }
-}
-
 bool isOfLoop(const HlslNode& declarator)
 {
     const HlslNode* declaration = declarator.parent;
@@ -40,7 +30,7 @@ const HlslNode& StatementOf(const HlslNode& loop)
 
 } // namespace
 
-void HlslLowering::Rename(const HlslResolver& resolver, HlslNode& root)
+void HlslLowering::Rename(const HlslResolver& resolver, const HlslNodes& nodes)
 {
     if (resolver.renamed().empty())
     {
@@ -67,18 +57,17 @@ void HlslLowering::Rename(const HlslResolver& resolver, HlslNode& root)
         m_Code.Spelling(token) =
             "limn_" + std::string(Text(declarator.token)) + std::to_string(declarator.token);
     };
-    ForEachNode(root,
-                [&](HlslNode& node)
-                {
-                    if (node.kind == HlslNodeKind::Declarator && renamed.contains(&node))
-                    {
-                        spell(node, node.token);
-                    }
-                    else if (node.kind == HlslNodeKind::Name && renamed.contains(node.local))
-                    {
-                        spell(*node.local, node.token);
-                    }
-                });
+    for (const HlslNode& node : nodes)
+    {
+        if (node.kind == HlslNodeKind::Declarator && renamed.contains(&node))
+        {
+            spell(node, node.token);
+        }
+        else if (node.kind == HlslNodeKind::Name && renamed.contains(node.local))
+        {
+            spell(*node.local, node.token);
+        }
+    }
     for (const HlslNode* loop : loops)
     {
         Hoist(*loop);

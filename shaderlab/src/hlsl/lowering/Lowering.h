@@ -26,7 +26,9 @@ public:
     /// @param isInitial  in the value of something static, where glslang crashes on calls
     void Lower(HlslNode& node, bool isInitial);
     /// Gives a declared variable and what stands for it a name of its own.
-    void Rename(const HlslResolver& resolver, HlslNode& root);
+    ///
+    /// @param nodes  those that the resolver has seen, and others
+    void Rename(const HlslResolver& resolver, const HlslNodes& nodes);
     /// The value of a variable of the type, where it is a list.
     ///
     /// @param dimensions  what stands in the brackets of an array
@@ -56,6 +58,7 @@ private:
     std::string CastFunction(const HlslType& type);
     // Calls.cpp
     void LowerCall(HlslNode& node);
+    void LowerGather(const HlslNode& node);
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);
@@ -71,9 +74,9 @@ private:
     std::string m_Functions;
 };
 
-/// The uniforms that a resolved tree writes to: assigns to, in whole or in part, or hands to a
+/// Adds the uniform that a resolved node writes to: assigns to, in whole or in part, or hands to a
 /// parameter that a function gives something back by.
-void FindWrittenUniforms(const HlslNode& root, const HlslTokens& tokens, const HlslGlobals& globals,
+void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals,
                          std::set<const HlslVariable*>& written);
 
 } // namespace limn

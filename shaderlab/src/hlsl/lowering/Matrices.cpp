@@ -51,28 +51,17 @@ std::string WriteCast(const HlslType& type, const std::string& function)
     return text;
 }
 
-/// "_m03_m13" is {"_m03", "_m13"}; what it is called with is known to name elements.
-std::vector<std::string_view> MatrixElements(std::string_view word)
+/// "v._m03, v._m13" of "_m03_m13", which is known to name elements.
+std::string ElementsOf(const std::string& operand, std::string_view word)
 {
     const std::size_t size = word.starts_with("_m") ? 4 : 3;
-    std::vector<std::string_view> elements;
+    std::string elements;
     for (; word.size() >= size; word.remove_prefix(size))
     {
-        elements.push_back(word.substr(0, size));
+        elements.append(elements.empty() ? "" : ", ").append(operand).append(".");
+        elements.append(word.substr(0, size));
     }
     return elements;
-}
-
-std::string WriteSwizzle(const HlslType& from, const HlslType& to,
-                         const std::vector<std::string_view>& elements, const std::string& function)
-{
-    std::string values;
-    for (const std::string_view element : elements)
-    {
-        values.append(values.empty() ? "v." : ", v.").append(element);
-    }
-    return to.Spelling() + " " + function + "(" + from.Spelling() + " v) { return " +
-           to.Spelling() + "(" + values + "); } ";
 }
 
 /// Whether the node is written to, itself or in part.
@@ -153,24 +142,20 @@ void HlslLowering::LowerSwizzle(HlslNode& node)
         return;
     }
     const std::string_view letters = Text(node.token);
-    const std::vector<std::string_view> elements = MatrixElements(letters);
+    const std::string type = node.type.Spelling();
     const std::size_t dot = node.token - 1;
     if (!m_IsInitial)
     {
         const std::string function = "limn" + std::string(letters);
-        Need(WriteSwizzle(matrix, node.type, elements, function));
+        Need(type + " " + function + "(" + matrix.Spelling() + " v) { return " + type + "(" +
+             ElementsOf("v", letters) + "); } ");
         m_Code.Erase(dot, node.end);
         Wrap(*node.child, " " + function + "(", ")");
         return;
     }
     const std::string operand(m_Code.Span(node.first, dot));
-    std::string values;
-    for (const std::string_view element : elements)
-    {
-        values.append(values.empty() ? "" : ", ").append(operand).append(".").append(element);
-    }
     m_Code.Erase(node.first, node.end);
-    m_Code.Spelling(node.first) = node.type.Spelling() + "(" + values + ")";
+    m_Code.Spelling(node.first) = type + "(" + ElementsOf(operand, letters) + ")";
 }
 
 /// Of matrices of two sizes both count as far as the smaller goes, and `*` is of their elements: to

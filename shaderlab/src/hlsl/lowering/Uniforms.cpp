@@ -34,7 +34,7 @@ bool isGivenBack(std::span<const HlslFunction* const> functions, std::size_t ind
 
 } // namespace
 
-void FindWrittenUniforms(const HlslNode& root, const HlslTokens& tokens, const HlslGlobals& globals,
+void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals,
                          std::set<const HlslVariable*>& written)
 {
     const auto write = [&](const HlslNode& target)
@@ -46,28 +46,24 @@ void FindWrittenUniforms(const HlslNode& root, const HlslTokens& tokens, const H
             written.insert(variable.variable);
         }
     };
-    const std::string_view text = tokens.Text(root.token);
+    const std::string_view text = tokens.Text(node.token);
     const bool isStep = text == "++" || text == "--";
-    if (root.kind == HlslNodeKind::Assign ||
-        (isStep && (root.kind == HlslNodeKind::Prefix || root.kind == HlslNodeKind::Postfix)))
+    if (node.kind == HlslNodeKind::Assign ||
+        (isStep && (node.kind == HlslNodeKind::Prefix || node.kind == HlslNodeKind::Postfix)))
     {
-        write(*root.child);
+        write(*node.child);
     }
-    const bool isMethod = root.kind == HlslNodeKind::Method;
+    const bool isMethod = node.kind == HlslNodeKind::Method;
     std::size_t index = 0;
-    const HlslNode* const first = isMethod ? root.child->next : root.child;
+    const HlslNode* const first = isMethod ? node.child->next : node.child;
     for (const HlslNode* argument = first; argument; argument = argument->next, ++index)
     {
-        const bool isCall = isMethod || root.kind == HlslNodeKind::Call;
+        const bool isCall = isMethod || node.kind == HlslNodeKind::Call;
         if (isCall && (isGivenBack(globals.FindFunctions(text), index) ||
                        isGivenBack(globals.FindMethods(text), index)))
         {
             write(*argument);
         }
-    }
-    for (const HlslNode* child = root.child; child; child = child->next)
-    {
-        FindWrittenUniforms(*child, tokens, globals, written);
     }
 }
 

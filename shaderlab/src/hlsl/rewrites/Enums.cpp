@@ -15,9 +15,9 @@ namespace
 class EnumSpeller
 {
 public:
-    explicit EnumSpeller(const std::string& text) : m_Code(text) {}
+    explicit EnumSpeller(HlslEditor& code) : m_Code(code) {}
 
-    std::string Spell()
+    void Spell()
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
@@ -30,7 +30,6 @@ public:
                 SpellUse(i);
             }
         }
-        return m_Code.Assemble();
     }
 
 private:
@@ -101,19 +100,15 @@ private:
         }
     }
 
-    HlslEditor m_Code;
+    HlslEditor& m_Code;
     std::map<std::string_view, Names> m_Types; ///< by name
 };
 
 } // namespace
 
-std::string SpellEnums(std::string text)
+void SpellEnums(HlslEditor& code)
 {
-    if (text.find("enum") == text.npos)
-    {
-        return text; // as nearly always
-    }
-    return EnumSpeller(text).Spell();
+    EnumSpeller(code).Spell();
 }
 
 } // namespace limn

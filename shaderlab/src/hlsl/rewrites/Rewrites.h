@@ -25,9 +25,9 @@ namespace limn
 std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings);
 
-/// Preprocessed HLSL in which enumerators are integer constants and the types of `enum`s int, which
-/// is all that they mean; glslang does not read them. Lines stay where they are.
-std::string SpellEnums(std::string text);
+/// Makes integer constants of enumerators and int of the types of `enum`s, which is all that they
+/// mean; glslang does not read them.
+void SpellEnums(HlslEditor& code);
 
 /// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
 /// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
@@ -37,18 +37,23 @@ std::string SpellEnums(std::string text);
 /// limn sets by row and column.
 void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 
-/// Preprocessed HLSL in which `struct B : A` has a copy of A's members in front of its own, and
-/// names A no more: glslang reads over the base. Lines stay where they are.
-std::string CopyBaseMembers(std::string text);
+/// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
+void TakeStructsOutOfBuffers(HlslEditor& code);
 
-/// Preprocessed HLSL in which the static variables of structs are variables of the file, before
-/// their struct, and static methods are called by their whole name: glslang knows no such
-/// variables, and no other name of such methods. Lines stay where they are.
-std::string TakeStaticMembers(std::string text);
+/// Takes namespaces away: what they declare, uniforms apart, gets a name with theirs in it. glslang
+/// finds no types in them, and no names of them that stand alone.
+void TakeNamespaces(HlslEditor& code);
 
-/// Preprocessed HLSL in which the `uniform` parameters of entry functions are uniforms of the
-/// program, which is what they mean; in other functions they are ordinary parameters. Lines stay
-/// where they are.
-std::string TakeUniformParameters(std::string text, const std::set<std::string_view>& entries);
+/// Gives `struct B : A` a copy of A's members in front of its own; glslang reads over the base.
+void CopyBaseMembers(HlslEditor& code);
+
+/// Makes variables of the file, before their struct, of the static variables of structs, and calls
+/// static methods by their whole name: glslang knows no such variables, and no other name of such
+/// methods.
+void TakeStaticMembers(HlslEditor& code);
+
+/// Makes uniforms of the program of the `uniform` parameters of entry functions, which is what they
+/// mean; in other functions they are ordinary parameters.
+void TakeUniformParameters(HlslEditor& code, const std::set<std::string_view>& entries);
 
 } // namespace limn

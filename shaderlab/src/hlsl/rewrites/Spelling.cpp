@@ -2,6 +2,7 @@
 
 #include "hlsl/Checks.h"
 #include "hlsl/Editor.h"
+#include "hlsl/Types.h"
 #include "text/WordList.h"
 
 #include <algorithm>
@@ -24,11 +25,6 @@ const WordList k_StageModifiers("linear centroid point line triangle triangleadj
 const WordList k_TypeNames("sampler texture matrix vector string layout");
 
 const WordList k_ObjectModifiers("static uniform extern in");
-
-const WordList k_Objects(
-    "sampler sampler2D sampler3D samplerCUBE SamplerState SamplerComparisonState Texture1D "
-    "Texture2D Texture3D TextureCube Texture1DArray Texture2DArray TextureCubeArray Texture2DMS "
-    "Texture2DMSArray Buffer StructuredBuffer ByteAddressBuffer");
 
 class Speller
 {
@@ -147,7 +143,7 @@ private:
         {
             ++index;
         }
-        return k_Objects.Has(Text(index)) && (isWord(index + 1) || Text(index + 1) == "<");
+        return isObjectType(Text(index)) && (isWord(index + 1) || Text(index + 1) == "<");
     }
 
     /// `Texture2D<vector<float, 4>>`: here `>>` is no shift.
@@ -189,16 +185,26 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
 {
     auto code = std::make_unique<HlslEditor>(text, &lines);
     RequireShallow(code->tokens());
-    std::string rewritten = SpellEnums(text);
-    rewritten = CopyBaseMembers(std::move(rewritten));
-    rewritten = TakeStaticMembers(std::move(rewritten));
-    rewritten = TakeUniformParameters(
-        std::move(rewritten), {program.vertex.name, program.geometry.name, program.fragment.name});
-    if (rewritten != text) // as hardly ever
+    const auto rewrite = [&](const auto& edit)
     {
-        text = std::move(rewritten);
-        code = std::make_unique<HlslEditor>(text, &lines);
-    }
+        edit(*code);
+        if (code->isEdited()) // as hardly ever
+        {
+            text = code->Assemble();
+            code = std::make_unique<HlslEditor>(text, &lines);
+        }
+    };
+    rewrite(SpellEnums);
+    rewrite(TakeStructsOutOfBuffers);
+    rewrite(TakeNamespaces);
+    rewrite(CopyBaseMembers);
+    rewrite(TakeStaticMembers);
+    rewrite(
+        [&](HlslEditor& whole)
+        {
+            TakeUniformParameters(
+                whole, {program.vertex.name, program.geometry.name, program.fragment.name});
+        });
     TakeOldForms(*code, warnings);
     Speller(*code).Spell();
     return code->Assemble();

@@ -13,63 +13,12 @@ namespace limn
 namespace
 {
 
-/// Whether `struct name :` stands anywhere.
-bool hasBases(std::string_view text)
-{
-    constexpr std::string_view k_Struct = "struct";
-    for (std::size_t at = text.find(k_Struct); at != text.npos;
-         at = text.find(k_Struct, at + k_Struct.size()))
-    {
-        const std::size_t end = text.find_first_of("{;:", at);
-        if (end != text.npos && text[end] == ':')
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// The tokens in one line.
-std::string Join(const HlslEditor& code, std::size_t first, std::size_t end)
-{
-    std::string result;
-    for (; first < end; ++first)
-    {
-        result.append(code.Text(first)).append(" ");
-    }
-    return result;
-}
-
-/// Whether `static` stands in a struct.
-bool hasStaticMembers(std::string_view text)
-{
-    constexpr std::string_view k_Struct = "struct";
-    for (std::size_t at = text.find(k_Struct); at != text.npos; at = text.find(k_Struct, at))
-    {
-        at = std::min(text.find_first_of("{;()", at), text.size());
-        int depth = 0;
-        for (const std::size_t open = at; at < text.size(); ++at)
-        {
-            depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
-            if (depth <= 0)
-            {
-                if (text.substr(open, at - open).find("static") != text.npos)
-                {
-                    return true;
-                }
-                break;
-            }
-        }
-    }
-    return false;
-}
-
 class StaticTaker
 {
 public:
-    explicit StaticTaker(const std::string& text) : m_Code(text) {}
+    explicit StaticTaker(HlslEditor& code) : m_Code(code) {}
 
-    std::string Take()
+    void Take()
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
@@ -87,7 +36,6 @@ public:
                 Spell(i, m_Statics[type->second], i + 2);
             }
         }
-        return m_Code.Assemble();
     }
 
 private:
@@ -206,25 +154,50 @@ private:
         }
     }
 
-    HlslEditor m_Code;
+    HlslEditor& m_Code;
     std::map<std::string_view, Names> m_Statics;              ///< by struct
     std::map<std::string_view, std::string_view> m_Variables; ///< name → struct
 };
 
 } // namespace
 
-std::string TakeStaticMembers(std::string text)
+void TakeStaticMembers(HlslEditor& code)
 {
-    return hasStaticMembers(text) ? StaticTaker(text).Take() : text;
+    StaticTaker(code).Take();
 }
 
-std::string CopyBaseMembers(std::string text)
+void TakeStructsOutOfBuffers(HlslEditor& code)
 {
-    if (!hasBases(text))
+    for (std::size_t i = 0; i < code.size(); ++i)
     {
-        return text; // as nearly always
+        if ((code.Text(i) != "cbuffer" && code.Text(i) != "tbuffer") || !code.isWord(i + 1))
+        {
+            continue;
+        }
+        const std::size_t open = code.FindOutside(i, "{");
+        const std::size_t end = code.AfterBracket(open);
+        for (std::size_t j = open + 1; j < end; ++j)
+        {
+            const bool isNamed = code.isWord(j + 1);
+            const std::size_t members = j + (isNamed ? 2 : 1);
+            if (code.Text(j) != "struct" || code.Text(members) != "{")
+            {
+                continue;
+            }
+            const std::size_t behind = code.AfterBracket(members);
+            const std::string name =
+                isNamed ? std::string(code.Text(j + 1)) : "limn_Struct" + std::to_string(j);
+            code.Spelling(i).insert(0,
+                                    "struct " + name + " " + code.Spelled(members, behind) + "; ");
+            code.Erase(j, behind);
+            code.Spelling(j) = code.isWord(behind) ? name : "";
+            j = behind - 1;
+        }
     }
-    HlslEditor code(text);
+}
+
+void CopyBaseMembers(HlslEditor& code)
+{
     std::map<std::string_view, std::string> members; // by the name of the struct
     for (std::size_t i = 0; i < code.size(); ++i)
     {
@@ -239,7 +212,7 @@ std::string CopyBaseMembers(std::string text)
             continue;
         }
         std::string& own = members[code.Text(i + 1)];
-        own = Join(code, open + 1, code.AfterBracket(open) - 1);
+        own = code.Spelled(open + 1, code.AfterBracket(open) - 1);
         const auto base = hasBase ? members.find(code.Text(i + 3)) : members.end();
         if (base != members.end())
         {
@@ -248,7 +221,6 @@ std::string CopyBaseMembers(std::string text)
             code.Spelling(open) = "{ " + base->second;
         }
     }
-    return code.Assemble();
 }
 
 } // namespace limn

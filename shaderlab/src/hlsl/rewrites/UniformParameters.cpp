@@ -22,11 +22,7 @@ std::string TakeParameters(HlslEditor& code, std::size_t open, std::set<std::str
         const std::size_t end = std::min(code.FindOutside(begin, ","), close);
         if (code.Text(begin) == "uniform")
         {
-            std::string declaration;
-            for (std::size_t i = begin; i < end; ++i)
-            {
-                declaration.append(code.Text(i)).append(" ");
-            }
+            const std::string declaration = code.Spelled(begin, end);
             declarations += known.insert(declaration).second ? declaration + "; " : "";
             code.Erase(begin, end);
         }
@@ -43,13 +39,8 @@ std::string TakeParameters(HlslEditor& code, std::size_t open, std::set<std::str
 
 } // namespace
 
-std::string TakeUniformParameters(std::string text, const std::set<std::string_view>& entries)
+void TakeUniformParameters(HlslEditor& code, const std::set<std::string_view>& entries)
 {
-    if (text.find("uniform") == text.npos)
-    {
-        return text;
-    }
-    HlslEditor code(text);
     std::set<std::string> known;
     std::size_t declaration = 0;
     for (std::size_t i = 0; i < code.size();)
@@ -57,14 +48,17 @@ std::string TakeUniformParameters(std::string text, const std::set<std::string_v
         if (i > 0 && entries.count(code.Text(i)) > 0 && code.isWord(i - 1) &&
             code.Text(i + 1) == "(")
         {
-            code.Spelling(declaration).insert(0, TakeParameters(code, i + 1, known));
+            const std::string declarations = TakeParameters(code, i + 1, known);
+            if (!declarations.empty())
+            {
+                code.Spelling(declaration).insert(0, declarations);
+            }
         }
         const bool isBlock = code.Text(i) == "{";
         const bool isEnd = isBlock || code.Text(i) == ";";
         i = code.Step(i) > 0 ? code.AfterBracket(i) : i + 1;
         declaration = isEnd ? i : declaration;
     }
-    return code.Assemble();
 }
 
 } // namespace limn
