@@ -290,6 +290,98 @@ void ExpectRendererListsToBeDeclared()
     }
 }
 
+/// Rectangles, instances and objects of RasterCommandBuffer and UnsafeCommandBuffer.
+void ExpectDrawsAsOfACommandBuffer()
+{
+    GameObject object;
+    const auto quad = CreatePrimitive(PrimitiveType::Quad);
+    const std::vector<glm::mat4> matrices(3, glm::mat4(1.0f));
+    for (const bool isRaster : {true, false})
+    {
+        object.renderer = MeshRenderer{quad, {GraphMaterial()}};
+        const RenderResult result = RenderGraphOf(
+            [&](RenderGraph& graph, ContextContainer&)
+            {
+                const TextureHandle own = graph.CreateTexture(Desc("_Own"));
+                AddOwn(
+                    graph, isRaster,
+                    [&](auto& builder)
+                    {
+                        builder.SetRenderAttachment(own, 0);
+                        builder.AllowPassCulling(false);
+                    },
+                    [&](BaseCommandBuffer& cmd)
+                    {
+                        cmd.SetViewport({1, 0, 4, 2});
+                        cmd.EnableScissorRect({2, 0, 3, 1});
+                        cmd.DrawRenderer(object, GraphMaterial(), 0, 0);
+                        cmd.DrawMeshInstanced(quad, 0, GraphMaterial(), 0, matrices);
+                        object.renderer->mesh = CreatePrimitive(PrimitiveType::Cube);
+                    });
+            });
+        const auto pass = std::ranges::find_if(result.frame->passes,
+                                               [](const auto& p) { return p.name == "Own"; });
+        ASSERT_NE(pass, result.frame->passes.end());
+        std::vector<ViewportRect> viewports;
+        std::uint32_t instances = 0;
+        for (const PassCommand& command : pass->commands)
+        {
+            if (const auto* viewport = std::get_if<SetViewportCommand>(&command))
+            {
+                viewports.push_back(viewport->rect);
+            }
+            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            {
+                EXPECT_EQ(result.frame->MeshOf(*draw), quad) << "as it was when recorded";
+                EXPECT_EQ(draw->scissor, (ViewportRect{2, 0, 3, 1}));
+                instances += draw->instanceCount;
+            }
+        }
+        EXPECT_THAT(viewports, Contains(ViewportRect{1, 0, 4, 2}));
+        EXPECT_EQ(instances, 4u) << "without enableInstancing";
+    }
+}
+
+void ExpectASentenceForABufferThatThePassBeforeUses()
+{
+    using Target = GraphicsBuffer::Target;
+    const auto from =
+        std::make_shared<GraphicsBuffer>(Target::Structured | Target::CopySource, 4, 4);
+    const auto to =
+        std::make_shared<GraphicsBuffer>(Target::Structured | Target::CopyDestination, 4, 4);
+    const std::vector<std::uint32_t> numbers(4);
+    for (const bool isCompute : {true, false})
+    {
+        EXPECT_THAT(ErrorOf(
+                        [&](RenderGraph& graph, ContextContainer&)
+                        {
+                            const auto uncullable = [](auto& builder)
+                            {
+                                builder.AllowPassCulling(false);
+                            };
+                            PassData* data = nullptr;
+                            {
+                                auto builder = graph.AddUnsafePass<PassData>("Copy", data);
+                                uncullable(builder);
+                                builder.SetRenderFunc(
+                                    [&](PassData&, UnsafeGraphContext& context)
+                                    {
+                                        context.cmd.CopyBuffer(from, to);
+                                        if (!isCompute)
+                                        {
+                                            context.cmd.SetBufferData(from, numbers);
+                                        }
+                                    });
+                            }
+                            auto builder = graph.AddComputePass<PassData>("Set", data);
+                            uncullable(builder);
+                            builder.SetRenderFunc([&](PassData&, ComputeGraphContext& context)
+                                                  { context.cmd.SetBufferData(from, numbers); });
+                        }),
+                    HasSubstr("which this frame uses"));
+    }
+}
+
 void ExpectOneWayOfEachPass()
 {
     for (const bool compatibilityMode : {false, true})
@@ -357,6 +449,11 @@ DiffersChecks GraphDiffers()
             {noted, ExpectANoteForWhatIsDeclaredForNothing},
             {done, ExpectWhatIsDeclaredToBeDone},
             {lists, ExpectRendererListsToBeDeclared},
+            {OfEach({"RasterCommandBuffer", "UnsafeCommandBuffer"},
+                    {"SetViewport", "EnableScissorRect", "DrawRenderer", "DrawMeshInstanced"}),
+             ExpectDrawsAsOfACommandBuffer},
+            {OfEach({"ComputeCommandBuffer", "UnsafeCommandBuffer"}, {"SetBufferData"}),
+             ExpectASentenceForABufferThatThePassBeforeUses},
             {{"ScriptableRenderPass.RecordRenderGraph"}, ExpectOneWayOfEachPass},
             {Members("UniversalResourceData",
                      {"activeColorTexture", "activeDepthTexture", "isActiveTargetBackBuffer"}),

@@ -34,6 +34,11 @@ public:
                   RenderTargetIdentifier(BuiltinRenderTextureType::CameraTarget));
         EXPECT_EQ(renderer.cameraDepthTarget(), renderer.cameraDepthTargetHandle().nameID());
         EXPECT_EQ(renderer.rendererFeatures().size(), 1u);
+        EXPECT_EQ(data.cameraData.aspectRatio, 2.0f);
+        EXPECT_EQ(data.cameraData.pixelWidth, 8);
+        EXPECT_EQ(data.cameraData.pixelHeight, 4);
+        EXPECT_EQ(data.cameraData.cameraTargetDescriptor.width, 4) << "of renderScale 0.5";
+        EXPECT_EQ(data.cameraData.cameraTargetDescriptor.height, 2);
         EXPECT_EQ(data.volumeStack->GetComponent<DiffersComponent>()->width.value(), 2.0f)
             << "the stack is the renderingData's";
         const auto cmd = CommandBufferPool::Get();
@@ -60,6 +65,7 @@ RenderResult RenderLooking()
 {
     static RecordingDevice device;
     UniversalRenderPipeline pipeline(device);
+    pipeline.renderScale = 0.5f;
     UniversalRenderer renderer(DiffersCompiler());
     renderer.AddFeature(std::make_unique<LookingFeature>());
     Scene scene;
@@ -84,6 +90,11 @@ void ExpectPassesCalledAfterTheirClass()
 }
 
 void ExpectARendererToHaveItsTargetsWhileItRenders()
+{
+    RenderLooking(); // the pass looks
+}
+
+void ExpectACamerasPictureToBeTheFrames()
 {
     RenderLooking(); // the pass looks
 }
@@ -200,6 +211,9 @@ DiffersChecks PipelineDiffers()
                      {"cameraColorTarget", "cameraColorTargetHandle", "cameraDepthTarget",
                       "cameraDepthTargetHandle", "rendererFeatures"}),
              ExpectARendererToHaveItsTargetsWhileItRenders},
+            {Members("Camera", {"aspect", "pixelWidth", "pixelHeight", "scaledPixelWidth",
+                                "scaledPixelHeight"}),
+             ExpectACamerasPictureToBeTheFrames},
             {Members("ScriptableRenderPass",
                      {"clearColor", "clearFlag", "colorAttachmentHandle", "colorAttachmentHandles",
                       "depthAttachmentHandle", "input", "ConfigureTarget",
