@@ -47,17 +47,9 @@ void BaseCommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
     m_Native.SetProjectionMatrix(proj);
 }
 
-void CoreUtils::DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
-                               const MaterialPropertyBlock& properties, int shaderPassId)
+CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd)
 {
-    DrawFullScreen(cmd.m_Native, std::move(material), properties, shaderPassId);
-}
-
-void Blitter::BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source,
-                          const glm::vec4& scaleBias, std::shared_ptr<const Material> material,
-                          int passIndex)
-{
-    BlitTexture(cmd.m_Native, source, scaleBias, std::move(material), passIndex);
+    return cmd.m_Native;
 }
 
 CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd)

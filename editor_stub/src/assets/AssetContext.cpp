@@ -1,15 +1,16 @@
 #include <limn/editor_stub/AssetContext.h>
 
 #include "assets/GltfBufferFiles.h"
+#include "assets/References.h"
 #include "plugins/LoadPlugin.h"
 #include "scene/MaterialReader.h"
 #include "scene/ProfileContext.h"
 #include "shaders/ShaderFolders.h"
+#include "unity/TextureImporter.h"
 #include "unity/UnityProject.h"
 
 #include <algorithm>
 #include <limn/core/GltfMesh.h>
-#include <limn/core/Image.h>
 #include <limn/features/Features.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -59,15 +60,6 @@ bool isFrom(const Shader& shader, const std::filesystem::path& file)
     return std::any_of(passes.begin(), passes.end(),
                        [&](const ShaderLabPass& pass)
                        { return pass.program && pass.program->file == file; });
-}
-
-/// With mip levels, as Unity imports textures unless it is told otherwise.
-std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path)
-{
-    const Image image = ReadPng(path);
-    return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             image.format, FlipRows(image.texels, image.height),
-                                             SamplerState(), true);
 }
 
 } // namespace
@@ -190,8 +182,14 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
 std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
 {
     Reach(path);
+    const std::filesystem::path metaFile = MetaFileOf(path);
+    Reach(metaFile);
+    if (m_Roots.Contains(path) && !m_Roots.Contains(metaFile))
+    {
+        throw AssetError(metaFile.generic_string(), {}, k_OutsideRoots);
+    }
     return Cached(m_Textures, path.lexically_normal(),
-                  [&] { return ReadTexture(path.lexically_normal()); });
+                  [&] { return ImportTexture(path.lexically_normal()); });
 }
 
 std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem::path& path)
@@ -257,6 +255,10 @@ void AssetContext::Forget(const std::filesystem::path& path)
     }
     m_Meshes.erase(normal);
     m_Textures.erase(normal);
+    if (normal.extension() == ".meta")
+    {
+        m_Textures.erase(normal.parent_path() / normal.stem());
+    }
     m_Profiles.erase(normal);
     // What refers to the file in turn is quickly read again.
     m_Materials.clear();

@@ -58,6 +58,24 @@ void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics
     }
 }
 
+void ReadSorting(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
+{
+    if (const YamlNode* node = map.Find("transparencySortMode"))
+    {
+        const auto mode = ReadEnum(*node, k_TransparencySortModes,
+                                   map.SubjectOf("transparencySortMode"), diagnostics);
+        camera.transparencySortMode =
+            mode ? static_cast<TransparencySortMode>(*mode) : camera.transparencySortMode;
+    }
+    const bool hasAxis = map.Read("transparencySortAxis", camera.transparencySortAxis);
+    if (hasAxis && camera.transparencySortAxis == glm::vec3(0.0f))
+    {
+        diagnostics.Error(map.Find("transparencySortAxis")->location(),
+                          map.SubjectOf("transparencySortAxis") +
+                              ": it has no direction; a vector other than 0 is expected");
+    }
+}
+
 template <typename AnyLight>
 void ReadLightShadows(SceneMapReader& map, AnyLight& light, AssetDiagnostics& diagnostics)
 {
@@ -102,6 +120,7 @@ void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
     {
         camera.volumeTrigger = trigger;
     }
+    ReadSorting(map, camera, diagnostics);
 }
 
 void ReadStack(const YamlNode& node, SceneLoader& loader)

@@ -16,6 +16,9 @@ inline constexpr ValueRange k_LayerBits{0.0, 4294967295.0};
 inline constexpr EnumEntry k_ClearFlags[] = {
     {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
 
+inline constexpr EnumEntry k_TransparencySortModes[] = {
+    {"Default", 0}, {"Perspective", 1}, {"Orthographic", 2}, {"CustomAxis", 3}};
+
 /// Unity: UnityEngine.Rendering.Universal.MsaaQuality.
 inline constexpr EnumEntry k_MsaaQualities[] = {
     {"Disabled", 1}, {"_2x", 2}, {"_4x", 4}, {"_8x", 8}};
@@ -54,6 +57,7 @@ enum class SceneValue
     Layers, ///< a set of them
     LayerNames,
     ClearFlags,
+    TransparencySortMode,
     MsaaQuality,
     Mesh,
     ColliderType,
@@ -155,6 +159,11 @@ inline constexpr SceneKey k_FarClipPlane{"farClipPlane", Number, "", k_ClipPlane
 inline constexpr SceneKey k_CullingMask{"cullingMask", Layers};
 inline constexpr SceneKey k_VolumeLayerMask{"volumeLayerMask", Layers};
 inline constexpr SceneKey k_VolumeTrigger{"volumeTrigger", Vector};
+inline constexpr SceneKey k_TransparencySortMode{
+    "transparencySortMode", TransparencySortMode,
+    "What objects' distances are, by which they are sorted; Default is as the lens has it"};
+inline constexpr SceneKey k_TransparencySortAxis{
+    "transparencySortAxis", Vector, "Of CustomAxis: away from the viewer, in the world", k_Places};
 
 inline constexpr SceneKey k_Camera[] = {
     k_CameraPosition,
@@ -173,6 +182,8 @@ inline constexpr SceneKey k_Camera[] = {
     k_CullingMask,
     k_VolumeLayerMask,
     k_VolumeTrigger,
+    k_TransparencySortMode,
+    k_TransparencySortAxis,
     {"cameraStack", CameraStack, "Overlay cameras, which draw onto the picture in this order"}};
 
 inline constexpr SceneKey k_OverlayCamera[] = {
@@ -189,7 +200,9 @@ inline constexpr SceneKey k_OverlayCamera[] = {
      "Effects over all that is drawn so far; off unless it is set, other than the camera's own"},
     k_CullingMask,
     k_VolumeLayerMask,
-    k_VolumeTrigger};
+    k_VolumeTrigger,
+    k_TransparencySortMode,
+    k_TransparencySortAxis};
 
 inline constexpr SceneKey k_ShadowKind{"shadows", LightShadows};
 inline constexpr SceneKey k_ShadowStrength{

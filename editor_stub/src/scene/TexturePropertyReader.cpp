@@ -10,7 +10,7 @@ namespace limn
 namespace
 {
 
-/// Pictures of one size that make a texture together.
+/// Pictures of one size that make a texture together, sampled as the first one's .meta file says.
 using Slices = std::vector<std::shared_ptr<const Texture2D>>;
 
 bool isCube(TextureDimension dimension)
@@ -61,9 +61,10 @@ bool CheckCount(const YamlNode& list, const std::string& subject, TextureDimensi
     return fits;
 }
 
-/// Whether the pictures are of one size, and square where they are faces; errors say it otherwise.
-bool CheckSizes(const Slices& slices, const YamlNode& list, const std::string& subject, bool square,
-                AssetDiagnostics& diagnostics)
+/// Whether the pictures are of one size and encoding, and square where they are faces; errors say
+/// it otherwise.
+bool CheckSlices(const Slices& slices, const YamlNode& list, const std::string& subject,
+                 bool square, AssetDiagnostics& diagnostics)
 {
     const Texture2D& first = *slices.front();
     if (square && first.width() != first.height())
@@ -77,14 +78,24 @@ bool CheckSizes(const Slices& slices, const YamlNode& list, const std::string& s
     for (std::size_t i = 1; i < slices.size(); ++i)
     {
         const Texture2D& slice = *slices[i];
-        if (slice.width() != first.width() || slice.height() != first.height())
+        const auto expect = [&](bool is, const std::string& found, const std::string& expected)
         {
-            diagnostics.Error(list.items()[i].location(),
-                              subject + "[" + std::to_string(i) + "]: '" + slice.name() + "' is " +
-                                  slice.DescribeSize() + "; it must be " + first.DescribeSize() +
-                                  " as '" + first.name() + "' is");
-            fits = false;
-        }
+            if (!is)
+            {
+                diagnostics.Error(list.items()[i].location(),
+                                  subject + "[" + std::to_string(i) + "]: '" + slice.name() +
+                                      "' is " + found + "; it must be " + expected + " as '" +
+                                      first.name() + "' is");
+            }
+            fits = fits && is;
+        };
+        expect(slice.width() == first.width() && slice.height() == first.height(),
+               slice.DescribeSize(), first.DescribeSize());
+        const auto encoding = [](const Texture2D& texture)
+        {
+            return IsSRGBFormat(texture.graphicsFormat()) ? "sRGB" : "linear";
+        };
+        expect(slice.graphicsFormat() == first.graphicsFormat(), encoding(slice), encoding(first));
     }
     return fits;
 }
@@ -105,7 +116,7 @@ Slices ReadSlices(const YamlNode& list, const std::string& subject, TextureDimen
         slices.push_back(ReadPicture(item, which, references));
         fits = fits && slices.back();
     }
-    fits = fits && CheckSizes(slices, list, subject, isCube(dimension), diagnostics);
+    fits = fits && CheckSlices(slices, list, subject, isCube(dimension), diagnostics);
     return fits ? slices : Slices();
 }
 
@@ -127,7 +138,7 @@ std::shared_ptr<const Texture> MakeCubes(const Slices& slices, TextureDimension 
     if (dimension == TextureDimension::Cube)
     {
         return std::make_shared<const Cubemap>(first.name(), first.width(), first.graphicsFormat(),
-                                               FacesFrom(slices, 0));
+                                               FacesFrom(slices, 0), first.sampler());
     }
     std::vector<CubemapFaces> cubes;
     for (std::size_t i = 0; i < slices.size(); i += 6)
@@ -135,7 +146,7 @@ std::shared_ptr<const Texture> MakeCubes(const Slices& slices, TextureDimension 
         cubes.push_back(FacesFrom(slices, i));
     }
     return std::make_shared<const CubemapArray>(first.name(), first.width(), first.graphicsFormat(),
-                                                std::move(cubes));
+                                                std::move(cubes), first.sampler());
 }
 
 std::shared_ptr<const Texture> MakeStack(const Slices& slices, TextureDimension dimension)
@@ -148,9 +159,9 @@ std::shared_ptr<const Texture> MakeStack(const Slices& slices, TextureDimension 
         {
             texels.insert(texels.end(), slice->texels().begin(), slice->texels().end());
         }
-        return std::make_shared<const Texture3D>(first.name(), first.width(), first.height(),
-                                                 static_cast<int>(slices.size()),
-                                                 first.graphicsFormat(), std::move(texels));
+        return std::make_shared<const Texture3D>(
+            first.name(), first.width(), first.height(), static_cast<int>(slices.size()),
+            first.graphicsFormat(), std::move(texels), first.sampler());
     }
     std::vector<std::vector<std::byte>> elements;
     for (const std::shared_ptr<const Texture2D>& slice : slices)
@@ -158,7 +169,8 @@ std::shared_ptr<const Texture> MakeStack(const Slices& slices, TextureDimension 
         elements.push_back(slice->texels());
     }
     return std::make_shared<const Texture2DArray>(first.name(), first.width(), first.height(),
-                                                  first.graphicsFormat(), std::move(elements));
+                                                  first.graphicsFormat(), std::move(elements),
+                                                  first.sampler());
 }
 
 /// The texture of a map with a list of pictures; null, with an error, if it makes none.

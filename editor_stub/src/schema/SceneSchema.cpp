@@ -157,6 +157,8 @@ private:
             return LayerNamesSchema();
         case SceneValue::ClearFlags:
             return EnumSchema(k_ClearFlags);
+        case SceneValue::TransparencySortMode:
+            return EnumSchema(k_TransparencySortModes);
         case SceneValue::MsaaQuality:
             return EnumSchema(k_MsaaQualities);
         case SceneValue::Mesh:

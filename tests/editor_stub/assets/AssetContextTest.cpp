@@ -34,7 +34,8 @@ TEST_F(AssetContextTest, ReachesEveryFileOfASceneAndWhatItsShadersInclude)
 {
     LoadScene(folder / "s.scene.yaml", assets);
     const Paths loaded{folder / "m.bin",          folder / "m.gltf",       folder / "own.shader",
-                       folder / "p.profile.yaml", folder / "s.scene.yaml", folder / "t.png"};
+                       folder / "p.profile.yaml", folder / "s.scene.yaml", folder / "t.png",
+                       folder / "t.png.meta"}; // should there ever be one
     EXPECT_EQ(loaded, assets.reachedFiles());
     assets.LoadShader(folder / "own.shader")->Compile(0);
     EXPECT_EQ(1u, assets.reachedFiles().count(folder / "Tint.hlsl"));

@@ -131,6 +131,7 @@ inline std::string CppType(const std::string& type)
            : type == "IUnsafeRenderGraphBuilder"  ? "UnsafeRenderGraphBuilder"
            : type == "IComputeRenderGraphBuilder" ? "ComputeRenderGraphBuilder"
            : type == "Renderer"                   ? "MeshRenderer"
+           : type == "VolumeParameter"            ? "VolumeParameterT" // Unity's VolumeParameter<T>
                                                   : type;
 }
 

@@ -46,6 +46,24 @@ TEST(SceneErrors, NameABinaryFile)
               folder.ProblemsOf(png));
 }
 
+TEST(SceneErrors, NameAWrongOrderOfTransparentObjects)
+{
+    SceneFolder folder;
+    EXPECT_EQ((Lines{"2:25: camera.transparencySortMode: unknown value 'Custom' (known: Default, "
+                     "Perspective, Orthographic, CustomAxis)",
+                     "3:25: camera.transparencySortAxis: it has no direction; a vector other than "
+                     "0 is expected",
+                     "4:40: camera.cameraStack[0].transparencySortMode: 7 is none of Default 0, "
+                     "Perspective 1, Orthographic 2, CustomAxis 3"}),
+              folder.ProblemsOf("camera:\n"
+                                "  transparencySortMode: Custom\n"
+                                "  transparencySortAxis: [0, 0, 0]\n"
+                                "  cameraStack: [{transparencySortMode: 7}]\n"));
+    EXPECT_EQ((Lines{"2:25: camera.transparencySortAxis: found 'up'; 3 numbers are expected: "
+                     "[1, 2, 3]"}),
+              folder.ProblemsOf("camera:\n  transparencySortAxis: up\n"));
+}
+
 TEST(SceneErrors, NameADuplicateMaterial)
 {
     SceneFolder folder;

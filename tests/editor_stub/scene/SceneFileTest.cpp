@@ -59,7 +59,9 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
                                          "  allowMSAA: false\n"
                                          "  renderPostProcessing: false\n"
                                          "  volumeLayerMask: Everything\n"
-                                         "  volumeTrigger: [4, 5, 6]\n");
+                                         "  volumeTrigger: [4, 5, 6]\n"
+                                         "  transparencySortMode: CustomAxis\n"
+                                         "  transparencySortAxis: [0, 1, 0]\n");
     const Camera& camera = asset.camera;
     EXPECT_EQ(64, asset.width);
     EXPECT_EQ(48, asset.height);
@@ -78,6 +80,8 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
     EXPECT_FALSE(camera.renderPostProcessing);
     EXPECT_EQ(LayerMask::Everything(), camera.volumeLayerMask);
     EXPECT_EQ(glm::vec3(4, 5, 6), camera.volumeTrigger);
+    EXPECT_EQ(TransparencySortMode::CustomAxis, camera.transparencySortMode);
+    EXPECT_EQ(glm::vec3(0, 1, 0), camera.transparencySortAxis);
 }
 
 TEST(SceneFile, SaysHowManySamplesAPixelHas)

@@ -199,6 +199,11 @@ inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm:
 void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
               const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
               bool bilinear);
+inline void BlitQuad(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBiasTex,
+                     const glm::vec4& scaleBiasRT, int mipLevelTex, bool bilinear)
+{
+    BlitQuad(cmd, source.rt(), scaleBiasTex, scaleBiasRT, mipLevelTex, bilinear);
+}
 /// A colour, bilinear, and a depth, its nearest texel, over the whole of what is bound.
 /// @param sourceDepth  does not matter unless blitDepth is true
 /// @throws ContractError unless that is a depth texture; when executed, as BlitQuad
@@ -206,6 +211,12 @@ void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
 void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
                        const std::shared_ptr<const RenderTexture>& sourceDepth,
                        const glm::vec4& scaleBias, float mipLevel, bool blitDepth);
+inline void BlitColorAndDepth(CommandBuffer& cmd, const RTHandle& sourceColor,
+                              const RTHandle& sourceDepth, const glm::vec4& scaleBias,
+                              float mipLevel, bool blitDepth)
+{
+    BlitColorAndDepth(cmd, sourceColor.rt(), sourceDepth.rt(), scaleBias, mipLevel, blitDepth);
+}
 /// Binds `destination` first; scale 1, offset 0.
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,

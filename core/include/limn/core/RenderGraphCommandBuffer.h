@@ -1,12 +1,11 @@
 #pragma once
 
-#include <limn/core/CoreUtils.h>
+#include <limn/core/RenderGraphBlitter.h>
 #include <limn/core/RenderGraphResources.h>
 
 namespace limn
 {
 
-class BaseCommandBuffer;
 class RenderGraphRun;
 class UnsafeCommandBuffer;
 
@@ -19,21 +18,12 @@ CommandBuffer& GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
 
 } // namespace CommandBufferHelpers
 
-namespace CoreUtils
+namespace detail
 {
 
-void DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
-                    const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
+CommandBuffer& NativeOf(BaseCommandBuffer& cmd); ///< for Blitter and CoreUtils
 
-} // namespace CoreUtils
-
-namespace Blitter
-{
-
-void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
-                 std::shared_ptr<const Material> material, int passIndex);
-
-} // namespace Blitter
+} // namespace detail
 
 /// What all render functions may record. Calls are CommandBuffer's, which says more of them.
 /// Unity: UnityEngine.Rendering.BaseCommandBuffer (core 17).
@@ -226,10 +216,7 @@ protected:
     CommandBuffer& native() { return m_Native; }
 
 private:
-    friend void CoreUtils::DrawFullScreen(BaseCommandBuffer&, std::shared_ptr<const Material>,
-                                          const MaterialPropertyBlock&, int);
-    friend void Blitter::BlitTexture(BaseCommandBuffer&, const RTHandle&, const glm::vec4&,
-                                     std::shared_ptr<const Material>, int);
+    friend CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd);
     CommandBuffer& Globals(ShaderPropertyId id);
 
     CommandBuffer& m_Native;

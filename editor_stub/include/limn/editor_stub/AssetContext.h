@@ -58,8 +58,10 @@ public:
     std::shared_ptr<const Mesh> Primitive(PrimitiveType type);
     /// @throws AssetError as LoadGltfMesh
     std::shared_ptr<const Mesh> LoadMesh(const std::filesystem::path& path);
-    /// A PNG file, its colours sRGB, upright on a mesh.
-    /// @throws AssetError as ReadPng
+    /// A PNG file, upright on a mesh, its colours sRGB and with mip maps unless Unity's .meta file
+    /// beside it says otherwise; that one's filter, wrap modes and anisotropy.
+    /// @throws AssetError as ReadPng, for wrong values of the .meta file, and for one that a link
+    ///         has outside of the roots in which the texture lies
     std::shared_ptr<const Texture2D> LoadTexture(const std::filesystem::path& path);
     /// A .material.yaml file: what a scene writes for one of its materials.
     /// @throws AssetError with every problem of the file

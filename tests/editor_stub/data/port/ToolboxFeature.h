@@ -449,9 +449,8 @@ private:
             cmd->SetRenderTarget(camera, RenderBufferLoadAction::Load,
                                  RenderBufferStoreAction::Store, temporary,
                                  RenderBufferLoadAction::Load, RenderBufferStoreAction::DontCare);
-            RenderingUtils::SetViewAndProjectionMatrices(
-                *cmd, renderingData.cameraData.GetViewMatrix(),
-                renderingData.cameraData.GetProjectionMatrix(), false);
+            cmd->SetViewProjectionMatrices(renderingData.cameraData.GetViewMatrix(),
+                                           renderingData.cameraData.GetProjectionMatrix());
             cmd->EndSample("Toolbox");
             context.ExecuteCommandBuffer(*cmd);
             CommandBufferPool::Release(cmd);
