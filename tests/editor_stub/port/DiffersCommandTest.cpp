@@ -46,7 +46,11 @@ void ExpectCopiesWholeTexturesOfOneKind()
 
 void ExpectTheBufferGoesBackByItself()
 {
-    const CommandBuffer* first = CommandBufferPool::Get().get();
+    const CommandBuffer* first = nullptr;
+    {
+        const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+        first = cmd.get();
+    }
     EXPECT_EQ(CommandBufferPool::Get().get(), first);
 }
 
