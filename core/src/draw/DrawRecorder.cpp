@@ -223,8 +223,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
                    draw.program->layout.geometryInput, material);
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
-    draw.state = Override(
-        ResolveState(material.shader()->passState(shaderPass), material, m_Globals), stateBlock);
+    draw.state = Override(m_Resolver.StateOf(material, shaderPass, m_Globals), stateBlock);
     draw.state.offsetUnits += m_State.depthBias;
     draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);

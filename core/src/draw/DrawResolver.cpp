@@ -107,8 +107,26 @@ void DrawResolver::Begin(std::vector<std::string>& notes)
     m_Built.resize(std::exchange(m_BuiltCount, 0));
     // What the frame before did not use may be used by nobody any more.
     EraseUnused(m_Ids);
+    EraseUnused(m_States);
     EraseUnused(m_Shared);
     EraseUnused(m_Bound);
+}
+
+PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
+                                    const MaterialPropertyBlock& globals)
+{
+    m_HasResolved = true;
+    KnownState& known = m_States[{shaderPass, material.id()}];
+    if (!known.isKnown || known.materialVersion != material.version())
+    {
+        bool readsGlobals = false;
+        known.state = ResolveState(material.shader()->passState(shaderPass), material, globals,
+                                   &readsGlobals);
+        known.isKnown = !readsGlobals;
+        known.materialVersion = material.version();
+    }
+    known.isUsed = true;
+    return known.state;
 }
 
 std::shared_ptr<const DrawBindings>
@@ -118,7 +136,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
 {
     m_HasResolved = true;
     const Material& material = *sources.material;
-    const ProgramIds& ids = IdsOf(pass, material.shader()->name());
+    ProgramIds& ids = IdsOf(pass, material.shader()->name());
     if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr ||
         sources.lights != nullptr)
     {
@@ -169,17 +187,15 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
     ids.pass = pass;
     for (const UniformBuffer& buffer : pass->layout.buffers)
     {
-        ids.buffers.emplace_back(buffer.name);
-        auto& members = ids.members.emplace_back();
-        for (const UniformMember& member : buffer.members)
-        {
-            members.emplace_back(member.name);
-        }
+        ids.buffers.push_back({buffer.name,
+                               buffer.name == k_DynamicKeywordBuffer,
+                               {buffer.members.begin(), buffer.members.end()}});
     }
     for (const TextureBinding& texture : pass->layout.textures)
     {
         ids.textures.emplace_back(texture.name);
     }
+    ids.defaults.resize(ids.textures.size());
     for (const SamplerBinding& sampler : pass->layout.samplers)
     {
         // Or of the texture that it is named after: "sampler_MainTex" → _MainTex.
@@ -197,7 +213,8 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
     }
     for (const StorageBufferBinding& buffer : pass->layout.storageBuffers)
     {
-        ids.storageBuffers.emplace_back(buffer.name);
+        ids.storageBuffers.push_back(
+            {buffer.name, buffer.name == "limn_PerDraw", buffer.name == "limn_Instances"});
     }
     for (const StorageTextureBinding& texture : pass->layout.storageTextures)
     {
@@ -206,8 +223,8 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
     return ids;
 }
 
-const DrawResolver::ProgramIds&
-DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader)
+DrawResolver::ProgramIds& DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
+                                              const std::string& shader)
 {
     const auto [known, isNew] = m_Ids.try_emplace(pass.get());
     ProgramIds& ids = known->second;
@@ -228,7 +245,7 @@ DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std:
     return ids;
 }
 
-std::shared_ptr<const DrawBindings> DrawResolver::Build(const ProgramIds& ids,
+std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
                                                         const PropertySources& sources,
                                                         std::vector<std::byte>& uniformData)
 {
@@ -263,7 +280,7 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
         const UniformBuffer& buffer = layout.buffers[b];
         if (hasBuffers)
         {
-            if (const BufferRange* range = FindBuffer(ids.buffers[b], sources))
+            if (const BufferRange* range = FindBuffer(ids.buffers[b].id, sources))
             {
                 m_Building.buffers.push_back(UniformSlot(buffer, *range, sources));
                 continue;
@@ -273,15 +290,15 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
             (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
         uniformData.resize(offset + buffer.size);
         const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
-        if (buffer.name == k_DynamicKeywordBuffer)
+        if (ids.buffers[b].isOfKeywords)
         {
             WriteDynamicKeywords(buffer, sources, bytes);
         }
         else
         {
-            for (std::size_t m = 0; m < buffer.members.size(); ++m)
+            for (const UniformPlace& member : ids.buffers[b].members)
             {
-                WriteUniform(buffer.members[m], ids.members[b][m], sources, bytes);
+                WriteUniform(member, sources, bytes);
             }
         }
         m_Building.uniforms.push_back(
@@ -296,13 +313,14 @@ void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sour
     for (std::size_t i = 0; i < layout.storageBuffers.size(); ++i)
     {
         const StorageBufferBinding& buffer = layout.storageBuffers[i];
-        if (buffer.name == "limn_PerDraw")
+        const StoragePlace& place = ids.storageBuffers[i];
+        if (place.isPerDraw)
         {
             m_Building.perDrawBinding = buffer.binding;
         }
-        else if (buffer.name != "limn_Instances") // the device's own
+        else if (!place.isDevices)
         {
-            m_Building.buffers.push_back(StorageSlot(buffer, ids.storageBuffers[i], sources));
+            m_Building.buffers.push_back(StorageSlot(buffer, place.id, sources));
         }
     }
     for (std::size_t i = 0; i < layout.storageTextures.size(); ++i)
@@ -317,14 +335,13 @@ void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sour
 }
 
 /// With their samplers.
-void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sources)
+void DrawResolver::AddTextures(ProgramIds& ids, const PropertySources& sources)
 {
     const PropertyLayout& layout = ids.pass->layout;
     for (std::size_t i = 0; i < layout.textures.size(); ++i)
     {
         const TextureBinding& binding = layout.textures[i];
-        TextureSlot slot{binding.binding, TextureOf(ids.textures[i], binding, sources),
-                         std::nullopt};
+        TextureSlot slot{binding.binding, TextureOf(ids, i, sources), std::nullopt};
         m_Bound[slot.texture->id()] = {true, m_Camera};
         if (binding.combinedSampler)
         {
@@ -346,10 +363,11 @@ void DrawResolver::AddTextures(const ProgramIds& ids, const PropertySources& sou
 }
 
 /// What is bound to a texture of a shader.
-std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
-                                                       const TextureBinding& binding,
+std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::size_t index,
                                                        const PropertySources& sources)
 {
+    const ShaderPropertyId id = ids.textures[index];
+    const TextureBinding& binding = ids.pass->layout.textures[index];
     if (binding.multisampled)
     {
         throw DrawError(Subject(id, sources) + " is a texture of several samples a texel in "
@@ -359,7 +377,7 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
     if (!texture)
     {
         const bool hasDefault = sources.material != nullptr && binding.type == UniformType::Float;
-        return hasDefault ? DefaultOf(id, binding.dimension, sources)
+        return hasDefault ? DefaultOf(id, binding.dimension, sources, ids.defaults[index])
                           : FailUnset<Texture>(id, "texture", sources);
     }
     if (texture->dimension() != binding.dimension)
@@ -368,22 +386,27 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ShaderPropertyId id,
                         " texture in the shader but is set to the " +
                         ToString(texture->dimension()) + " texture '" + texture->name() + "'");
     }
-    ExpectComponents(binding.type, *texture, id.name(), sources);
+    ExpectComponents(binding.type, *texture, id, sources);
     return texture;
 }
 
 /// The default that a Properties entry names, or gray and a note, once for each shader.
 std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
                                                        TextureDimension dimension,
-                                                       const PropertySources& sources)
+                                                       const PropertySources& sources,
+                                                       std::shared_ptr<const Texture>& known)
 {
-    const Shader& shader = *sources.material->shader();
-    for (const ShaderProperty& property : shader.document().properties)
+    if (known)
     {
-        if (property.name == id.name())
-        {
-            return DefaultTexture(property.defaultTexture, dimension);
-        }
+        return known;
+    }
+    const Shader& shader = *sources.material->shader();
+    if (const int index = shader.FindPropertyIndex(id.name()); index >= 0)
+    {
+        const ShaderProperty& property =
+            shader.document().properties[static_cast<std::size_t>(index)];
+        known = DefaultTexture(property.defaultTexture, dimension);
+        return known;
     }
     const auto* made = std::find_if(std::begin(k_CameraTextures), std::end(k_CameraTextures),
                                     [&](const CameraTexture& t) { return t.name == id.name(); });

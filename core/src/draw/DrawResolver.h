@@ -1,5 +1,7 @@
 #pragma once
 
+#include "material/UniformPlace.h"
+
 #include <iterator>
 #include <limn/core/ComputeShader.h>
 #include <limn/core/FrameCommands.h>
@@ -68,6 +70,10 @@ public:
                                                 const PropertySources& sources,
                                                 std::vector<std::byte>& uniformData);
 
+    /// What ResolveState says of a pass, until a property of the material changes.
+    PipelineState StateOf(const Material& material, int shaderPass,
+                          const MaterialPropertyBlock& globals);
+
     /// HasBound forgets the draws so far.
     void BeginCamera() { ++m_Camera; }
 
@@ -85,46 +91,69 @@ private:
         std::optional<SamplerState> state;
         ShaderPropertyId texture;
     };
-    /// The names of a layout as ids, worked out once a pass.
+    struct BufferPlaces
+    {
+        ShaderPropertyId id;
+        bool isOfKeywords = false; ///< k_DynamicKeywordBuffer
+        std::vector<UniformPlace> members;
+    };
+    struct StoragePlace
+    {
+        ShaderPropertyId id;
+        bool isPerDraw = false;
+        bool isDevices = false; ///< the device fills it
+    };
+    /// The names of a layout as ids, worked out once a pass, which is one shader's only.
     struct ProgramIds
     {
-        std::shared_ptr<const ShaderProgram> pass;          ///< keeps the key's address taken
-        std::vector<std::vector<ShaderPropertyId>> members; ///< by buffer
-        std::vector<ShaderPropertyId> buffers;
+        std::shared_ptr<const ShaderProgram> pass; ///< keeps the key's address taken
+        std::vector<BufferPlaces> buffers;
         std::vector<ShaderPropertyId> textures;
+        /// By texture: what the shader's Properties say where nobody sets it; null = not known yet.
+        std::vector<std::shared_ptr<const Texture>> defaults;
         std::vector<SamplerSource> samplers;
-        std::vector<ShaderPropertyId> storageBuffers;
+        std::vector<StoragePlace> storageBuffers;
         std::vector<ShaderPropertyId> storageTextures;
         bool isUsed = false; ///< in this frame
     };
     static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const std::string& shader);
-    const ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
-                            const std::string& shader);
-    std::shared_ptr<const DrawBindings> Build(const ProgramIds& ids, const PropertySources& sources,
+    ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader);
+    std::shared_ptr<const DrawBindings> Build(ProgramIds& ids, const PropertySources& sources,
                                               std::vector<std::byte>& uniformData);
     void AddUniforms(const ProgramIds& ids, const PropertySources& sources,
                      std::vector<std::byte>& uniformData);
-    void AddTextures(const ProgramIds& ids, const PropertySources& sources);
+    void AddTextures(ProgramIds& ids, const PropertySources& sources);
     void AddStorage(const ProgramIds& ids, const PropertySources& sources);
-    std::shared_ptr<const Texture> TextureOf(ShaderPropertyId id, const TextureBinding& binding,
+    std::shared_ptr<const Texture> TextureOf(ProgramIds& ids, std::size_t texture,
                                              const PropertySources& sources);
     std::shared_ptr<const Texture> DefaultOf(ShaderPropertyId id, TextureDimension dimension,
-                                             const PropertySources& sources);
+                                             const PropertySources& sources,
+                                             std::shared_ptr<const Texture>& known);
 
-    struct SharedKey
+    template <typename Pass>
+    struct MaterialKey
     {
-        const ShaderProgram* pass;
+        Pass pass;
         std::uint64_t materialId;
-        bool operator==(const SharedKey&) const = default;
+        bool operator==(const MaterialKey&) const = default;
     };
     struct HashKey
     {
-        std::size_t operator()(const SharedKey& key) const
+        template <typename Pass>
+        std::size_t operator()(const MaterialKey<Pass>& key) const
         {
-            return std::hash<const void*>()(key.pass) * 31 + key.materialId;
+            return std::hash<Pass>()(key.pass) * 31 + key.materialId;
         }
     };
+    struct KnownState
+    {
+        std::uint64_t materialVersion = 0;
+        bool isKnown = false; ///< else it depends on what is global
+        bool isUsed = false;  ///< in this frame
+        PipelineState state;
+    };
+    std::unordered_map<MaterialKey<int>, KnownState, HashKey> m_States;
     /// What a material last had bound.
     struct Shared
     {
@@ -134,7 +163,7 @@ private:
         bool isUsed = false;   ///< in this frame
     };
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
-    std::unordered_map<SharedKey, Shared, HashKey> m_Shared;
+    std::unordered_map<MaterialKey<const ShaderProgram*>, Shared, HashKey> m_Shared;
     /// In the order in which they were needed, behind m_BuiltCount those of the frame before.
     std::vector<std::shared_ptr<const DrawBindings>> m_Built;
     std::size_t m_BuiltCount = 0;

@@ -411,20 +411,22 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
             turned.state.frontFaceFlipped = recorder.FlipsFrontFace(batch.isMirrored);
             setup = recorder.Add(std::move(turned));
         }
-        DrawCommand draw;
-        draw.drawsObjects = true;
-        draw.scissor = recorder.commonState().scissor;
-        draw.setup = *setup;
-        draw.mesh = recorder.Add(part.mesh);
-        draw.subMesh = part.subMesh;
+        const std::uint32_t mesh = recorder.Add(part.mesh);
         const std::uint32_t step = isInstanceable(*pass.program) ? batch.count : 1;
         for (std::uint32_t done = 0; done < batch.count; done += step)
         {
+            // Filled where it stays: a copy would have to wait for each of these small writes.
+            auto& draw =
+                std::get<DrawCommand>(frame.commands.emplace_back(std::in_place_type<DrawCommand>));
+            draw.drawsObjects = true;
+            draw.scissor = recorder.commonState().scissor;
+            draw.setup = *setup;
+            draw.mesh = mesh;
+            draw.subMesh = part.subMesh;
             draw.firstInstance = offset + batch.first + done;
             draw.instanceCount = step;
             draw.bounds =
                 BoundsOf(pass, *part.mesh, table, rows.subspan(batch.first + done, step), recorder);
-            frame.commands.emplace_back(draw);
         }
     }
     std::ranges::transform(rows, rows.begin(),

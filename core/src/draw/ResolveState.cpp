@@ -14,8 +14,8 @@ class StateReader
 {
 public:
     StateReader(const RenderState& state, const Material& material,
-                const MaterialPropertyBlock& globals)
-        : m_State(state), m_Material(material), m_Globals(globals)
+                const MaterialPropertyBlock& globals, bool& readsGlobals)
+        : m_State(state), m_Material(material), m_Globals(globals), m_ReadsGlobals(readsGlobals)
     {
     }
 
@@ -55,6 +55,7 @@ private:
         if (value == nullptr)
         {
             value = m_Globals.Find(id);
+            m_ReadsGlobals = true;
         }
         if (value == nullptr)
         {
@@ -106,6 +107,7 @@ private:
     const RenderState& m_State;
     const Material& m_Material;
     const MaterialPropertyBlock& m_Globals;
+    bool& m_ReadsGlobals;
 };
 
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
@@ -144,9 +146,10 @@ StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader
 } // namespace
 
 PipelineState ResolveState(const RenderState& state, const Material& material,
-                           const MaterialPropertyBlock& globals)
+                           const MaterialPropertyBlock& globals, bool* readsGlobals)
 {
-    const StateReader reader(state, material, globals);
+    bool isGlobal = false;
+    const StateReader reader(state, material, globals, readsGlobals ? *readsGlobals : isGlobal);
     PipelineState result;
     result.cull = reader.Read(state.cull, "Cull", 0, static_cast<int>(CullMode::Back));
     result.zTest = reader.Read(state.zTest, "ZTest", 0, k_MaxCompare);

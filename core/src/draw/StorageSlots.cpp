@@ -150,7 +150,7 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
             false};
 }
 
-void ExpectComponents(UniformType declared, const Texture& texture, const std::string& name,
+void ExpectComponents(UniformType declared, const Texture& texture, ShaderPropertyId id,
                       const PropertySources& sources)
 {
     const auto text = [](UniformType type)
@@ -160,7 +160,7 @@ void ExpectComponents(UniformType declared, const Texture& texture, const std::s
     const UniformType type = ComponentType(texture.graphicsFormat());
     if (type != declared)
     {
-        throw DrawError(Subject(name, sources) + " is a texture of " + text(declared) +
+        throw DrawError(Subject(id.name(), sources) + " is a texture of " + text(declared) +
                         " in the shader, but '" + texture.name() + "' of " +
                         ToString(texture.graphicsFormat()) + " is one of " + text(type));
     }
@@ -187,7 +187,7 @@ StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPro
                         " texture in the shader but is set to the " +
                         ToString(target->dimension()) + " texture '" + target->name() + "'");
     }
-    ExpectComponents(declared.type, *target, declared.name, sources);
+    ExpectComponents(declared.type, *target, id, sources);
     return {declared.binding, std::move(target)};
 }
 

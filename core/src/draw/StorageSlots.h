@@ -27,7 +27,7 @@ StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPro
 
 /// @param declared  what the shader takes its components for
 /// @throws DrawError if they are something else
-void ExpectComponents(UniformType declared, const Texture& texture, const std::string& name,
+void ExpectComponents(UniformType declared, const Texture& texture, ShaderPropertyId id,
                       const PropertySources& sources);
 
 /// For what there is no default of.

@@ -25,6 +25,10 @@ constexpr SolidColor k_SolidColors[] = {
     {"bump", {128, 128, 255, 128}},  {"red", {255, 0, 0, 255}}, {"green", {0, 255, 0, 255}},
     {"blue", {0, 0, 255, 255}},      {"clear", {0, 0, 0, 0}}};
 
+constexpr std::array k_Dimensions = {TextureDimension::Tex2D, TextureDimension::Tex3D,
+                                     TextureDimension::Cube, TextureDimension::Tex2DArray,
+                                     TextureDimension::CubeArray};
+
 std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDimension dimension)
 {
     constexpr GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
@@ -52,11 +56,11 @@ std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDime
     return std::make_shared<const Texture2D>(color.name, 1, 1, format, texel);
 }
 
+/// By dimension, of each the colours in order.
 std::vector<std::shared_ptr<const Texture>> SolidTextures()
 {
-    using enum TextureDimension;
     std::vector<std::shared_ptr<const Texture>> textures;
-    for (const TextureDimension dimension : {Tex2D, Tex3D, Cube, Tex2DArray, CubeArray})
+    for (const TextureDimension dimension : k_Dimensions)
     {
         for (const SolidColor& color : k_SolidColors)
         {
@@ -89,14 +93,17 @@ std::vector<std::string_view> DefaultTextureNames()
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDimension dimension)
 {
     static const std::vector<std::shared_ptr<const Texture>> textures = SolidTextures();
-    std::string lower = ToLower(name);
-    lower = lower == "normal" ? "bump" : lower;
-    const auto isKnown = std::any_of(std::begin(k_SolidColors), std::end(k_SolidColors),
-                                     [&](const SolidColor& color) { return color.name == lower; });
-    const std::string known = isKnown ? lower : "gray";
-    return *std::find_if(textures.begin(), textures.end(),
-                         [&](const auto& texture)
-                         { return texture->dimension() == dimension && texture->name() == known; });
+    const auto place = [&](std::string_view known)
+    {
+        return std::ranges::find_if(k_SolidColors, [&](const SolidColor& color)
+                                    { return EqualsIgnoringCase(color.name, known); }) -
+               std::begin(k_SolidColors);
+    };
+    const std::ptrdiff_t count = std::ssize(k_SolidColors);
+    const std::ptrdiff_t found = place(EqualsIgnoringCase(name, "normal") ? "bump" : name);
+    const std::ptrdiff_t color = found < count ? found : place("gray");
+    const std::ptrdiff_t row = std::ranges::find(k_Dimensions, dimension) - k_Dimensions.begin();
+    return textures.at(static_cast<std::size_t>(row * count + color));
 }
 
 } // namespace limn

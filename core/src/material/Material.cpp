@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "material/RequireFinite.h"
 #include "scene/UniqueId.h"
@@ -50,6 +52,23 @@ ShaderPropertyId MainProperty(const Shader& shader, std::string_view attribute,
 ShaderPropertyId ScaleOffsetId(ShaderPropertyId texture)
 {
     return ShaderPropertyId(texture.name() + "_ST");
+}
+
+/// Of numbers and what is made of a fixed count of them; -0 is not 0.
+bool HasSameBytes(const ShaderPropertyValue& a, const ShaderPropertyValue& b)
+{
+    return a.index() == b.index() &&
+           std::visit(
+               [&](const auto& value)
+               {
+                   using Value = std::decay_t<decltype(value)>;
+                   if constexpr (std::is_trivially_copyable_v<Value>)
+                   {
+                       return std::memcmp(&value, &std::get<Value>(b), sizeof(Value)) == 0;
+                   }
+                   return false;
+               },
+               a);
 }
 
 } // namespace
@@ -383,8 +402,12 @@ void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
     {
         RequireFinite(value, id, "material '" + m_Name + "': ");
     }
-    m_Values.Set(id, std::move(value));
-    ++m_Version;
+    const ShaderPropertyValue* now = m_Values.Find(id);
+    if (now == nullptr || !HasSameBytes(*now, value))
+    {
+        m_Values.Set(id, std::move(value));
+        ++m_Version; // passes that set in each frame what is there cost the frame nothing
+    }
 }
 
 } // namespace limn

@@ -121,7 +121,7 @@ void MaterialPropertyBlock::PutValue(ShaderPropertyId id, Value&& value)
         m_Values[place - 1] = std::forward<Value>(value);
         return;
     }
-    constexpr std::size_t k_Large = 32; // as what is global always is
+    constexpr std::size_t k_Large = 8; // as what is global, and most materials
     const Slot slot{id, static_cast<std::uint32_t>(m_Values.size())};
     m_Values.push_back(std::forward<Value>(value));
     m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id), slot);

@@ -29,9 +29,9 @@ std::uint32_t Truncate(float number, UniformType type)
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(kept));
 }
 
-void WriteComponents(const UniformMember& member, const float* values, int count, Bytes bytes)
+void WriteComponents(const UniformPlace& member, const float* values, int count, Bytes bytes)
 {
-    const int used = std::min(count, member.components);
+    const int used = std::min<int>(count, member.components);
     for (int i = 0; i < used; ++i)
     {
         std::byte* target = bytes.data() + static_cast<std::size_t>(i) * 4;
@@ -47,27 +47,27 @@ void WriteComponents(const UniformMember& member, const float* values, int count
     }
 }
 
-void Write(const UniformMember& member, float value, Bytes bytes)
+void Write(const UniformPlace& member, float value, Bytes bytes)
 {
     WriteComponents(member, &value, 1, bytes);
 }
 
-void Write(const UniformMember& member, const glm::vec4& value, Bytes bytes)
+void Write(const UniformPlace& member, const glm::vec4& value, Bytes bytes)
 {
     WriteComponents(member, glm::value_ptr(value), 4, bytes);
 }
 
-void Write(const UniformMember& member, const Color& value, Bytes bytes)
+void Write(const UniformPlace& member, const Color& value, Bytes bytes)
 {
     Write(member, value.linear().vector(), bytes);
 }
 
-void Write(const UniformMember&, const glm::mat4& value, Bytes bytes)
+void Write(const UniformPlace&, const glm::mat4& value, Bytes bytes)
 {
     std::memcpy(bytes.data(), glm::value_ptr(value), sizeof(glm::mat4));
 }
 
-void Write(const UniformMember& member, int value, Bytes bytes)
+void Write(const UniformPlace& member, int value, Bytes bytes)
 {
     if (member.type == UniformType::Float)
     {
@@ -81,7 +81,7 @@ void Write(const UniformMember& member, int value, Bytes bytes)
 }
 
 template <typename Element>
-void Write(const UniformMember& member, const PropertyArray<Element>& values, Bytes bytes)
+void Write(const UniformPlace& member, const PropertyArray<Element>& values, Bytes bytes)
 {
     const std::size_t count =
         std::min(values.size(), static_cast<std::size_t>(std::max(member.arraySize, 1)));
@@ -93,9 +93,9 @@ void Write(const UniformMember& member, const PropertyArray<Element>& values, By
 
 /// As ComputeShader::SetFloats says; behind the uniform's end nothing is written.
 template <typename Number>
-void WriteConsecutive(const UniformMember& member, const std::vector<Number>& values, Bytes bytes)
+void WriteConsecutive(const UniformPlace& member, const std::vector<Number>& values, Bytes bytes)
 {
-    UniformMember component = member;
+    UniformPlace component = member;
     component.components = 1;
     for (std::size_t i = 0; i < std::min(values.size(), bytes.size() / 4); ++i)
     {
@@ -103,7 +103,7 @@ void WriteConsecutive(const UniformMember& member, const std::vector<Number>& va
     }
 }
 
-void Write(const UniformMember& member, const ConsecutiveParams& params, Bytes bytes)
+void Write(const UniformPlace& member, const ConsecutiveParams& params, Bytes bytes)
 {
     std::visit([&](const auto& values) { WriteConsecutive(member, values, bytes); }, params.values);
 }
@@ -124,15 +124,15 @@ const char* KindOf(const ShaderPropertyValue& value)
     return k_Kinds[value.index()];
 }
 
-[[noreturn]] void FailKind(const UniformMember& member, const ShaderPropertyValue& value,
+[[noreturn]] void FailKind(const UniformPlace& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw DrawError(sources.Subject() + ": property '" + member.name + "' is set to " +
+    throw DrawError(sources.Subject() + ": property '" + member.id.name() + "' is set to " +
                     KindOf(value) + ", but the shader declares " +
                     (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
-void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
+void WriteValue(const UniformPlace& member, const ShaderPropertyValue& value,
                 const PropertySources& sources, Bytes bytes)
 {
     const bool isMatrix = std::holds_alternative<glm::mat4>(value) ||
@@ -158,47 +158,58 @@ void WriteValue(const UniformMember& member, const ShaderPropertyValue& value,
         value);
 }
 
-/// The texture behind `X` for a member called `X_TexelSize`, if there is one.
-const Texture* TextureBefore(std::string_view name, std::string_view suffix,
-                             const PropertySources& sources)
+/// A texture that was never set is the 1x1 default.
+void WriteTexelSize(const UniformPlace& member, const PropertySources& sources, Bytes bytes)
 {
-    const ShaderPropertyValue* value =
-        sources.Find(ShaderPropertyId(name.substr(0, name.size() - suffix.size())));
+    const ShaderPropertyValue* value = sources.Find(member.texture);
     const auto* texture =
         value != nullptr ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
-    return texture != nullptr ? texture->get() : nullptr;
+    const bool isSet = texture != nullptr && *texture != nullptr;
+    const float w = isSet ? static_cast<float>((*texture)->width()) : 1.0f;
+    const float h = isSet ? static_cast<float>((*texture)->height()) : 1.0f;
+    const float values[] = {1.0f / w, 1.0f / h, w, h};
+    WriteComponents(member, values, 4, bytes);
 }
 
 } // namespace
 
-void WriteUniform(const UniformMember& member, ShaderPropertyId id, const PropertySources& sources,
+UniformPlace::UniformPlace(const UniformMember& member)
+    : id(member.name),
+      offset(member.offset),
+      size(member.size),
+      arrayStride(member.arrayStride),
+      arraySize(member.arraySize),
+      type(member.type),
+      components(static_cast<std::uint8_t>(member.components))
+{
+    const std::string_view name = member.name;
+    constexpr std::string_view k_TexelSize = "_TexelSize";
+    if (name.ends_with(k_TexelSize))
+    {
+        unset = Unset::TexelSize;
+        texture = ShaderPropertyId(name.substr(0, name.size() - k_TexelSize.size()));
+    }
+    // No texture of limn's is encoded: value = x * (w * (alpha - 1) + 1)^y * rgb gives rgb.
+    else if (name.ends_with("_ST") || name.ends_with("_HDR"))
+    {
+        unset = Unset::OneOneZeroZero;
+    }
+}
+
+void WriteUniform(const UniformPlace& member, const PropertySources& sources,
                   std::span<std::byte> buffer)
 {
     const Bytes bytes = buffer.subspan(member.offset, member.size);
-    static constexpr std::string_view k_TexelSize = "_TexelSize";
-    static constexpr std::string_view k_ScaleOffset = "_ST";
-    static constexpr std::string_view k_Decode = "_HDR";
-    if (const ShaderPropertyValue* value = sources.Find(id))
+    if (const ShaderPropertyValue* value = sources.Find(member.id))
     {
         WriteValue(member, *value, sources, bytes);
     }
-    else if (member.name.ends_with(k_TexelSize))
+    else if (member.unset == UniformPlace::Unset::TexelSize)
     {
-        // A texture that was never set is the 1x1 default.
-        const Texture* texture = TextureBefore(member.name, k_TexelSize, sources);
-        const float w = texture != nullptr ? static_cast<float>(texture->width()) : 1.0f;
-        const float h = texture != nullptr ? static_cast<float>(texture->height()) : 1.0f;
-        const float values[] = {1.0f / w, 1.0f / h, w, h};
-        WriteComponents(member, values, 4, bytes);
+        WriteTexelSize(member, sources, bytes);
     }
-    else if (member.name.ends_with(k_ScaleOffset))
+    else if (member.unset == UniformPlace::Unset::OneOneZeroZero)
     {
-        const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
-        WriteComponents(member, values, 4, bytes);
-    }
-    else if (member.name.ends_with(k_Decode))
-    {
-        // No texture of limn's is encoded: value = x * (w * (alpha - 1) + 1)^y * rgb gives rgb.
         const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
         WriteComponents(member, values, 4, bytes);
     }

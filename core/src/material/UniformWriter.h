@@ -1,6 +1,7 @@
 #pragma once
 
 #include "draw/DrawResolver.h"
+#include "material/UniformPlace.h"
 
 #include <span>
 
@@ -11,7 +12,7 @@ namespace limn
 /// (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to X).
 /// @param buffer  the whole buffer's bytes
 /// @throws ContractError naming material and property, if the value's kind does not fit
-void WriteUniform(const UniformMember& member, ShaderPropertyId id, const PropertySources& sources,
+void WriteUniform(const UniformPlace& member, const PropertySources& sources,
                   std::span<std::byte> buffer);
 
 /// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on, or

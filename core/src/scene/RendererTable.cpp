@@ -17,15 +17,30 @@ namespace limn
 namespace
 {
 
-/// A sum of products with odd numbers, each a function of its own: which 64-bit words there were,
-/// in which order.
+/// Odd numbers, each a function of its own: known beforehand, so that no word waits for another's.
+constexpr std::array<std::uint64_t, 32> k_WordFactors = []
+{
+    std::array<std::uint64_t, 32> factors{};
+    std::uint64_t factor = 0xD6E8FEB86659FD93u;
+    for (std::uint64_t& own : factors)
+    {
+        own = factor;
+        factor = factor * 0x9E3779B97F4A7C15u + 2;
+    }
+    return factors;
+}();
+
+/// A sum of products with these numbers: which 64-bit words there were, in which order.
 class WordHash
 {
 public:
     void Add(std::uint64_t word)
     {
-        m_Sum += std::rotl((word ^ m_Factor) * m_Factor, 29);
-        m_Factor = m_Factor * 0x9E3779B97F4A7C15u + 2;
+        const std::uint64_t factor = k_WordFactors[m_Count % k_WordFactors.size()];
+        m_Count += 1;
+        // Behind the last number they begin anew, and what there is so far makes the difference.
+        m_Sum = m_Count % k_WordFactors.size() == 0 ? std::rotl(m_Sum, 1) : m_Sum;
+        m_Sum += std::rotl((word ^ factor) * factor, 29);
     }
 
     void AddPointer(const void* pointer) { Add(reinterpret_cast<std::uintptr_t>(pointer)); }
@@ -46,7 +61,7 @@ public:
 
 private:
     std::uint64_t m_Sum = 0;
-    std::uint64_t m_Factor = 0xD6E8FEB86659FD93u; ///< odd, and so are those that follow
+    std::size_t m_Count = 0;
 };
 
 /// Of all that an object's rows are made from, but what its materials and meshes hold.

@@ -82,6 +82,31 @@ TEST_F(ManyRenderers, HaveThePerDrawDataOfTheirPlace)
         << "that is too long ago to tell";
 }
 
+TEST_F(ManyRenderers, NoticeWhenMaterialsFarApartChangePlaces)
+{
+    std::vector<std::shared_ptr<const Material>> materials(80, m_Materials[0]);
+    materials[5] = m_Materials[1];
+    GameObject& object = test::AddCube(m_Scene, "cube", {0, 0, 10}, materials);
+    const auto place = [&]
+    {
+        const CullingResults results = Cull(m_Scene, m_Camera, 1.0f);
+        std::size_t i = 0;
+        while (i < results.items.size() && results.items.at(i).material != m_Materials[1])
+        {
+            ++i;
+        }
+        return i;
+    };
+    EXPECT_EQ(place(), 5u);
+    std::size_t at = 5;
+    for (const std::size_t next : {37u, 69u, 5u, 6u, 70u, 38u})
+    {
+        std::swap(object.renderer->sharedMaterials[at], object.renderer->sharedMaterials[next]);
+        EXPECT_EQ(place(), next);
+        at = next;
+    }
+}
+
 TEST_F(ManyRenderers, LetGoOfWhatNoneOfThemHasAnyMore)
 {
     GameObject& object = test::AddCube(m_Scene, "cube", {0, 0, 10}, {});

@@ -245,10 +245,10 @@ private:
 
 /// A pass's state with the material's values in place of its property references; a name the
 /// material lacks is looked up in `globals`.
+/// @param readsGlobals  set to true if one was; null = nobody asks
 /// @throws ContractError naming material, shader and property, if a value is missing or is no
-/// member
-///         of the enum
+///         member of the enum
 PipelineState ResolveState(const RenderState& state, const Material& material,
-                           const MaterialPropertyBlock& globals);
+                           const MaterialPropertyBlock& globals, bool* readsGlobals = nullptr);
 
 } // namespace limn
