@@ -199,6 +199,10 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
     // What is wrong before may be gone after, and with it what the code was to do. Constant
     // matrices of integers are fine once they are gone.
     auto problem = hasIntegerMatrices(spirv) ? std::nullopt : FindProblem(spirv, false);
+    if (problem && MergeComparedTextures(spirv))
+    {
+        problem = FindProblem(spirv, false);
+    }
     if (problem)
     {
         return problem;

@@ -406,6 +406,28 @@ TEST(HlslDialect, GathersCompareFourTexels)
     }
 }
 
+TEST(HlslDialect, ComparesTexturesThatAreHandedOnAsWell)
+{
+    const std::string declared = "Texture2D _Map; SamplerComparisonState sampler_Map;\n";
+    const std::string take = "float Take(Texture2D map, SamplerComparisonState s, float2 uv) "
+                             "{ return map.SampleCmpLevelZero(s, uv, 0.25); }\n";
+    const std::string compare =
+        "float Compare(float2 uv) { return _Map.SampleCmpLevelZero(sampler_Map, uv, 0.5); }\n";
+    const std::string fragment = "float4 frag(v2f i) : SV_Target { Texture2D own = _Map; return "
+                                 "Take(_Map, sampler_Map, i.uv) + Compare(i.uv) + "
+                                 "own.SampleCmpLevelZero(sampler_Map, i.uv, 0.75); }";
+    for (const std::string& functions : {take + compare, compare + take})
+    {
+        SCOPED_TRACE(functions);
+        const auto pass = CompileFragment(declared + functions + fragment);
+        EXPECT_EQ(pass->layout.textures.size(), 1u);
+        const std::string text = Disassemble(pass->fragmentSpirv);
+        EXPECT_THAT(text, HasSubstr("%float_0_25"));
+        EXPECT_THAT(text, HasSubstr("%float_0_5"));
+        EXPECT_THAT(text, HasSubstr("%float_0_75"));
+    }
+}
+
 TEST(HlslDialect, RefusesGathersThatCannotCompare)
 {
     EXPECT_THAT(
