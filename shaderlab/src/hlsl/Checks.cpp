@@ -133,28 +133,28 @@ public:
     /// The depth that the tree may have.
     std::size_t Take(const HlslToken& token, std::string_view next)
     {
-        const std::string_view text = token.text;
-        if (text == "(" || text == "[" || text == "{")
+        const char mark = token.Mark();
+        if (mark == '(' || mark == '[' || mark == '{')
         {
             m_Levels.emplace_back();
-            m_Levels.back().isList = isList(text);
+            m_Levels.back().isList = isList(mark);
         }
-        else if ((text == ")" || text == "]" || text == "}") && m_Levels.size() > 1)
+        else if ((mark == ')' || mark == ']' || mark == '}') && m_Levels.size() > 1)
         {
             const std::size_t inner = m_Levels.back().Depth() + k_Bracket;
             m_Levels.pop_back();
             m_Levels.back().AddBracket(inner);
         }
-        else if (text == ".")
+        else if (mark == '.')
         {
             m_Levels.back().AddPick(1);
         }
-        else if (isOperator(token) || (text == "," && !m_Levels.back().isList))
+        else if (isOperator(token) || (mark == ',' && !m_Levels.back().isList))
         {
             m_Levels.back().AddOperator();
         }
         const std::size_t depth = std::max(m_Levels.back().Depth(), m_Levels.size() * k_Bracket);
-        const bool isEnd = text == ";" || text == "}" || (text == "," && m_Levels.back().isList);
+        const bool isEnd = mark == ';' || mark == '}' || (mark == ',' && m_Levels.back().isList);
         if (isEnd && next != "else" && next != ";")
         {
             m_Levels.back().End();
@@ -213,11 +213,11 @@ private:
     }
 
     /// Of arguments, parameters or initial values, in brackets that open behind m_Previous.
-    bool isList(std::string_view bracket) const
+    bool isList(char bracket) const
     {
-        return bracket == "(" ? m_Previous.isWord && m_Previous.text != "return" &&
+        return bracket == '(' ? m_Previous.isWord && m_Previous.text != "return" &&
                                     !isStatement(m_Previous.text)
-               : bracket == "{"
+               : bracket == '{'
                    ? m_Previous.text == "=" || m_Previous.text == "," || m_Previous.text == "{"
                    : true;
     }
@@ -241,16 +241,17 @@ public:
         {
             return TakeWord(text(0), text(1), text(2), text(3));
         }
-        if (text(0) == "{")
+        const char mark = tokens.all()[index].Mark();
+        if (mark == '{')
         {
             m_Open.push_back(m_Next);
             m_Next = {};
         }
-        else if (text(0) == "}" && !m_Open.empty())
+        else if (mark == '}' && !m_Open.empty())
         {
             Close(text(1));
         }
-        else if (text(0) == ";" || text(0) == "(" || text(0) == ")" || text(0) == "=")
+        else if (mark == ';' || mark == '(' || mark == ')' || mark == '=')
         {
             m_Next = {};
         }

@@ -52,11 +52,9 @@ public:
     {
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
-            const std::string_view text = m_Tokens.Text(i);
-            const std::string name = AuthorFunctionName(text);
-            if (name != text && !m_Reach.isLeftOut()[i])
+            if (m_Tokens.Text(i) == k_TakenName && !m_Reach.isLeftOut()[i])
             {
-                m_Code.Spelling(i) = name;
+                m_Code.Spelling(i) = AuthorFunctionName(k_TakenName);
             }
         }
         ReadTrees();

@@ -53,7 +53,7 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (word == "shared" || (k_StageModifiers.Has(word) && !isWord(index + 1)))
+        if (word == "shared" || (!isWord(index + 1) && k_StageModifiers.Has(word)))
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
