@@ -23,36 +23,33 @@ char ClosingOf(std::string_view open)
 /// @throws AssetError  at the first bracket that has no other
 void RequirePairs(const HlslTokens& tokens)
 {
-    std::vector<std::size_t> open;
     const auto failOpen = [&](std::size_t token, const std::string& where)
     {
         throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
                                                   "' is missing for it" + where)});
     };
+    std::size_t unclosed = tokens.size(); // the first
     for (std::size_t i = 0; i < tokens.size(); ++i)
     {
         const int step = tokens.Step(i);
-        if (step > 0)
+        const std::size_t open = tokens.MatchingOpen(i);
+        if (step > 0 && tokens.MatchingOpen(tokens.AfterBracket(i) - 1) != i)
         {
-            open.push_back(i);
+            unclosed = std::min(unclosed, i);
         }
-        else if (step < 0 && open.empty())
+        else if (step < 0 && open == i)
         {
             throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
         }
-        else if (step < 0)
+        else if (step < 0 && tokens.Text(i)[0] != ClosingOf(tokens.Text(open)))
         {
-            if (tokens.Text(i)[0] != ClosingOf(tokens.Text(open.back())))
-            {
-                failOpen(open.back(), " before the '" + std::string(tokens.Text(i)) + "' of line " +
-                                          std::to_string(tokens.Place(i).location.line));
-            }
-            open.pop_back();
+            failOpen(open, " before the '" + std::string(tokens.Text(i)) + "' of line " +
+                               std::to_string(tokens.Place(i).location.line));
         }
     }
-    if (!open.empty())
+    if (unclosed < tokens.size())
     {
-        failOpen(open.front(), "");
+        failOpen(unclosed, "");
     }
 }
 

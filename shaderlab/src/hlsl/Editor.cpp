@@ -54,19 +54,13 @@ std::string HlslEditor::Assemble() const
     std::string result;
     result.reserve(source.size());
     std::size_t position = 0;
-    auto inserted = m_Inserted.begin();
     for (std::size_t i = 0; i < size(); ++i)
     {
         const std::string_view text = Text(i);
-        const auto begin = static_cast<std::size_t>(text.data() - source.data());
+        const std::size_t begin = m_Tokens.all()[i].Begin(source);
         result.append(source.substr(position, begin - position));
         position = begin + text.size();
-        result.append(i == 0 ? m_Prepended : std::string());
         result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
-        if (inserted != m_Inserted.end() && inserted->first == i)
-        {
-            result.append((inserted++)->second);
-        }
     }
     return result.append(source.substr(position));
 }
@@ -76,8 +70,7 @@ std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) cons
     constexpr std::size_t k_FewLines = 24; // shorter than a directive
     std::string result;
     result.reserve(m_Tokens.source().size());
-    result.append(m_Prepended);
-    std::size_t line = m_Prepended.find('\n') == m_Prepended.npos ? 1 : 0; // 0 = not known
+    std::size_t line = 1; // 0 = not known
     auto inserted = m_Inserted.begin();
     for (std::size_t i = 0; i < size(); ++i)
     {

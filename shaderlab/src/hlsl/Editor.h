@@ -55,11 +55,9 @@ public:
     /// Text behind the token, there even if the token is left out.
     void Insert(std::size_t index, std::string_view text) { m_Inserted[index] += text; }
 
-    /// Text before the first token, which may be left out.
-    void Prepend(std::string_view text) { m_Prepended += text; }
-
     /// Whether any token is spelled anew.
     bool isEdited() const { return !m_Spelling.empty(); }
+    /// Without what is inserted.
     std::string Assemble() const;
     /// For a compiler: each token is in a line of its own, which it is the number of, from 1; so
     /// messages tell the token. Of directives between tokens only pragmas stay.
@@ -76,7 +74,6 @@ private:
     std::vector<std::uint32_t> m_Edit; ///< by token: one more than its place in m_Spelling, or 0
     std::deque<std::string> m_Spelling;
     std::map<std::size_t, std::string> m_Inserted; ///< by token
-    std::string m_Prepended;
 };
 
 } // namespace limn

@@ -98,8 +98,8 @@ public:
         {
             unknownNames[name.token] = name.text;
         }
-        return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_UnknownTypes,
-                unknownNames, std::move(m_Nodes)};
+        return {m_Lowering.functions() + m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry,
+                m_StandIns, m_UnknownTypes, unknownNames, std::move(m_Nodes)};
     }
 
     /// glslang crashes on those of bool, and has none of one row or column.
@@ -156,7 +156,6 @@ public:
                 m_Code.Spelling(function.token) = *spelling;
             }
         }
-        m_Code.Prepend(m_Lowering.functions());
     }
 
     /// What the code assigns to is a writable copy; a uniform cannot be.
@@ -275,13 +274,15 @@ public:
     {
         for (const HlslFunction* function : m_Reach.functions())
         {
-            for (const std::string_view attribute : function->attributes)
+            for (std::size_t i = function->begin; m_Tokens.Text(i) == "[";)
             {
-                if (attribute.starts_with(k_StandIn))
+                const std::size_t end = m_Tokens.AfterBracket(i);
+                if (m_Tokens.Span(i, end).starts_with(k_StandIn))
                 {
-                    Erase(function->begin, attribute);
-                    m_StandIns.push_back(DescribeStandIn(attribute));
+                    m_StandIns.push_back(DescribeStandIn(m_Tokens.Span(i, end)));
+                    m_Code.Erase(i, end);
                 }
+                i = end;
             }
         }
     }
@@ -289,9 +290,10 @@ public:
     /// Those of an entry function stand before the generated one.
     void TakeAttributes(const HlslFunction& function)
     {
-        for (const std::string_view attribute : function.attributes)
+        for (std::size_t i = function.begin, end = i; m_Tokens.Text(i) == "["; i = end)
         {
-            Erase(function.begin, attribute);
+            end = m_Tokens.AfterBracket(i);
+            m_Code.Erase(i, end);
         }
     }
 
@@ -360,18 +362,6 @@ private:
                        : node.kind == HlslNodeKind::Name && variables.contains(node.variable);
         };
         return FindNode(value, isOne) != nullptr;
-    }
-
-    /// Erases the tokens of `span`, from `token` on.
-    void Erase(std::size_t token, std::string_view span)
-    {
-        for (; m_Tokens.Text(token).data() < span.data() + span.size(); ++token)
-        {
-            if (m_Tokens.Text(token).data() >= span.data())
-            {
-                m_Code.Spelling(token).clear();
-            }
-        }
     }
 
     void Copy(const HlslVariable& uniform)
