@@ -4,7 +4,6 @@
 #include "text/Text.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -196,9 +195,8 @@ private:
 
     static bool isStatement(std::string_view word)
     {
-        constexpr std::string_view k_Statements[] = {"if", "else", "for", "while", "do", "switch"};
-        return std::find(std::begin(k_Statements), std::end(k_Statements), word) !=
-               std::end(k_Statements);
+        return word == "if" || word == "else" || word == "for" || word == "while" || word == "do" ||
+               word == "switch";
     }
 
     static bool isOperator(const HlslToken& token)

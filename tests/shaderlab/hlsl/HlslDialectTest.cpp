@@ -369,6 +369,14 @@ TEST(HlslDialect, EndsTwoTemplateArgumentsAtOnce)
     EXPECT_EQ(pass->layout.storageBuffers.at(0).stride, 64u);
 }
 
+TEST(HlslDialect, TakesListsInListsOfVectors)
+{
+    const auto pass = CompileFragment(
+        "float4 frag(v2f i) : SV_Target { float4 v = {{1, 2}, {3, 4}}; return v * i.uv.x; }");
+    EXPECT_THAT(Disassemble(pass->fragmentSpirv),
+                HasSubstr("OpConstantComposite %v4float %float_1 %float_2 %float_3 %float_4"));
+}
+
 TEST(HlslDialect, TakesConstantObjects)
 {
     const auto pass = CompileFragment(R"(
