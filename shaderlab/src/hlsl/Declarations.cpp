@@ -49,7 +49,10 @@ private:
     /// A token, or from an opening bracket to behind the one that closes it.
     void Skip() { m_Index = m_Tokens.AfterBracket(m_Index); }
     void SkipTo(std::string_view mark) { m_Index = m_Tokens.FindOutside(m_Index, mark); }
-    void Complain(std::string_view problem) { m_Result.problems.push_back({m_Index, problem}); }
+    void Complain(std::string_view problem)
+    {
+        m_Result.problems.push_back({m_Index, std::string(problem)});
+    }
     /// From a `<` to behind its `>`.
     void SkipTemplate()
     {

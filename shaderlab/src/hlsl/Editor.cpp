@@ -3,15 +3,6 @@
 namespace limn
 {
 
-HlslEditor::HlslEditor(const std::string& text, SourceLines* lines)
-    : m_Owned(std::make_unique<const HlslTokens>(text, lines)),
-      m_Tokens(*m_Owned),
-      m_Edit(m_Tokens.size())
-{
-}
-
-HlslEditor::HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
-
 std::string& HlslEditor::Spelling(std::size_t index)
 {
     if (m_Edit[index] == 0)

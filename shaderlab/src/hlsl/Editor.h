@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +21,8 @@ inline constexpr const char* k_TokenFile = "tokens";
 class HlslEditor
 {
 public:
-    /// @param text   must outlive this
-    /// @param lines  see HlslTokens
-    explicit HlslEditor(const std::string& text, SourceLines* lines = nullptr);
     /// @param tokens  must outlive this
-    explicit HlslEditor(const HlslTokens& tokens);
+    explicit HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
 
     const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }
@@ -43,7 +39,6 @@ public:
     {
         return m_Tokens.FindOutside(index, mark);
     }
-    HlslPlace Place(std::size_t index) const { return m_Tokens.Place(index); }
 
     /// What stands in the place of the token.
     std::string& Spelling(std::size_t index);
@@ -69,7 +64,6 @@ private:
     /// The last one behind the token before.
     std::string_view PragmaBefore(std::size_t index) const;
 
-    std::unique_ptr<const HlslTokens> m_Owned;
     const HlslTokens& m_Tokens;
     std::vector<std::uint32_t> m_Edit; ///< by token: one more than its place in m_Spelling, or 0
     std::deque<std::string> m_Spelling;

@@ -31,13 +31,6 @@ void HlslResolver::ResolveBody(HlslNode& body, const HlslFunction& function,
     Close();
 }
 
-void HlslResolver::ResolveValue(HlslNode& value)
-{
-    Open();
-    Resolve(value);
-    Close();
-}
-
 void HlslResolver::Close()
 {
     for (const std::string_view name : m_Scopes.back())

@@ -24,19 +24,10 @@ namespace
 
 constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 
-constexpr std::string_view k_StandIn = "[limn_Lacks";
-
-/// What `[limn_Lacks("X", "Y")]` says.
-std::string DescribeStandIn(std::string_view attribute)
+/// What stands in quotes.
+std::string Unquoted(std::string_view text)
 {
-    std::vector<std::string> parts; // what is outside and inside of quotes in turn
-    while (parts.size() < 4)
-    {
-        const std::size_t size = std::min(attribute.find('"'), attribute.size());
-        parts.emplace_back(attribute.substr(0, size));
-        attribute.remove_prefix(std::min(size + 1, attribute.size()));
-    }
-    return "uses " + parts[1] + ", which limn does not have: " + parts[3];
+    return std::string(text.size() > 1 ? text.substr(1, text.size() - 2) : text);
 }
 
 class Rewriter
@@ -93,7 +84,7 @@ public:
 
     RewrittenHlsl Finish(const std::string& entry)
     {
-        std::map<std::size_t, std::string_view> unknownNames;
+        std::map<std::size_t, std::string> unknownNames;
         for (const HlslProblem& name : m_Resolver.unknown())
         {
             unknownNames[name.token] = name.text;
@@ -105,7 +96,7 @@ public:
     /// glslang crashes on those of bool, and has none of one row or column.
     void RefuseMatrices() const
     {
-        std::vector<Diagnostic> diagnostics;
+        std::vector<HlslProblem> problems;
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
             const std::string_view word = m_Tokens.Text(i);
@@ -124,15 +115,12 @@ public:
             {
                 const std::string other = isFlat ? type.As(type.components()).Spelling()
                                                  : type.Of(HlslScalar::Float).Spelling();
-                diagnostics.push_back(m_Tokens.Error(
-                    i, std::string("limn has no matrices of ") +
-                           (isFlat ? "one row or column" : "bool") + "; use '" + other + "'"));
+                problems.push_back({i, std::string("limn has no matrices of ") +
+                                           (isFlat ? "one row or column" : "bool") + "; use '" +
+                                           other + "'"});
             }
         }
-        if (!diagnostics.empty())
-        {
-            throw AssetError(std::move(diagnostics));
-        }
+        m_Tokens.Refuse(problems);
     }
 
     /// Everything that glslang takes for something else.
@@ -277,9 +265,11 @@ public:
             for (std::size_t i = function->begin; m_Tokens.Text(i) == "[";)
             {
                 const std::size_t end = m_Tokens.AfterBracket(i);
-                if (m_Tokens.Span(i, end).starts_with(k_StandIn))
+                if (m_Tokens.Text(i + 1) == "limn_Lacks") // ("X", "Y")
                 {
-                    m_StandIns.push_back(DescribeStandIn(m_Tokens.Span(i, end)));
+                    m_StandIns.push_back(
+                        "uses " + Unquoted(m_Tokens.Text(i + 3)) +
+                        ", which limn does not have: " + Unquoted(m_Tokens.Text(i + 5)));
                     m_Code.Erase(i, end);
                 }
                 i = end;
@@ -330,7 +320,7 @@ private:
             {
                 m_Trees.push_back(
                     {parser.ParseValue(variable.valueToken, variable.valueEnd), &variable});
-                m_Resolver.ResolveValue(*m_Trees.back().root);
+                m_Resolver.Resolve(*m_Trees.back().root);
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)

@@ -43,7 +43,7 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset);
 struct HlslProblem
 {
     std::size_t token = 0;
-    std::string_view text;
+    std::string text;
 };
 
 /// The tokens of a text, and which brackets belong together.

@@ -323,7 +323,7 @@ HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
         HlslNode* value = ReadAssignment();
         if (isWord() && m_Tokens.Text(m_Index - 1) != ")") // `(type)word` may be of a type unknown
         {
-            m_Unended.push_back({m_Index, k_MissingSemicolon});
+            m_Unended.push_back({m_Index, std::string(k_MissingSemicolon)});
         }
         const bool isWhole = Text() == "," || Text() == ";" || Text() == ")";
         node->Add(isWhole ? value
