@@ -13,13 +13,17 @@ std::string& HlslEditor::Spelling(std::size_t index)
     return m_Spelling[m_Edit[index] - 1];
 }
 
+std::string_view HlslEditor::Now(std::size_t index) const
+{
+    return m_Edit[index] == 0 ? Text(index) : m_Spelling[m_Edit[index] - 1];
+}
+
 std::string HlslEditor::Spelled(std::size_t first, std::size_t end) const
 {
     std::string result;
     for (; first < end; ++first)
     {
-        const std::uint32_t edit = m_Edit[first];
-        result.append(edit == 0 ? Text(first) : m_Spelling[edit - 1]).append(" ");
+        result.append(Now(first)).append(" ");
     }
     return result;
 }
@@ -51,7 +55,7 @@ std::string HlslEditor::Assemble() const
         const std::size_t begin = m_Tokens.all()[i].Begin(source);
         result.append(source.substr(position, begin - position));
         position = begin + text.size();
-        result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
+        result.append(Now(i));
     }
     return result.append(source.substr(position));
 }
@@ -70,10 +74,7 @@ std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) cons
             result.append("\n").append(pragma).append("\n");
             line = 0;
         }
-        const std::uint32_t edit = m_Edit[i];
-        const std::string_view text = isLeftOut[i] ? std::string_view()
-                                      : edit == 0  ? Text(i)
-                                                   : std::string_view(m_Spelling[edit - 1]);
+        const std::string_view text = isLeftOut[i] ? std::string_view() : Now(i);
         const bool isFollowed = inserted != m_Inserted.end() && inserted->first == i;
         if (text.empty() && !isFollowed)
         {

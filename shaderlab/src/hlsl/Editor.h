@@ -61,6 +61,8 @@ public:
     std::string AssembleByToken(const std::vector<bool>& isLeftOut) const;
 
 private:
+    /// What stands in the place of the token now.
+    std::string_view Now(std::size_t index) const;
     /// The last one behind the token before.
     std::string_view PragmaBefore(std::size_t index) const;
 

@@ -39,14 +39,6 @@ struct Slot
 
 constexpr std::int64_t k_MostElements = 4096;
 
-/// How many elements the array has; 0 = its list tells.
-std::size_t CountOf(const Slot& array, const HlslDeclarations& declarations)
-{
-    const std::string_view size = array.dimensions.front();
-    return static_cast<std::size_t>(
-        std::clamp<std::int64_t>(EvaluateInteger(size, declarations.constants), 0, k_MostElements));
-}
-
 /// Stands for a value that stays where it is in what a ListDealer writes.
 constexpr char k_Whole = '\1';
 
@@ -93,10 +85,12 @@ private:
         {
             return DealOne(slot.type);
         }
-        const std::size_t known = CountOf(slot, m_Declarations);
-        m_Fits = m_Fits && (known > 0 || slot.dimensions.front().empty());
+        const std::string_view size = slot.dimensions.front();
+        const std::int64_t known = std::clamp<std::int64_t>(
+            EvaluateInteger(size, m_Declarations.constants), 0, k_MostElements);
+        m_Fits = m_Fits && (known > 0 || size.empty()); // else its list tells
         std::string text;
-        for (std::size_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
+        for (std::int64_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
         {
             text += (i == 0 ? "{" : ", ") + DealSlot(slot.Element());
         }

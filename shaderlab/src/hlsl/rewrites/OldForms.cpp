@@ -159,12 +159,7 @@ private:
     /// Whether the brackets at hand are of a function.
     bool isInFunction() const
     {
-        std::size_t index = m_Declaration;
-        while (index < m_Code.size() && Text(index) != "(" && Text(index) != "{")
-        {
-            ++index;
-        }
-        return Text(index) == "(";
+        return m_Code.FindOutside(m_Declaration, "(") < m_Code.FindOutside(m_Declaration, "{");
     }
 
     /// `SamplerState name : register(s0) { … }`

@@ -40,8 +40,8 @@ void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 /// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
 void TakeStructsOutOfBuffers(HlslEditor& code);
 
-/// Takes namespaces away, and `using namespace`: what they declare, uniforms apart, gets a name with
-/// theirs in it. glslang finds no types in them, and no names of them that stand alone.
+/// Takes namespaces away, and `using namespace`: what they declare, uniforms apart, gets a name
+/// with theirs in it. glslang finds no types in them, and no names of them that stand alone.
 ///
 /// @throws AssetError  where one is used that is not there
 void TakeNamespaces(HlslEditor& code);
