@@ -486,6 +486,14 @@ TEST(HlslDialect, RefusesToUseNamespacesThatAreNot)
                 ElementsAre(HasSubstr("error: 'D': there is no such namespace")));
 }
 
+TEST(HlslDialect, RefusesUsingWithoutItsEnd)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_Vertex + "namespace A { float F() { return 1; } }\nusing namespace A\n"
+                               "float4 frag(v2f i) : SV_Target { return i.uv.x; }")),
+                Contains(HasSubstr("error: 'using': ")));
+}
+
 TEST(HlslDialect, RefusesTexturesOfOneDimension)
 {
     EXPECT_THAT(test::CompileMessages(test::Program(

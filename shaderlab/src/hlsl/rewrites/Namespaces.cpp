@@ -141,6 +141,10 @@ private:
     std::size_t Use(std::size_t index, const std::string& space)
     {
         const std::size_t end = m_Code.FindOutside(index, ";");
+        if (Text(end) != ";")
+        {
+            return index + 1; // the compiler says what is wrong
+        }
         std::string path;
         for (std::size_t i = index + 2; i < end; ++i)
         {
