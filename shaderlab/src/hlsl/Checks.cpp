@@ -19,39 +19,6 @@ char ClosingOf(std::string_view open)
     return open == "(" ? ')' : open == "[" ? ']' : '}';
 }
 
-/// @throws AssetError  at the first bracket that has no other
-void RequirePairs(const HlslTokens& tokens)
-{
-    const auto failOpen = [&](std::size_t token, const std::string& where)
-    {
-        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
-                                                  "' is missing for it" + where)});
-    };
-    std::size_t unclosed = tokens.size(); // the first
-    for (std::size_t i = 0; i < tokens.size(); ++i)
-    {
-        const int step = tokens.Step(i);
-        const std::size_t open = tokens.MatchingOpen(i);
-        if (step > 0 && tokens.MatchingOpen(tokens.AfterBracket(i) - 1) != i)
-        {
-            unclosed = std::min(unclosed, i);
-        }
-        else if (step < 0 && open == i)
-        {
-            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
-        }
-        else if (step < 0 && tokens.Text(i)[0] != ClosingOf(tokens.Text(open)))
-        {
-            failOpen(open, " before the '" + std::string(tokens.Text(i)) + "' of line " +
-                               std::to_string(tokens.Place(i).location.line));
-        }
-    }
-    if (unclosed < tokens.size())
-    {
-        failOpen(unclosed, "");
-    }
-}
-
 /// Whether `) . method (` stands at the index.
 bool isMethodOfResult(const HlslSource& source, std::size_t index)
 {
@@ -316,6 +283,39 @@ std::string DescribeDepth(const std::string& most)
 
 } // namespace
 
+void RequirePairs(const HlslTokens& tokens)
+{
+    const auto failOpen = [&](std::size_t token, const std::string& where)
+    {
+        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
+                                                  "' is missing for it" + where)});
+    };
+    std::size_t unclosed = tokens.size(); // the first
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+    {
+        const int step = tokens.Step(i);
+        const std::size_t open = tokens.MatchingOpen(i);
+        const std::size_t last = tokens.AfterBracket(i) - 1;
+        if (step > 0 && (last == i || tokens.MatchingOpen(last) != i))
+        {
+            unclosed = std::min(unclosed, i);
+        }
+        else if (step < 0 && open == i)
+        {
+            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
+        }
+        else if (step < 0 && tokens.Text(i)[0] != ClosingOf(tokens.Text(open)))
+        {
+            failOpen(open, " before the '" + std::string(tokens.Text(i)) + "' of line " +
+                               std::to_string(tokens.Place(i).location.line));
+        }
+    }
+    if (unclosed < tokens.size())
+    {
+        failOpen(unclosed, "");
+    }
+}
+
 void RequireShallow(const HlslTokens& tokens)
 {
     const auto fail = [&](std::size_t token, const std::string& most)
@@ -394,13 +394,17 @@ void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const H
         {
             CheckGather(node, tokens, problems);
         }
+        else if (node.kind == HlslNodeKind::List && !node.child && node.parent &&
+                 node.parent->kind == HlslNodeKind::List)
+        {
+            problems.push_back({node.first, "nothing is in this list of a list; write its values"});
+        }
     }
     tokens.Refuse(problems);
 }
 
 void RequireSound(const HlslSource& source)
 {
-    RequirePairs(source.tokens);
     source.tokens.Refuse(source.declarations.problems); // others may come of them
     std::vector<HlslProblem> problems;
     for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)

@@ -377,6 +377,14 @@ TEST(HlslDialect, TakesListsInListsOfVectors)
                 HasSubstr("OpConstantComposite %v4float %float_1 %float_2 %float_3 %float_4"));
 }
 
+TEST(HlslDialect, RefusesListsInListsWithNothingInThem)
+{
+    EXPECT_THAT(
+        test::CompileMessages(test::Program(
+            k_Vertex + "float4 frag(v2f i) : SV_Target { float4 v = {{}, {3, 4}}; return v; }")),
+        ElementsAre(HasSubstr("error: '{': nothing is in this list of a list; write its values")));
+}
+
 TEST(HlslDialect, TakesConstantObjects)
 {
     const auto pass = CompileFragment(R"(

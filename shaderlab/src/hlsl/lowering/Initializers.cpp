@@ -191,7 +191,7 @@ void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
     const Slot slot{type.Innermost(), dimensions};
     const bool isKnown = type.dimensions == dimensions.size() &&
                          (slot.type.isNumber() || declarations.FindStruct(slot.type.name));
-    if (value.kind == HlslNodeKind::List && isKnown)
+    if (value.kind == HlslNodeKind::List && value.child && isKnown)
     {
         ListDealer(declarations, m_Code, value).Deal(value, slot);
     }

@@ -21,7 +21,7 @@ namespace limn
 /// what the functions below tell. What needs types is done later, see lowering/Lowering.h. Lines
 /// stay where they are.
 ///
-/// @throws AssetError  where the text is nested too deeply
+/// @throws AssetError  where the text is nested too deeply, or lacks a bracket
 std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings);
 

@@ -185,6 +185,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
     std::optional<HlslTokens> tokens(std::in_place, text, &lines);
     std::optional<HlslEditor> code(std::in_place, *tokens);
     RequireShallow(*tokens);
+    RequirePairs(*tokens);
     const auto rewrite = [&](const auto& edit)
     {
         edit(*code);
