@@ -4,7 +4,6 @@
 #include "text/Text.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -18,42 +17,6 @@ namespace
 char ClosingOf(std::string_view open)
 {
     return open == "(" ? ')' : open == "[" ? ']' : '}';
-}
-
-/// @throws AssetError  at the first bracket that has no other
-void RequirePairs(const HlslTokens& tokens)
-{
-    std::vector<std::size_t> open;
-    const auto failOpen = [&](std::size_t token, const std::string& where)
-    {
-        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
-                                                  "' is missing for it" + where)});
-    };
-    for (std::size_t i = 0; i < tokens.size(); ++i)
-    {
-        const int step = tokens.Step(i);
-        if (step > 0)
-        {
-            open.push_back(i);
-        }
-        else if (step < 0 && open.empty())
-        {
-            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
-        }
-        else if (step < 0)
-        {
-            if (tokens.Text(i)[0] != ClosingOf(tokens.Text(open.back())))
-            {
-                failOpen(open.back(), " before the '" + std::string(tokens.Text(i)) + "' of line " +
-                                          std::to_string(tokens.Place(i).location.line));
-            }
-            open.pop_back();
-        }
-    }
-    if (!open.empty())
-    {
-        failOpen(open.front(), "");
-    }
 }
 
 /// Whether `) . method (` stands at the index.
@@ -133,28 +96,28 @@ public:
     /// The depth that the tree may have.
     std::size_t Take(const HlslToken& token, std::string_view next)
     {
-        const std::string_view text = token.text;
-        if (text == "(" || text == "[" || text == "{")
+        const char mark = token.Mark();
+        if (mark == '(' || mark == '[' || mark == '{')
         {
             m_Levels.emplace_back();
-            m_Levels.back().isList = isList(text);
+            m_Levels.back().isList = isList(mark);
         }
-        else if ((text == ")" || text == "]" || text == "}") && m_Levels.size() > 1)
+        else if ((mark == ')' || mark == ']' || mark == '}') && m_Levels.size() > 1)
         {
             const std::size_t inner = m_Levels.back().Depth() + k_Bracket;
             m_Levels.pop_back();
             m_Levels.back().AddBracket(inner);
         }
-        else if (text == ".")
+        else if (mark == '.')
         {
             m_Levels.back().AddPick(1);
         }
-        else if (isOperator(token) || (text == "," && !m_Levels.back().isList))
+        else if (isOperator(token) || (mark == ',' && !m_Levels.back().isList))
         {
             m_Levels.back().AddOperator();
         }
         const std::size_t depth = std::max(m_Levels.back().Depth(), m_Levels.size() * k_Bracket);
-        const bool isEnd = text == ";" || text == "}" || (text == "," && m_Levels.back().isList);
+        const bool isEnd = mark == ';' || mark == '}' || (mark == ',' && m_Levels.back().isList);
         if (isEnd && next != "else" && next != ";")
         {
             m_Levels.back().End();
@@ -199,9 +162,8 @@ private:
 
     static bool isStatement(std::string_view word)
     {
-        constexpr std::string_view k_Statements[] = {"if", "else", "for", "while", "do", "switch"};
-        return std::find(std::begin(k_Statements), std::end(k_Statements), word) !=
-               std::end(k_Statements);
+        return word == "if" || word == "else" || word == "for" || word == "while" || word == "do" ||
+               word == "switch";
     }
 
     static bool isOperator(const HlslToken& token)
@@ -213,11 +175,11 @@ private:
     }
 
     /// Of arguments, parameters or initial values, in brackets that open behind m_Previous.
-    bool isList(std::string_view bracket) const
+    bool isList(char bracket) const
     {
-        return bracket == "(" ? m_Previous.isWord && m_Previous.text != "return" &&
+        return bracket == '(' ? m_Previous.isWord && m_Previous.text != "return" &&
                                     !isStatement(m_Previous.text)
-               : bracket == "{"
+               : bracket == '{'
                    ? m_Previous.text == "=" || m_Previous.text == "," || m_Previous.text == "{"
                    : true;
     }
@@ -241,16 +203,17 @@ public:
         {
             return TakeWord(text(0), text(1), text(2), text(3));
         }
-        if (text(0) == "{")
+        const char mark = tokens.all()[index].Mark();
+        if (mark == '{')
         {
             m_Open.push_back(m_Next);
             m_Next = {};
         }
-        else if (text(0) == "}" && !m_Open.empty())
+        else if (mark == '}' && !m_Open.empty())
         {
             Close(text(1));
         }
-        else if (text(0) == ";" || text(0) == "(" || text(0) == ")" || text(0) == "=")
+        else if (mark == ';' || mark == '(' || mark == ')' || mark == '=')
         {
             m_Next = {};
         }
@@ -319,6 +282,39 @@ std::string DescribeDepth(const std::string& most)
 }
 
 } // namespace
+
+void RequirePairs(const HlslTokens& tokens)
+{
+    const auto failOpen = [&](std::size_t token, const std::string& where)
+    {
+        throw AssetError({tokens.Error(token, std::string("a '") + ClosingOf(tokens.Text(token)) +
+                                                  "' is missing for it" + where)});
+    };
+    std::size_t unclosed = tokens.size(); // the first
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+    {
+        const int step = tokens.Step(i);
+        const std::size_t open = tokens.MatchingOpen(i);
+        const std::size_t last = tokens.AfterBracket(i) - 1;
+        if (step > 0 && (last == i || tokens.MatchingOpen(last) != i))
+        {
+            unclosed = std::min(unclosed, i);
+        }
+        else if (step < 0 && open == i)
+        {
+            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
+        }
+        else if (step < 0 && tokens.Text(i)[0] != ClosingOf(tokens.Text(open)))
+        {
+            failOpen(open, " before the '" + std::string(tokens.Text(i)) + "' of line " +
+                               std::to_string(tokens.Place(i).location.line));
+        }
+    }
+    if (unclosed < tokens.size())
+    {
+        failOpen(unclosed, "");
+    }
+}
 
 void RequireShallow(const HlslTokens& tokens)
 {
@@ -398,13 +394,17 @@ void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const H
         {
             CheckGather(node, tokens, problems);
         }
+        else if (node.kind == HlslNodeKind::List && !node.child && node.parent &&
+                 node.parent->kind == HlslNodeKind::List)
+        {
+            problems.push_back({node.first, "nothing is in this list of a list; write its values"});
+        }
     }
     tokens.Refuse(problems);
 }
 
 void RequireSound(const HlslSource& source)
 {
-    RequirePairs(source.tokens);
     source.tokens.Refuse(source.declarations.problems); // others may come of them
     std::vector<HlslProblem> problems;
     for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)

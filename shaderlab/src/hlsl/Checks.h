@@ -9,6 +9,9 @@
 namespace limn
 {
 
+/// @throws AssetError  at the first bracket that has no other
+void RequirePairs(const HlslTokens& tokens);
+
 /// Refuses expressions, blocks and structs that are nested so deeply that compilers, which call
 /// themselves for each level, run out of stack.
 ///
@@ -29,7 +32,7 @@ std::string DescribeDeepMacros();
 void RequireSound(const HlslSource& source);
 
 /// Labels stand in a switch and are constants; glslang crashes on others. `GatherCmp` is of
-/// textures that are no cubes, and of their first number.
+/// textures that are no cubes, and of their first number. Lists in lists are not empty.
 ///
 /// @param nodes  resolved
 /// @throws AssetError  at those that are wrong

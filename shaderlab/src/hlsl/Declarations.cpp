@@ -49,7 +49,10 @@ private:
     /// A token, or from an opening bracket to behind the one that closes it.
     void Skip() { m_Index = m_Tokens.AfterBracket(m_Index); }
     void SkipTo(std::string_view mark) { m_Index = m_Tokens.FindOutside(m_Index, mark); }
-    void Complain(std::string_view problem) { m_Result.problems.push_back({m_Index, problem}); }
+    void Complain(std::string_view problem)
+    {
+        m_Result.problems.push_back({m_Index, std::string(problem)});
+    }
     /// From a `<` to behind its `>`.
     void SkipTemplate()
     {
@@ -232,19 +235,18 @@ private:
         }
         if (Accept("="))
         {
-            const std::size_t first = m_Index;
-            variable.valueToken = first;
+            variable.valueToken = m_Index;
             while (!isEnd() && Text() != "," && Text() != ";" && Text() != ")")
             {
                 Skip();
             }
-            variable.value = Span(first);
             variable.valueEnd = m_Index;
         }
     }
 
-    void ReadDeclarators(HlslVariable variable, std::vector<HlslVariable>& result)
+    void ReadDeclarators(const HlslVariable& head, std::vector<HlslVariable>& result)
     {
+        HlslVariable variable = head;
         const std::size_t start = m_Index;
         const std::size_t known = result.size();
         do
@@ -256,11 +258,8 @@ private:
             }
             ReadTail(variable);
             result.push_back(variable);
+            variable = head;
             variable.name = {};
-            variable.dimensions.clear();
-            variable.semantic = {};
-            variable.value = {};
-            variable.valueToken = 0;
         } while (Accept(","));
         if (Accept(";"))
         {
@@ -317,7 +316,8 @@ private:
             {
                 if (variable.Has("const") && variable.dimensions.empty())
                 {
-                    m_Result.constants[std::string(variable.name)] = variable.value;
+                    m_Result.constants[std::string(variable.name)] =
+                        m_Tokens.Span(variable.valueToken, variable.valueEnd);
                 }
                 m_Result.statics.push_back(std::move(variable));
                 continue;

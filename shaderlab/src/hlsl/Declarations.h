@@ -19,8 +19,7 @@ struct HlslVariable
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
-    std::string_view value;     ///< behind `=`
-    std::size_t valueToken = 0; ///< the first of it
+    std::size_t valueToken = 0; ///< the first behind `=`, or 0
     std::size_t valueEnd = 0;   ///< one behind its last
     std::size_t token = 0;      ///< index of the name
     std::size_t endToken = 0;   ///< of a uniform: index of the token that ends its declaration

@@ -3,15 +3,6 @@
 namespace limn
 {
 
-HlslEditor::HlslEditor(const std::string& text, SourceLines* lines)
-    : m_Owned(std::make_unique<const HlslTokens>(text, lines)),
-      m_Tokens(*m_Owned),
-      m_Edit(m_Tokens.size())
-{
-}
-
-HlslEditor::HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
-
 std::string& HlslEditor::Spelling(std::size_t index)
 {
     if (m_Edit[index] == 0)
@@ -22,13 +13,17 @@ std::string& HlslEditor::Spelling(std::size_t index)
     return m_Spelling[m_Edit[index] - 1];
 }
 
+std::string_view HlslEditor::Now(std::size_t index) const
+{
+    return m_Edit[index] == 0 ? Text(index) : m_Spelling[m_Edit[index] - 1];
+}
+
 std::string HlslEditor::Spelled(std::size_t first, std::size_t end) const
 {
     std::string result;
     for (; first < end; ++first)
     {
-        const std::uint32_t edit = m_Edit[first];
-        result.append(edit == 0 ? Text(first) : m_Spelling[edit - 1]).append(" ");
+        result.append(Now(first)).append(" ");
     }
     return result;
 }
@@ -54,19 +49,13 @@ std::string HlslEditor::Assemble() const
     std::string result;
     result.reserve(source.size());
     std::size_t position = 0;
-    auto inserted = m_Inserted.begin();
     for (std::size_t i = 0; i < size(); ++i)
     {
         const std::string_view text = Text(i);
-        const auto begin = static_cast<std::size_t>(text.data() - source.data());
+        const std::size_t begin = m_Tokens.all()[i].Begin(source);
         result.append(source.substr(position, begin - position));
         position = begin + text.size();
-        result.append(i == 0 ? m_Prepended : std::string());
-        result.append(m_Edit[i] == 0 ? text : m_Spelling[m_Edit[i] - 1]);
-        if (inserted != m_Inserted.end() && inserted->first == i)
-        {
-            result.append((inserted++)->second);
-        }
+        result.append(Now(i));
     }
     return result.append(source.substr(position));
 }
@@ -76,8 +65,7 @@ std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) cons
     constexpr std::size_t k_FewLines = 24; // shorter than a directive
     std::string result;
     result.reserve(m_Tokens.source().size());
-    result.append(m_Prepended);
-    std::size_t line = m_Prepended.find('\n') == m_Prepended.npos ? 1 : 0; // 0 = not known
+    std::size_t line = 1; // 0 = not known
     auto inserted = m_Inserted.begin();
     for (std::size_t i = 0; i < size(); ++i)
     {
@@ -86,10 +74,7 @@ std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) cons
             result.append("\n").append(pragma).append("\n");
             line = 0;
         }
-        const std::uint32_t edit = m_Edit[i];
-        const std::string_view text = isLeftOut[i] ? std::string_view()
-                                      : edit == 0  ? Text(i)
-                                                   : std::string_view(m_Spelling[edit - 1]);
+        const std::string_view text = isLeftOut[i] ? std::string_view() : Now(i);
         const bool isFollowed = inserted != m_Inserted.end() && inserted->first == i;
         if (text.empty() && !isFollowed)
         {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +21,8 @@ inline constexpr const char* k_TokenFile = "tokens";
 class HlslEditor
 {
 public:
-    /// @param text   must outlive this
-    /// @param lines  see HlslTokens
-    explicit HlslEditor(const std::string& text, SourceLines* lines = nullptr);
     /// @param tokens  must outlive this
-    explicit HlslEditor(const HlslTokens& tokens);
+    explicit HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
 
     const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }
@@ -43,7 +39,6 @@ public:
     {
         return m_Tokens.FindOutside(index, mark);
     }
-    HlslPlace Place(std::size_t index) const { return m_Tokens.Place(index); }
 
     /// What stands in the place of the token.
     std::string& Spelling(std::size_t index);
@@ -55,11 +50,9 @@ public:
     /// Text behind the token, there even if the token is left out.
     void Insert(std::size_t index, std::string_view text) { m_Inserted[index] += text; }
 
-    /// Text before the first token, which may be left out.
-    void Prepend(std::string_view text) { m_Prepended += text; }
-
     /// Whether any token is spelled anew.
     bool isEdited() const { return !m_Spelling.empty(); }
+    /// Without what is inserted.
     std::string Assemble() const;
     /// For a compiler: each token is in a line of its own, which it is the number of, from 1; so
     /// messages tell the token. Of directives between tokens only pragmas stay.
@@ -68,15 +61,15 @@ public:
     std::string AssembleByToken(const std::vector<bool>& isLeftOut) const;
 
 private:
+    /// What stands in the place of the token now.
+    std::string_view Now(std::size_t index) const;
     /// The last one behind the token before.
     std::string_view PragmaBefore(std::size_t index) const;
 
-    std::unique_ptr<const HlslTokens> m_Owned;
     const HlslTokens& m_Tokens;
     std::vector<std::uint32_t> m_Edit; ///< by token: one more than its place in m_Spelling, or 0
     std::deque<std::string> m_Spelling;
     std::map<std::size_t, std::string> m_Inserted; ///< by token
-    std::string m_Prepended;
 };
 
 } // namespace limn

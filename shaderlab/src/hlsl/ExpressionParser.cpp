@@ -1,9 +1,9 @@
 #include "hlsl/TreeParser.h"
 
 #include "text/Text.h"
+#include "text/WordList.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -12,9 +12,6 @@ namespace limn
 
 namespace
 {
-
-constexpr std::array<std::string_view, 11> k_Assignments = {
-    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 
 /// 0 = no operator between two values.
 int PrecedenceOf(std::string_view text)
@@ -30,7 +27,8 @@ int PrecedenceOf(std::string_view text)
 
 bool isAssignment(std::string_view text)
 {
-    return std::find(k_Assignments.begin(), k_Assignments.end(), text) != k_Assignments.end();
+    static const WordList s_Assignments("= += -= *= /= %= &= |= ^= <<= >>=");
+    return s_Assignments.Has(text);
 }
 
 bool isPrefix(std::string_view text)
@@ -43,8 +41,17 @@ bool isNumber(std::string_view text)
     return !text.empty() && (isDigit(text[0]) || (text[0] == '.' && text.size() > 1));
 }
 
+bool isTruth(std::string_view text)
+{
+    return text == "true" || text == "false";
+}
+
 HlslType LiteralType(std::string_view text)
 {
+    if (isTruth(text))
+    {
+        return HlslType::Number(HlslScalar::Bool);
+    }
     const bool isHexadecimal = text.starts_with("0x") || text.starts_with("0X");
     const char suffix = ToLower(text.back());
     if (!isHexadecimal && (suffix == 'f' || suffix == 'h'))
@@ -61,8 +68,7 @@ HlslType LiteralType(std::string_view text)
 /// Words that may stand for a name where no type follows: `float4x4 matrix`.
 bool isNameToo(std::string_view word)
 {
-    constexpr std::string_view k_Words[] = {"sampler", "texture", "matrix", "vector"};
-    return std::find(std::begin(k_Words), std::end(k_Words), word) != std::end(k_Words);
+    return word == "sampler" || word == "texture" || word == "matrix" || word == "vector";
 }
 
 } // namespace
@@ -72,8 +78,7 @@ HlslNode* HlslTreeParser::ReadExpression()
     HlslNode* left = ReadAssignment();
     while (Text() == "," && !isEnd())
     {
-        HlslNode* node = MakeAround(HlslNodeKind::Binary, left);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Binary, left->first, left);
         node->Add(ReadAssignment());
         left = Close(node);
     }
@@ -85,8 +90,7 @@ HlslNode* HlslTreeParser::ReadAssignment()
     HlslNode* left = ReadBinary(1);
     if (Text() == "?" && !isEnd())
     {
-        HlslNode* node = MakeAround(HlslNodeKind::Ternary, left);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Ternary, left->first, left);
         node->Add(ReadAssignment());
         if (Text() == ":")
         {
@@ -97,8 +101,7 @@ HlslNode* HlslTreeParser::ReadAssignment()
     }
     else if (isAssignment(Text()) && !isEnd())
     {
-        HlslNode* node = MakeAround(HlslNodeKind::Assign, left);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Assign, left->first, left);
         node->Add(ReadAssignment());
         left = Close(node);
     }
@@ -115,8 +118,7 @@ HlslNode* HlslTreeParser::ReadBinary(int precedence)
         {
             break;
         }
-        HlslNode* node = MakeAround(HlslNodeKind::Binary, left);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Binary, left->first, left);
         node->Add(ReadBinary(own + 1));
         left = Close(node);
     }
@@ -127,8 +129,7 @@ HlslNode* HlslTreeParser::ReadPrefix()
 {
     if (isPrefix(Text()) && !isEnd())
     {
-        HlslNode* node = Make(HlslNodeKind::Prefix, m_Index);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Prefix, m_Index);
         node->Add(ReadPrefix());
         return Close(node);
     }
@@ -161,23 +162,21 @@ HlslNode* HlslTreeParser::ReadPostfix()
     while (!isEnd())
     {
         const std::string_view text = Text();
-        HlslNode* node = nullptr;
         if (text == "." && isWord(1))
         {
             ++m_Index;
-            node = MakeAround(Text(1) == "(" ? HlslNodeKind::Method : HlslNodeKind::Member, value);
-            ++m_Index;
-            value = node->kind == HlslNodeKind::Method ? ReadArguments(node, ")") : Close(node);
+            const bool isMethod = Text(1) == "(";
+            value =
+                Take(isMethod ? HlslNodeKind::Method : HlslNodeKind::Member, value->first, value);
+            value = isMethod ? ReadArguments(value, ")") : Close(value);
         }
         else if (text == "[")
         {
-            value = ReadArguments(MakeAround(HlslNodeKind::Index, value), "]");
+            value = ReadArguments(Make(HlslNodeKind::Index, value->first, value), "]");
         }
         else if (text == "++" || text == "--")
         {
-            node = MakeAround(HlslNodeKind::Postfix, value);
-            ++m_Index;
-            value = Close(node);
+            value = Close(Take(HlslNodeKind::Postfix, value->first, value));
         }
         else
         {
@@ -218,18 +217,16 @@ HlslNode* HlslTreeParser::ReadPrimary()
     if (Text() == "(")
     {
         const std::size_t behind = m_Tokens.AfterBracket(m_Index);
-        HlslNode* node = Make(HlslNodeKind::Paren, first);
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Paren, first);
         HlslNode* value = ReadExpression();
         node->Add(m_Index + 1 == behind ? value : ReadUnknown(value->first, behind - 1));
         m_Index = behind;
         return Close(node);
     }
-    if (isNumber(Text()))
+    if (isNumber(Text()) || isTruth(Text()))
     {
-        HlslNode* node = Make(HlslNodeKind::Literal, first);
-        node->type = LiteralType(Text());
-        ++m_Index;
+        HlslNode* node = Take(HlslNodeKind::Literal, first);
+        node->type = LiteralType(m_Tokens.Text(first));
         return Close(node);
     }
     if (!isWord())
@@ -244,13 +241,6 @@ HlslNode* HlslTreeParser::ReadPrimary()
         node->type = type;
         m_Index = behind;
         return ReadArguments(node, ")");
-    }
-    if (Text() == "true" || Text() == "false")
-    {
-        HlslNode* node = Make(HlslNodeKind::Literal, first);
-        node->type = HlslType::Number(HlslScalar::Bool);
-        ++m_Index;
-        return Close(node);
     }
     m_Index += Text(1) == "::" ? 2 : 0; // `Type::Method(…)`
     HlslNode* node = Make(Text(1) == "(" ? HlslNodeKind::Call : HlslNodeKind::Name, first);

@@ -153,22 +153,22 @@ std::vector<const HlslFunction*> HlslGlobals::FindCalled(const HlslNode& node,
                                                          std::string_view name) const
 {
     const bool isMethod = node.kind == HlslNodeKind::Method;
+    const bool isOfStruct = isMethod && node.child->type.kind == HlslType::Kind::Struct;
+    std::vector<const HlslFunction*> called;
+    if (const auto* type = isOfStruct ? m_Declarations.FindStruct(node.child->type.name) : nullptr)
+    {
+        for (const HlslFunction& method : type->methods)
+        {
+            if (method.name == name)
+            {
+                called.push_back(&method);
+            }
+        }
+        return called;
+    }
     const auto functions = isMethod ? std::span<const HlslFunction* const>() : FindFunctions(name);
     const auto all = functions.empty() ? FindMethods(name) : functions;
-    const HlslStruct* type = isMethod && node.child->type.kind == HlslType::Kind::Struct
-                                 ? m_Declarations.FindStruct(node.child->type.name)
-                                 : nullptr;
-    std::vector<const HlslFunction*> called;
-    for (const HlslFunction* function : all)
-    {
-        const bool isOwn = type && !type->methods.empty() && function >= type->methods.data() &&
-                           function < type->methods.data() + type->methods.size();
-        if (isOwn || !type)
-        {
-            called.push_back(function);
-        }
-    }
-    return called;
+    return {all.begin(), all.end()};
 }
 
 const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,

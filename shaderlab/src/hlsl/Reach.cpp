@@ -1,6 +1,7 @@
 #include "hlsl/Reach.h"
 
 #include <algorithm>
+#include <span>
 
 namespace limn
 {
@@ -47,18 +48,13 @@ void HlslReach::Mark(const HlslFunction& function, bool isLeftOut)
 
 bool HlslReach::Names(std::string_view word) const
 {
-    return std::any_of(m_Functions.begin(), m_Functions.end(),
-                       [&](const HlslFunction* function)
-                       {
-                           for (std::size_t i = function->begin; i < function->end; ++i)
-                           {
-                               if (m_Tokens.Text(i) == word)
-                               {
-                                   return true;
-                               }
-                           }
-                           return false;
-                       });
+    const auto names = [&](const HlslFunction* function)
+    {
+        const auto tokens = std::span(m_Tokens.all()).subspan(function->begin);
+        return std::ranges::any_of(tokens.first(function->end - function->begin),
+                                   [&](const HlslToken& token) { return token.text == word; });
+    };
+    return std::ranges::any_of(m_Functions, names);
 }
 
 } // namespace limn

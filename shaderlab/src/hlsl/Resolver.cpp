@@ -1,7 +1,8 @@
 #include "hlsl/Resolver.h"
 
+#include "text/WordList.h"
+
 #include <algorithm>
-#include <array>
 
 namespace limn
 {
@@ -27,13 +28,6 @@ void HlslResolver::ResolveBody(HlslNode& body, const HlslFunction& function,
         Declare(parameter.name, {nullptr, &parameter, TypeOf(m_Globals.declarations(), parameter)});
     }
     Resolve(body);
-    Close();
-}
-
-void HlslResolver::ResolveValue(HlslNode& value)
-{
-    Open();
-    Resolve(value);
     Close();
 }
 
@@ -255,8 +249,7 @@ HlslType HlslResolver::ObjectMethodType(const HlslType& object, std::string_view
 
 HlslType HlslResolver::BinaryType(const HlslNode& node) const
 {
-    constexpr std::array<std::string_view, 8> k_Truths = {"==", "!=", "<",  ">",
-                                                          "<=", ">=", "&&", "||"};
+    static const WordList s_Truths("== != < > <= >= && ||");
     const HlslType& left = node.child->type;
     const HlslType& right = node.child->next ? node.child->next->type : HlslType();
     const std::string_view text = m_Tokens.Text(node.token);
@@ -265,7 +258,7 @@ HlslType HlslResolver::BinaryType(const HlslNode& node) const
         return right;
     }
     const HlslType both = Promote(left, right);
-    if (std::find(k_Truths.begin(), k_Truths.end(), text) != k_Truths.end())
+    if (s_Truths.Has(text))
     {
         return both.isNumber() ? both.Of(HlslScalar::Bool) : HlslType();
     }

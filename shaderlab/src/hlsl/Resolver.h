@@ -24,8 +24,8 @@ public:
 
     /// @param owner  of a method, else null
     void ResolveBody(HlslNode& body, const HlslFunction& function, const HlslStruct* owner);
-    /// The value of a global variable.
-    void ResolveValue(HlslNode& value);
+    /// The value of a global variable, or what is in a body.
+    void Resolve(HlslNode& node);
 
     /// Declarators whose names glslang takes for something else, so that they and what stands for
     /// them need another: of loops, used behind their loop; and of variables whose value names
@@ -48,7 +48,6 @@ private:
     void Open() { m_Scopes.emplace_back(); }
     void Close();
     void Declare(std::string_view name, const Entry& entry);
-    void Resolve(HlslNode& node);
     void ResolveType(HlslNode& node);
     void EndLoop(const HlslNode& loop);
     void DeclareLocal(HlslNode& declarator);

@@ -24,19 +24,10 @@ namespace
 
 constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 
-constexpr std::string_view k_StandIn = "[limn_Lacks";
-
-/// What `[limn_Lacks("X", "Y")]` says.
-std::string DescribeStandIn(std::string_view attribute)
+/// What stands in quotes.
+std::string Unquoted(std::string_view text)
 {
-    std::vector<std::string> parts; // what is outside and inside of quotes in turn
-    while (parts.size() < 4)
-    {
-        const std::size_t size = std::min(attribute.find('"'), attribute.size());
-        parts.emplace_back(attribute.substr(0, size));
-        attribute.remove_prefix(std::min(size + 1, attribute.size()));
-    }
-    return "uses " + parts[1] + ", which limn does not have: " + parts[3];
+    return std::string(text.size() > 1 ? text.substr(1, text.size() - 2) : text);
 }
 
 class Rewriter
@@ -52,11 +43,9 @@ public:
     {
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
-            const std::string_view text = m_Tokens.Text(i);
-            const std::string name = AuthorFunctionName(text);
-            if (name != text && !m_Reach.isLeftOut()[i])
+            if (m_Tokens.Text(i) == k_TakenName && !m_Reach.isLeftOut()[i])
             {
-                m_Code.Spelling(i) = name;
+                m_Code.Spelling(i) = AuthorFunctionName(k_TakenName);
             }
         }
         ReadTrees();
@@ -95,19 +84,19 @@ public:
 
     RewrittenHlsl Finish(const std::string& entry)
     {
-        std::map<std::size_t, std::string_view> unknownNames;
+        std::map<std::size_t, std::string> unknownNames;
         for (const HlslProblem& name : m_Resolver.unknown())
         {
             unknownNames[name.token] = name.text;
         }
-        return {m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry, m_StandIns, m_UnknownTypes,
-                unknownNames, std::move(m_Nodes)};
+        return {m_Lowering.functions() + m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry,
+                m_StandIns, m_UnknownTypes, unknownNames, std::move(m_Nodes)};
     }
 
     /// glslang crashes on those of bool, and has none of one row or column.
     void RefuseMatrices() const
     {
-        std::vector<Diagnostic> diagnostics;
+        std::vector<HlslProblem> problems;
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
             const std::string_view word = m_Tokens.Text(i);
@@ -126,15 +115,12 @@ public:
             {
                 const std::string other = isFlat ? type.As(type.components()).Spelling()
                                                  : type.Of(HlslScalar::Float).Spelling();
-                diagnostics.push_back(m_Tokens.Error(
-                    i, std::string("limn has no matrices of ") +
-                           (isFlat ? "one row or column" : "bool") + "; use '" + other + "'"));
+                problems.push_back({i, std::string("limn has no matrices of ") +
+                                           (isFlat ? "one row or column" : "bool") + "; use '" +
+                                           other + "'"});
             }
         }
-        if (!diagnostics.empty())
-        {
-            throw AssetError(std::move(diagnostics));
-        }
+        m_Tokens.Refuse(problems);
     }
 
     /// Everything that glslang takes for something else.
@@ -158,7 +144,6 @@ public:
                 m_Code.Spelling(function.token) = *spelling;
             }
         }
-        m_Code.Prepend(m_Lowering.functions());
     }
 
     /// What the code assigns to is a writable copy; a uniform cannot be.
@@ -277,13 +262,17 @@ public:
     {
         for (const HlslFunction* function : m_Reach.functions())
         {
-            for (const std::string_view attribute : function->attributes)
+            for (std::size_t i = function->begin; m_Tokens.Text(i) == "[";)
             {
-                if (attribute.starts_with(k_StandIn))
+                const std::size_t end = m_Tokens.AfterBracket(i);
+                if (m_Tokens.Text(i + 1) == "limn_Lacks") // ("X", "Y")
                 {
-                    Erase(function->begin, attribute);
-                    m_StandIns.push_back(DescribeStandIn(attribute));
+                    m_StandIns.push_back(
+                        "uses " + Unquoted(m_Tokens.Text(i + 3)) +
+                        ", which limn does not have: " + Unquoted(m_Tokens.Text(i + 5)));
+                    m_Code.Erase(i, end);
                 }
+                i = end;
             }
         }
     }
@@ -291,9 +280,10 @@ public:
     /// Those of an entry function stand before the generated one.
     void TakeAttributes(const HlslFunction& function)
     {
-        for (const std::string_view attribute : function.attributes)
+        for (std::size_t i = function.begin, end = i; m_Tokens.Text(i) == "["; i = end)
         {
-            Erase(function.begin, attribute);
+            end = m_Tokens.AfterBracket(i);
+            m_Code.Erase(i, end);
         }
     }
 
@@ -330,7 +320,7 @@ private:
             {
                 m_Trees.push_back(
                     {parser.ParseValue(variable.valueToken, variable.valueEnd), &variable});
-                m_Resolver.ResolveValue(*m_Trees.back().root);
+                m_Resolver.Resolve(*m_Trees.back().root);
             }
         }
         for (const HlslFunction& function : m_Source.declarations.functions)
@@ -362,18 +352,6 @@ private:
                        : node.kind == HlslNodeKind::Name && variables.contains(node.variable);
         };
         return FindNode(value, isOne) != nullptr;
-    }
-
-    /// Erases the tokens of `span`, from `token` on.
-    void Erase(std::size_t token, std::string_view span)
-    {
-        for (; m_Tokens.Text(token).data() < span.data() + span.size(); ++token)
-        {
-            if (m_Tokens.Text(token).data() >= span.data())
-            {
-                m_Code.Spelling(token).clear();
-            }
-        }
     }
 
     void Copy(const HlslVariable& uniform)

@@ -36,7 +36,7 @@ struct RewrittenHlsl
     /// Tokens of types and names that nobody declares, and what is said of the names. Mistakes if
     /// the compiler finds any, which stops at the first name that it does not know.
     std::vector<std::size_t> unknownTypes;
-    std::map<std::size_t, std::string_view> unknownNames;
+    std::map<std::size_t, std::string> unknownNames;
     /// The expressions and statements of the source that were rewritten.
     HlslNodes nodes;
 };

@@ -149,8 +149,7 @@ std::string_view HlslTokens::Span(std::size_t first, std::size_t end) const
 
 int HlslTokens::Step(std::size_t index) const
 {
-    const std::string_view text = Text(index);
-    const char mark = text.size() == 1 ? text[0] : ' ';
+    const char mark = index < size() ? m_Tokens[index].Mark() : '\0';
     const bool isOpen = mark == '(' || mark == '[' || mark == '{';
     const bool isClose = mark == ')' || mark == ']' || mark == '}';
     return isOpen ? 1 : isClose ? -1 : 0;

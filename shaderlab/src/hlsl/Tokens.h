@@ -23,6 +23,8 @@ struct HlslToken
     {
         return static_cast<std::size_t>(text.data() - source.data());
     }
+    /// The character that it is; '\0' of longer ones.
+    char Mark() const { return text.size() == 1 ? text[0] : '\0'; }
 };
 
 /// Views into `source`, which must outlive them.
@@ -41,7 +43,7 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset);
 struct HlslProblem
 {
     std::size_t token = 0;
-    std::string_view text;
+    std::string text;
 };
 
 /// The tokens of a text, and which brackets belong together.

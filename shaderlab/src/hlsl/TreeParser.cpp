@@ -1,7 +1,8 @@
 #include "hlsl/TreeParser.h"
 
+#include "text/WordList.h"
+
 #include <algorithm>
-#include <iterator>
 
 namespace limn
 {
@@ -12,10 +13,9 @@ namespace
 /// Words that end a statement or begin another one, which are no type before a name.
 bool isStatementWord(std::string_view word)
 {
-    constexpr std::string_view k_Words[] = {"return",  "else",  "case",     "goto",    "do",
-                                            "discard", "break", "continue", "default", "if",
-                                            "for",     "while", "switch"};
-    return std::find(std::begin(k_Words), std::end(k_Words), word) != std::end(k_Words);
+    static const WordList s_Words(
+        "return else case goto do discard break continue default if for while switch");
+    return s_Words.Has(word);
 }
 
 } // namespace
@@ -49,20 +49,24 @@ HlslNode* HlslTreeParser::ParseValue(std::size_t first, std::size_t end)
     return m_Index == end ? value : ReadUnknown(first, end);
 }
 
-HlslNode* HlslTreeParser::Make(HlslNodeKind kind, std::size_t first)
+HlslNode* HlslTreeParser::Make(HlslNodeKind kind, std::size_t first, HlslNode* operand)
 {
     HlslNode& node = m_Nodes.emplace_back();
     node.kind = kind;
     node.first = static_cast<std::uint32_t>(first);
     node.token = static_cast<std::uint32_t>(m_Index);
     node.end = static_cast<std::uint32_t>(m_Index);
+    if (operand)
+    {
+        node.Add(operand);
+    }
     return &node;
 }
 
-HlslNode* HlslTreeParser::MakeAround(HlslNodeKind kind, HlslNode* operand)
+HlslNode* HlslTreeParser::Take(HlslNodeKind kind, std::size_t first, HlslNode* operand)
 {
-    HlslNode* node = Make(kind, operand->first);
-    node->Add(operand);
+    HlslNode* node = Make(kind, first, operand);
+    ++m_Index;
     return node;
 }
 
@@ -173,8 +177,7 @@ HlslNode* HlslTreeParser::ReadCondition()
 /// `if`, `while` and `switch`: a condition and a statement.
 HlslNode* HlslTreeParser::ReadLoop(HlslNodeKind kind, std::size_t first)
 {
-    HlslNode* node = Make(kind, first);
-    ++m_Index;
+    HlslNode* node = Take(kind, first);
     node->Add(ReadCondition());
     if (!isEnd())
     {
@@ -191,8 +194,7 @@ HlslNode* HlslTreeParser::ReadLoop(HlslNodeKind kind, std::size_t first)
 /// Children: declaration or expression, condition, step, statement; Empty where one is missing.
 HlslNode* HlslTreeParser::ReadFor(std::size_t first)
 {
-    HlslNode* node = Make(HlslNodeKind::For, first);
-    ++m_Index;
+    HlslNode* node = Take(HlslNodeKind::For, first);
     if (Text() != "(")
     {
         return ReadUnknown(first, EndOfStatement());
@@ -219,8 +221,7 @@ HlslNode* HlslTreeParser::ReadFor(std::size_t first)
 
 HlslNode* HlslTreeParser::ReadDo(std::size_t first)
 {
-    HlslNode* node = Make(HlslNodeKind::Do, first);
-    ++m_Index;
+    HlslNode* node = Take(HlslNodeKind::Do, first);
     node->Add(ReadStatement());
     if (Text() == "while")
     {
@@ -233,9 +234,8 @@ HlslNode* HlslTreeParser::ReadDo(std::size_t first)
 
 HlslNode* HlslTreeParser::ReadLabel(std::size_t first)
 {
-    HlslNode* node = Make(HlslNodeKind::Label, first);
     const bool isCase = Text() == "case";
-    ++m_Index;
+    HlslNode* node = Take(HlslNodeKind::Label, first);
     if (isCase)
     {
         node->Add(ReadExpression());
@@ -311,8 +311,7 @@ HlslNode* HlslTreeParser::ReadDeclaration(std::size_t first)
 
 HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
 {
-    HlslNode* node = Make(HlslNodeKind::Declarator, m_Index);
-    ++m_Index;
+    HlslNode* node = Take(HlslNodeKind::Declarator, m_Index);
     for (; Text() == "["; m_Index = m_Tokens.AfterBracket(m_Index))
     {
         ++type.dimensions;
@@ -324,7 +323,7 @@ HlslNode* HlslTreeParser::ReadDeclarator(HlslType type)
         HlslNode* value = ReadAssignment();
         if (isWord() && m_Tokens.Text(m_Index - 1) != ")") // `(type)word` may be of a type unknown
         {
-            m_Unended.push_back({m_Index, k_MissingSemicolon});
+            m_Unended.push_back({m_Index, std::string(k_MissingSemicolon)});
         }
         const bool isWhole = Text() == "," || Text() == ";" || Text() == ")";
         node->Add(isWhole ? value

@@ -36,9 +36,10 @@ private:
     std::string_view Text(std::size_t ahead = 0) const { return m_Tokens.Text(m_Index + ahead); }
     bool isWord(std::size_t ahead = 0) const { return m_Tokens.isWord(m_Index + ahead); }
     bool isEnd() const { return m_Index >= m_End; }
-    HlslNode* Make(HlslNodeKind kind, std::size_t first);
-    /// With the operand as its first child; the parser is at the operator.
-    HlslNode* MakeAround(HlslNodeKind kind, HlslNode* operand);
+    /// @param operand  becomes its first child
+    HlslNode* Make(HlslNodeKind kind, std::size_t first, HlslNode* operand = nullptr);
+    /// The same, and the parser goes on behind its token.
+    HlslNode* Take(HlslNodeKind kind, std::size_t first, HlslNode* operand = nullptr);
     /// Where the parser is now is behind the node.
     HlslNode* Close(HlslNode* node);
     /// From one token to the one before `end`, where it goes on.

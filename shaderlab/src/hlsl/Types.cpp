@@ -292,8 +292,6 @@ bool isComponentwise(std::string_view intrinsic)
 
 HlslType MethodType(const HlslType& object, std::string_view method)
 {
-    const bool isTexel =
-        method == "Load" || (method.starts_with("Sample") && !method.starts_with("SampleCmp"));
     if (object.kind != HlslType::Kind::Object)
     {
         return {};
@@ -308,14 +306,12 @@ HlslType MethodType(const HlslType& object, std::string_view method)
         const int size = method.size() == 5 && isSize(method[4]) ? method[4] - '0' : 1;
         return isLoad ? HlslType::Number(HlslScalar::Uint, size) : HlslType();
     }
-    if (!isTexel)
+    const bool isTexel = method == "Load" || method.starts_with("Sample");
+    if (object.element.empty() && (isTexel || method.starts_with("Gather")))
     {
-        return method.starts_with("Gather") && object.element.empty()
-                   ? HlslType::Number(HlslScalar::Float, 4)
-                   : HlslType();
+        return HlslType::Number(HlslScalar::Float, 4);
     }
-    return object.element.empty() ? HlslType::Number(HlslScalar::Float, 4)
-                                  : NumberType(object.element).value_or(HlslType());
+    return isTexel ? NumberType(object.element).value_or(HlslType()) : HlslType();
 }
 
 HlslType SwizzleType(const HlslType& type, std::string_view letters)

@@ -169,7 +169,7 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     const EmbeddedFile* embedded = FindEmbedded(includer) ? FindEmbedded(beside) : nullptr;
     if (embedded)
     {
-        return IncludedFile{std::string(embedded->path), std::string(embedded->text)};
+        return IncludedFile{std::string(embedded->path), std::string(embedded->text), true};
     }
     const auto candidates = Candidates(path, std::string(includer));
     for (const std::filesystem::path& candidate : candidates)
@@ -183,7 +183,7 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     {
         if (const EmbeddedFile* file = FindEmbedded(name))
         {
-            return IncludedFile{std::string(file->path), std::string(file->text)};
+            return IncludedFile{std::string(file->path), std::string(file->text), true};
         }
     }
     if (auto file = FindInPackage(path))
@@ -238,7 +238,7 @@ void IncludeResolver::AddDependency(const IncludeDependency& dependency)
 std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
 {
     const EmbeddedFile* embedded = FindEmbedded(name);
-    return embedded ? IncludedFile{name, std::string(embedded->text)} : ReadFromDisk(name);
+    return embedded ? IncludedFile{name, std::string(embedded->text), true} : ReadFromDisk(name);
 }
 
 std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string& include,

@@ -17,6 +17,7 @@ struct IncludedFile
 {
     std::string name; ///< path on disk, or virtual path of the built-in ShaderLibrary
     std::string text;
+    bool isEmbedded = false; ///< of the built-in ShaderLibrary
 };
 
 /// A file on disk that a compilation looked for; its result holds while all of them stay as they

@@ -215,7 +215,7 @@ GlslangIncluder::Include(const std::string& header, const char* includer, std::s
     m_Chain.resize(std::min(depth - 1, m_Chain.size()));
     std::string problem = ReasonToStop(depth);
     auto file = problem.empty() ? m_Resolver.Find(header, includer) : std::nullopt;
-    if (const auto line = file ? FindDeepMacros(file->text, 1) : std::nullopt)
+    if (const auto line = file && !file->isEmbedded ? FindDeepMacros(file->text, 1) : std::nullopt)
     {
         return Keep("", DescribeDeepMacros() + " in its line " + std::to_string(*line) +
                             "; take it apart");

@@ -93,7 +93,9 @@ struct SpirvProblem
 /// glslang 12 takes some HLSL that it has no valid SPIR-V for; drivers may do anything with it.
 ///
 /// @param isOptimised  before that, textures may travel through variables and parameters
-std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv, bool isOptimised)
+/// @param withNames    for what is wrong; looking all of them up takes a quarter of the time
+std::optional<SpirvProblem> Validate(const std::vector<std::uint32_t>& spirv, bool isOptimised,
+                                     bool withNames)
 {
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
     SpirvProblem problem;
@@ -106,12 +108,19 @@ std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv,
     spvtools::ValidatorOptions options;
     options.SetBeforeHlslLegalization(!isOptimised);
     options.SetScalarBlockLayout(true); // see PackStructuredBuffers
+    options.SetFriendlyNames(withNames);
     if (tools.Validate(spirv.data(), spirv.size(), options))
     {
         return std::nullopt;
     }
     problem.message.resize(std::min(problem.message.find('\n'), problem.message.size()));
     return problem;
+}
+
+std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv, bool isOptimised)
+{
+    const bool isValid = !Validate(spirv, isOptimised, false);
+    return isValid ? std::nullopt : Validate(spirv, isOptimised, true);
 }
 
 /// Calls a function with each instruction's number, opcode and operands until it returns false.
@@ -199,6 +208,10 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
     // What is wrong before may be gone after, and with it what the code was to do. Constant
     // matrices of integers are fine once they are gone.
     auto problem = hasIntegerMatrices(spirv) ? std::nullopt : FindProblem(spirv, false);
+    if (problem && MergeComparedTextures(spirv))
+    {
+        problem = FindProblem(spirv, false);
+    }
     if (problem)
     {
         return problem;

@@ -289,6 +289,28 @@ void LeaveImageFormatsOpen(SpirvWords& spirv)
     RemoveDuplicates(spirv);
 }
 
+bool MergeComparedTextures(SpirvWords& spirv)
+{
+    constexpr std::size_t k_Depth = 4; // word
+    std::set<SpirvWords> images;       // what each type is beside its depth
+    bool hasTwo = false;
+    ForEachDeclaration(spirv,
+                       [&](std::uint32_t op, std::span<std::uint32_t> words)
+                       {
+                           if (op == spv::OpTypeImage)
+                           {
+                               words[k_Depth] = 0;
+                               const auto rest = words.subspan(2);
+                               hasTwo |= !images.insert({rest.begin(), rest.end()}).second;
+                           }
+                       });
+    if (hasTwo)
+    {
+        RemoveDuplicates(spirv);
+    }
+    return hasTwo;
+}
+
 std::set<Id> FindReadImages(const SpirvWords& spirv)
 {
     constexpr std::size_t k_Pointer = 3; // words

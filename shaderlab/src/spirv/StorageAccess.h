@@ -24,6 +24,11 @@ void ConvertAtomicValues(SpirvWords& spirv);
 /// ask for one. Devices need shaderStorageImageReadWithoutFormat and its like for writing.
 void LeaveImageFormatsOpen(SpirvWords& spirv);
 
+/// A texture is one, compared or not, as in Direct3D; to glslang it is of another type where it is
+/// compared, and cannot be handed on as what it is then.
+/// @return  whether there were two types of one texture
+bool MergeComparedTextures(SpirvWords& spirv);
+
 /// The variables of writable textures that are read.
 /// @param spirv  optimised: nothing travels through variables and parameters any more
 std::set<Id> FindReadImages(const SpirvWords& spirv);

@@ -193,7 +193,7 @@ private:
 
 std::string AuthorFunctionName(std::string_view name)
 {
-    return name == "main" ? "limn_AuthorMain" : std::string(name);
+    return name == k_TakenName ? "limn_AuthorMain" : std::string(name);
 }
 
 std::string ArgumentLocals(const StageInterface& interface)

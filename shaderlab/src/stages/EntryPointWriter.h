@@ -13,7 +13,10 @@ inline constexpr std::string_view k_EntryName = "limn_Entry";
 /// What #line calls the generated text; compilers' messages carry it where the entry is at fault.
 inline constexpr std::string_view k_EntryFile = "limn";
 
-/// What the author's entry function is called in the rewritten text: "main" is taken.
+/// A name that compilers keep for themselves.
+inline constexpr std::string_view k_TakenName = "main";
+/// What the author's entry function is called in the rewritten text, and whatever else is called
+/// k_TakenName.
 std::string AuthorFunctionName(std::string_view name);
 
 /// Declarations of a local variable for each parameter of the author's function, streams apart.

@@ -105,6 +105,9 @@ TEST(ErrorPlace, OfABracketWithoutAnotherIsTheBracket)
     line = "float4 frag() : SV_Target { if (true) { return 1; }";
     EXPECT_THAT(FragmentMessages(line),
                 ElementsAre(At(line, "{") + "'{': a '}' is missing for it"));
+    line = "float4 frag() : SV_Target {";
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(At(line, "{") + "'{': a '}' is missing for it"));
     line = "float4 frag() : SV_Target { return 1; }]";
     EXPECT_THAT(FragmentMessages(line),
                 ElementsAre(At(line, "]") + "']': no bracket is open here that it closes"));

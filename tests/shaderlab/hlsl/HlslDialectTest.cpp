@@ -369,6 +369,22 @@ TEST(HlslDialect, EndsTwoTemplateArgumentsAtOnce)
     EXPECT_EQ(pass->layout.storageBuffers.at(0).stride, 64u);
 }
 
+TEST(HlslDialect, TakesListsInListsOfVectors)
+{
+    const auto pass = CompileFragment(
+        "float4 frag(v2f i) : SV_Target { float4 v = {{1, 2}, {3, 4}}; return v * i.uv.x; }");
+    EXPECT_THAT(Disassemble(pass->fragmentSpirv),
+                HasSubstr("OpConstantComposite %v4float %float_1 %float_2 %float_3 %float_4"));
+}
+
+TEST(HlslDialect, RefusesListsInListsWithNothingInThem)
+{
+    EXPECT_THAT(
+        test::CompileMessages(test::Program(
+            k_Vertex + "float4 frag(v2f i) : SV_Target { float4 v = {{}, {3, 4}}; return v; }")),
+        ElementsAre(HasSubstr("error: '{': nothing is in this list of a list; write its values")));
+}
+
 TEST(HlslDialect, TakesConstantObjects)
 {
     const auto pass = CompileFragment(R"(
@@ -406,6 +422,28 @@ TEST(HlslDialect, GathersCompareFourTexels)
     }
 }
 
+TEST(HlslDialect, ComparesTexturesThatAreHandedOnAsWell)
+{
+    const std::string declared = "Texture2D _Map; SamplerComparisonState sampler_Map;\n";
+    const std::string take = "float Take(Texture2D map, SamplerComparisonState s, float2 uv) "
+                             "{ return map.SampleCmpLevelZero(s, uv, 0.25); }\n";
+    const std::string compare =
+        "float Compare(float2 uv) { return _Map.SampleCmpLevelZero(sampler_Map, uv, 0.5); }\n";
+    const std::string fragment = "float4 frag(v2f i) : SV_Target { Texture2D own = _Map; return "
+                                 "Take(_Map, sampler_Map, i.uv) + Compare(i.uv) + "
+                                 "own.SampleCmpLevelZero(sampler_Map, i.uv, 0.75); }";
+    for (const std::string& functions : {take + compare, compare + take})
+    {
+        SCOPED_TRACE(functions);
+        const auto pass = CompileFragment(declared + functions + fragment);
+        EXPECT_EQ(pass->layout.textures.size(), 1u);
+        const std::string text = Disassemble(pass->fragmentSpirv);
+        EXPECT_THAT(text, HasSubstr("%float_0_25"));
+        EXPECT_THAT(text, HasSubstr("%float_0_5"));
+        EXPECT_THAT(text, HasSubstr("%float_0_75"));
+    }
+}
+
 TEST(HlslDialect, RefusesGathersThatCannotCompare)
 {
     EXPECT_THAT(
@@ -419,6 +457,49 @@ TEST(HlslDialect, RefusesGathersThatCannotCompare)
                       "'SampleCmpLevelZero' for each"),
             HasSubstr("'GatherCmpGreen': a device compares the first number of a texel only; use "
                       "'GatherCmpRed'")));
+}
+
+TEST(HlslDialect, TakesNamesOfNamespacesThatAreUsed)
+{
+    const std::string declared = "namespace A { static const float k = 3; struct S { float v; };\n"
+                                 "float F(float x) { return x * 2; }\n"
+                                 "namespace B { float F(float x) { return x * 5; } } }\n"
+                                 "namespace C { using namespace A; float G() { return F(k); } }\n";
+    const std::string fragment = "float4 frag(v2f i) : SV_Target { return i.uv.x * f(); }";
+    for (const auto& [function, product] :
+         {std::pair("using namespace A; float f() { S s; s.v = k; return F(s.v); }", "6"),
+          std::pair("float f() { using namespace A::B; return F(A::k); }", "15"),
+          std::pair("float F(float x) { return x * 7; } float g() { using namespace A::B; "
+                    "return A::k; } float f() { return F(g()); }",
+                    "21"),
+          std::pair("using namespace A; float f() { return B::F(k); }", "15"),
+          std::pair("float f() { return C::G(); }", "6")})
+    {
+        SCOPED_TRACE(function);
+        const auto pass = CompileFragment(declared + function + fragment);
+        EXPECT_THAT(Disassemble(pass->fragmentSpirv),
+                    HasSubstr("OpConstant %float " + std::string(product) + "\n"));
+    }
+}
+
+TEST(HlslDialect, RefusesToUseNamespacesThatAreNot)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_Vertex + "namespace A { float F() { return 1; } }\nusing namespace D;\n"
+                               "float4 frag(v2f i) : SV_Target { return i.uv.x; }")),
+                ElementsAre(HasSubstr("error: 'D': there is no such namespace")));
+    EXPECT_THAT(test::CompileMessages(
+                    test::Program(k_Vertex + "using namespace D;\n"
+                                             "float4 frag(v2f i) : SV_Target { return i.uv.x; }")),
+                ElementsAre(HasSubstr("error: 'D': there is no such namespace")));
+}
+
+TEST(HlslDialect, RefusesUsingWithoutItsEnd)
+{
+    EXPECT_THAT(test::CompileMessages(test::Program(
+                    k_Vertex + "namespace A { float F() { return 1; } }\nusing namespace A\n"
+                               "float4 frag(v2f i) : SV_Target { return i.uv.x; }")),
+                Contains(HasSubstr("error: 'using': ")));
 }
 
 TEST(HlslDialect, RefusesTexturesOfOneDimension)

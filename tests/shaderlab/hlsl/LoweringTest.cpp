@@ -59,13 +59,16 @@ TEST(Lowering, PutsTheNumbersOfAnArrayOfVectorsInConstructors)
               Lowered("void f() { int2x2 m[1] = {1, 2, 3, 4}; }"));
     EXPECT_EQ("void f(float4 v) { float2 a[] =  {(v ).xy, (v ).zw, float2(v.x , 1)}; }",
               Lowered("void f(float4 v) { float2 a[] = {v, v.x, 1}; }"));
+    EXPECT_EQ("void f() { float2 a[2] = {float2(1 , 2 ), float2(3 , 4)}; }",
+              Lowered("void f() { float2 a[2] = {{1, 2}, {3, 4}}; }"));
+    EXPECT_EQ("void f() { float4 v = float4(1 , 2 , 3 , 4); }",
+              Lowered("void f() { float4 v = {{1, 2}, {3, 4}}; }"));
 }
 
-TEST(Lowering, LeavesOtherListsAsTheyAre)
+TEST(Lowering, LeavesListsThatDoNotFitAsTheyAre)
 {
     for (const std::string list :
-         {"float a[] = {1, 2};", "float2 v = {1, 2};", "float2 a[2] = {b, c};",
-          "float2 a[2] = {{1, 2}, {3, 4}};", "float2 a[] = {1, 2, 3};", "float2 a[2];  // {1, 2}"})
+         {"float2 a[2] = {b, c};", "float2 a[] = {1, 2, 3};", "float2 a[2];  // {1, 2}"})
     {
         const std::string text = "void f() { " + list + "\n}";
         EXPECT_EQ(text, Lowered(text));

@@ -39,46 +39,6 @@ struct Slot
 
 constexpr std::int64_t k_MostElements = 4096;
 
-/// How many elements the array has; 0 = its list tells.
-std::size_t CountOf(const Slot& array, const HlslDeclarations& declarations)
-{
-    const std::string_view size = array.dimensions.front();
-    return static_cast<std::size_t>(
-        std::clamp<std::int64_t>(EvaluateInteger(size, declarations.constants), 0, k_MostElements));
-}
-
-bool Fits(const HlslNode& list, const Slot& slot, const HlslDeclarations& declarations);
-
-/// @param isCounted  the array has as many items as elements
-bool FitsElement(const HlslNode& item, const Slot& element, bool isCounted,
-                 const HlslDeclarations& declarations)
-{
-    if (item.kind == HlslNodeKind::List)
-    {
-        return Fits(item, element, declarations);
-    }
-    const bool isOne = element.dimensions.empty() && element.type.isNumber();
-    return !item.type.isNumber() ||
-           (isOne && (isCounted || item.type.components() == element.type.components()));
-}
-
-/// Whether glslang reads the list as it is meant: an item, or a list, for each element or member.
-bool Fits(const HlslNode& list, const Slot& slot, const HlslDeclarations& declarations)
-{
-    const std::size_t items = list.CountChildren();
-    const HlslStruct* const structure = declarations.FindStruct(slot.type.name);
-    const std::size_t count = slot.dimensions.empty() ? items : CountOf(slot, declarations);
-    bool fits = count == 0 || items <= count;
-    for (const HlslNode* item = list.child; item; item = item->next)
-    {
-        fits = fits && (!slot.dimensions.empty()
-                            ? FitsElement(*item, slot.Element(), items == count, declarations)
-                        : structure ? item->kind != HlslNodeKind::List
-                                    : !item->type.isVector());
-    }
-    return fits && (!slot.dimensions.empty() || !structure || items == structure->members.size());
-}
-
 /// Stands for a value that stays where it is in what a ListDealer writes.
 constexpr char k_Whole = '\1';
 
@@ -125,10 +85,12 @@ private:
         {
             return DealOne(slot.type);
         }
-        const std::size_t known = CountOf(slot, m_Declarations);
-        m_Fits = m_Fits && (known > 0 || slot.dimensions.front().empty());
+        const std::string_view size = slot.dimensions.front();
+        const std::int64_t known = std::clamp<std::int64_t>(
+            EvaluateInteger(size, m_Declarations.constants), 0, k_MostElements);
+        m_Fits = m_Fits && (known > 0 || size.empty()); // else its list tells
         std::string text;
-        for (std::size_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
+        for (std::int64_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
         {
             text += (i == 0 ? "{" : ", ") + DealSlot(slot.Element());
         }
@@ -139,7 +101,7 @@ private:
     {
         const HlslStruct* const inner = m_Declarations.FindStruct(type.name);
         const HlslNode* const whole = m_Next < m_Items.size() ? m_Items[m_Next] : nullptr;
-        if (inner && whole && whole->type.kind != HlslType::Kind::Struct)
+        if (inner && whole && whole->type.isNumber())
         {
             return DealMembers(*inner);
         }
@@ -229,11 +191,10 @@ void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
     const Slot slot{type.Innermost(), dimensions};
     const bool isKnown = type.dimensions == dimensions.size() &&
                          (slot.type.isNumber() || declarations.FindStruct(slot.type.name));
-    if (value.kind != HlslNodeKind::List || !isKnown || Fits(value, slot, declarations))
+    if (value.kind == HlslNodeKind::List && value.child && isKnown)
     {
-        return;
+        ListDealer(declarations, m_Code, value).Deal(value, slot);
     }
-    ListDealer(declarations, m_Code, value).Deal(value, slot);
 }
 
 /// `(float4[2])0` gives each element the value; to glslang it is one element of an array.

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace limn
 {
@@ -61,6 +63,10 @@ private:
         const std::string_view before = index > 0 ? Text(index - 1) : "";
         const std::string_view next = Text(index + 1);
         const bool isEnd = word == ";" || (word == "{" && before == ")");
+        if (word == "using")
+        {
+            m_Names[""]; // which may be all that there are
+        }
         m_IsOwn = !isEnd && (m_IsOwn || word == "static" || word == "const" || word == "struct" ||
                              word == "typedef");
         const bool isNamed =
@@ -98,15 +104,62 @@ private:
     std::size_t Spell(std::size_t index, const std::string& space)
     {
         const std::string_view before = index > 0 ? Text(index - 1) : "";
-        bool isDone = !m_Code.isWord(index) || before == "." || before == "::";
-        std::string from = space;
-        while (!isDone)
+        if (!m_Code.isWord(index) || before == "." || before == "::")
         {
-            isDone = SpellIn(from, index) || from.empty();
-            const std::size_t outer = from.rfind("::", from.size() < 3 ? 0 : from.size() - 3);
-            from.resize(outer == from.npos ? 0 : outer + 2);
+            return index + 1;
+        }
+        if (Text(index) == "using" && Text(index + 1) == "namespace")
+        {
+            return Use(index, space);
+        }
+        bool isDone = false;
+        for (const std::string& from : Around(space))
+        {
+            isDone = isDone || SpellIn(from, index);
+        }
+        for (const auto& [used, end] : m_Used)
+        {
+            isDone = isDone || (index < end && SpellIn(used, index));
         }
         return index + 1;
+    }
+
+    /// A::B::, A:: and what is outside of all.
+    static std::vector<std::string> Around(std::string space)
+    {
+        std::vector<std::string> all = {space};
+        while (!space.empty())
+        {
+            const std::size_t outer = space.rfind("::", space.size() - 3);
+            space.resize(outer == space.npos ? 0 : outer + 2);
+            all.push_back(space);
+        }
+        return all;
+    }
+
+    /// `using namespace A::B;` counts to the end of the brackets around it.
+    std::size_t Use(std::size_t index, const std::string& space)
+    {
+        const std::size_t end = m_Code.FindOutside(index, ";");
+        if (Text(end) != ";")
+        {
+            return index + 1; // the compiler says what is wrong
+        }
+        std::string path;
+        for (std::size_t i = index + 2; i < end; ++i)
+        {
+            path += Text(i);
+        }
+        for (const std::string& from : Around(space))
+        {
+            if (m_Names.count(from + path + "::") > 0)
+            {
+                m_Used.emplace_back(from + path + "::", m_Code.FindOutside(index, "}"));
+                m_Code.Erase(index, end + 1);
+                return end + 1;
+            }
+        }
+        throw AssetError({m_Code.tokens().Error(index + 2, "there is no such namespace")});
     }
 
     /// Whether the namespace has the name.
@@ -140,7 +193,8 @@ private:
     HlslEditor& m_Code;
     std::map<std::string, std::set<std::string_view>> m_Names; ///< by namespace
     std::set<std::string_view> m_Members; ///< of structs, which have no own names
-    bool m_IsOwn = false;                 ///< the declaration at hand is of no uniform
+    std::vector<std::pair<std::string, std::size_t>> m_Used; ///< namespace; token where that ends
+    bool m_IsOwn = false; ///< the declaration at hand is of no uniform
 };
 
 } // namespace

@@ -3,9 +3,8 @@
 #include "hlsl/Editor.h"
 #include "hlsl/Types.h"
 
-#include <algorithm>
+#include <map>
 #include <string_view>
-#include <utility>
 
 namespace limn
 {
@@ -13,7 +12,7 @@ namespace limn
 namespace
 {
 
-constexpr std::pair<std::string_view, std::string_view> k_TextureTypes[] = {
+const std::map<std::string_view, std::string_view> k_TextureTypes = {
     {"texture", "Texture2D"},   {"Texture", "Texture2D"},       {"texture2D", "Texture2D"},
     {"texture3D", "Texture3D"}, {"textureCUBE", "TextureCube"},
 };
@@ -92,10 +91,7 @@ private:
         }
         else if (m_Code.isWord(index + 1))
         {
-            const auto* const type =
-                std::find_if(std::begin(k_TextureTypes), std::end(k_TextureTypes),
-                             [&](const auto& item) { return item.first == word; });
-            if (type != std::end(k_TextureTypes))
+            if (const auto type = k_TextureTypes.find(word); type != k_TextureTypes.end())
             {
                 m_Code.Spelling(index) = type->second;
             }
@@ -163,12 +159,7 @@ private:
     /// Whether the brackets at hand are of a function.
     bool isInFunction() const
     {
-        std::size_t index = m_Declaration;
-        while (index < m_Code.size() && Text(index) != "(" && Text(index) != "{")
-        {
-            ++index;
-        }
-        return Text(index) == "(";
+        return m_Code.FindOutside(m_Declaration, "(") < m_Code.FindOutside(m_Declaration, "{");
     }
 
     /// `SamplerState name : register(s0) { … }`
@@ -201,7 +192,7 @@ private:
 
     void TakeState(std::size_t name, std::size_t first, std::size_t open)
     {
-        const HlslPlace place = m_Code.Place(name);
+        const HlslPlace place = m_Code.tokens().Place(name);
         m_Warnings.push_back(
             {Severity::Warning, place.file, place.location,
              "'" + std::string(Text(name)) +

@@ -21,7 +21,7 @@ namespace limn
 /// what the functions below tell. What needs types is done later, see lowering/Lowering.h. Lines
 /// stay where they are.
 ///
-/// @throws AssetError  where the text is nested too deeply
+/// @throws AssetError  where the text is nested too deeply, or lacks a bracket
 std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings);
 
@@ -40,8 +40,10 @@ void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
 /// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
 void TakeStructsOutOfBuffers(HlslEditor& code);
 
-/// Takes namespaces away: what they declare, uniforms apart, gets a name with theirs in it. glslang
-/// finds no types in them, and no names of them that stand alone.
+/// Takes namespaces away, and `using namespace`: what they declare, uniforms apart, gets a name
+/// with theirs in it. glslang finds no types in them, and no names of them that stand alone.
+///
+/// @throws AssetError  where one is used that is not there
 void TakeNamespaces(HlslEditor& code);
 
 /// Gives `struct B : A` a copy of A's members in front of its own; glslang reads over the base.

@@ -6,8 +6,7 @@
 #include "text/WordList.h"
 
 #include <algorithm>
-#include <memory>
-#include <span>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -53,7 +52,7 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (word == "shared" || (k_StageModifiers.Has(word) && !isWord(index + 1)))
+        if (word == "shared" || (!isWord(index + 1) && k_StageModifiers.Has(word)))
         {
             m_Code.Spelling(index) = std::string(word) + "_";
         }
@@ -183,15 +182,18 @@ private:
 std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
                               std::vector<Diagnostic>& warnings)
 {
-    auto code = std::make_unique<HlslEditor>(text, &lines);
-    RequireShallow(code->tokens());
+    std::optional<HlslTokens> tokens(std::in_place, text, &lines);
+    std::optional<HlslEditor> code(std::in_place, *tokens);
+    RequireShallow(*tokens);
+    RequirePairs(*tokens);
     const auto rewrite = [&](const auto& edit)
     {
         edit(*code);
         if (code->isEdited()) // as hardly ever
         {
             text = code->Assemble();
-            code = std::make_unique<HlslEditor>(text, &lines);
+            tokens.emplace(text, &lines);
+            code.emplace(*tokens);
         }
     };
     rewrite(SpellEnums);
