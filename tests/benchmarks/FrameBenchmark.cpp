@@ -1,7 +1,7 @@
 // The article's frame, limn's against one written by hand in plain Vulkan, in one run: frames of
 // the two take turns, and ratios of neighbours are printed as their median with the tenth and
 // ninetieth part of them. CPU time is the calling thread's, device time the sum of the passes'
-// timestamps.
+// timestamps; a frame is finished when its picture is there.
 //
 //   cmake --preset release -DLIMN_BUILD_TESTS=ON && cmake --build --preset release --target
 //   frame_benchmark build/release/tests/frame_benchmark [--quick] [--pairs N] [--device NAME]
@@ -42,6 +42,13 @@ double CpuMilliseconds()
     std::timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+double WallMilliseconds()
+{
+    const std::chrono::duration<double, std::milli> time =
+        std::chrono::steady_clock::now().time_since_epoch();
+    return time.count();
 }
 
 /// A device that takes the time of Execute().
@@ -144,16 +151,20 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
     Comparison record;
     Comparison whole;
     Comparison deviceTime;
+    Comparison finished;
     for (int i = 0; i < options.pairs; ++i)
     {
+        const double limnWall = WallMilliseconds();
         const double limnBegin = CpuMilliseconds();
         scene.Render();
         const double limnWhole = CpuMilliseconds() - limnBegin;
         const double limnDevice = Sum(device.LastFrameTimings());
+        const double handWall = WallMilliseconds();
         const double handBegin = CpuMilliseconds();
         hand.Draw();
         const double handWhole = CpuMilliseconds() - handBegin;
         hand.Wait();
+        finished.Add(handWall - limnWall, WallMilliseconds() - handWall);
         record.Add(device.recordMilliseconds, handWhole);
         whole.Add(limnWhole, handWhole);
         deviceTime.Add(limnDevice, hand.DeviceMilliseconds());
@@ -161,6 +172,7 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
     PrintColumns(record);
     PrintColumns(whole);
     PrintColumns(deviceTime);
+    PrintColumns(finished);
     std::printf(" | ");
     if (!ComparePictures(device.ReadBack(*first.output.rt()), hand.ReadBack()) && options.quick)
     {
@@ -173,7 +185,7 @@ void FrameTable(const Options& options)
     std::printf(
         "\n(a) The article's frame, regions off: ms of limn, ms by hand, ratio [10 %%-90 %%]\n"
         "size     objects draws       | record and submit, CPU          | whole frame, CPU"
-        "                | device\n");
+        "                | device                          | until it is finished, wall\n");
     const int width = options.quick ? 64 : 1280;
     for (const int objects : {1, 100, 10000})
     {
