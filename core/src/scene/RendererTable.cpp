@@ -64,6 +64,16 @@ private:
     std::size_t m_Count = 0;
 };
 
+/// Rows keep the blocks: no other is in the place of one.
+void AddTo(WordHash& hash, const RendererPropertyBlocks& blocks)
+{
+    hash.AddPointer(blocks.ofRenderer().get());
+    for (std::size_t slot = 0; slot < blocks.materialCount(); ++slot)
+    {
+        hash.AddPointer(blocks.OfMaterial(slot).get());
+    }
+}
+
 /// Of all that an object's rows are made from, but what its materials and meshes hold.
 std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
 {
@@ -88,13 +98,9 @@ std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
         {
             hash.AddPointer(material.get());
         }
-        if (renderer.properties)
+        if (!renderer.propertyBlocks.isEmpty())
         {
-            hash.AddPointer(renderer.properties.get()); // rows keep it: no other is in its place
-        }
-        for (std::size_t slot = 0; slot < renderer.materialPropertyCount(); ++slot)
-        {
-            hash.AddPointer(renderer.PropertiesOf(slot).get());
+            AddTo(hash, renderer.propertyBlocks);
         }
     }
     return hash.value();

@@ -15,21 +15,14 @@ void MeshRenderer::SetPropertyBlock(const MaterialPropertyBlock& block, int mate
                             std::to_string(materialIndex) + "; the renderer has " +
                             std::to_string(sharedMaterials.size()));
     }
-    using Blocks = std::vector<std::shared_ptr<const MaterialPropertyBlock>>;
-    Blocks blocks = materialProperties ? *materialProperties : Blocks();
-    blocks.resize(std::max(blocks.size(), index + 1));
-    blocks[index] =
-        block.isEmpty() ? nullptr : std::make_shared<const MaterialPropertyBlock>(block);
-    const bool isAny = std::ranges::any_of(blocks, [](const auto& b) { return b != nullptr; });
-    materialProperties = isAny ? std::make_shared<const Blocks>(std::move(blocks)) : nullptr;
+    propertyBlocks.Set(block, index);
 }
 
 void MeshRenderer::GetPropertyBlock(MaterialPropertyBlock& block, int materialIndex) const
 {
     const auto index = static_cast<std::size_t>(materialIndex);
-    const bool isSet = materialIndex >= 0 && index < materialPropertyCount() &&
-                       (*materialProperties)[index] != nullptr;
-    block = isSet ? *(*materialProperties)[index] : MaterialPropertyBlock();
+    const auto& own = propertyBlocks.OfMaterial(index); // of a number below 0 there is none
+    block = own ? *own : MaterialPropertyBlock();
 }
 
 GameObject& Scene::Add(std::string name)

@@ -169,6 +169,7 @@ protected:
 
 using testing::ElementsAre;
 using testing::Pair;
+using testing::UnorderedElementsAre;
 
 TEST_F(RendererBlocks, WinOverTheMaterialForTheirRendererOnly)
 {
@@ -210,6 +211,22 @@ TEST_F(RendererBlocks, AreCopies)
     cube.renderer->SetPropertyBlock({});
     cube.renderer->GetPropertyBlock(block);
     EXPECT_TRUE(block.isEmpty());
+}
+
+TEST_F(RendererBlocks, OfACopiedRendererAreItsOwn)
+{
+    GameObject& cube = AddCube(0);
+    cube.renderer->SetPropertyBlock(Block(3));
+    cube.renderer->SetPropertyBlock(Block(4), 0);
+    GameObject& copy = AddCube(1);
+    copy.renderer = cube.renderer;
+    EXPECT_THAT(Draw(), ElementsAre(Pair(4.0f, 2u)));
+    copy.renderer->SetPropertyBlock({}, 0);
+    EXPECT_THAT(Draw(), UnorderedElementsAre(Pair(4.0f, 1u), Pair(3.0f, 1u)));
+    copy.renderer->SetPropertyBlock({});
+    EXPECT_FALSE(copy.renderer->HasPropertyBlock());
+    EXPECT_TRUE(cube.renderer->HasPropertyBlock());
+    EXPECT_THAT(Draw(), UnorderedElementsAre(Pair(4.0f, 1u), Pair(1.0f, 1u)));
 }
 
 TEST_F(RendererBlocks, WinOverAnOverrideMaterial)

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/core/Light.h>
 #include <limn/core/Material.h>
 #include <limn/core/MaterialList.h>
 #include <limn/core/Mesh.h>
+#include <limn/core/RendererPropertyBlocks.h>
 #include <limn/core/ShadowSettings.h>
 #include <limn/core/Transform.h>
 #include <memory>
@@ -20,7 +22,7 @@ class RendererTable;
 
 /// Whether an object throws a shadow: not at all, the faces that a camera would see, all of its
 /// faces, or a shadow while it is not seen itself. Unity: UnityEngine.Rendering.ShadowCastingMode.
-enum class ShadowCastingMode
+enum class ShadowCastingMode : std::uint8_t
 {
     Off = 0,
     On = 1,
@@ -36,13 +38,9 @@ struct MeshRenderer
     MaterialList sharedMaterials;
     RenderingLayerMask renderingLayerMask{1}; ///< a new renderer is in rendering layer 0 only
     bool enabled = true;
-    /// What SetPropertyBlock was given; null = none.
-    std::shared_ptr<const MaterialPropertyBlock> properties = nullptr;
-    /// What it was given for single materials, by index; null = none at all.
-    std::shared_ptr<const std::vector<std::shared_ptr<const MaterialPropertyBlock>>>
-        materialProperties = nullptr;
     /// With the pass of LightMode ShadowCaster that its materials' shaders have.
     ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
+    RendererPropertyBlocks propertyBlocks = {}; ///< that SetPropertyBlock was given
 
     /// The first material; null where there is none. Unity: Renderer.sharedMaterial.
     std::shared_ptr<const Material> sharedMaterial() const
@@ -63,15 +61,12 @@ struct MeshRenderer
     /// different blocks are separate draws.
     /// @param block  copied; an empty one takes the renderer's away
     /// @source Unity: Renderer.SetPropertyBlock (2022.3)
-    void SetPropertyBlock(const MaterialPropertyBlock& block)
-    {
-        properties =
-            block.isEmpty() ? nullptr : std::make_shared<const MaterialPropertyBlock>(block);
-    }
+    void SetPropertyBlock(const MaterialPropertyBlock& block) { propertyBlocks.Set(block); }
     /// A copy; an empty one where the renderer has none. Unity: Renderer.GetPropertyBlock.
     void GetPropertyBlock(MaterialPropertyBlock& block) const
     {
-        block = properties ? *properties : MaterialPropertyBlock();
+        const auto& own = propertyBlocks.ofRenderer();
+        block = own ? *own : MaterialPropertyBlock();
     }
     /// For one of its materials, which does not look at the block of the whole renderer then.
     /// @param block  an empty one takes the material's away
@@ -80,17 +75,13 @@ struct MeshRenderer
     /// What was set for this material; an empty one where there is none.
     void GetPropertyBlock(MaterialPropertyBlock& block, int materialIndex) const;
     /// Of the renderer, or of any material.
-    bool HasPropertyBlock() const { return properties != nullptr || materialProperties != nullptr; }
+    bool HasPropertyBlock() const { return !propertyBlocks.isEmpty(); }
 
-    std::size_t materialPropertyCount() const
-    {
-        return materialProperties ? materialProperties->size() : 0;
-    }
     /// What draws with this material take; null = none.
     const std::shared_ptr<const MaterialPropertyBlock>& PropertiesOf(std::size_t material) const
     {
-        const bool isOwn = material < materialPropertyCount() && (*materialProperties)[material];
-        return isOwn ? (*materialProperties)[material] : properties;
+        const auto& own = propertyBlocks.OfMaterial(material);
+        return own ? own : propertyBlocks.ofRenderer();
     }
 };
 
