@@ -299,7 +299,7 @@ long CompareFrames(std::size_t count, int pairs)
 {
     std::printf("\n%zu renderers: limn, the plain loops, ratio [tenth-ninetieth part]\n", count);
     ManyRenderers(1).Frame(); // what compiling the shaders takes once is no renderer's
-    malloc_trim(0); // else these would lie where those of the table before have lain
+    malloc_trim(0);           // else these would lie where those of the table before have lain
     const double before = ResidentBytes();
     ManyRenderers scene(count);
     const RenderResult& result = scene.Frame();
