@@ -3,10 +3,13 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
+#include <functional>
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/FrameCompiler.h>
 #include <limn/core/ScriptableRenderContext.h>
+#include <string>
+#include <vector>
 
 namespace limn::test
 {
@@ -75,6 +78,31 @@ inline TargetPtr MakeWritable(int width, int height,
     RenderTextureDescriptor descriptor(width, height, format);
     descriptor.enableRandomWrite = true;
     return std::make_shared<RenderTexture>(name, descriptor);
+}
+
+/// What commands draw into a cleared target whose red they add 0.2 to: of each row a text, how
+/// often each texel was drawn, "." for not at all.
+inline std::vector<std::string> CountDrawn(int width, int height,
+                                           const std::function<void(CommandBuffer&)>& record)
+{
+    const RTHandle target(MakeTarget(width, height));
+    CommandBuffer cmd;
+    cmd.SetRenderTarget(target);
+    cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
+    record(cmd);
+    RunCommands(cmd, {std::const_pointer_cast<RenderTexture>(target.rt())});
+    const Image image = SharedDevice().ReadBack(*target.rt());
+    std::vector<std::string> rows;
+    for (int y = 0; y < height; ++y)
+    {
+        std::string& row = rows.emplace_back();
+        for (int x = 0; x < width; ++x)
+        {
+            const int times = Texel8(image, x, y)[0] / 51; // 51 = 0.2
+            row += times == 0 ? "." : std::to_string(times);
+        }
+    }
+    return rows;
 }
 
 } // namespace limn::test
