@@ -444,9 +444,12 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
         }
     }
     // A colour that is named alone brings its own depth along.
+    const bool isAlone = !depth && colors.size() == 1;
     const bool isWithCameraDepth =
-        depth ? Is(depth, m_CameraDepth)
-              : colors.size() == 1 && colors[0].nameID() == BuiltinRenderTextureType::CameraTarget;
+        isAlone ? colors[0].nameID() == BuiltinRenderTextureType::CameraTarget ||
+                      (colors[0].rt() && colors[0].rt()->depthBuffer() &&
+                       colors[0].rt()->depthBuffer() == m_CameraDepth.rt())
+                : Is(depth, m_CameraDepth);
     const bool isFirstDepth = isWithCameraDepth && m_FirstDepth;
     m_FirstDepth = m_FirstDepth && !isFirstDepth;
     clear = clear | Only(isFirstDepth ? cameraClear : pass.clearFlag(), ClearFlag::DepthStencil);

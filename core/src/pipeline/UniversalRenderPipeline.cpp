@@ -80,6 +80,15 @@ void ExpectLightLimit(int count)
     }
 }
 
+void ExpectPipelineVersion(int version)
+{
+    if (version < 7 || version > 17)
+    {
+        throw ContractError("UniversalRenderPipeline: pipelineVersion is " +
+                            std::to_string(version) + "; it must be from 7 to 17");
+    }
+}
+
 /// Of this camera's target. Unity: UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
 float RenderScaleOf(const Camera& camera, float renderScale)
 {
@@ -189,7 +198,7 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.usesReversedZBuffer = UsesReversedZBuffer(renderer);
     data.cameraData.gpuProjectionMatrix =
-        camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer);
+        WithFlippedY(camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer));
     data.scene = request.scene;
     data.time = request.time;
     data.volumeStack = request.blendVolumes ? request.blendVolumes(camera) : request.volumeStack;
@@ -324,6 +333,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     ExpectSampleCount(msaaSampleCount);
     ExpectRenderScale(renderScale);
     ExpectLightLimit(maxAdditionalLightsCount);
+    ExpectPipelineVersion(pipelineVersion);
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.notes.clear();
@@ -348,6 +358,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
         renderingData.cameraData.renderScale = scale;
+        renderingData.cameraData.pipelineVersion = pipelineVersion;
         renderingData.cameraData.maxShadowDistance = MaxShadowDistance(*camera, shadows);
         renderingData.postProcessingEnabled = std::ranges::any_of(
             m_Stack, [](const Camera* each) { return each->renderPostProcessing; });

@@ -20,13 +20,8 @@ SamplerState MakeSampler(FilterMode filterMode, TextureWrapMode wrapMode)
 bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted,
              const SamplerState& sampler, std::string_view name)
 {
-    RenderTextureDescriptor actual = texture.descriptor();
-    if (wanted.depthBufferBits != 0)
-    {
-        // A depth texture has no colour format, so a difference there is none.
-        actual.graphicsFormat = wanted.graphicsFormat;
-    }
-    return actual == wanted && texture.sampler() == sampler && texture.name() == name;
+    return texture.descriptor() == DescriptorOfHandle(wanted) && texture.sampler() == sampler &&
+           texture.name() == name;
 }
 
 } // namespace
@@ -84,8 +79,8 @@ RenderTargetIdentifier::RenderTargetIdentifier(std::shared_ptr<const Texture> te
 RTHandle RTHandles::Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode,
                           TextureWrapMode wrapMode, std::string name)
 {
-    return RTHandle(std::make_shared<const RenderTexture>(std::move(name), descriptor,
-                                                          MakeSampler(filterMode, wrapMode)));
+    return RTHandle(std::make_shared<const RenderTexture>(
+        std::move(name), DescriptorOfHandle(descriptor), MakeSampler(filterMode, wrapMode)));
 }
 
 bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,

@@ -64,10 +64,10 @@ TemporaryTexture RenderTexturePool::GetTemporary(const RenderTextureDescriptor& 
     if (!entry)
     {
         entry = std::make_shared<TemporaryTexture::Entry>();
-        entry->texture = RTHandles::Alloc(descriptor, filterMode, wrapMode,
-                                          "TempBuffer " + std::to_string(++m_Made) + " " +
-                                              std::to_string(descriptor.width) + "x" +
-                                              std::to_string(descriptor.height));
+        entry->texture = RTHandle(std::make_shared<const RenderTexture>(
+            "TempBuffer " + std::to_string(++m_Made) + " " + std::to_string(descriptor.width) +
+                "x" + std::to_string(descriptor.height),
+            descriptor, sampler));
         m_Entries.push_back(entry);
     }
     entry->isTaken = true;

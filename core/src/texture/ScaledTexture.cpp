@@ -40,7 +40,7 @@ bool MatchesButForSize(const RenderTexture& texture, RenderTextureDescriptor wan
 {
     wanted.width = texture.width();
     wanted.height = texture.height();
-    const RenderTexture other("", wanted, sampler);
+    const RenderTexture other("", DescriptorOfHandle(wanted), sampler);
     return texture.descriptor() == other.descriptor() && texture.sampler() == sampler &&
            texture.name() == name;
 }
@@ -96,7 +96,7 @@ glm::ivec2 ScaledTexture::SizeFor(const glm::ivec2& camera) const
 ScaledTexture::ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDescriptor& descriptor,
                              const SamplerState& sampler, std::string name)
     : m_Scale(std::move(scale)),
-      m_Descriptor(descriptor),
+      m_Descriptor(DescriptorOfHandle(descriptor)),
       m_Sampler(sampler),
       m_Name(std::move(name))
 {

@@ -108,7 +108,10 @@ TEST(ReAllocateIfNeeded, ReplacesATextureForEachFieldThatDiffers)
     {
         RTHandle handle = MaskHandle();
         EXPECT_TRUE(ReAllocateMask(handle, other)) << "field " << &other - others.data();
-        EXPECT_EQ(handle.rt()->descriptor(), other);
+        RenderTextureDescriptor made = other;
+        made.graphicsFormat =
+            other.depthBufferBits == 0 ? other.graphicsFormat : GraphicsFormat::None; // depth only
+        EXPECT_EQ(handle.rt()->descriptor(), made);
     }
 }
 

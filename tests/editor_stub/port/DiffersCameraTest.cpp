@@ -84,8 +84,6 @@ void ExpectCameraDataOf()
     data.cameraType = CameraType::SceneView;
     EXPECT_TRUE(data.isSceneViewCamera());
     EXPECT_FALSE(data.isPreviewCamera());
-    EXPECT_FALSE(data.IsCameraProjectionMatrixFlipped());
-    EXPECT_FALSE(data.IsHandleYFlipped(RTHandle()));
 }
 
 void ExpectCameraData()
@@ -180,8 +178,7 @@ DiffersChecks CameraDiffers()
              ExpectAProjectionOfItsOwnOrTheLens},
             {{"Camera.transform"}, ExpectATransform},
             {OfEach({"CameraData", "UniversalCameraData"},
-                    {"isPreviewCamera", "isSceneViewCamera", "volumeTrigger",
-                     "IsCameraProjectionMatrixFlipped", "IsHandleYFlipped"}),
+                    {"isPreviewCamera", "isSceneViewCamera", "volumeTrigger"}),
              ExpectCameraData},
             {Members("UniversalCameraData", {"scaledWidth", "scaledHeight"}), ExpectScaledSizes},
             {{"LightData.visibleLights", "UniversalLightData.visibleLights", "ShadowData.bias",

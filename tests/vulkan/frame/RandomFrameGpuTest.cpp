@@ -183,7 +183,7 @@ public:
         m_Compiled.push_back(frame);
         for (const TargetPtr& output : m_Outputs)
         {
-            texels.push_back(SharedDevice().ReadBack(*output).texels);
+            texels.push_back(ReadRows(*output).texels);
         }
         return texels;
     }

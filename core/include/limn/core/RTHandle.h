@@ -88,7 +88,8 @@ private:
 namespace RTHandles
 {
 
-/// A new texture of exactly the descriptor's size. Unity: RTHandles.Alloc.
+/// Makes a new texture of exactly the descriptor's size. With depthBufferBits it is a depth
+/// texture, whatever the colour format is. Unity: RTHandles.Alloc.
 /// @throws ContractError as RenderTexture does, for a size below 1 among others
 RTHandle Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/Texture.h>
+#include <memory>
 
 namespace limn
 {
@@ -34,10 +35,12 @@ struct RenderTextureDescriptor
 {
     int width = 0;  ///< texels
     int height = 0; ///< texels
-    /// Of the colour. A depth format makes a depth texture, too (Unity refuses it here).
+    /// The colour's format. None with depthBufferBits, or a depth format, makes a depth texture.
     GraphicsFormat graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
-    /// 0, 16, 24 or 32. Not 0 = a depth texture whose graphicsFormat is ignored, as RTHandles do:
-    /// D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in Unity only 16 has no stencil.
+    /// 0, 16, 24 or 32. Not 0 beside a colour format makes a colour with a depth of its own
+    /// (RenderTexture::depthBuffer); RTHandles make a depth texture of it, whatever the colour
+    /// format, as in Unity. Depth is D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in
+    /// Unity only 16 has no stencil.
     int depthBufferBits = 0;
     /// 1, 2, 4 or 8 a texel. What draws left in several is resolved for whoever reads the texture:
     /// colour to the average, depth and stencil to the first sample.
@@ -60,6 +63,10 @@ struct RenderTextureDescriptor
     /// No effect: what need not be stored is worked out.
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
     bool useDynamicScale = false; ///< no effect: nothing scales
+    /// Whether the texture's first row is the top of the picture, as in a window's or a host's
+    /// image: what Unity calls the back buffer. TargetOrientation.h says what follows. Only as the
+    /// last target of a frame is such a texture upright; shaders that sample it see it mirrored.
+    bool isTopRowFirst = false;
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)
@@ -97,8 +104,17 @@ public:
     ///         refuses
     RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                   SamplerState sampler = {}, bool transient = false);
+    /// Makes a colour whose depth is there already.
+    /// @param depthBuffer  a depth texture of its size and samples
+    /// @throws ContractError also if the descriptor has depthBufferBits of its own
+    RenderTexture(std::string name, const RenderTextureDescriptor& descriptor, SamplerState sampler,
+                  bool transient, std::shared_ptr<const RenderTexture> depthBuffer);
 
     const RenderTextureDescriptor& descriptor() const { return m_Descriptor; }
+
+    /// Returns the depth and stencil that are bound with this colour where it is set as a target
+    /// alone; null for a depth texture and for a colour without. Unity: RenderTexture.depthBuffer.
+    const std::shared_ptr<const RenderTexture>& depthBuffer() const { return m_DepthBuffer; }
 
     /// Nobody looks at the contents after the frame: what no later command of the frame reads need
     /// not be stored.
@@ -106,6 +122,7 @@ public:
 
 private:
     RenderTextureDescriptor m_Descriptor;
+    std::shared_ptr<const RenderTexture> m_DepthBuffer;
     bool m_Transient;
 };
 

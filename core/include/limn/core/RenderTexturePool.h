@@ -49,7 +49,7 @@ class RenderTexturePool
 public:
     /// A texture for as long as the result lives. What is in it is undefined: clear it, or draw
     /// over the whole of it.
-    /// @param depthBuffer  not 0: it is a depth texture, as RenderTextureDescriptor says
+    /// @param depthBuffer  bits of a depth that the colour has, see RenderTextureDescriptor
     /// @throws ContractError as RenderTexture does
     TemporaryTexture
     GetTemporary(int width, int height, int depthBuffer = 0,
