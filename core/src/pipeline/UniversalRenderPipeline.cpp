@@ -409,6 +409,7 @@ void UniversalRenderPipeline::Finish(const RenderRequest& request, FrameCache& f
             return m_Device->Footprint(texture);
         };
     }
+    options.held = m_TemporaryTextures.held();
     m_Commands = m_Context->TakeCommands();
     result.frame = Measure(
         request.timeline, "compile",

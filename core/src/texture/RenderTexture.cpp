@@ -52,6 +52,7 @@ MakeDepthBuffer(const std::string& name, const RenderTextureDescriptor& descript
                                   descriptor.depthBufferBits);
     depth.msaaSamples = descriptor.msaaSamples;
     depth.isTopRowFirst = descriptor.isTopRowFirst;
+    depth.memoryless = descriptor.memoryless;
     return std::make_shared<const RenderTexture>(name + " Depth", depth, SamplerState(), transient);
 }
 

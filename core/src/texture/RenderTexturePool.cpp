@@ -67,12 +67,30 @@ TemporaryTexture RenderTexturePool::GetTemporary(const RenderTextureDescriptor& 
         entry->texture = RTHandle(std::make_shared<const RenderTexture>(
             "TempBuffer " + std::to_string(++m_Made) + " " + std::to_string(descriptor.width) +
                 "x" + std::to_string(descriptor.height),
-            descriptor, sampler));
+            descriptor, sampler, true));
         m_Entries.push_back(entry);
     }
     entry->isTaken = true;
     entry->idleFrames = 0;
     return TemporaryTexture(std::move(entry));
+}
+
+std::vector<std::uint64_t> RenderTexturePool::held() const
+{
+    std::vector<std::uint64_t> ids;
+    for (const auto& entry : m_Entries)
+    {
+        if (entry->isTaken)
+        {
+            const RenderTexture& texture = *entry->texture.rt();
+            ids.push_back(texture.id());
+            if (texture.depthBuffer())
+            {
+                ids.push_back(texture.depthBuffer()->id());
+            }
+        }
+    }
+    return ids;
 }
 
 void RenderTexturePool::BeginFrame()

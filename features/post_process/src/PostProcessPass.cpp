@@ -180,6 +180,7 @@ void PostProcessPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData
     RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
     descriptor.depthBufferBits = 0;
     descriptor.msaaSamples = 1;
+    descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
     const auto allocate = [&](RTHandle& handle, const std::string& textureName)
     {
         RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Bilinear,

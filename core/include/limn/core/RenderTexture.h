@@ -60,7 +60,9 @@ struct RenderTextureDescriptor
     ShadowSamplingMode shadowSamplingMode = ShadowSamplingMode::None;
     VRTextureUsage vrUsage = VRTextureUsage::None; ///< others are refused
     bool bindMS = false; ///< true is refused: shaders see one sample a texel
-    /// No effect: what need not be stored is worked out.
+    /// Not None promises that no next frame reads what this one leaves in the texture, so that
+    /// nothing need be stored; within a frame it may be read. (Unity: within a pass only, and only
+    /// where the device can.)
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
     bool useDynamicScale = false; ///< no effect: nothing scales
     /// Whether the texture's first row is the top of the picture, as in a window's or a host's
@@ -118,7 +120,10 @@ public:
 
     /// Nobody looks at the contents after the frame: what no later command of the frame reads need
     /// not be stored.
-    bool isTransient() const { return m_Transient; }
+    bool isTransient() const
+    {
+        return m_Transient || m_Descriptor.memoryless != RenderTextureMemoryless::None;
+    }
 
 private:
     RenderTextureDescriptor m_Descriptor;

@@ -62,6 +62,10 @@ public:
     /// Gives `texture` back before its scope ends; it is none afterwards.
     static void ReleaseTemporary(TemporaryTexture& texture) { texture.Release(); }
 
+    /// Returns the ids of the textures that are given out: of what is not, nothing is kept for the
+    /// next frame, whoever gets it then.
+    std::vector<std::uint64_t> held() const;
+
     /// Forgets textures that nobody has asked for in the last 15 frames.
     void BeginFrame();
 
