@@ -128,6 +128,7 @@ IdentifiedTargets::TexturePointer IdentifiedTargets::Find(const RenderTargetIden
     switch (std::get<BuiltinRenderTextureType>(identifier.content()))
     {
     case BuiltinRenderTextureType::CameraTarget:
+    case BuiltinRenderTextureType::CameraColor:
         return Camera(call).color.rt();
     case BuiltinRenderTextureType::CurrentActive:
     {

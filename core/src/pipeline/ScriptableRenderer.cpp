@@ -132,7 +132,18 @@ bool Is(const RTHandle& target, const RTHandle& camera)
         return target == camera;
     }
     const RenderTargetIdentifier identifier = target.nameID();
-    return identifier == BuiltinRenderTextureType::CameraTarget || identifier == camera.nameID();
+    return identifier == BuiltinRenderTextureType::CameraTarget ||
+           identifier == BuiltinRenderTextureType::CameraColor || identifier == camera.nameID();
+}
+
+/// Returns whether a colour that is bound alone brings the camera's depth along.
+bool BringsDepth(const RTHandle& color, const RTHandle& cameraColor, const RTHandle& cameraDepth)
+{
+    const RenderTargetIdentifier identifier = color.nameID();
+    const auto texture =
+        identifier == BuiltinRenderTextureType::CameraColor ? cameraColor.rt() : color.rt();
+    return identifier == BuiltinRenderTextureType::CameraTarget ||
+           (texture && texture->depthBuffer() && texture->depthBuffer() == cameraDepth.rt());
 }
 
 /// Their number where it is none of them.
@@ -446,10 +457,7 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
     // A colour that is named alone brings its own depth along.
     const bool isAlone = !depth && colors.size() == 1;
     const bool isWithCameraDepth =
-        isAlone ? colors[0].nameID() == BuiltinRenderTextureType::CameraTarget ||
-                      (colors[0].rt() && colors[0].rt()->depthBuffer() &&
-                       colors[0].rt()->depthBuffer() == m_CameraDepth.rt())
-                : Is(depth, m_CameraDepth);
+        isAlone ? BringsDepth(colors[0], m_CameraColor, m_CameraDepth) : Is(depth, m_CameraDepth);
     const bool isFirstDepth = isWithCameraDepth && m_FirstDepth;
     m_FirstDepth = m_FirstDepth && !isFirstDepth;
     clear = clear | Only(isFirstDepth ? cameraClear : pass.clearFlag(), ClearFlag::DepthStencil);

@@ -332,7 +332,7 @@ TEST_F(LeftOutOfAFrame, IsAllThatANextFrameWouldReadOfTheLast)
 {
     m_Frame.Bind(m_Mask).Draw(1).Bind(m_Camera).Draw(2);
     const CompiledFrame last =
-        CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true});
+        CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true, .held = {}});
     EXPECT_EQ(last.passes.size(), 1u);
 }
 

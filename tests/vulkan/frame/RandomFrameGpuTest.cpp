@@ -107,7 +107,8 @@ constexpr int k_FramePasses = 7;
 class RandomDeviceFrames
 {
 public:
-    RandomDeviceFrames(unsigned seed, bool leavesOut) : m_Random(seed), m_Options{false, leavesOut}
+    RandomDeviceFrames(unsigned seed, bool leavesOut)
+        : m_Random(seed), m_Options{.held = {}, .leavesOut = leavesOut}
     {
         if (leavesOut)
         {

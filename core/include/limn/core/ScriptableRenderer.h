@@ -59,12 +59,13 @@ public:
                                       setInverseMatrices);
     }
 
-    /// The camera's colour with its depth, by an identifier that may be asked for at any time, in
-    /// AddRenderPasses as well: what it is when a command is executed.
+    /// Returns the camera's colour by an identifier that may be asked for at any time, in
+    /// AddRenderPasses as well: what it is when a command is executed. It brings a depth along only
+    /// where UniversalRenderPipeline::pipelineVersion says so.
     /// @source Unity: ScriptableRenderer.cameraColorTarget (URP 8 to 14)
     RenderTargetIdentifier cameraColorTarget() const
     {
-        return BuiltinRenderTextureType::CameraTarget;
+        return BuiltinRenderTextureType::CameraColor;
     }
     /// @throws ContractError outside rendering, as cameraDepthTargetHandle does
     RenderTargetIdentifier cameraDepthTarget() const { return cameraDepthTargetHandle().nameID(); }
