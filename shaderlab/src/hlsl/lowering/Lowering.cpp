@@ -62,9 +62,11 @@ void HlslLowering::LowerNode(HlslNode& node)
     switch (node.kind)
     {
     case HlslNodeKind::Cast:
+        LowerConstantCast(node);
         LowerCast(node);
         break;
     case HlslNodeKind::Construct:
+        LowerConstantCast(node);
         LowerConstruct(node);
         break;
     case HlslNodeKind::Member:
@@ -74,6 +76,7 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Assign:
         LowerTruthAssignment(node);
         LowerMatrixOperator(node);
+        LowerFolding(node);
         break;
     case HlslNodeKind::Prefix:
         if ((Text(node.token) == "-" || Text(node.token) == "~") && isTruth(*node.child))
