@@ -137,6 +137,9 @@ private:
     {
         switch (i.op)
         {
+        case spv::OpCompositeConstruct: // of one number, where a vector is asked for
+            LearnComposite(i);
+            break;
         case spv::OpFMod:
             PutRemainder(i);
             return;

@@ -276,71 +276,110 @@ std::string Complaint(const ArithmeticRow& row, const Operands& operands, double
     return text.str();
 }
 
+using AddRow = void (ArithmeticProgram::*)(const ArithmeticRow&);
+
 /// What is wrong, a few lines for each row.
-std::string Mismatches(int width, void (ArithmeticProgram::*add)(const ArithmeticRow&))
+std::string Mismatches(const std::vector<ArithmeticRow>& rows, ArithmeticProgram program,
+                       AddRow add)
 {
-    constexpr std::size_t k_RowsOfAProgram = 24;
     constexpr int k_Lines = 3; // of a row
-    std::vector<const ArithmeticRow*> rows;
-    for (const ArithmeticRow& row : ArithmeticRows())
+    for (const ArithmeticRow& row : rows)
     {
-        if (width == 1 || row.isComponentwise)
-        {
-            rows.push_back(&row);
-        }
+        (program.*add)(row);
     }
+    program.Run();
     std::string report;
-    for (std::size_t begin = 0; begin < rows.size(); begin += k_RowsOfAProgram)
+    for (std::size_t i = 0; i < rows.size(); ++i)
     {
-        const std::size_t end = std::min(begin + k_RowsOfAProgram, rows.size());
-        ArithmeticProgram program(width);
-        for (std::size_t i = begin; i < end; ++i)
+        int lines = 0;
+        const ArithmeticRow& row = rows[i];
+        for (std::size_t call = 0; call < row.calls.size() && lines < k_Lines; ++call)
         {
-            (program.*add)(*rows[i]);
-        }
-        program.Run();
-        for (std::size_t i = begin; i < end; ++i)
-        {
-            int lines = 0;
-            const ArithmeticRow& row = *rows[i];
-            for (std::size_t call = 0; call < row.calls.size() && lines < k_Lines; ++call)
+            const Outcome wanted = row.oracle(row.calls[call]);
+            const double got = Decode(program.Result(i, call), row.result);
+            if (!IsRight(got, wanted, row))
             {
-                const Outcome wanted = row.oracle(row.calls[call]);
-                const double got = Decode(program.Result(i - begin, call), row.result);
-                if (!IsRight(got, wanted, row))
-                {
-                    report += Complaint(row, row.calls[call], got, wanted.value);
-                    ++lines;
-                }
+                report += Complaint(row, row.calls[call], got, wanted.value);
+                ++lines;
             }
         }
     }
     return report;
 }
 
+/// Of the whole table.
+///
+/// @param atOnce     rows in one program
+/// @param mostCalls  of a row; of one with more, some from all over it
+std::string Mismatches(int width, AddRow add, std::size_t atOnce, std::size_t mostCalls)
+{
+    std::string report;
+    std::vector<ArithmeticRow> rows;
+    const auto flush = [&]
+    {
+        report += Mismatches(rows, ArithmeticProgram(width), add);
+        rows.clear();
+    };
+    for (ArithmeticRow row : ArithmeticRows())
+    {
+        if (width > 1 && !row.isComponentwise)
+        {
+            continue;
+        }
+        const std::size_t step = (row.calls.size() + mostCalls - 1) / mostCalls;
+        std::vector<Operands> calls;
+        for (std::size_t i = 0; i < row.calls.size(); i += step)
+        {
+            calls.push_back(row.calls[i]);
+        }
+        row.calls = std::move(calls);
+        rows.push_back(std::move(row));
+        if (rows.size() == atOnce)
+        {
+            flush();
+        }
+    }
+    if (!rows.empty())
+    {
+        flush();
+    }
+    return report;
+}
+
+std::string MismatchesAtRunTime(int width)
+{
+    return Mismatches(width, &ArithmeticProgram::AddAtRunTime, 16, 1000);
+}
+
+/// Each call is code of its own, which the compilers take their time for.
+std::string MismatchesOfConstants(int width)
+{
+    return Mismatches(width, &ArithmeticProgram::AddFolded, 4, 40);
+}
+
 } // namespace
 
 TEST_F(HlslArithmeticGpu, IsRightForNumbersAtRunTime)
 {
-    EXPECT_EQ("", Mismatches(1, &ArithmeticProgram::AddAtRunTime));
+    EXPECT_EQ("", MismatchesAtRunTime(1));
 }
 
 TEST_F(HlslArithmeticGpu, IsRightForVectorsAtRunTime)
 {
     for (const int width : {2, 3, 4})
     {
-        EXPECT_EQ("", Mismatches(width, &ArithmeticProgram::AddAtRunTime)) << width;
+        EXPECT_EQ("", MismatchesAtRunTime(width)) << width;
     }
 }
 
 TEST_F(HlslArithmeticGpu, IsRightForConstantNumbers)
 {
-    EXPECT_EQ("", Mismatches(1, &ArithmeticProgram::AddFolded));
+    EXPECT_EQ("", MismatchesOfConstants(1));
 }
 
 TEST_F(HlslArithmeticGpu, IsRightForConstantVectors)
 {
-    EXPECT_EQ("", Mismatches(3, &ArithmeticProgram::AddFolded));
+    EXPECT_EQ("", MismatchesOfConstants(3));
 }
 
 } // namespace limn::test
