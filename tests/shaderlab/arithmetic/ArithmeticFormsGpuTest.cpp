@@ -1,5 +1,6 @@
 #include "vulkan/compute/ComputeRun.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,25 @@ TEST_F(ArithmeticFormsGpu, RoundHalfToEven)
                                {"round(1.5)", 2.0f},
                                {"round(float2(4.5, 5.5)).x", 4.0f},
                                {"round(3)", 3.0f}}));
+}
+
+// Direct3D: what is out of range becomes the nearest integer, NaN becomes 0.
+TEST_F(ArithmeticFormsGpu, ClampConstantsThatIntegersCannotHold)
+{
+    EXPECT_EQ("", Differences("float Declared() { int i = 1e20; return i == 2147483647; }\n"
+                              "float Assigned() { uint u; u = -1.5; return u; }\n"
+                              "float Several() { int2 v = float2(-1e10, 0.0 / 0.0); "
+                              "return (v.x == -2147483647 - 1) + 2 * (v.y == 0); }\n"
+                              "float Sized() { const int n = 2.5 * 2; float a[n]; a[4] = n; "
+                              "return a[4]; }\n",
+                              {{"Declared()", 1.0f},
+                               {"Assigned()", 0.0f},
+                               {"Several()", 3.0f},
+                               {"Sized()", 5.0f},
+                               {"(int)1e20 == 2147483647", 1.0f},
+                               {"uint(4e20) == 0xffffffff", 1.0f},
+                               {"(uint)(-3.5)", 0.0f},
+                               {"(int)-3.5", -3.0f}}));
 }
 
 } // namespace limn::test

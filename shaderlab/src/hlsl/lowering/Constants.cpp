@@ -51,12 +51,14 @@ std::optional<double> NumberOf(std::string_view literal)
 }
 
 /// The value of a number that is written with operators only; nothing of others.
-std::optional<double> ValueOf(const HlslNode& node, const HlslEditor& code)
+///
+/// @param names  how many variables may stand for one another
+std::optional<double> ValueOf(const HlslNode& node, const HlslEditor& code, int names = 4)
 {
     const std::string_view text = code.Text(node.token);
     const auto first = [&]
     {
-        return ValueOf(*node.child, code);
+        return ValueOf(*node.child, code, names);
     };
     switch (node.kind)
     {
@@ -65,7 +67,9 @@ std::optional<double> ValueOf(const HlslNode& node, const HlslEditor& code)
     case HlslNodeKind::Paren:
         return first();
     case HlslNodeKind::Name:
-        return node.local && node.local->child ? ValueOf(*node.local->child, code) : std::nullopt;
+        return names > 0 && node.local && node.local->child
+                   ? ValueOf(*node.local->child, code, names - 1)
+                   : std::nullopt;
     case HlslNodeKind::Prefix:
         if (const auto value = first(); value && text == "-")
         {
@@ -75,7 +79,7 @@ std::optional<double> ValueOf(const HlslNode& node, const HlslEditor& code)
     case HlslNodeKind::Binary:
     {
         const auto left = first();
-        const auto right = ValueOf(*node.last, code);
+        const auto right = ValueOf(*node.last, code, names);
         const bool isKnown = left && right && node.type.isFloating();
         return !isKnown      ? std::nullopt
                : text == "+" ? std::optional(*left + *right)
@@ -167,7 +171,7 @@ void HlslLowering::LowerFolding(HlslNode& node)
                                             " + 0.5))) * 2.0 * frac(floor(" + x + " + 0.5) * 0.5))";
 }
 
-/// A constant that an integer cannot hold.
+/// A constant that becomes an integer which cannot hold it: cast, declared with it or assigned.
 void HlslLowering::LowerConstantCast(const HlslNode& node)
 {
     const bool isInteger =

@@ -75,6 +75,10 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Binary:
     case HlslNodeKind::Assign:
         LowerTruthAssignment(node);
+        if (Text(node.token) == "=")
+        {
+            LowerConstantCast(node);
+        }
         LowerMatrixOperator(node);
         LowerFolding(node);
         break;
@@ -95,6 +99,7 @@ void HlslLowering::LowerNode(HlslNode& node)
         }
         break;
     case HlslNodeKind::Declarator:
+        LowerConstantCast(node);
         LowerDeclarator(node);
         break;
     default:
