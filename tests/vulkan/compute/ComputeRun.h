@@ -1,7 +1,7 @@
 #pragma once
 
-#include "GpuTestDevice.h"
-#include "GpuTestFrame.h"
+#include "vulkan/GpuTestDevice.h"
+#include "vulkan/GpuTestFrame.h"
 
 #include <functional>
 #include <limn/core/CommandBuffer.h>
