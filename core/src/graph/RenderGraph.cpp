@@ -69,7 +69,8 @@ RenderTextureDescriptor TextureDesc::descriptor() const
 {
     const glm::ivec2 size =
         sizeMode == TextureSizeMode::Explicit ? glm::ivec2(width, height) : SizeForCamera(*this);
-    RenderTextureDescriptor result(size.x, size.y, format, static_cast<int>(depthBufferBits));
+    RenderTextureDescriptor result(size.x, size.y, format,
+                                   static_cast<int>(DepthBits(depthBufferBits)));
     result.msaaSamples = static_cast<int>(msaaSamples);
     result.enableRandomWrite = enableRandomWrite;
     result.useMipMap = useMipMap;

@@ -92,14 +92,26 @@ bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescripto
                                         FilterMode filterMode, TextureWrapMode wrapMode,
                                         std::string_view name)
 {
-    descriptor.width = std::max(descriptor.width, 1);
-    descriptor.height = std::max(descriptor.height, 1);
-    if (handle.rt() && Matches(*handle.rt(), descriptor, MakeSampler(filterMode, wrapMode), name))
+    ReAllocateArguments arguments{filterMode, wrapMode};
+    arguments.name = name;
+    return ReAllocateIfNeeded(handle, descriptor, arguments);
+}
+
+bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                                        const ReAllocateArguments& arguments)
+{
+    RenderTextureDescriptor wanted = WithArguments(descriptor, arguments);
+    wanted.width = std::max(wanted.width, 1);
+    wanted.height = std::max(wanted.height, 1);
+    const SamplerState sampler = SamplerWith(wanted, arguments);
+    const bool isKept = handle.rt() && !handle.useScaling() &&
+                        Matches(*handle.rt(), wanted, sampler, arguments.name);
+    if (!isKept)
     {
-        return false;
+        handle = RTHandle(
+            std::make_shared<const RenderTexture>(std::string(arguments.name), wanted, sampler));
     }
-    handle = RTHandles::Alloc(descriptor, filterMode, wrapMode, std::string(name));
-    return true;
+    return !isKept;
 }
 
 } // namespace limn

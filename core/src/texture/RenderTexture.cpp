@@ -14,7 +14,7 @@ GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& 
     switch (descriptor.depthBufferBits)
     {
     case 0:
-        return descriptor.graphicsFormat;
+        return MadeFormat(descriptor.graphicsFormat);
     case 16:
         return GraphicsFormat::D32_SFloat;
     case 24:
@@ -74,9 +74,7 @@ void RenderTextureDescriptor::SetDepthStencilFormat(GraphicsFormat format)
         throw ContractError(std::string("SetDepthStencilFormat: ") + ToString(format) +
                             " is no depth format");
     }
-    depthBufferBits = format == GraphicsFormat::None         ? 0
-                      : format == GraphicsFormat::D32_SFloat ? 16
-                                                             : 32;
+    depthBufferBits = format == GraphicsFormat::None ? 0 : HasStencil(format) ? 32 : 16;
 }
 
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,

@@ -13,6 +13,12 @@ RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::str
 RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call,
                              std::string_view name);
 
+/// What the arguments of ReAllocateIfNeeded make of a descriptor, and of a texture's sampler.
+RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
+                                      const ReAllocateArguments& arguments);
+SamplerState SamplerWith(const RenderTextureDescriptor& descriptor,
+                         const ReAllocateArguments& arguments);
+
 /// A texture whose size is worked out from the camera's.
 class ScaledTexture
 {

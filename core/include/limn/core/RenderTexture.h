@@ -34,7 +34,8 @@ struct RenderTextureDescriptor
 {
     int width = 0;  ///< texels
     int height = 0; ///< texels
-    /// Of the colour. A depth format makes a depth texture, too (Unity refuses it here).
+    /// Of the colour. A depth format makes a depth texture, too (Unity refuses it here), as
+    /// MadeFormat says.
     GraphicsFormat graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
     /// 0, 16, 24 or 32. Not 0 = a depth texture whose graphicsFormat is ignored, as RTHandles do:
     /// D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in Unity only 16 has no stencil.
@@ -77,9 +78,8 @@ struct RenderTextureDescriptor
 
     /// None where depthBufferBits is 0. Unity: the property depthStencilFormat.
     GraphicsFormat depthStencilFormat() const;
-    /// @param format  None, or a depth format: D32_SFloat is depthBufferBits 16, that with a
-    /// stencil
-    ///                32
+    /// @param format  None, or a depth format: one without a stencil is depthBufferBits 16, one
+    ///                with it 32
     /// @throws ContractError for another format
     void SetDepthStencilFormat(GraphicsFormat format);
 
