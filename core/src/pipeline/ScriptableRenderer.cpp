@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <exception>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/CurrentCamera.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/TypeName.h>
 
 namespace limn
@@ -179,6 +181,7 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     {
         throw ContractError("AddFeature: the feature is null");
     }
+    const ShaderSourceScope shaders(m_ShaderSource);
     RunFeature(*feature, "Create", [&] { feature->Create(); });
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
@@ -276,6 +279,8 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
                 m_RenderGraph->End();
             }
         });
+    const ShaderSourceScope shaders(m_ShaderSource);
+    const CurrentCamera current(renderingData);
     // An overlay's colour is what the cameras before it have drawn.
     m_FirstColor = renderingData.cameraData.renderType == CameraRenderType::Base;
     m_FirstDepth = true;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/core/CurrentCamera.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -202,11 +203,12 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.scene = request.scene;
     data.time = request.time;
     data.volumeStack = request.blendVolumes ? request.blendVolumes(camera) : request.volumeStack;
+    data.report = &report;
+    const CurrentCamera current(data); // for code of features that is asked for its margin
     const glm::vec2 margin = 2.0f * renderer.cullingMargin(data.volumeStack) / size;
     data.cullResults = Measure(
         request.timeline, "cull",
         [&] { return Cull(*request.scene, camera, aspect, margin, data.cameraData.renderOrigin); });
-    data.report = &report;
     return data;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalRenderer.h>
 
 namespace limn
@@ -62,6 +63,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
     m_FinalBlitPass = std::make_unique<BlitPass>("Final Blit", RenderPassEvent::AfterRendering + 1,
                                                  m_CopyMaterial, k_FinalBlit.ofSize);
     m_CameraTextures = std::make_unique<CameraTextures>(m_CopyMaterial);
+    SetShaderSource(std::make_shared<ShaderSource>(&BuiltinShaders, m_Compiler));
 }
 
 UniversalRenderer::~UniversalRenderer() = default;

@@ -36,8 +36,9 @@ bool HasColor(const RenderTextureDescriptor& descriptor)
 GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& descriptor)
 {
     const GraphicsFormat depth = DepthFormatOf(name, descriptor);
-    return HasColor(descriptor) || depth == GraphicsFormat::None ? descriptor.graphicsFormat
-                                                                 : depth;
+    return HasColor(descriptor) || depth == GraphicsFormat::None
+               ? MadeFormat(descriptor.graphicsFormat)
+               : depth;
 }
 
 /// Returns null where the descriptor asks for none beside its colour.
@@ -103,9 +104,7 @@ void RenderTextureDescriptor::SetDepthStencilFormat(GraphicsFormat format)
         throw ContractError(std::string("SetDepthStencilFormat: ") + ToString(format) +
                             " is no depth format");
     }
-    depthBufferBits = format == GraphicsFormat::None         ? 0
-                      : format == GraphicsFormat::D32_SFloat ? 16
-                                                             : 32;
+    depthBufferBits = format == GraphicsFormat::None ? 0 : HasStencil(format) ? 32 : 16;
 }
 
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,

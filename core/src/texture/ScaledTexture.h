@@ -23,6 +23,12 @@ inline RenderTextureDescriptor DescriptorOfHandle(RenderTextureDescriptor descri
     return descriptor;
 }
 
+/// What the arguments of ReAllocateIfNeeded make of a descriptor, and of a texture's sampler.
+RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
+                                      const ReAllocateArguments& arguments);
+SamplerState SamplerWith(const RenderTextureDescriptor& descriptor,
+                         const ReAllocateArguments& arguments);
+
 /// A texture whose size is worked out from the camera's.
 class ScaledTexture
 {

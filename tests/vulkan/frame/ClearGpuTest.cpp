@@ -1,6 +1,9 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
+#include <cstring>
+#include <optional>
+
 namespace limn::test
 {
 
@@ -39,6 +42,83 @@ TEST_F(ClearOnDevice, KeepsValuesAboveOneInAFloatTarget)
     SharedDevice().Execute(FrameOf({ClearPass(target, {-1.5f, 2.5f, 1000.0f, 1.0f})}, target));
     EXPECT_EQ((std::array<float, 4>{-1.5f, 2.5f, 1000.0f, 1.0f}),
               TexelFloat(ReadRows(*target), 0, 0));
+}
+
+namespace
+{
+
+/// The first texel's bits of a cleared target, lowest first; nothing where the device does not draw
+/// into such ones.
+std::optional<std::uint64_t> ClearedBits(GraphicsFormat format, const Color& color)
+{
+    if (!SharedDevice().IsFormatSupported(format, FormatUsage::Render))
+    {
+        return std::nullopt;
+    }
+    const TargetPtr target = MakeTarget(1, 1, format);
+    SharedDevice().Execute(FrameOf({ClearPass(target, color)}, target));
+    const Image image = SharedDevice().ReadBack(*target);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, image.texels.data(), image.texels.size());
+    return bits;
+}
+
+} // namespace
+
+// By the formats' definitions: bits by their places, SNorm c as round(c * (2^(n-1) - 1)).
+TEST_F(ClearOnDevice, WritesTheBitsOfEachKindOfFormat)
+{
+    using enum GraphicsFormat;
+    struct Case
+    {
+        GraphicsFormat format;
+        Color color;
+        std::uint64_t bits;
+    };
+    int drawn = 0;
+    for (const Case& one :
+         {Case{R8G8_SNorm, {1, -1, 0}, 0x817F}, Case{R16G16_SNorm, {-1, 1, 0}, 0x7FFF8001},
+          Case{R16_SNorm, {1, 0, 0}, 0x7FFF}, Case{R8_SInt, {-3, 0, 0}, 0xFD},
+          Case{R16G16_UInt, {5, 7, 0}, 0x00070005}, Case{R16G16_SInt, {-1, 2, 0}, 0x0002FFFF},
+          Case{R5G6B5_UNormPack16, {1, 0, 0}, 0xF800}, Case{B5G6R5_UNormPack16, {1, 0, 0}, 0x001F},
+          Case{A1R5G5B5_UNormPack16, {1, 0, 0, 1}, 0xFC00},
+          Case{A2B10G10R10_UIntPack32, {1, 2, 3, 1}, 0x40300801},
+          Case{A2R10G10B10_UNormPack32, {1, 0, 0, 1}, 0xFFF00000},
+          Case{R8G8B8A8_SInt, {-1, 1, 2, 3}, 0x030201FF}})
+    {
+        if (const auto bits = ClearedBits(one.format, one.color))
+        {
+            ++drawn;
+            EXPECT_EQ(*bits, one.bits) << ToString(one.format);
+        }
+    }
+    EXPECT_GE(drawn, 5) << "those that each device draws into";
+}
+
+TEST_F(ClearOnDevice, NamesAFormatThatWouldDo)
+{
+    for (const auto& [lacking, instead] :
+         {std::pair(GraphicsFormat::R8G8B8_UNorm, "R8G8B8A8_UNorm"),
+          std::pair(GraphicsFormat::R32G32B32_UInt, "R32G32B32A32_UInt"),
+          std::pair(GraphicsFormat::E5B9G9R9_UFloatPack32, "R16G16B16A16_SFloat")})
+    {
+        if (SharedDevice().IsFormatSupported(lacking, FormatUsage::Render))
+        {
+            continue;
+        }
+        const TargetPtr target = MakeTarget(1, 1, lacking);
+        try
+        {
+            SharedDevice().Execute(FrameOf({ClearPass(target, Color::red)}, target));
+            ADD_FAILURE() << ToString(lacking);
+        }
+        catch (const ContractError& error)
+        {
+            EXPECT_NE(std::string(error.what()).find("; " + std::string(instead) + " would do"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 TEST_F(ClearOnDevice, InsideAPassTouchesTheViewportOnly)

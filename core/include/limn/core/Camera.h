@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
+#include <limn/core/LiteralZero.h>
 #include <limn/core/Transform.h>
 #include <memory>
 #include <optional>
@@ -35,6 +36,19 @@ enum class CameraType
     Preview = 4,
     Reflection = 16
 };
+// As C# has them for every enum: `(cameraType & CameraType::Game) != 0`.
+constexpr CameraType operator&(CameraType a, CameraType b)
+{
+    return static_cast<CameraType>(static_cast<int>(a) & static_cast<int>(b));
+}
+constexpr CameraType operator|(CameraType a, CameraType b)
+{
+    return static_cast<CameraType>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator==(CameraType a, LiteralZero)
+{
+    return static_cast<int>(a) == 0;
+}
 
 /// Whether a camera makes a picture, or draws onto what the cameras before it in a stack made.
 /// Unity: UnityEngine.Rendering.Universal.CameraRenderType (URP 14).

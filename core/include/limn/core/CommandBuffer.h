@@ -238,6 +238,10 @@ public:
     void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
+    void SetGlobalVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetGlobalVector(id, detail::ToVector4(value));
+    }
     /// The same as SetGlobalVector, as in Unity: give it `linear()` of what a person picked. Only
     /// colours of materials and property blocks are converted.
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
@@ -349,6 +353,11 @@ public:
                             ShaderPropertyId id, int value);
     void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
                                ShaderPropertyId id, const glm::vec4& value);
+    void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetComputeVectorParam(computeShader, id, detail::ToVector4(value));
+    }
     void SetComputeVectorArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
                                     ShaderPropertyId id, std::vector<glm::vec4> values);
     void SetComputeMatrixParam(const std::shared_ptr<ComputeShader>& computeShader,

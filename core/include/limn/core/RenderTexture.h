@@ -35,7 +35,8 @@ struct RenderTextureDescriptor
 {
     int width = 0;  ///< texels
     int height = 0; ///< texels
-    /// The colour's format. None with depthBufferBits, or a depth format, makes a depth texture.
+    /// The colour's format. None with depthBufferBits, or a depth format, makes a depth texture, as
+    /// MadeFormat says (Unity refuses a depth format here).
     GraphicsFormat graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
     /// 0, 16, 24 or 32. Not 0 beside a colour format makes a colour with a depth of its own
     /// (RenderTexture::depthBuffer); RTHandles make a depth texture of it, whatever the colour
@@ -86,9 +87,8 @@ struct RenderTextureDescriptor
 
     /// None where depthBufferBits is 0. Unity: the property depthStencilFormat.
     GraphicsFormat depthStencilFormat() const;
-    /// @param format  None, or a depth format: D32_SFloat is depthBufferBits 16, that with a
-    /// stencil
-    ///                32
+    /// @param format  None, or a depth format: one without a stencil is depthBufferBits 16, one
+    ///                with it 32
     /// @throws ContractError for another format
     void SetDepthStencilFormat(GraphicsFormat format);
 
