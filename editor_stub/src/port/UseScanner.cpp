@@ -158,8 +158,8 @@ void UseScanner::UseOverride(const CSharpClass& one, const CSharpMethod& method)
         "overrides what the table does not have");
 }
 
-bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name,
-                             std::string& type) const
+bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name, std::string& type,
+                             int depth) const
 {
     if (const CSharpField* field = one.FindField(name))
     {
@@ -180,11 +180,14 @@ bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name,
     {
         return true;
     }
-    return std::ranges::any_of(one.bases,
+    constexpr int k_MaxBases = 20; // of classes that derive from each other
+    return depth < k_MaxBases &&
+           std::ranges::any_of(one.bases,
                                [&](const std::string& base)
                                {
                                    const CSharpClass* own = FindClass(base);
-                                   return own && own != &one && isOwnMember(*own, name, type);
+                                   return own && own != &one &&
+                                          isOwnMember(*own, name, type, depth + 1);
                                });
 }
 
@@ -282,6 +285,7 @@ std::string UseScanner::TypeOfValue(Word at, Word end)
 {
     const bool wasSilent = m_IsSilent;
     m_IsSilent = true;
+    at += at < end && at->Is("ref") ? 1 : 0; // ref var a = ref b
     std::string type = k_UnknownType;
     if (at < end && at->Is("new"))
     {

@@ -50,7 +50,8 @@ private:
     const CSharpClass* FindClass(std::string_view type) const;
     const PortEntry* FindInherited(std::string_view type, std::string_view member,
                                    std::string& owner) const;
-    bool isOwnMember(const CSharpClass& one, const std::string& name, std::string& type) const;
+    bool isOwnMember(const CSharpClass& one, const std::string& name, std::string& type,
+                     int depth = 0) const;
     void Use(const std::string& key, const PortEntry* entry, const SourceLocation& location,
              const std::string& problem = "");
 
