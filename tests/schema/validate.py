@@ -35,6 +35,7 @@ GOOD = {
         "{camera: {cullingMask: {m_Bits: 64}, volumeLayerMask: 4294967295}}",
         "{camera: {cullingMask: [Default, 3]}, objects: [{name: A, mesh: cube, scale: 2}]}",
         "{camera: {}, renderer: {rendererData: a.asset}}",
+        "{camera: {}, renderer: a.asset}",
         "{camera: {}, renderer: {features: [{type: ScreenSpaceOutlineRenderFeature, "
         "renderPassEvent: AfterRenderingOpaques + 1, layerMask: Everything}]}}",
         "{camera: {}, volumes: [{profile: a.yaml, colliders: [{size: [1, 2, 3]}, "

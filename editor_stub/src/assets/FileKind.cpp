@@ -84,7 +84,8 @@ std::string UseOf(FileKind kind, const std::string& file)
     case FileKind::UnityScene:
         return "a scene or prefab of Unity's, which limn does not draw; write a *.scene.yaml";
     case FileKind::UnityMaterial:
-        return "a material of Unity's, which limn does not read; write a *.material.yaml";
+        return "a material of Unity's, which limn does not draw with; 'limn inspect " + file +
+               "' shows it for a *.material.yaml of yours";
     case FileKind::Mesh:
         return "a mesh; a scene's objects name it: 'mesh: " + file + "'";
     case FileKind::Picture:

@@ -115,6 +115,12 @@ void OnceParsed(CLI::App* verb, CommandLine& line, std::function<int(Console&)> 
     verb->final_callback([&line, run = std::move(run)] { line.run = run; });
 }
 
+std::string CheckAssignment(const std::string& text)
+{
+    const std::string problem = ValueAssignment::FormProblem(text);
+    return problem.empty() ? problem : "'" + text + "': " + problem;
+}
+
 /// Other values than the scene's.
 void AddValueOptions(CLI::App& verb, std::string& profile, std::vector<std::string>& overrides)
 {
@@ -126,12 +132,7 @@ void AddValueOptions(CLI::App& verb, std::string& profile, std::vector<std::stri
                     "feature's type")
         ->type_name("NAME.path=VALUE")
         ->allow_extra_args(false)
-        ->check(
-            [](const std::string& text)
-            {
-                const std::string problem = OverrideFormProblem(text);
-                return problem.empty() ? problem : "'" + text + "': " + problem;
-            });
+        ->check(CheckAssignment);
 }
 
 /// What `render` and `watch` have in common.
@@ -163,19 +164,6 @@ CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);
     return verb;
-}
-
-std::string CheckEdit(const std::string& text)
-{
-    try
-    {
-        ScalarEdit::Parse(text);
-        return {};
-    }
-    catch (const AssetError& error)
-    {
-        return "'" + text + "': " + error.diagnostics().front().message;
-    }
 }
 
 void AddRender(CLI::App& app, CommandLine& line)
@@ -309,14 +297,17 @@ void AddExplain(CLI::App& app, CommandLine& line)
 void AddSet(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = app.add_subcommand(
-        "set", "Change values of a volume profile in place, and not a character besides");
-    verb->add_option("file", line.set.file, "A *.profile.yaml or a Unity VolumeProfile .asset")
+        "set", "Change values of a volume profile, or of the features of a scene or a Unity "
+               "renderer, in place, and not a character besides");
+    verb->add_option(
+            "file", line.set.file,
+            "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer .asset")
         ->type_name("FILE")
         ->required();
     verb->add_option("edits", line.set.edits, "Such as ScreenSpaceOutline.m_OutlineWidth=4")
-        ->type_name("Component.param=VALUE")
+        ->type_name("NAME.path=VALUE")
         ->required()
-        ->check(CheckEdit);
+        ->check(CheckAssignment);
     AddPluginOption(*verb, line);
     OnceParsed(verb, line, [&line](Console& console) { return RunSet(line.set, console); });
 }

@@ -2,22 +2,17 @@
 
 #include "assets/FileKind.h"
 #include "reports/InspectProfileFile.h"
+#include "reports/InspectUnityAsset.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/editor_stub/UnityRendererData.h>
-#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {
 
 namespace
 {
-
-std::string KindOfUnityAsset(const std::string& text, const std::string& file)
-{
-    return UnityAsset(text, file).FindWithField("m_RendererFeatures") ? "renderer" : "profile";
-}
 
 std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
 {
@@ -44,6 +39,51 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
     return report;
 }
 
+InspectReport InspectOwn(const std::vector<YamlNode>& documents, const std::string& file,
+                         AssetContext& assets, Console& console)
+{
+    const std::string kind = KindOf(file, documents);
+    InspectReport report;
+    if (kind == "scene")
+    {
+        report = InspectScene(file, assets, console);
+    }
+    else
+    {
+        report.volumes.emplace_back().components =
+            InspectProfileFile(file, documents, assets, console);
+    }
+    report.kind = kind;
+    return report;
+}
+
+InspectReport InspectUnity(const UnityAsset& asset, AssetContext& assets, Console& console)
+{
+    InspectReport report;
+    report.kind = KindOfUnityAsset(asset);
+    if (report.kind == "profile")
+    {
+        report.volumes.emplace_back().components =
+            InspectProfileFile(asset.file(), {YamlNode()}, assets, console);
+    }
+    else if (report.kind == "renderer")
+    {
+        const UnityRendererDataLoadResult result = LoadUnityRendererData(asset.file(), assets);
+        console.Print(result.notes);
+        report.asset = InspectRenderer(asset);
+        report.features = InspectFeatures(result.renderer, assets.features(), {}, {});
+    }
+    else if (report.kind == "pipeline")
+    {
+        report.asset = InspectPipeline(asset);
+    }
+    else
+    {
+        report.asset = InspectMaterial(asset, assets);
+    }
+    return report;
+}
+
 InspectReport Inspect(const InspectOptions& options, Console& console)
 {
     const std::string& file = options.file;
@@ -56,27 +96,9 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
         assets.LoadPlugin(plugin);
     }
     const std::string text = ReadYamlText(file);
-    const bool isUnity = IsUnityAsset(text);
-    const std::vector<YamlNode> documents =
-        isUnity ? std::vector<YamlNode>(1) : ParseYaml(text, file);
-    const std::string kind = isUnity ? KindOfUnityAsset(text, file) : KindOf(file, documents);
-    InspectReport report;
-    if (kind == "scene")
-    {
-        report = InspectScene(file, assets, console);
-    }
-    else if (kind == "renderer")
-    {
-        const UnityRendererDataLoadResult result = LoadUnityRendererData(file, assets);
-        console.Print(result.notes);
-        report.features = InspectFeatures(result.renderer, assets.features(), {}, {});
-    }
-    else
-    {
-        report.volumes.emplace_back().components =
-            InspectProfileFile(file, documents, assets, console);
-    }
-    report.kind = kind;
+    InspectReport report = IsUnityAsset(text)
+                               ? InspectUnity(UnityAsset(text, file), assets, console)
+                               : InspectOwn(ParseYaml(text, file), file, assets, console);
     return report;
 }
 
@@ -84,7 +106,10 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
 
 int RunInspect(const InspectOptions& options, Console& console)
 {
-    RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
+    if (FileKindOf(options.file) != FileKind::UnityMaterial)
+    {
+        RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
+    }
     const InspectReport report = Inspect(options, console);
     console.Results(options.json ? ToJson(report) : ToText(report));
     return static_cast<int>(ExitCode::Done);

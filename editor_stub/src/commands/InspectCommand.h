@@ -11,7 +11,7 @@ namespace limn
 /// `limn inspect`, as the command line has it.
 struct InspectOptions
 {
-    std::string file; ///< a scene, a profile or a renderer asset, told by its content
+    std::string file; ///< a scene, a profile, or a renderer, pipeline or material of Unity's
     bool json = false;
     std::vector<std::string> plugins; ///< modules with features of other people
     std::vector<std::string> roots;

@@ -1,31 +1,45 @@
 #include "commands/SetCommand.h"
 
 #include "assets/FileKind.h"
-#include "plugins/LoadPlugin.h"
+#include "scene/SettingsEdit.h"
 
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/features/Features.h>
-#include <limn/volume/ProfileEdit.h>
+#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {
 
+namespace
+{
+
+/// Whether the file has features, and not a profile's components.
+bool HasFeatures(const std::string& file)
+{
+    const FileKind kind = FileKindOf(file);
+    return kind == FileKind::Scene ||
+           (kind == FileKind::UnityAsset &&
+            LoadUnityAsset(file).FindWithField("m_RendererFeatures").has_value());
+}
+
+} // namespace
+
 int RunSet(const SetOptions& options, Console& console)
 {
-    FeatureRegistry features;
-    VolumeComponentRegistry registry;
-    RegisterFeatures(features, registry);
+    AssetContext assets;
     for (const std::string& plugin : options.plugins)
     {
-        LoadPlugin(plugin, features, registry);
+        assets.LoadPlugin(plugin);
     }
-    std::vector<ScalarEdit> edits;
+    std::vector<ValueAssignment> edits;
     for (const std::string& text : options.edits)
     {
-        edits.push_back(ScalarEdit::Parse(text));
+        edits.push_back(ValueAssignment::Parse(text, text));
     }
-    RequireKind(options.file, {FileKind::Profile}, "set");
-    for (const ScalarChange& change : SetScalars(options.file, edits, registry))
+    RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "set");
+    const std::vector<ScalarChange> changes =
+        HasFeatures(options.file) ? SetFeatureSettings(options.file, edits, assets)
+                                  : SetScalars(options.file, edits, assets.volumeComponents());
+    for (const ScalarChange& change : changes)
     {
         console.Result(change.subject + ": " + change.before +
                        (change.before == change.after ? ", as it was" : " → " + change.after));

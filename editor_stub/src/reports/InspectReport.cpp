@@ -25,7 +25,7 @@ std::vector<std::string> Columns(const InspectedValue& value)
 {
     return {value.name,
             OneLine(value.value),
-            OneLine("default " + value.defaultValue),
+            value.hasDefault ? OneLine("default " + value.defaultValue) : "",
             RangeText(value.range),
             value.unit,
             value.isOverridden ? "set" : "",
@@ -103,8 +103,11 @@ Json AsJson(const InspectedValue& value)
     Json json;
     json["name"] = value.name;
     json["value"] = Typed(value.value);
-    json["default"] = Typed(value.defaultValue);
-    json["isSet"] = value.isOverridden;
+    if (value.hasDefault)
+    {
+        json["default"] = Typed(value.defaultValue);
+        json["isSet"] = value.isOverridden;
+    }
     if (value.range)
     {
         json["range"] = {Bound(value.range->min), Bound(value.range->max)};
@@ -214,6 +217,11 @@ std::string ToText(const InspectReport& report)
     {
         AppendVolume(text, volume);
     }
+    if (report.asset)
+    {
+        AppendLine(text, report.kind + " '" + report.asset->name + "': " + report.asset->type);
+        AppendValues(text, report.asset->values);
+    }
     for (const InspectedGroup& feature : report.features)
     {
         AppendLine(text, "feature '" + feature.name + "': " + feature.type +
@@ -238,6 +246,14 @@ std::string ToJson(const InspectReport& report)
         for (const InspectedVolume& volume : report.volumes)
         {
             json["volumes"].push_back(AsJson(volume));
+        }
+    }
+    if (report.asset)
+    {
+        json[report.kind] = AsJson(*report.asset, "values");
+        if (report.kind != "renderer")
+        {
+            return JsonText(json);
         }
     }
     json["features"] = Json::array();

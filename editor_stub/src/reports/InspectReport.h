@@ -7,11 +7,11 @@
 namespace limn
 {
 
-/// A component or a feature.
+/// A component, a feature, or a Unity asset.
 struct InspectedGroup
 {
     std::string type;
-    std::string name; ///< of a feature
+    std::string name; ///< of a component ""
     bool active = true;
     std::vector<InspectedValue> values;
 };
@@ -32,7 +32,8 @@ struct InspectedVolume
 /// What a file sets.
 struct InspectReport
 {
-    std::string kind; ///< "scene", "profile" or "renderer"
+    std::string kind; ///< "scene", "profile", "renderer", "pipeline" or "material"
+    std::optional<InspectedGroup> asset; ///< the values of the last three
     std::vector<InspectedVolume> volumes;
     std::vector<InspectedGroup> features;
 };

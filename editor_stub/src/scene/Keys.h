@@ -140,7 +140,8 @@ inline constexpr SceneKey k_Scene[] = {
     {"ambientLight", Color},
     {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
     {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
-    {"renderer", Renderer},
+    {"renderer", Renderer,
+     "A map with `features`, or the path of Unity's renderer: a UniversalRendererData .asset"},
     {"volumes", Volumes},
     {"materials", Materials},
     {"objects", Objects}};
@@ -245,7 +246,10 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     k_ShadowNormalBias};
 
 /// A renderer has one of these.
-inline constexpr SceneKey k_Renderer[] = {{"rendererData", Text}, {"features", Features}};
+inline constexpr SceneKey k_Renderer[] = {
+    {"rendererData", Text,
+     "The path of a UniversalRendererData .asset of Unity's; `renderer: X.asset` says the same"},
+    {"features", Features, "In the order in which they add their passes"}};
 
 inline constexpr SceneKey k_Volume[] = {
     {"name", Text},

@@ -38,19 +38,18 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
                                       return ReadMaterialName(value, setting, loader);
                                   }};
     ReadFeatureSettings(map, *feature, context, diagnostics);
-    map.Finish();
     TryCreate(*feature, node.location(), subject + ": ", diagnostics);
     loader.asset.renderer.features.push_back(std::move(feature));
     loader.asset.renderer.featureTypes.push_back(type);
 }
 
-void ReadRendererData(const YamlNode& node, SceneLoader& loader)
+void ReadRendererData(const YamlNode& node, const char* key, SceneLoader& loader)
 {
     References& references = loader.references;
     if (node.isScalar() && std::filesystem::path(node.scalar()).extension() != ".asset")
     {
         loader.diagnostics.Error(node.location(),
-                                 "renderer.rendererData: '" + node.scalar() +
+                                 std::string(key) + ": '" + node.scalar() +
                                      "' is no renderer of Unity's; an .asset file is expected");
         return;
     }
@@ -58,7 +57,7 @@ void ReadRendererData(const YamlNode& node, SceneLoader& loader)
     {
         return LoadUnityRendererData(path, references.assets());
     };
-    UnityRendererDataLoadResult result = references.Read(node, "renderer.rendererData", load);
+    UnityRendererDataLoadResult result = references.Read(node, key, load);
     loader.asset.renderer = std::move(result.renderer);
     loader.AddNotes(result.notes);
 }
@@ -67,6 +66,11 @@ void ReadRendererData(const YamlNode& node, SceneLoader& loader)
 
 void ReadRenderer(const YamlNode& node, SceneLoader& loader)
 {
+    if (node.isScalar())
+    {
+        ReadRendererData(node, "renderer", loader);
+        return;
+    }
     SceneMapReader map(node, "renderer", scene_keys::k_Renderer, loader.diagnostics);
     const YamlNode* data = map.Find("rendererData");
     const YamlNode* features = map.Find("features");
@@ -80,7 +84,7 @@ void ReadRenderer(const YamlNode& node, SceneLoader& loader)
     }
     if (data)
     {
-        ReadRendererData(*data, loader);
+        ReadRendererData(*data, "renderer.rendererData", loader);
     }
     if (features)
     {

@@ -2,123 +2,143 @@
 
 #include "plugins/DescribeFeature.h"
 #include "scene/ReadEnum.h"
+#include "scene/SettingsLevel.h"
 
 namespace limn
 {
 
-SettingsReader::SettingsReader(YamlMapReader& map, const SettingsContext& context,
-                               AssetDiagnostics& diagnostics)
-    : m_Map(map), m_Context(context), m_Diagnostics(diagnostics)
+namespace
 {
-}
 
-const YamlNode* SettingsReader::Find(std::string_view name)
+/// Reads what Describe names, group by group.
+class SettingsReader final : public Inspector
 {
-    if (!m_Group)
+public:
+    SettingsReader(YamlMapReader& map, const SettingName& root, const SettingsContext& context,
+                   AssetDiagnostics& diagnostics)
+        : m_Context(context), m_Diagnostics(diagnostics), m_Root(root)
     {
-        m_FieldNames.emplace_back(name);
+        m_Levels.emplace_back(root, context.unityType, diagnostics).Add(map);
     }
-    return Map().Find(name);
-}
 
-void SettingsReader::BeginGroup(std::string_view name)
-{
-    const YamlNode* node = Find(name);
-    m_Group.emplace(node ? *node : YamlNode(), m_Map.SubjectOf(name), m_Diagnostics);
-}
-
-void SettingsReader::EndGroup()
-{
-    if (m_Context.refusesUnknownKeys)
+    void Field(const FieldInfo& field, FieldValue value) override
     {
-        m_Group->Finish();
+        m_Map = m_Levels.back().Find(field.name);
+        if (m_Map)
+        {
+            const YamlNode& node = *m_Map->Find(field.name);
+            std::visit([&](auto target) { Read(field, node, target); }, value);
+        }
     }
-    m_Group.reset();
-}
 
-void SettingsReader::Field(const FieldInfo& field, FieldValue value)
-{
-    if (const YamlNode* node = Find(field.name))
+    void BeginGroup(std::string_view name) override
     {
-        std::visit([&](auto target) { Read(field, *node, target); }, value);
+        SettingsLevel& outer = m_Levels.back();
+        YamlMapReader* map = outer.Find(name);
+        m_Levels.emplace_back(*FindMember(outer.group(), name), m_Context.unityType, m_Diagnostics)
+            .Add(map ? *map->Find(name) : YamlNode(), map ? *map : outer.map());
     }
-}
 
-template <typename T>
-void SettingsReader::Read(const FieldInfo& field, const YamlNode&, T* value)
-{
-    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, float>)
+    void EndGroup() override
     {
-        Map().Read(field.name, *value, field.range.value_or(ValueRange()));
+        m_Levels.back().Finish(m_Root);
+        m_Levels.pop_back();
     }
-    else
+
+    void Finish() { m_Levels.back().Finish(m_Root); }
+
+private:
+    std::string SubjectOf(const FieldInfo& field) const { return m_Map->SubjectOf(field.name); }
+
+    template <typename T>
+    void Read(const FieldInfo& field, const YamlNode&, T* value)
     {
-        Map().Read(field.name, *value);
+        if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
+        {
+            m_Map->Read(field.name, *value, field.range.value_or(ValueRange()));
+        }
+        else
+        {
+            m_Map->Read(field.name, *value);
+        }
     }
-}
 
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, LayerMask* value)
-{
-    const auto bits = ReadLayerBits(node, Map().SubjectOf(field.name), {m_Context.layers, "layer"},
-                                    m_Diagnostics);
-    *value = LayerMask(bits.value_or(value->bits));
-}
-
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, RenderPassEvent* value)
-{
-    *value = ReadRenderPassEvent(node, Map().SubjectOf(field.name), m_Diagnostics).value_or(*value);
-}
-
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
-                          std::shared_ptr<const Shader>* value)
-{
-    *value = m_Context.readShader(node, Map().SubjectOf(field.name));
-}
-
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
-                          std::shared_ptr<const Material>* value)
-{
-    *value = m_Context.readMaterial(node, Map().SubjectOf(field.name));
-}
-
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node,
-                          std::vector<std::string>* value)
-{
-    const std::string subject = Map().SubjectOf(field.name);
-    if (!node.isSequence() && !node.isNull())
+    template <typename Tag>
+    void Read(const FieldInfo& field, const YamlNode& node, detail::BitMask32<Tag>* value)
     {
-        m_Diagnostics.Error(node.location(),
-                            subject + ": found " + node.Describe() + "; a list is expected");
-        return;
+        constexpr bool isRendering = std::is_same_v<Tag, detail::RenderingLayerTag>;
+        const LayerNames& names = isRendering ? m_Context.renderingLayers : m_Context.layers;
+        const auto bits =
+            ReadLayerBits(node, SubjectOf(field), {names, Tag::k_Name}, m_Diagnostics);
+        value->bits = bits.value_or(value->bits);
     }
-    value->clear();
-    for (const YamlNode& item : node.items())
+
+    void Read(const FieldInfo& field, const YamlNode& node, RenderPassEvent* value)
     {
-        value->push_back(ReadString(item, subject, m_Diagnostics).value_or(""));
+        *value = ReadRenderPassEvent(node, SubjectOf(field), m_Diagnostics).value_or(*value);
     }
-}
 
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, EnumValue value)
-{
-    value.value = ReadEnum(node, value.entries, Map().SubjectOf(field.name), m_Diagnostics)
-                      .value_or(value.value);
-}
+    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Shader>* value)
+    {
+        *value = m_Context.readShader(node, SubjectOf(field));
+    }
 
-void SettingsReader::Read(const FieldInfo& field, const YamlNode& node, RenderingLayerValue value)
-{
-    value.value = ReadLayerIndex(node, Map().SubjectOf(field.name),
-                                 {m_Context.renderingLayers, "rendering layer"}, m_Diagnostics)
-                      .value_or(value.value);
-}
+    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Material>* value)
+    {
+        *value = m_Context.readMaterial(node, SubjectOf(field));
+    }
+
+    void Read(const FieldInfo& field, const YamlNode& node, std::vector<std::string>* value)
+    {
+        const std::string subject = SubjectOf(field);
+        if (!node.isSequence() && !node.isNull())
+        {
+            m_Diagnostics.Error(node.location(),
+                                subject + ": found " + node.Describe() + "; a list is expected");
+            return;
+        }
+        value->clear();
+        for (const YamlNode& item : node.items())
+        {
+            value->push_back(ReadString(item, subject, m_Diagnostics).value_or(""));
+        }
+    }
+
+    void Read(const FieldInfo& field, const YamlNode& node, EnumValue value)
+    {
+        value.value =
+            ReadEnum(node, value.entries, SubjectOf(field), m_Diagnostics).value_or(value.value);
+    }
+
+    void Read(const FieldInfo& field, const YamlNode& node, RenderingLayerValue value)
+    {
+        value.value = ReadLayerIndex(node, SubjectOf(field),
+                                     {m_Context.renderingLayers, "rendering layer"}, m_Diagnostics)
+                          .value_or(value.value);
+    }
+
+    const SettingsContext& m_Context;
+    AssetDiagnostics& m_Diagnostics;
+    const SettingName& m_Root;
+    std::deque<SettingsLevel> m_Levels; ///< the root, then the groups that the fields are in now
+    YamlMapReader* m_Map = nullptr;     ///< that has the field's value
+};
+
+} // namespace
 
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
                          const SettingsContext& context, AssetDiagnostics& diagnostics)
 {
-    bool active = feature.isActive();
-    map.Read("active", active);
-    feature.SetActive(active);
-    SettingsReader reader(map, context, diagnostics);
+    if (context.unityType.empty())
+    {
+        bool active = feature.isActive();
+        map.Read("active", active);
+        feature.SetActive(active);
+    }
+    const SettingName root = DescribedSettings(feature);
+    SettingsReader reader(map, root, context, diagnostics);
     DescribeFeature(feature, reader);
+    reader.Finish();
 }
 
 void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,

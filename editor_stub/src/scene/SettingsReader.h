@@ -25,48 +25,15 @@ struct SettingsContext
     const LayerNames& renderingLayers;
     ShaderReader readShader;
     MaterialReader readMaterial;
-    bool refusesUnknownKeys = true; ///< in groups; the file's own map is the caller's business
+    /// The feature's class where the file is Unity's: keys that the class does not have are then
+    /// left out with a note. "" in files of limn's own, where they are errors.
+    std::string unityType = {};
 };
 
-/// Sets a feature's settings to what a map says; settings it does not name stay. Everything must
-/// outlive the reader.
-class SettingsReader final : public Inspector
-{
-public:
-    SettingsReader(YamlMapReader& map, const SettingsContext& context,
-                   AssetDiagnostics& diagnostics);
-
-    void Field(const FieldInfo& field, FieldValue value) override;
-    void BeginGroup(std::string_view name) override;
-    void EndGroup() override;
-
-    /// Every setting and every group the feature named, in its order; not the groups' members.
-    const std::vector<std::string>& fieldNames() const { return m_FieldNames; }
-
-private:
-    const YamlNode* Find(std::string_view name);
-
-    template <typename T>
-    void Read(const FieldInfo& field, const YamlNode& node, T* value);
-    void Read(const FieldInfo& field, const YamlNode& node, LayerMask* value);
-    void Read(const FieldInfo& field, const YamlNode& node, RenderPassEvent* value);
-    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Shader>* value);
-    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Material>* value);
-    void Read(const FieldInfo& field, const YamlNode& node, std::vector<std::string>* value);
-    void Read(const FieldInfo& field, const YamlNode& node, EnumValue value);
-    void Read(const FieldInfo& field, const YamlNode& node, RenderingLayerValue value);
-
-    YamlMapReader& Map() { return m_Group ? *m_Group : m_Map; }
-
-    YamlMapReader& m_Map;
-    std::optional<YamlMapReader> m_Group; ///< that the fields are in now
-    const SettingsContext& m_Context;
-    AssetDiagnostics& m_Diagnostics;
-    std::vector<std::string> m_FieldNames;
-};
-
-/// Sets a feature's `active` and its settings to what a map of a file of limn's own says. The
-/// caller calls map.Finish().
+/// Sets a feature's settings, and in files of limn's own its `active`, to what a map says; settings
+/// that it does not name stay. A map within it whose name Describe does not know, but whose keys
+/// it knows, is a settings class that Describe left out: its keys are read as if they stood beside
+/// it. Every other key that nobody asked for is an error with the nearest name, or a note.
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
                          const SettingsContext& context, AssetDiagnostics& diagnostics);
 

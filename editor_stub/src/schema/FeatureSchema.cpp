@@ -1,6 +1,8 @@
 #include "plugins/DescribeFeature.h"
+#include "scene/Keys.h"
 #include "schema/Schemas.h"
 
+#include <algorithm>
 #include <limn/core/Material.h>
 
 namespace limn
@@ -35,6 +37,12 @@ struct SchemaOfSetting
 
     SettingSchema operator()(const bool* value) const { return {BoolSchema(), *value}; }
     SettingSchema operator()(const int* value) const { return {IntegerSchema(range), *value}; }
+    SettingSchema operator()(const std::uint32_t* value) const
+    {
+        return {IntegerSchema(
+                    {std::max(range.min, k_LayerBits.min), std::min(range.max, k_LayerBits.max)}),
+                *value};
+    }
     SettingSchema operator()(const float* value) const
     {
         return {NumberSchema(range), Json::parse(NumberText(static_cast<double>(*value)))};
@@ -49,6 +57,10 @@ struct SchemaOfSetting
         return {VectorSchema(4), Json{value->x, value->y, value->z, value->w}};
     }
     SettingSchema operator()(const LayerMask* value) const
+    {
+        return {LayerMaskSchema(), value->bits};
+    }
+    SettingSchema operator()(const RenderingLayerMask* value) const
     {
         return {LayerMaskSchema(), value->bits};
     }
@@ -81,19 +93,18 @@ struct SchemaOfSetting
 class SchemaInspector final : public Inspector
 {
 public:
-    explicit SchemaInspector(Json& map) : m_Map(&map), m_Root(map) {}
+    explicit SchemaInspector(Json& map) : m_Root(map) {}
 
     void Header(std::string_view text) override { m_Header = text; }
     void BeginGroup(std::string_view name) override
     {
-        m_GroupName = name;
-        m_GroupSchema = MapSchema(Json::object());
-        m_Map = &m_GroupSchema;
+        m_Groups.push_back({std::string(name), MapSchema(Json::object())});
     }
     void EndGroup() override
     {
-        m_Map = &m_Root;
-        AddProperty(m_Root, m_GroupName, m_GroupSchema);
+        const Group group = std::move(m_Groups.back());
+        m_Groups.pop_back();
+        AddProperty(Map(), group.name, group.schema);
     }
     void Field(const FieldInfo& field, FieldValue value) override
     {
@@ -105,14 +116,20 @@ public:
         }
         const std::string header = m_Header.empty() ? "" : m_Header + ": ";
         schema["description"] = header + std::string(field.tooltip);
-        AddProperty(*m_Map, field.name, schema);
+        AddProperty(Map(), field.name, schema);
     }
 
 private:
-    Json* m_Map; ///< of the group, or the root
+    struct Group
+    {
+        std::string name;
+        Json schema;
+    };
+
+    Json& Map() { return m_Groups.empty() ? m_Root : m_Groups.back().schema; }
+
     Json& m_Root;
-    Json m_GroupSchema;
-    std::string m_GroupName;
+    std::vector<Group> m_Groups; ///< that the fields are in now, the outermost first
     std::string m_Header;
 };
 

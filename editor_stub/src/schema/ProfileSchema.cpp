@@ -1,3 +1,4 @@
+#include "scene/Keys.h"
 #include "schema/Schemas.h"
 
 #include <algorithm>
@@ -27,6 +28,10 @@ Json TypeSchema(const VolumeParameter& parameter)
     if (isOneOf({"Int", "MinInt", "MaxInt", "ClampedInt"}))
     {
         return IntegerSchema(range);
+    }
+    if (type == "UInt")
+    {
+        return IntegerSchema(k_LayerBits);
     }
     if (isOneOf({"Float", "MinFloat", "MaxFloat", "ClampedFloat"}))
     {

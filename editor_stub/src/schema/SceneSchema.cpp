@@ -221,10 +221,12 @@ private:
     Json Renderer() const
     {
         Json schema = Map(scene_keys::k_Renderer);
+        schema["not"]["type"] = "object";
         for (const SceneKey& key : scene_keys::k_Renderer)
         {
             schema["not"]["required"].push_back(std::string(key.name));
         }
+        schema["type"] = {"object", "string", "null"};
         return schema;
     }
 

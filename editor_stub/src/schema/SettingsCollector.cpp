@@ -10,9 +10,10 @@ namespace limn
 namespace
 {
 
-std::string Text(LayerMask mask, const LayerNames& layers)
+template <typename Tag>
+std::string Text(detail::BitMask32<Tag> mask, const LayerNames& layers)
 {
-    if (mask.bits == 0 || mask == LayerMask::Everything())
+    if (mask.bits == 0 || mask == mask.Everything())
     {
         return mask.bits == 0 ? "Nothing" : "Everything";
     }
@@ -56,6 +57,7 @@ struct ValueText
 
     std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
     std::string operator()(const int* value) const { return std::to_string(*value); }
+    std::string operator()(const std::uint32_t* value) const { return std::to_string(*value); }
     std::string operator()(const float* value) const { return NumberText(*value); }
     std::string operator()(const std::string* value) const { return *value; }
     std::string operator()(const Color* value) const
@@ -69,6 +71,10 @@ struct ValueText
                ", z: " + NumberText(value->z) + ", w: " + NumberText(value->w) + "}";
     }
     std::string operator()(const LayerMask* value) const { return Text(*value, layers); }
+    std::string operator()(const RenderingLayerMask* value) const
+    {
+        return Text(*value, renderingLayers);
+    }
     std::string operator()(const RenderPassEvent* value) const { return Text(*value); }
     std::string operator()(const std::vector<std::string>* value) const
     {
@@ -109,13 +115,17 @@ public:
     }
 
     void Header(std::string_view text) override { m_Header = text; }
-    void BeginGroup(std::string_view name) override { m_Group = std::string(name) + "."; }
-    void EndGroup() override { m_Group.clear(); }
+    void BeginGroup(std::string_view name) override { m_Groups.emplace_back(name); }
+    void EndGroup() override { m_Groups.pop_back(); }
     void Field(const FieldInfo& field, FieldValue value) override
     {
         InspectedValue& result = values.emplace_back();
         result.header = m_Header;
-        result.name = m_Group + std::string(field.name);
+        for (const std::string& group : m_Groups)
+        {
+            result.name += group + ".";
+        }
+        result.name += field.name;
         result.value = std::visit(m_Text, value);
         result.range = field.range;
         result.tooltip = field.tooltip;
@@ -126,7 +136,7 @@ public:
 private:
     ValueText m_Text;
     std::string m_Header;
-    std::string m_Group; ///< with a dot, or empty
+    std::vector<std::string> m_Groups; ///< that the fields are in now, the outermost first
 };
 
 } // namespace

@@ -18,6 +18,7 @@ struct InspectedValue
     std::string name;
     std::string value;
     std::string defaultValue;
+    bool hasDefault = true;
     std::optional<ValueRange> range;
     bool isOverridden = false; ///< of a setting: it differs from its default
     std::string unit;          ///< "pixels"; "" for none

@@ -21,16 +21,16 @@ class SelectionLayers final : public Inspector
 public:
     void Add(ScriptableRendererFeature& feature)
     {
-        m_Index = 0;
+        m_Mask = {};
         m_Layers = LayerMask::Everything();
         m_Queues = RenderQueueRange::all;
         DescribeFeature(feature, *this);
-        if (m_Index == 0)
+        if (m_Mask.bits == 0)
         {
             return;
         }
         const bool isFirst = renderingLayers.bits == 0;
-        renderingLayers = renderingLayers | RenderingLayerMask::FromIndex(m_Index);
+        renderingLayers = renderingLayers | m_Mask;
         layers = isFirst ? m_Layers : layers | m_Layers;
         queues = isFirst ? m_Queues
                          : RenderQueueRange(std::min(queues.lowerBound(), m_Queues.lowerBound()),
@@ -41,7 +41,11 @@ public:
     {
         if (const auto* index = std::get_if<RenderingLayerValue>(&value))
         {
-            m_Index = index->value;
+            Mark(RenderingLayerMask::FromIndex(index->value));
+        }
+        if (RenderingLayerMask** mask = std::get_if<RenderingLayerMask*>(&value))
+        {
+            Mark(**mask);
         }
         if (LayerMask** mask = std::get_if<LayerMask*>(&value))
         {
@@ -72,7 +76,12 @@ private:
         return RenderQueueRange::all;
     }
 
-    int m_Index = 0;
+    void Mark(RenderingLayerMask mask)
+    {
+        m_Mask = mask.Intersects(RenderingLayerMask::FromIndex(0)) ? RenderingLayerMask() : mask;
+    }
+
+    RenderingLayerMask m_Mask; ///< of the feature; Nothing for one that has none
     LayerMask m_Layers;
     RenderQueueRange m_Queues = RenderQueueRange::all;
 };

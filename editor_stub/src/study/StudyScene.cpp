@@ -27,22 +27,27 @@ class FilterFinder final : public Inspector
 public:
     void Field(const FieldInfo& field, FieldValue value) override
     {
-        if (field.name == "m_LayerMask")
+        // A ported feature may have settings of these names and other types.
+        LayerMask** layers = std::get_if<LayerMask*>(&value);
+        const auto* layer = std::get_if<RenderingLayerValue>(&value);
+        RenderingLayerMask** renderingLayers = std::get_if<RenderingLayerMask*>(&value);
+        const auto* choice = std::get_if<EnumValue>(&value);
+        if (layers && field.name == "m_LayerMask")
         {
-            m_Filter.layerMask = *std::get<LayerMask*>(value);
+            m_Filter.layerMask = **layers;
         }
-        else if (field.name == "m_RenderingLayerMask")
+        else if ((layer || renderingLayers) && field.name == "m_RenderingLayerMask")
         {
             m_Filter.renderingLayerMask =
-                RenderingLayerMask::FromIndex(std::get<RenderingLayerValue>(value).value);
+                layer ? RenderingLayerMask::FromIndex(layer->value) : **renderingLayers;
             m_IsOutline = true;
         }
-        else if (field.name == "m_RenderQueueRange")
+        else if (choice && field.name == "m_RenderQueueRange" && choice->value >= 0 &&
+                 choice->value < 3)
         {
             constexpr RenderQueueRange k_Ranges[] = {
                 RenderQueueRange::all, RenderQueueRange::opaque, RenderQueueRange::transparent};
-            const int index = std::get<EnumValue>(value).value;
-            m_Filter.renderQueueRange = k_Ranges[static_cast<std::size_t>(index)];
+            m_Filter.renderQueueRange = k_Ranges[static_cast<std::size_t>(choice->value)];
         }
     }
     bool isOutline() const { return m_IsOutline; }

@@ -1,26 +1,18 @@
 #include "assets/References.h"
-#include "plugins/DescribeFeature.h"
 #include "scene/ReadLayers.h"
 #include "scene/SettingsReader.h"
-#include "unity/UnityProject.h"
+#include "unity/UnityScript.h"
 
-#include <algorithm>
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
-#include <limn/volume/UnityHeaderField.h>
 
 namespace limn
 {
 
 namespace
 {
-
-/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
-constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
-    {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
-    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
 
 struct Loading
 {
@@ -42,12 +34,6 @@ const std::filesystem::path* FindFile(const std::string& guid, Loading& loading)
     return path;
 }
 
-std::string GuidOf(const YamlNode& reference)
-{
-    const YamlNode* guid = reference.Find("guid");
-    return guid ? guid->scalar() : std::string();
-}
-
 /// The shader of a reference {fileID, guid}; one that comes with limn where the project's own file
 /// is not there. Null, with a note, if there is neither.
 std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const std::string& subject,
@@ -57,7 +43,7 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
     {
         return nullptr;
     }
-    const std::string guid = GuidOf(node);
+    const std::string guid = ReadGuid(node);
     const std::filesystem::path* path = FindFile(guid, loading);
     if (path)
     {
@@ -95,27 +81,10 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
     return loading.assets.FindShader(shipped->name);
 }
 
-/// The map that holds a feature's settings: where authors put them all, a member of its own.
-YamlNode SettingsOf(const UnityObject& object, std::string& subject)
-{
-    for (const char* member : {"m_Settings", "settings"})
-    {
-        const YamlNode* settings = object.fields.Find(member);
-        if (settings && settings->isMap())
-        {
-            subject += std::string(".") + member;
-            return *settings;
-        }
-    }
-    return object.fields;
-}
-
 void ReadSettings(const UnityObject& object, const std::string& type,
                   ScriptableRendererFeature& feature, Loading& loading)
 {
-    std::string subject = object.name;
-    const YamlNode settings = SettingsOf(object, subject);
-    YamlMapReader map(settings, subject, loading.diagnostics);
+    YamlMapReader map(object.fields, object.name, loading.diagnostics);
     const auto readShader = [&loading](const YamlNode& node, const std::string& name)
     {
         return ReadShaderReference(node, name, loading);
@@ -130,44 +99,26 @@ void ReadSettings(const UnityObject& object, const std::string& type,
         }
         return std::shared_ptr<const Material>();
     };
-    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, false};
-    SettingsReader reader(map, context, loading.diagnostics);
-    DescribeFeature(feature, reader);
-    const std::vector<std::string>& known = reader.fieldNames();
-    for (const YamlEntry& entry : settings.entries())
-    {
-        const bool isHeader = isUnityHeaderField(entry.key) || entry.key == "m_Active";
-        if (!isHeader && std::find(known.begin(), known.end(), entry.key) == known.end())
-        {
-            loading.diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +
-                                                            type + " has no such setting");
-        }
-    }
+    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, type};
+    ReadFeatureSettings(map, feature, context, loading.diagnostics);
 }
 
 /// The class of a feature; "", with a note, if it cannot be told.
 std::string FeatureType(const UnityObject& object, Loading& loading)
 {
     const YamlNode* script = object.fields.Find("m_Script");
-    const std::string guid = script ? GuidOf(*script) : std::string();
-    for (const auto& [packageGuid, type] : k_PackageScripts)
-    {
-        if (guid == packageGuid)
-        {
-            return std::string(type);
-        }
-    }
-    const std::filesystem::path* path = FindFile(guid, loading);
-    if (!path)
+    const std::string guid = script ? ReadGuid(*script) : std::string();
+    FindFile(guid, loading);
+    std::string type = UnityScriptClass(guid, loading.project);
+    if (type.empty())
     {
         loading.diagnostics.Note(object.location,
                                  object.name +
                                      ": left out, no .cs.meta file of the project has the "
                                      "script's guid '" +
                                      guid + "'");
-        return {};
     }
-    return path->stem().string();
+    return type;
 }
 
 void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)

@@ -11,7 +11,7 @@ namespace
 
 constexpr std::string_view k_GuidKey = "guid: ";
 
-bool IsReferredTo(const std::filesystem::path& path)
+bool IsLoaded(const std::filesystem::path& path)
 {
     const std::filesystem::path extension = path.extension();
     return extension == ".cs" || extension == ".shader" || extension == ".png" ||
@@ -51,15 +51,16 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
     return folder;
 }
 
-UnityProject::UnityProject(const std::filesystem::path& asset) : m_Root(UnityProjectAround(asset))
+UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files)
+    : m_Root(UnityProjectAround(asset))
 {
     if (!m_Root.empty())
     {
-        Scan();
+        Scan(files);
     }
 }
 
-void UnityProject::Scan()
+void UnityProject::Scan(MetaFiles files)
 {
     std::error_code ignored;
     const auto options = std::filesystem::directory_options::skip_permission_denied;
@@ -73,7 +74,7 @@ void UnityProject::Scan()
             entry.disable_recursion_pending();
         }
         const std::filesystem::path described = path.parent_path() / path.stem();
-        if (path.extension() == ".meta" && IsReferredTo(described))
+        if (path.extension() == ".meta" && (files == MetaFiles::All || IsLoaded(described)))
         {
             m_Files.emplace(ReadGuid(path), described);
         }

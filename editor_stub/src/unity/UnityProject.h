@@ -12,22 +12,29 @@ namespace limn
 /// The nearest folder above a file that has an Assets folder; "" if there is none.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
-/// The scripts, shaders, textures and materials of the Unity project around an asset, by guid.
+/// Which .meta files of a project are read.
+enum class MetaFiles
+{
+    Loaded, ///< of .cs, .shader, .png and .mat files
+    All
+};
+
+/// The files of the Unity project around an asset, by guid.
 class UnityProject
 {
 public:
     /// The one around `asset`; without one it is empty.
-    explicit UnityProject(const std::filesystem::path& asset);
+    explicit UnityProject(const std::filesystem::path& asset, MetaFiles files = MetaFiles::Loaded);
 
-    /// The path that a .meta file of a .cs, .shader, .png or .mat file belongs to, whether that
-    /// file is there or not; null if no .meta file has the guid.
+    /// The path that a .meta file belongs to, whether there is a file or not; null if no .meta file
+    /// that was read has the guid.
     const std::filesystem::path* Find(std::string_view guid) const;
 
     /// "" if there is none.
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
-    void Scan();
+    void Scan(MetaFiles files);
 
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;

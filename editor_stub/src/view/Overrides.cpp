@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <limn/editor_stub/Overrides.h>
+#include <limn/volume/ValuePath.h>
 #include <set>
 
 namespace limn
@@ -14,52 +15,25 @@ namespace limn
 namespace
 {
 
-/// "NAME.path=value" taken apart.
+/// One `--set`.
 struct Override
 {
     std::string text; ///< as given; what errors call it
-    std::string name;
-    std::string path;
+    ValuePath path;
     YamlNode value;
 };
 
-YamlNode ParseValue(const std::string& value, const std::string& file)
+Override Parse(const std::string& text, const std::vector<std::string_view>& names)
 {
-    // A colour is typed without the quotes that YAML needs, since a shell takes them away.
-    const bool isColor = !value.empty() && value.front() == '#';
-    const std::vector<YamlNode> documents = ParseYaml(isColor ? "'" + value + "'" : value, file);
-    return documents.front();
-}
-
-Override Parse(const std::string& text)
-{
-    const std::string problem = OverrideFormProblem(text);
-    if (!problem.empty())
-    {
-        throw AssetError("--set " + text, {}, problem);
-    }
-    const std::size_t equals = text.find('=');
-    const std::size_t dot = text.substr(0, equals).rfind('.');
-    Override result;
-    result.text = "--set " + text;
-    result.name = text.substr(0, dot);
-    result.path = text.substr(dot + 1, equals - dot - 1);
-    result.value = ParseValue(text.substr(equals + 1), result.text);
-    return result;
+    const std::string file = "--set " + text;
+    const ValueAssignment assignment = ValueAssignment::Parse(text, file);
+    return {file, ValuePath::Split(assignment.path, names),
+            ParseTypedValue(assignment.value, file)};
 }
 
 std::vector<std::filesystem::path> SearchFolders(const SceneAsset& asset)
 {
     return {{}, asset.path.parent_path()};
-}
-
-/// One line `path: value`, as if it stood in a file.
-YamlNode AsMap(const Override& change)
-{
-    YamlContent content;
-    content.kind = YamlKind::Map;
-    content.entries.push_back({change.path, {}, change.value});
-    return YamlNode(std::move(content));
 }
 
 /// A global volume whose layer the camera looks at.
@@ -87,17 +61,17 @@ public:
 
     void Apply(const std::string& text)
     {
-        const Override change = Parse(text);
+        const Override change = Parse(text, KnownNames());
         AssetDiagnostics diagnostics(change.text);
         References references(m_Assets, SearchFolders(m_Asset), diagnostics,
                               ReferenceScope::Anywhere);
-        if (m_Assets.volumeComponents().Find(change.name))
+        if (m_Assets.volumeComponents().Find(change.path.name))
         {
             SetParameter(change, diagnostics);
         }
         else if (!SetFeatures(change, references, diagnostics))
         {
-            diagnostics.Error({}, "unknown name " + UnknownName(change.name, KnownNames()));
+            diagnostics.Error({}, "unknown name " + UnknownName(change.path.name, KnownNames()));
         }
         references.ThrowIfErrors();
     }
@@ -142,9 +116,10 @@ private:
 
     void SetParameter(const Override& change, AssetDiagnostics& diagnostics)
     {
-        VolumeComponent& component = Component(change.name);
+        VolumeComponent& component = Component(change.path.name);
         const SceneProfileContext context(m_Assets, {}, m_Asset.layers);
-        YamlMapReader map(AsMap(change), change.name, diagnostics, "parameter");
+        YamlMapReader map(change.path.AsMap(change.value), change.path.name, diagnostics,
+                          "parameter");
         for (VolumeParameter* parameter : component.parameters())
         {
             if (const YamlNode* value = map.Find(parameter->name()))
@@ -188,18 +163,18 @@ private:
     bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
     {
         RendererAsset& renderer = m_Asset.renderer;
-        const bool isName =
-            std::any_of(renderer.features.begin(), renderer.features.end(),
-                        [&change](const auto& feature) { return feature->name == change.name; });
+        const bool isName = std::any_of(renderer.features.begin(), renderer.features.end(),
+                                        [&change](const auto& feature)
+                                        { return feature->name == change.path.name; });
         bool isFound = false;
         for (std::size_t i = 0; i < renderer.features.size(); ++i)
         {
             ScriptableRendererFeature& feature = *renderer.features[i];
-            if ((isName ? feature.name : renderer.featureTypes[i]) == change.name)
+            if ((isName ? feature.name : renderer.featureTypes[i]) == change.path.name)
             {
-                YamlMapReader map(AsMap(change), change.name, diagnostics, "setting");
+                YamlMapReader map(change.path.AsMap(change.value), change.path.name, diagnostics,
+                                  "setting");
                 ReadFeatureSettings(map, feature, ContextOf(references, diagnostics), diagnostics);
-                map.Finish();
                 m_Changed.insert(&feature);
                 isFound = true;
             }
@@ -227,15 +202,6 @@ void AddWithoutPlace(const AssetError& error, const std::string& override,
 }
 
 } // namespace
-
-std::string OverrideFormProblem(const std::string& text)
-{
-    const std::size_t equals = text.find('=');
-    const std::size_t dot = text.substr(0, equals).rfind('.');
-    const bool hasValue = equals != std::string::npos && equals + 1 < text.size();
-    const bool isGood = hasValue && dot != std::string::npos && dot != 0 && dot + 1 != equals;
-    return isGood ? "" : "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4";
-}
 
 void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides, AssetContext& assets)
 {

@@ -210,9 +210,9 @@ TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
                      "usage: limn schema scene|profile|material [OPTIONS]; see 'limn help "
                      "schema'\n");
     ExpectWrongUsage({"set", "f", "foo"},
-                     "error: 'foo': Component.param=value is expected, "
+                     "error: 'foo': NAME.path=value is expected, "
                      "ScreenSpaceOutline.m_OutlineWidth=4\n"
-                     "usage: limn set FILE Component.param=VALUE ... [OPTIONS]; see 'limn help "
+                     "usage: limn set FILE NAME.path=VALUE ... [OPTIONS]; see 'limn help "
                      "set'\n");
 }
 

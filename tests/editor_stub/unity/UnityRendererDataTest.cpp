@@ -177,4 +177,38 @@ TEST(UnityRendererData, IsASceneFilesRenderer)
     EXPECT_EQ(4u, asset.notes.size());
 }
 
+TEST(UnityRendererData, IsASceneFilesRendererByItsPathAlone)
+{
+    SceneFolder folder;
+    folder.Write("sub/R.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                                 "6b3d386ba5cd94485973aee1479b272e, type: 3}\n"
+                                                 "  m_Name: Mask\n"));
+    const SceneAsset asset = folder.LoadWithCamera("renderer:   sub/R.asset\n");
+    EXPECT_EQ((std::vector<std::string>{"RenderObjects"}), asset.renderer.featureTypes);
+    EXPECT_EQ(LayerMask(3), asset.renderer.opaqueLayerMask);
+    ASSERT_EQ(1u, asset.notes.size()) << "of the reference to nothing";
+}
+
+TEST(UnityRendererData, ThatCannotBeASceneFilesRendererIsNamedWithItsKey)
+{
+    SceneFolder folder;
+    folder.Write("p.asset", "%YAML 1.1\n--- !u!114 &1\nMonoBehaviour:\n  components: []\n");
+    const std::string camera = "camera: {}\n";
+    EXPECT_EQ((std::vector<std::string>{"2:11: renderer: 'x.yaml' is no renderer of Unity's; an "
+                                        ".asset file is expected"}),
+              folder.ProblemsOf(camera + "renderer: x.yaml\n"));
+    EXPECT_EQ((std::vector<std::string>{
+                  "2:11: renderer: 'x.asset' cannot be used; see the errors of that file",
+                  "there is no such file"}),
+              folder.ProblemsOf(camera + "renderer: x.asset\n"));
+    EXPECT_EQ((std::vector<std::string>{
+                  "2:11: renderer: 'p.asset' cannot be used; see the errors of that file",
+                  "no renderer in this Unity asset; one is a MonoBehaviour with a list "
+                  "'m_RendererFeatures'"}),
+              folder.ProblemsOf(camera + "renderer: p.asset\n"));
+    EXPECT_EQ((std::vector<std::string>{"2:11: renderer: found a sequence; a map with one 'key: "
+                                        "value' per line is expected"}),
+              folder.ProblemsOf(camera + "renderer: [x.asset]\n"));
+}
+
 } // namespace limn::test

@@ -55,6 +55,7 @@ TEST(ParameterBlend, SwitchesEveryNoInterpAndReferenceTypeAtAnyFactorAboveZero)
     ExpectSwitch<LayerMaskParameter>(LayerMask(1), LayerMask(6));
     ExpectSwitch<RenderingLayerMaskParameter>(RenderingLayerMask(1), RenderingLayerMask(6));
     ExpectSwitch<NoInterpIntParameter>(3, 8);
+    ExpectSwitch<UIntParameter>(3u, 4294967295u);
     ExpectSwitch<NoInterpFloatParameter>(3.0f, 8.0f);
     ExpectSwitch<NoInterpColorParameter>(Color::red, Color::green);
     ExpectSwitch<NoInterpVector2Parameter>({1.0f, 2.0f}, {3.0f, 4.0f});

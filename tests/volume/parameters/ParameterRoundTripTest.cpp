@@ -39,6 +39,10 @@ std::array<int, 3> Values(int)
 {
     return {k_LeastInt, 0, k_GreatestInt};
 }
+std::array<std::uint32_t, 3> Values(std::uint32_t)
+{
+    return {0u, 1u, std::numeric_limits<std::uint32_t>::max()};
+}
 std::array<float, 3> Values(float)
 {
     return {-k_Greatest, k_Least, 0.1f};
@@ -165,8 +169,8 @@ class EveryParameter : public testing::Test
 
 using Parameters = testing::Types<
     BoolParameter, LayerMaskParameter, RenderingLayerMaskParameter, IntParameter,
-    NoInterpIntParameter, ClampedIntParameter, NoInterpClampedIntParameter, FloatParameter,
-    NoInterpFloatParameter, ClampedFloatParameter, NoInterpClampedFloatParameter,
+    NoInterpIntParameter, UIntParameter, ClampedIntParameter, NoInterpClampedIntParameter,
+    FloatParameter, NoInterpFloatParameter, ClampedFloatParameter, NoInterpClampedFloatParameter,
     FloatRangeParameter, NoInterpFloatRangeParameter, ColorParameter, NoInterpColorParameter,
     Vector2Parameter, NoInterpVector2Parameter, Vector3Parameter, NoInterpVector3Parameter,
     Vector4Parameter, NoInterpVector4Parameter, TextureParameter, NoInterpTextureParameter,

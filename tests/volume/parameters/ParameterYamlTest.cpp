@@ -43,11 +43,30 @@ void ExpectRoundTrip(const T& value, const std::string& limn, const std::string&
                     Parameter{nullptr, "b", typename Parameter::ValueType{}}, limn, unity);
 }
 
+TEST(ParameterYaml, OfUIntRefusesWhatIsNone)
+{
+    UIntParameter parameter{nullptr, "b", 7u};
+    EXPECT_THAT(Read(parameter, "-1"), ElementsAre("1:6: A.b: -1 is outside [0, 4294967295]"));
+    EXPECT_THAT(Read(parameter, "4294967296"),
+                ElementsAre("1:6: A.b: 4294967296 is outside [0, 4294967295]"));
+    EXPECT_EQ(7u, parameter.value());
+}
+
+TEST(ParameterYaml, OfRenderingLayersReadsUnitysTwoForms)
+{
+    RenderingLayerMaskParameter parameter{nullptr, "b", {}};
+    EXPECT_THAT(Read(parameter, "257"), ElementsAre()); // VolumeParameter<uint>
+    EXPECT_EQ(RenderingLayerMask(257), parameter.value());
+    EXPECT_THAT(Read(parameter, "{serializedVersion: 0, m_Bits: 4294967295}"), ElementsAre());
+    EXPECT_EQ(RenderingLayerMask::Everything(), parameter.value());
+}
+
 TEST(ParameterYaml, WritesAndReadsEverySimpleTypeBothWays)
 {
     ExpectRoundTrip<BoolParameter>(true, "true", "1");
     ExpectRoundTrip<IntParameter>(-7, "-7", "-7");
     ExpectRoundTrip<NoInterpIntParameter>(2147483647, "2147483647", "2147483647");
+    ExpectRoundTrip<UIntParameter>(4294967295u, "4294967295", "4294967295");
     ExpectRoundTrip<FloatParameter>(0.1f, "0.1", "0.1");
     ExpectRoundTrip<FloatParameter>(3.4028235e38f, "3.4028235e+38", "3.4028235e+38");
     ExpectRoundTrip<FloatParameter>(1e-45f, "1e-45", "1e-45");

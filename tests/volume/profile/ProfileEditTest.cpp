@@ -23,10 +23,10 @@ const TestRegistry k_Registry;
 
 std::string Edit(const std::string& text, const std::vector<std::string>& edits)
 {
-    std::vector<ScalarEdit> parsed;
+    std::vector<ValueAssignment> parsed;
     for (const std::string& edit : edits)
     {
-        parsed.push_back(ScalarEdit::Parse(edit));
+        parsed.push_back(ValueAssignment::Parse(edit, edit));
     }
     return EditVolumeProfile(text, "x.yaml", parsed, k_Registry);
 }
@@ -166,16 +166,6 @@ TEST(EditVolumeProfile, RefusesAFormThatCannotHoldTheNewValue)
                 ElementsAre("1:15: Mixed.tint: 'a' is missing here; add 'a: 0.5' by hand"));
 }
 
-TEST(ScalarEdit, RefusesATextOfAnotherForm)
-{
-    for (const char* text : {"", "a=1", "a.b", ".b=1", "a.=1"})
-    {
-        EXPECT_THAT(Problems([text] { ScalarEdit::Parse(text); }),
-                    ElementsAre("Component.param=value is expected, "
-                                "ScreenSpaceOutline.m_OutlineWidth=4"));
-    }
-}
-
 TEST(SetScalars, ReplacesTheFileBehindALinkAndKeepsItsPermissions)
 {
     const TemporaryFolder folder;
@@ -183,7 +173,7 @@ TEST(SetScalars, ReplacesTheFileBehindALinkAndKeepsItsPermissions)
     std::filesystem::create_symlink(file, folder / "link");
     const auto mode = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
     std::filesystem::permissions(file, mode);
-    const std::vector<ScalarEdit> edits{{"Mixed", "number", "2"}};
+    const std::vector<ValueAssignment> edits{{"Mixed.number", "2"}};
     SetScalars(folder / "link", edits, k_Registry);
     EXPECT_EQ("Mixed: {number: 2}\n", ContentOf(file));
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
@@ -195,7 +185,7 @@ TEST(SetScalars, OnAFullDiskLeavesTheOldFileAndNothingBesideIt)
     const TemporaryFolder folder;
     const std::string text = "Mixed: {number: 1}\n#" + std::string(8000, 'x') + "\n";
     const auto file = folder.Write("a.profile.yaml", text);
-    const std::vector<ScalarEdit> edits{{"Mixed", "number", "2"}};
+    const std::vector<ValueAssignment> edits{{"Mixed.number", "2"}};
     std::vector<std::string> problems;
     {
         const FileSizeLimit limit(4096);
@@ -218,7 +208,8 @@ TEST(SetScalars, LosesNothingOfWhatAnotherSetsAtTheSameTime)
         const TestRegistry registry;
         for (int i = 1; i <= k_Rounds; ++i)
         {
-            const std::vector<ScalarEdit> edits{{component, parameter, std::to_string(i)}};
+            const std::vector<ValueAssignment> edits{
+                {std::string(component) + "." + parameter, std::to_string(i)}};
             SetScalars(file, edits, registry);
             const std::string line = std::string(parameter) + ": " + std::to_string(i) + "}";
             lost += ContentOf(file).find(line) == std::string::npos ? 1 : 0;
@@ -236,7 +227,7 @@ TEST(SetScalars, KeepsEveryNameOfTheFile)
     const TemporaryFolder folder;
     const auto file = folder.Write("a.profile.yaml", "Mixed: {number: 1}\n");
     std::filesystem::create_hard_link(file, folder / "b.profile.yaml");
-    const std::vector<ScalarEdit> edits{{"Mixed", "number", "20"}};
+    const std::vector<ValueAssignment> edits{{"Mixed.number", "20"}};
     SetScalars(file, edits, k_Registry);
     EXPECT_EQ("Mixed: {number: 20}\n", ContentOf(folder / "b.profile.yaml"));
 }
@@ -272,7 +263,7 @@ std::string EditNested(const std::string& text, const std::string& edit)
 {
     TestRegistry registry;
     registry.Register<Nested>("Nested");
-    const std::vector<ScalarEdit> edits{ScalarEdit::Parse(edit)};
+    const std::vector<ValueAssignment> edits{ValueAssignment::Parse(edit, edit)};
     return EditVolumeProfile(text, "x.yaml", edits, registry);
 }
 

@@ -57,10 +57,7 @@ TEST_F(LoadUnityProfile, ReadsAnAssetAsUnitySavesIt)
     EXPECT_TRUE(outline->m_OutlineColor.overrideState());
     EXPECT_EQ(outline->m_OutlineWidth.value(), 10.0f);
     EXPECT_TRUE(outline->m_OutlineWidth.overrideState());
-    ASSERT_EQ(result.notes.size(), 1u);
-    EXPECT_EQ(result.notes[0].severity, Severity::Note);
-    EXPECT_THAT(Texts(result.notes),
-                ElementsAre("4:1: Bloom: left out, no such volume component is known"));
+    EXPECT_THAT(result.notes, IsEmpty()) << "URP's Bloom overrides nothing there";
 }
 
 TEST_F(LoadUnityProfile, IsChosenByContentNotByName)
@@ -115,6 +112,33 @@ TEST_F(LoadUnityProfile, NotesParametersAndReferencesThatItDoesNotKnow)
                             "14:5: components: left out, there is no object 0 in this file",
                             "16:5: components: left out, there is no object 8 in this file"));
     EXPECT_TRUE(result.profile->Has<test::TestVolume>());
+}
+
+TEST_F(LoadUnityProfile, NotesOnceAComponentWhatUrpHasAndLimnDoesNot)
+{
+    struct Tonemapping : VolumeComponent
+    {
+        IntParameter mode{this, "mode", 0};
+    };
+    m_Registry.Register<Tonemapping>("Tonemapping");
+    const auto parameter = [](const std::string& name, const char* state)
+    {
+        return "  " + name + ":\n    m_OverrideState: " + state + "\n    m_Value: 1\n";
+    };
+    const std::string head = "MonoBehaviour:\n  active: 1\n  m_Name: ";
+    const auto result =
+        Load("--- !u!114 &1\n" + head + "Tonemapping\n" + parameter("mode", "1") +
+             parameter("acesPreset", "0") + parameter("minNits", "1") +
+             parameter("paperWhite", "1") + parameter("papperWhite", "0") + //
+             "--- !u!114 &2\n" + head + "FilmGrain\n" + parameter("intensity", "1") +
+             "--- !u!114 &3\n" + head + "MotionBlur\n" + parameter("intensity", "0") +
+             Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - {fileID: 3}"));
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre("4:1: Tonemapping: limn does not draw what URP does with minNits, "
+                            "paperWhite",
+                            "19:3: Tonemapping.papperWhite: left out, no such parameter is known",
+                            "23:1: FilmGrain: left out, limn does not draw this component of URP"));
+    EXPECT_EQ(1, result.profile->TryGet<Tonemapping>()->mode.value());
 }
 
 TEST_F(LoadUnityProfile, RefusesBadValuesOfKnownParameters)

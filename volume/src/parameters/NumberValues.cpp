@@ -1,6 +1,7 @@
 #include "parameters/ParameterValues.h"
 
 #include <cmath>
+#include <limits>
 
 namespace limn::detail
 {
@@ -60,6 +61,13 @@ bool ReadValue(const ValueSource& source, int& value)
     return Store(ReadInt(source.node, source.subject, source.diagnostics, source.range), value);
 }
 
+bool ReadValue(const ValueSource& source, std::uint32_t& value)
+{
+    const auto read = ReadInteger(source.node, source.subject, source.diagnostics,
+                                  {0.0, std::numeric_limits<std::uint32_t>::max()});
+    return Store(read ? std::optional(static_cast<std::uint32_t>(*read)) : std::nullopt, value);
+}
+
 bool ReadValue(const ValueSource& source, float& value)
 {
     return Store(ReadFloat(source.node, source.subject, source.diagnostics, source.range), value);
@@ -108,6 +116,11 @@ std::string LimnText(int value)
     return std::to_string(value);
 }
 
+std::string LimnText(std::uint32_t value)
+{
+    return std::to_string(value);
+}
+
 std::string LimnText(float value)
 {
     return NumberText(static_cast<double>(value));
@@ -139,6 +152,11 @@ std::string UnityText(bool value)
 }
 
 std::string UnityText(int value)
+{
+    return std::to_string(value);
+}
+
+std::string UnityText(std::uint32_t value)
 {
     return std::to_string(value);
 }

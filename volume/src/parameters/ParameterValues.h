@@ -35,6 +35,7 @@ struct ValueSource
 // Each says whether it set the value; if not, there is an error.
 bool ReadValue(const ValueSource& source, bool& value);
 bool ReadValue(const ValueSource& source, int& value);
+bool ReadValue(const ValueSource& source, std::uint32_t& value);
 bool ReadValue(const ValueSource& source, float& value);
 bool ReadValue(const ValueSource& source, Color& value);
 bool ReadValue(const ValueSource& source, glm::vec2& value);
@@ -48,6 +49,7 @@ bool ReadValue(const ValueSource& source, TextureCurve& value);
 
 std::string LimnText(bool value);
 std::string LimnText(int value);
+std::string LimnText(std::uint32_t value);
 std::string LimnText(float value);
 std::string LimnText(const Color& value);
 std::string LimnText(const glm::vec2& value);
@@ -61,6 +63,7 @@ std::string LimnText(const TextureCurve& value);
 
 std::string UnityText(bool value);
 std::string UnityText(int value);
+std::string UnityText(std::uint32_t value);
 std::string UnityText(float value);
 std::string UnityText(const Color& value);
 std::string UnityText(const glm::vec2& value);

@@ -98,6 +98,7 @@ template class LerpParameter<glm::vec2>;
 template class LerpParameter<glm::vec3>;
 template class LerpParameter<glm::vec4>;
 template class ValueParameter<int>;
+template class ValueParameter<std::uint32_t>;
 template class ValueParameter<float>;
 template class ValueParameter<Color>;
 template class ValueParameter<glm::vec2>;

@@ -1,6 +1,6 @@
 #include <limn/volume/ProfileEdit.h>
 
-#include "yaml/Splice.h"
+#include <limn/volume/YamlSplicer.h>
 
 #include <algorithm>
 #include <limn/shaderlab/WriteFile.h>
@@ -16,13 +16,6 @@ namespace limn
 namespace
 {
 
-YamlNode ParseValue(const std::string& value, const std::string& file)
-{
-    // A colour is typed without the quotes that YAML needs, since a shell takes them away.
-    const bool isColor = !value.empty() && value.front() == '#';
-    return ParseYaml(isColor || value.empty() ? "'" + value + "'" : value, file).front();
-}
-
 /// The layers of the scene that a profile is made for are not known here; any name may be one.
 class AnyLayer final : public ProfileContext
 {
@@ -32,19 +25,6 @@ public:
         return ProfileContext::FindLayer(name).value_or(31);
     }
 };
-
-/// "object.size" as ["object", "size"].
-std::vector<std::string> SplitPath(const std::string& path)
-{
-    std::vector<std::string> names;
-    std::size_t begin = 0;
-    for (std::size_t dot = 0; dot != std::string::npos; begin = dot + 1)
-    {
-        dot = path.find('.', begin);
-        names.push_back(path.substr(begin, dot == std::string::npos ? dot : dot - begin));
-    }
-    return names;
-}
 
 VolumeParameter* FindNamed(std::span<VolumeParameter* const> parameters, const std::string& name)
 {
@@ -79,58 +59,59 @@ std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
 class Wanted
 {
 public:
-    Wanted(const ScalarEdit& edit, const VolumeComponentRegistry& registry)
-        : m_Source(edit.component + "." + edit.parameter + "=" + edit.value)
+    Wanted(const ValueAssignment& edit, const VolumeComponentRegistry& registry)
+        : m_Source(edit.path + "=" + edit.value)
     {
         AssetDiagnostics diagnostics(m_Source);
-        Find(edit, registry, diagnostics);
+        const ValuePath wanted = ValuePath::Split(edit.path, registry.names());
+        component = wanted.name;
+        Find(wanted, registry, diagnostics);
         diagnostics.ThrowIfErrors();
-        subject = edit.component;
+        subject = component;
         for (const std::string& name : path)
         {
             subject += "." + name;
         }
-        parameter->ReadYaml(ParseValue(edit.value, m_Source), subject, diagnostics);
+        parameter->ReadYaml(ParseTypedValue(edit.value, m_Source), subject, diagnostics);
         ThrowWithoutPlaces(diagnostics);
     }
 
     VolumeParameter* parameter = nullptr;
+    std::string component;
     std::string subject;
     std::vector<std::string>
         path; ///< serialised names, of one parameter unless it is inside others
 
 private:
-    void Find(const ScalarEdit& edit, const VolumeComponentRegistry& registry,
+    void Find(const ValuePath& wanted, const VolumeComponentRegistry& registry,
               AssetDiagnostics& diagnostics)
     {
-        if (!registry.Find(edit.component))
+        if (!registry.Find(wanted.name))
         {
             diagnostics.Error({}, "unknown volume component " +
-                                      UnknownName(edit.component, registry.names()));
+                                      UnknownName(wanted.name, registry.names()));
             return;
         }
-        m_Component = registry.Create(edit.component);
-        if (edit.parameter == "active")
+        m_Component = registry.Create(wanted.name);
+        if (wanted.KeysText() == "active")
         {
             parameter = &m_Active;
             path = {"active"};
             return;
         }
-        const std::vector<std::string> wanted = SplitPath(edit.parameter);
-        const std::vector<VolumeParameter*> found = FindAlong(*m_Component, wanted);
+        const std::vector<VolumeParameter*> found = FindAlong(*m_Component, wanted.keys);
         for (VolumeParameter* known : found)
         {
             path.push_back(known->name());
             parameter = known;
         }
-        if (found.size() < wanted.size())
+        if (found.size() < wanted.keys.size())
         {
-            ReportUnknown(edit.component, wanted[found.size()], found, diagnostics);
+            ReportUnknown(wanted.keys[found.size()], found, diagnostics);
         }
     }
 
-    void ReportUnknown(const std::string& component, const std::string& name,
-                       const std::vector<VolumeParameter*>& found,
+    void ReportUnknown(const std::string& name, const std::vector<VolumeParameter*>& found,
                        AssetDiagnostics& diagnostics) const
     {
         std::string owner = component;
@@ -223,12 +204,11 @@ const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isU
 
 /// The node that holds the parameter's value; an error if there is none.
 const YamlNode* FindValue(const std::optional<YamlNode>& component, bool isUnity,
-                          const ScalarEdit& edit, const Wanted& wanted,
-                          AssetDiagnostics& diagnostics)
+                          const Wanted& wanted, AssetDiagnostics& diagnostics)
 {
     if (!component)
     {
-        diagnostics.Error({}, wanted.subject + ": the file has no '" + edit.component +
+        diagnostics.Error({}, wanted.subject + ": the file has no '" + wanted.component +
                                   "'; only values that are in the file can be set");
         return nullptr;
     }
@@ -270,15 +250,15 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
     }
 }
 
-std::string EditOne(const std::string& text, const std::string& file, const ScalarEdit& edit,
+std::string EditOne(const std::string& text, const std::string& file, const ValueAssignment& edit,
                     const VolumeComponentRegistry& registry, std::vector<ScalarChange>& changes)
 {
     const Wanted wanted(edit, registry);
     const ProfileText profile(text, file);
     const bool isUnity = profile.asset.has_value();
     AssetDiagnostics diagnostics(file);
-    const std::optional<YamlNode> component = FindComponent(profile, edit.component);
-    const YamlNode* value = FindValue(component, isUnity, edit, wanted, diagnostics);
+    const std::optional<YamlNode> component = FindComponent(profile, wanted.component);
+    const YamlNode* value = FindValue(component, isUnity, wanted, diagnostics);
     diagnostics.ThrowIfErrors();
 
     const std::string fresh =
@@ -286,7 +266,7 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
     YamlSplicer splicer(text, wanted.subject, diagnostics);
     // A value that says the same in another way stays as it is written.
     AssetDiagnostics ignored(file);
-    const auto old = registry.Create(edit.component);
+    const auto old = registry.Create(wanted.component);
     const std::vector<VolumeParameter*> current = FindAlong(*old, wanted.path);
     BoolParameter active{nullptr, "active", true};
     VolumeParameter& before = current.empty() ? active : *current.back();
@@ -306,29 +286,15 @@ std::string EditOne(const std::string& text, const std::string& file, const Scal
 
 } // namespace
 
-ScalarEdit ScalarEdit::Parse(std::string_view text)
-{
-    const std::size_t equals = text.find('=');
-    const std::size_t dot = text.substr(0, equals).find('.');
-    if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 ||
-        dot + 1 == equals)
-    {
-        throw AssetError(std::string(text), {},
-                         "Component.param=value is expected, ScreenSpaceOutline.m_OutlineWidth=4");
-    }
-    return {std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
-            std::string(text.substr(equals + 1))};
-}
-
 std::string EditVolumeProfile(std::string_view text, const std::string& file,
-                              std::span<const ScalarEdit> edits,
+                              std::span<const ValueAssignment> edits,
                               const VolumeComponentRegistry& registry,
                               std::vector<ScalarChange>* changes)
 {
     std::vector<ScalarChange> ignored;
     std::string result(text);
     std::vector<Diagnostic> problems;
-    for (const ScalarEdit& edit : edits)
+    for (const ValueAssignment& edit : edits)
     {
         try
         {
@@ -353,7 +319,7 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
 }
 
 std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
-                                     std::span<const ScalarEdit> edits,
+                                     std::span<const ValueAssignment> edits,
                                      const VolumeComponentRegistry& registry)
 {
     std::vector<ScalarChange> changes;

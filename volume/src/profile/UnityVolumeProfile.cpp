@@ -1,5 +1,7 @@
 #include "profile/UnityVolumeProfile.h"
 
+#include "profile/UrpVolumeComponents.h"
+
 #include <algorithm>
 #include <limn/volume/UnityHeaderField.h>
 #include <set>
@@ -35,9 +37,53 @@ void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumePar
     parameter.SetOverrideState(isOverridden);
 }
 
+bool IsOverridden(const YamlNode& parameter)
+{
+    const YamlNode* state = parameter.Find("m_OverrideState");
+    return state && state->scalar() != "0";
+}
+
+/// Whether the profile changes anything by the component.
+bool HasEffect(const UnityObject& object)
+{
+    const YamlNode* active = object.fields.Find("active");
+    const bool isActive = !active || active->scalar() != "0";
+    return isActive && std::ranges::any_of(object.fields.entries(), [](const YamlEntry& entry)
+                                           { return IsOverridden(entry.value); });
+}
+
+void NoteUnknownComponent(const UnityObject& object, AssetDiagnostics& diagnostics)
+{
+    const bool isUrp = IsUrpVolumeComponent(object.name);
+    if (!isUrp || HasEffect(object))
+    {
+        diagnostics.Note(object.location,
+                         object.name + (isUrp
+                                            ? ": left out, limn does not draw this component of URP"
+                                            : ": left out, no such volume component is known"));
+    }
+}
+
+/// A parameter that URP has and limn does not matters where the profile overrides it: `undrawn`
+/// gets its name. Any other unknown parameter may be misspelt.
+void NoteUnknownParameter(const UnityObject& object, const YamlEntry& entry, std::string& undrawn,
+                          AssetDiagnostics& diagnostics)
+{
+    if (!IsUrpParameter(object.name, entry.key))
+    {
+        diagnostics.Note(entry.keyLocation,
+                         object.name + "." + entry.key + ": left out, no such parameter is known");
+    }
+    else if (IsOverridden(entry.value))
+    {
+        undrawn += (undrawn.empty() ? "" : ", ") + entry.key;
+    }
+}
+
 void ReadComponent(const UnityObject& object, VolumeComponent& component,
                    AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
+    std::string undrawn;
     if (const YamlNode* active = object.fields.Find("active"))
     {
         component.active =
@@ -56,10 +102,15 @@ void ReadComponent(const UnityObject& object, VolumeComponent& component,
                          [&entry](const VolumeParameter* p) { return p->name() == entry.key; });
         if (parameter == parameters.end())
         {
-            diagnostics.Note(entry.keyLocation, subject + ": left out, no such parameter is known");
+            NoteUnknownParameter(object, entry, undrawn, diagnostics);
             continue;
         }
         ReadParameter(entry, subject, **parameter, diagnostics, context);
+    }
+    if (!undrawn.empty())
+    {
+        diagnostics.Note(object.location,
+                         object.name + ": limn does not draw what URP does with " + undrawn);
     }
 }
 
@@ -120,8 +171,7 @@ std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
     {
         if (!registry.Find(object.name))
         {
-            diagnostics.Note(object.location,
-                             object.name + ": left out, no such volume component is known");
+            NoteUnknownComponent(object, diagnostics);
         }
         else if (!seen.insert(object.name).second)
         {

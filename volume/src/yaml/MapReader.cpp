@@ -14,6 +14,41 @@ bool HasSerializedPrefix(std::string_view name)
     return name.size() > 2 && name.starts_with("m_");
 }
 
+/// "width" of "settings.width".
+std::string_view LastName(std::string_view path)
+{
+    return path.substr(path.rfind('.') + 1);
+}
+
+/// The unknown key, and the nearest known one: of this map unless another has its very name.
+std::string UnknownKey(std::string_view key, const std::vector<std::string>& names,
+                       std::span<const std::string> elsewhere)
+{
+    const auto isIts = [key](const std::string& path)
+    {
+        return LastName(path) == key || PlainSpelling(LastName(path)) == key;
+    };
+    const auto isNear = [key](const std::string& path)
+    {
+        const std::string plain = PlainSpelling(LastName(path));
+        return !NearestName(key, {LastName(path), plain}).empty();
+    };
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    auto other = std::ranges::find_if(elsewhere, isIts);
+    if (other == elsewhere.end() && NearestName(key, views).empty())
+    {
+        other = std::ranges::find_if(elsewhere, isNear);
+    }
+    if (other == elsewhere.end())
+    {
+        return UnknownName(key, views);
+    }
+    const bool isTop = other->find('.') == std::string::npos;
+    return "'" + std::string(key) + "'; " +
+           (isTop ? "'" + *other + "' stands outside of all groups"
+                  : "did you mean '" + *other + "'?");
+}
+
 } // namespace
 
 std::string PlainSpelling(std::string_view serializedName)
@@ -85,7 +120,7 @@ void YamlMapReader::ReportTwice(const YamlEntry& first, const YamlEntry& second)
                             std::to_string(first.keyLocation.column) + "; keep one of them");
 }
 
-void YamlMapReader::Finish()
+void YamlMapReader::Finish(std::span<const std::string> elsewhere)
 {
     for (const YamlEntry& entry : m_Node.entries())
     {
@@ -101,9 +136,8 @@ void YamlMapReader::Finish()
         }
         if (!isKnown)
         {
-            const std::vector<std::string_view> views(names.begin(), names.end());
             m_Diagnostics.Error(entry.keyLocation, m_Subject + ": unknown " + m_Noun + " " +
-                                                       UnknownName(entry.key, views));
+                                                       UnknownKey(entry.key, names, elsewhere));
         }
     }
 }

@@ -207,4 +207,10 @@ std::optional<std::int64_t> ReadFileID(const YamlNode& reference)
     return id ? ParseWhole<std::int64_t>(id->scalar()) : std::nullopt;
 }
 
+std::string ReadGuid(const YamlNode& reference)
+{
+    const YamlNode* guid = reference.Find("guid");
+    return guid ? guid->scalar() : std::string();
+}
+
 } // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
@@ -31,7 +32,7 @@ struct FieldInfo
 {
     std::string_view name;                          ///< the serialised one, Unity's ("m_LayerMask")
     std::string_view tooltip;                       ///< one sentence for the user
-    std::optional<ValueRange> range = std::nullopt; ///< of an int or a float; none: any number
+    std::optional<ValueRange> range = std::nullopt; ///< of a number; none: any number
 };
 
 /// A setting of an enum type, as a number.
@@ -48,10 +49,10 @@ struct RenderingLayerValue
 };
 
 /// A setting, to be read or written where it is.
-using FieldValue =
-    std::variant<bool*, int*, float*, Color*, glm::vec4*, LayerMask*, RenderPassEvent*,
-                 std::string*, std::vector<std::string>*, std::shared_ptr<const Shader>*,
-                 std::shared_ptr<const Material>*, EnumValue, RenderingLayerValue>;
+using FieldValue = std::variant<bool*, int*, std::uint32_t*, float*, Color*, glm::vec4*, LayerMask*,
+                                RenderingLayerMask*, RenderPassEvent*, std::string*,
+                                std::vector<std::string>*, std::shared_ptr<const Shader>*,
+                                std::shared_ptr<const Material>*, EnumValue, RenderingLayerValue>;
 
 /// What a feature's settings are told to, one by one, in the order a person should see them: a
 /// loader writes them, a printer reads them. The counterpart of Unity's [Header], [Range],
@@ -67,8 +68,10 @@ public:
     /// What every other Field comes down to.
     virtual void Field(const FieldInfo& field, FieldValue value) = 0;
 
-    /// Fields until EndGroup are members of one setting: `stencilSettings: {stencilReference: 1}`.
-    /// Groups are not nested. Unity: a field whose type is a [Serializable] class.
+    /// Fields until EndGroup are members of one setting: `stencilSettings: {stencilReference: 1}`,
+    /// "stencilSettings.stencilReference" on a command line. Groups may hold groups. Unity: a field
+    /// whose type is a [Serializable] class. A class that Describe does not group may still stand
+    /// in files: its members are then read as if they stood beside it.
     virtual void BeginGroup(std::string_view) {}
     virtual void EndGroup() {}
 
@@ -78,6 +81,11 @@ public:
         Field({name, tooltip}, &value);
     }
     void Field(std::string_view name, int& value, ValueRange range, std::string_view tooltip)
+    {
+        Field({name, tooltip, range}, &value);
+    }
+    void Field(std::string_view name, std::uint32_t& value, ValueRange range,
+               std::string_view tooltip)
     {
         Field({name, tooltip, range}, &value);
     }

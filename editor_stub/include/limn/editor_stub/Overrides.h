@@ -7,18 +7,14 @@
 namespace limn
 {
 
-/// Changes single values of a loaded scene, each given as "NAME.path=value". NAME is the type of a
-/// volume component (the value then holds everywhere, whatever the scene's volumes say), the name
-/// of a feature, or the type of features; the path is a parameter's or a setting's name, or a
-/// feature's `active`; the value is YAML. Files in values are looked for from the working
-/// directory, then from the scene's folder.
+/// Changes single values of a loaded scene, each given as "NAME.path=value"; see ValuePath. NAME is
+/// the type of a volume component (the value then holds everywhere, whatever the scene's volumes
+/// say), the name of a feature, or the type of features; the path leads to a parameter or a setting
+/// as it does in a file, or is a feature's `active`; the value is YAML. Files in values are looked
+/// for from the working directory, then from the scene's folder.
 /// @throws AssetError with every problem of all of them
 void ApplyOverrides(SceneAsset& asset, std::span<const std::string> overrides,
                     AssetContext& assets);
-
-/// What is wrong with the form of "NAME.path=value", whatever there is of these names; "" if
-/// nothing.
-std::string OverrideFormProblem(const std::string& text);
 
 /// Puts one profile in place of that of every global volume; a scene without any gets one, in a
 /// layer that the camera's volumeLayerMask has. `file` is looked for from the working directory,

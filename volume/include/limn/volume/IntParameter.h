@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limn/volume/LimitedParameter.h>
 
 namespace limn
@@ -21,6 +22,15 @@ class NoInterpIntParameter : public detail::ValueParameter<int>
 public:
     using ValueParameter::ValueParameter;
     std::string_view typeName() const override { return "NoInterpInt"; }
+};
+
+/// A whole number from 0 up to 32 bits, such as the bits of rendering layers; blending switches as
+/// soon as t > 0. Unity: a class of one's own that derives from VolumeParameter<uint>.
+class UIntParameter : public detail::ValueParameter<std::uint32_t>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "UInt"; }
 };
 
 /// A whole number not below a limit. Unity: MinIntParameter (URP 14).

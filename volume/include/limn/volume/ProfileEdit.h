@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/volume/ValuePath.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <span>
 #include <string>
@@ -9,19 +10,6 @@
 
 namespace limn
 {
-
-/// A new value for one parameter of a profile file.
-struct ScalarEdit
-{
-    std::string component; ///< "ScreenSpaceOutline"
-    std::string parameter; ///< "m_OutlineWidth", "outlineWidth", "active"; "object.size" for one
-                           ///< within an ObjectParameter
-    std::string value;     ///< YAML; a colour's # needs no quotes, "" is empty text
-
-    /// @param text  "ScreenSpaceOutline.m_OutlineWidth=4"; the first dot ends the component
-    /// @throws AssetError if the text has another form
-    static ScalarEdit Parse(std::string_view text);
-};
 
 /// What an edit did, values as VolumeParameter::ValueText.
 struct ScalarChange
@@ -35,13 +23,14 @@ struct ScalarChange
 /// of scalars that change are others: a colour stays a map, a list or "#RRGGBB" as it was
 /// (written as a map where eight bits do not hold it). A list or map in brackets on one line, as of
 /// a curve, is replaced whole where it changes its length, and a value left empty is filled in. In
-/// Unity's form m_OverrideState stays.
+/// Unity's form m_OverrideState stays. A path leads to a component's `active`, to a parameter or,
+/// by several keys, to one within ObjectParameters.
 /// @throws AssetError with every problem: an unknown name, a value of the wrong type or outside its
 ///     range, a parameter the file does not have, a value written in a way that cannot hold the new
 ///     one or that an alias repeats, and whatever else is wrong with the file
 /// @param changes  if given, what each edit did is added to it
 std::string EditVolumeProfile(std::string_view text, const std::string& file,
-                              std::span<const ScalarEdit> edits,
+                              std::span<const ValueAssignment> edits,
                               const VolumeComponentRegistry& registry,
                               std::vector<ScalarChange>* changes = nullptr);
 
@@ -50,7 +39,7 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
 /// @return what each edit did
 /// @throws AssetError as EditVolumeProfile and ReplaceContent do; the file is then as it was
 std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
-                                     std::span<const ScalarEdit> edits,
+                                     std::span<const ValueAssignment> edits,
                                      const VolumeComponentRegistry& registry);
 
 /// Replaces a file's content, through a link the file behind it, if it still is `expected`.

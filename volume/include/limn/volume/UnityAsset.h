@@ -84,4 +84,7 @@ UnityAsset LoadUnityAsset(const std::filesystem::path& path);
 /// reference with a guid points into another file.
 std::optional<std::int64_t> ReadFileID(const YamlNode& reference);
 
+/// The guid in `{fileID: 11500000, guid: 185ced…, type: 3}`; "" if the node has none.
+std::string ReadGuid(const YamlNode& reference);
+
 } // namespace limn

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limn/volume/YamlRead.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,11 +48,14 @@ public:
     bool Read(std::string_view key, glm::vec4& value);
 
     /// Reports every key that nobody asked for, with the nearest one that somebody did.
-    void Finish();
+    /// @param elsewhere  paths of keys in other maps, "settings.width", which are named where their
+    ///     last part is what was meant
+    void Finish(std::span<const std::string> elsewhere = {});
 
     /// "camera.fieldOfView", the subject for readers of a value found here.
     std::string SubjectOf(std::string_view key) const;
     const YamlNode& node() const { return m_Node; }
+    const std::string& noun() const { return m_Noun; }
 
 private:
     void ReportTwice(const YamlEntry& first, const YamlEntry& second);

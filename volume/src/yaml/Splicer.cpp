@@ -1,4 +1,4 @@
-#include "yaml/Splice.h"
+#include <limn/volume/YamlSplicer.h>
 
 #include <algorithm>
 #include <charconv>
@@ -157,6 +157,10 @@ void YamlSplicer::Replace(const YamlNode& old, const YamlNode& fresh, const std:
     {
         ReplaceSequence(old, fresh);
     }
+    else if (old.isScalar() && fresh.Find("m_Bits"))
+    {
+        ReplaceScalar(old, *fresh.Find("m_Bits"));
+    }
     else if (old.isScalar() && fresh.isMap())
     {
         ReplaceHex(old, fresh, freshText);
@@ -164,6 +168,10 @@ void YamlSplicer::Replace(const YamlNode& old, const YamlNode& fresh, const std:
     else if (old.isScalar() && fresh.isScalar())
     {
         ReplaceScalar(old, fresh);
+    }
+    else if (old.isScalar() && fresh.isSequence())
+    {
+        Add(old, freshText);
     }
     else
     {
@@ -266,7 +274,8 @@ void YamlSplicer::Add(const YamlNode& old, std::string fresh)
         return;
     }
     const char quote = extent.front();
-    if (old.isQuoted() && (fresh.empty() || fresh.front() != '{'))
+    const bool isFlow = !fresh.empty() && (fresh.front() == '{' || fresh.front() == '[');
+    if (old.isQuoted() && !isFlow)
     {
         fresh = InQuotes(fresh, quote);
     }

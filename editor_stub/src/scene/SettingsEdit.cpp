@@ -1,0 +1,359 @@
+#include "scene/SettingsEdit.h"
+
+#include "plugins/DescribeFeature.h"
+#include "scene/FeatureBlocks.h"
+#include "scene/SettingsLevel.h"
+#include "scene/SettingsReader.h"
+#include "schema/SettingsCollector.h"
+
+#include <algorithm>
+#include <limn/core/Material.h>
+#include <limn/shaderlab/WriteFile.h>
+#include <limn/volume/YamlSplicer.h>
+
+namespace limn
+{
+
+namespace
+{
+
+using Path = std::vector<std::string>;
+
+/// The setting that keys lead to, as Describe names it; keys of settings classes that Describe left
+/// out fall away.
+Path DescribedPath(const SettingName& root, const Path& keys)
+{
+    Path path;
+    const SettingName* group = &root;
+    for (const std::string& key : keys)
+    {
+        if (const SettingName* member = FindMember(*group, key))
+        {
+            path.push_back(member->name);
+            group = member;
+        }
+    }
+    return path;
+}
+
+std::string Joined(const Path& path)
+{
+    return ValuePath{"", path}.KeysText();
+}
+
+/// What a file of Unity's or of limn's has for a setting.
+class SettingText final : public Inspector
+{
+public:
+    explicit SettingText(Path path) : m_Path(std::move(path)) {}
+
+    void BeginGroup(std::string_view name) override { m_Groups.emplace_back(name); }
+    void EndGroup() override { m_Groups.pop_back(); }
+    void Field(const FieldInfo& field, FieldValue value) override
+    {
+        Path path = m_Groups;
+        path.emplace_back(field.name);
+        if (path == m_Path)
+        {
+            std::visit([this](auto target) { Tell(target); }, value);
+        }
+    }
+
+    bool isReference = false; ///< to a shader or a material
+    bool isNumbers = false;   ///< a colour or a vector, which files write in several ways
+    std::string unityText;
+
+private:
+    template <typename T>
+    void Tell(T* value)
+    {
+        if constexpr (std::is_same_v<T, float>)
+        {
+            unityText = NumberText(static_cast<double>(*value));
+        }
+        else
+        {
+            unityText = std::to_string(static_cast<std::int64_t>(*value));
+        }
+    }
+    void Tell(std::string* value) { unityText = Quoted(*value); }
+    void Tell(std::vector<std::string>* value)
+    {
+        for (const std::string& item : *value)
+        {
+            unityText += (unityText.empty() ? "[" : ", ") + Quoted(item);
+        }
+        unityText = unityText.empty() ? "[]" : unityText + "]";
+    }
+    void Tell(Color* value) { Numbers(&value->r, "rgba"); }
+    void Tell(glm::vec4* value) { Numbers(&value->x, "xyzw"); }
+    template <typename Tag>
+    void Tell(detail::BitMask32<Tag>* value)
+    {
+        unityText = "{m_Bits: " + std::to_string(value->bits) + "}";
+    }
+    template <typename Asset>
+    void Tell(std::shared_ptr<const Asset>*)
+    {
+        isReference = true;
+    }
+    void Tell(EnumValue value) { unityText = std::to_string(value.value); }
+    void Tell(RenderingLayerValue value) { unityText = std::to_string(value.value); }
+
+    void Numbers(const float* numbers, std::string_view names)
+    {
+        isNumbers = true;
+        for (std::size_t i = 0; i < names.size(); ++i)
+        {
+            unityText += (i == 0 ? "{" : ", ") + std::string(1, names[i]) + ": " +
+                         NumberText(static_cast<double>(numbers[i]));
+        }
+        unityText += "}";
+    }
+    static std::string Quoted(const std::string& text)
+    {
+        std::string quoted = "\"";
+        for (const char c : text)
+        {
+            quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+        }
+        return quoted + '"';
+    }
+
+    Path m_Path;
+    Path m_Groups;
+};
+
+/// What stands for a setting in a feature's block; nothing if it is not there.
+std::optional<YamlNode> FindSetting(const FeatureBlock& block, const SettingName& root,
+                                    const Path& path, AssetDiagnostics& diagnostics)
+{
+    YamlMapReader map(block.map, block.name, diagnostics);
+    std::deque<SettingsLevel> levels;
+    levels.emplace_back(root, block.unityType, diagnostics).Add(map);
+    for (std::size_t i = 0;; ++i)
+    {
+        YamlMapReader* found = levels.back().Find(path[i]);
+        if (!found || i + 1 == path.size())
+        {
+            return found ? std::optional(*found->Find(path[i])) : std::nullopt;
+        }
+        const SettingName& group = *FindMember(levels.back().group(), path[i]);
+        levels.emplace_back(group, block.unityType, diagnostics).Add(*found->Find(path[i]), *found);
+    }
+}
+
+/// The value of a setting as text for people.
+std::string TextOf(ScriptableRendererFeature& feature, const std::string& path,
+                   const FeatureBlocks& file)
+{
+    for (const InspectedValue& value :
+         CollectSettings(feature, feature, file.layers, file.renderingLayers))
+    {
+        if (value.name == path)
+        {
+            return value.value;
+        }
+    }
+    return feature.isActive() ? "true" : "false";
+}
+
+/// Changes one file's text by one edit.
+class SettingsEditor
+{
+public:
+    SettingsEditor(const std::string& text, const std::string& file, AssetContext& assets)
+        : m_Assets(assets),
+          m_Blocks(ReadFeatureBlocks(text, file, assets)),
+          m_Diagnostics(file),
+          m_Text(text)
+    {
+    }
+
+    std::string Edit(const ValueAssignment& edit, std::vector<ScalarChange>& changes)
+    {
+        m_Source = edit.path + "=" + edit.value;
+        const ValuePath path = ValuePath::Split(edit.path, m_Blocks.names());
+        YamlSplicer splicer(m_Text, edit.path, m_Diagnostics);
+        for (const FeatureBlock* block : Named(path.name))
+        {
+            EditBlock(*block, path, edit.value, splicer, changes);
+        }
+        m_Diagnostics.ThrowIfErrors();
+        std::string result = splicer.Result();
+        RequireNoOtherChange(result, splicer, edit.path);
+        return result;
+    }
+
+private:
+    std::vector<const FeatureBlock*> Named(const std::string& name) const
+    {
+        std::vector<const FeatureBlock*> found;
+        for (const auto member : {&FeatureBlock::name, &FeatureBlock::type})
+        {
+            for (const FeatureBlock& block : m_Blocks.features)
+            {
+                if (found.empty() || found.front()->*member == name)
+                {
+                    found.insert(found.end(), block.*member == name ? 1 : 0, &block);
+                }
+            }
+            if (!found.empty())
+            {
+                return found;
+            }
+        }
+        const bool isComponent = m_Assets.volumeComponents().Find(name) != nullptr;
+        throw AssetError(m_Source, {},
+                         isComponent ? "'" + name +
+                                           "' is a volume component, not a feature; set its "
+                                           "parameters in the profile of a volume"
+                         : m_Blocks.features.empty()
+                             ? "unknown feature '" + name + "'; the file has no features"
+                             : "unknown feature " + UnknownName(name, m_Blocks.names()));
+    }
+
+    SettingsContext Context(std::string unityType) const
+    {
+        return {m_Blocks.layers, m_Blocks.renderingLayers,
+                [](const YamlNode&, const std::string&) { return std::shared_ptr<const Shader>(); },
+                [](const YamlNode&, const std::string&)
+                { return std::shared_ptr<const Material>(); },
+                std::move(unityType)};
+    }
+
+    /// A feature with the typed value.
+    std::unique_ptr<ScriptableRendererFeature>
+    Wanted(const FeatureBlock& block, const ValuePath& path, const YamlNode& value) const
+    {
+        AssetDiagnostics typed(m_Source);
+        std::unique_ptr<ScriptableRendererFeature> feature = m_Assets.features().Create(block.type);
+        YamlMapReader map(path.AsMap(value), path.name, typed, "setting");
+        ReadFeatureSettings(map, *feature, Context(""), typed);
+        AssetDiagnostics withoutPlaces(m_Source);
+        for (const Diagnostic& diagnostic : typed.diagnostics())
+        {
+            withoutPlaces.Error({}, diagnostic.message);
+        }
+        withoutPlaces.ThrowIfErrors();
+        return feature;
+    }
+
+    /// The feature as the file has it, as far as it is good.
+    std::unique_ptr<ScriptableRendererFeature> Current(const FeatureBlock& block) const
+    {
+        AssetDiagnostics ignored("");
+        std::unique_ptr<ScriptableRendererFeature> feature = m_Assets.features().Create(block.type);
+        YamlMapReader map(block.map, block.name, ignored);
+        const YamlNode* active = block.map.Find(block.activeKey());
+        ReadFeatureSettings(map, *feature, Context(block.unityType), ignored);
+        feature->SetActive(active ? ReadBool(*active, "", ignored).value_or(true) : true);
+        return feature;
+    }
+
+    void EditBlock(const FeatureBlock& block, const ValuePath& path, const std::string& text,
+                   YamlSplicer& splicer, std::vector<ScalarChange>& changes)
+    {
+        const YamlNode typed = ParseTypedValue(text, m_Source);
+        const auto wanted = Wanted(block, path, typed);
+        const SettingName root = DescribedSettings(*wanted);
+        const Path described = DescribedPath(root, path.keys);
+        const bool isActive = described.empty();
+        SettingText setting(described);
+        DescribeFeature(*wanted, setting);
+        const std::string subject = block.name + "." + (isActive ? "active" : Joined(described));
+        const YamlNode* active = block.map.Find(block.activeKey());
+        const std::optional<YamlNode> old = !isActive
+                                                ? FindSetting(block, root, described, m_Diagnostics)
+                                            : active ? std::optional(*active)
+                                                     : std::nullopt;
+        if (!old)
+        {
+            m_Diagnostics.Error(block.map.location(),
+                                subject +
+                                    ": the file does not set it; only values that are in the "
+                                    "file can be set, so add a line '" +
+                                    path.keys.back() + ": " + text + "' by hand");
+            return;
+        }
+        if (setting.isReference && !block.unityType.empty())
+        {
+            m_Diagnostics.Error(old->location(), subject + ": Unity's assets name files by guid; "
+                                                           "choose it in Unity");
+            return;
+        }
+        const auto current = Current(block);
+        const std::string before =
+            setting.isReference ? old->scalar() : TextOf(*current, Joined(described), m_Blocks);
+        const std::string after =
+            setting.isReference ? typed.scalar() : TextOf(*wanted, Joined(described), m_Blocks);
+        changes.push_back({subject, before, after});
+        const bool isUnityText = setting.isNumbers || !block.unityType.empty();
+        const std::string fresh = !isUnityText ? text
+                                  : isActive   ? (wanted->isActive() ? "1" : "0")
+                                               : setting.unityText;
+        if (before != after)
+        {
+            splicer.Replace(*old, ParseTypedValue(fresh, m_Source), fresh);
+        }
+    }
+
+    /// An alias (*) repeats a value elsewhere.
+    void RequireNoOtherChange(const std::string& result, const YamlSplicer& splicer,
+                              const std::string& subject) const
+    {
+        const FeatureBlocks after = ReadFeatureBlocks(result, m_Diagnostics.file(), m_Assets);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < m_Blocks.documents.size(); ++i)
+        {
+            count += CountDifferences(m_Blocks.documents[i], after.documents.at(i));
+        }
+        if (count != splicer.count())
+        {
+            throw AssetError(m_Diagnostics.file(), {},
+                             subject + ": other values repeat this one by an alias (*), and would "
+                                       "change as well; change it by hand");
+        }
+    }
+
+    AssetContext& m_Assets;
+    FeatureBlocks m_Blocks;
+    AssetDiagnostics m_Diagnostics;
+    const std::string& m_Text;
+    std::string m_Source;
+};
+
+} // namespace
+
+std::vector<ScalarChange> SetFeatureSettings(const std::filesystem::path& path,
+                                             std::span<const ValueAssignment> edits,
+                                             AssetContext& assets)
+{
+    const FileLock lock(path);
+    const std::string text = ReadYamlText(path);
+    std::string edited = text;
+    std::vector<ScalarChange> changes;
+    std::vector<Diagnostic> problems;
+    for (const ValueAssignment& edit : edits)
+    {
+        try
+        {
+            edited = SettingsEditor(edited, path.generic_string(), assets).Edit(edit, changes);
+        }
+        catch (const AssetError& error)
+        {
+            problems.insert(problems.end(), error.diagnostics().begin(), error.diagnostics().end());
+        }
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
+    if (edited != text)
+    {
+        ReplaceContent(path, text, edited);
+    }
+    return changes;
+}
+
+} // namespace limn
