@@ -396,6 +396,7 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
         {"UniversalCameraData", "UniversalCameraData&"},
         {"UniversalRenderingData", "UniversalRenderingData&"},
         {"UniversalLightData", "UniversalLightData&"},
+        {"MaterialPropertyBlock", "MaterialPropertyBlock&"},
         {"Camera", "const Camera&"}};
     const auto reference = references.find(type);
     if (reference != references.end())
@@ -421,7 +422,7 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
     const auto cpp = CppType(type);
     const bool isSmall =
         cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
 }
 
@@ -470,6 +471,7 @@ bool PortModel::isAssigned(const CSharpClass& one, std::string_view field)
 bool PortModel::isSetting(const std::string& type) const
 {
     static const std::set<std::string_view> types = {"int",
+                                                     "uint",
                                                      "float",
                                                      "bool",
                                                      "string",
@@ -478,6 +480,7 @@ bool PortModel::isSetting(const std::string& type) const
                                                      "Color",
                                                      "Vector4",
                                                      "LayerMask",
+                                                     "RenderingLayerMask",
                                                      "RenderPassEvent",
                                                      "Shader",
                                                      "Material",

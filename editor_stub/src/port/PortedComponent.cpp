@@ -160,14 +160,14 @@ std::string NumberParameterText(const PortModel& model, const PortScope& scope,
     const bool isMask = HeldType(model, field.type) == "RenderingLayerMask" ||
                         (field.type + field.name).find("ayer") != std::string::npos;
     auto text =
-        Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "int", "bool"},
+        Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "uint", "bool"},
                   !TooltipText(field).empty());
     if (text && text->empty()) // new VolumeParameter<uint>()
     {
-        text = isMask ? ", RenderingLayerMask::Nothing()" : ", 0";
+        text = isMask ? ", RenderingLayerMask::Nothing()" : ", 0u";
     }
     return !text ? ""
-                 : std::string(isMask ? "RenderingLayerMaskParameter " : "NoInterpIntParameter ") +
+                 : std::string(isMask ? "RenderingLayerMaskParameter " : "UIntParameter ") +
                        model.CppName(field.name) + "{this, \"" + field.name + "\"" + *text +
                        TooltipText(field) + "};";
 }

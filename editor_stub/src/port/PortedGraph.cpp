@@ -152,7 +152,10 @@ private:
         std::string text = m_File.text.substr(pass.begin, pass.end - pass.begin);
         if (functions.size() == 1 && functions[0].end > functions[0].begin)
         {
-            text.erase(functions[0].begin - pass.begin, functions[0].end - functions[0].begin);
+            const std::size_t end = functions[0].end - pass.begin;
+            std::size_t begin = functions[0].begin - pass.begin;
+            begin = text.find_last_not_of(" \t\r\n", begin - 1) + 1;
+            text.erase(begin, end - begin);
         }
         return text;
     }

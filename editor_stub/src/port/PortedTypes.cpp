@@ -93,7 +93,7 @@ std::string AttributeText(const CSharpField& field, std::string_view attribute)
 /// ", {0, 1}" of [Range(0, 1)], {.min = 0} of [Min(0)]; "" for none.
 std::string RangeText(const PortModel& model, const CSharpField& field)
 {
-    const bool isNumber = field.type == "int" || field.type == "float";
+    const bool isNumber = field.type == "int" || field.type == "float" || field.type == "uint";
     if (const CSharpAttribute* range = field.Find("Range"); range && isNumber)
     {
         const auto limits = SplitArguments(range->arguments);
@@ -122,17 +122,9 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     }
     if (own && model.RoleOf(*own) == PortRole::Data)
     {
-        // As Unity's files are read: what is in these stands beside the feature's own fields.
-        const bool isFlat = field.name == "settings" || field.name == "m_Settings";
-        if (!isFlat)
-        {
-            code.Line("inspector.BeginGroup(\"" + field.name + "\");");
-        }
+        code.Line("inspector.BeginGroup(\"" + field.name + "\");");
         code.Line(name + ".Describe(inspector);");
-        if (!isFlat)
-        {
-            code.Line("inspector.EndGroup();");
-        }
+        code.Line("inspector.EndGroup();");
         return;
     }
     if (field.type == "CompareFunction" || field.type == "StencilOp")
@@ -142,18 +134,6 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     }
     const std::string entries = own ? ", " + EntriesName(model, *own) : "";
     code.Line("inspector.Field" + start + entries + RangeText(model, field) + tooltip);
-}
-
-/// Whether it has data of its own: groups of an Inspector are not nested.
-bool HasData(const PortModel& model, const CSharpClass& one)
-{
-    return std::ranges::any_of(one.fields,
-                               [&](const CSharpField& field)
-                               {
-                                   const CSharpClass* own = model.Find(field.type);
-                                   return model.isSerialized(field) && own &&
-                                          model.RoleOf(*own) == PortRole::Data;
-                               });
 }
 
 bool Needs(const PortModel& model, const CSharpClass& one, const CSharpClass& other)
@@ -325,10 +305,7 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
         {
             continue;
         }
-        const CSharpClass* own = model.Find(field.type);
-        const bool isTooDeep = own && model.RoleOf(*own) == PortRole::Data &&
-                               (HasData(model, *own) || model.RoleOf(one) == PortRole::Data);
-        const bool isDone = model.isSetting(field.type) && !isTooDeep;
+        const bool isDone = model.isSetting(field.type) && model.isDeclared(field);
         code.Done({"setting", one.name + "." + field.name, FieldText(model, one, field),
                    model.Place(one, field.location), isDone});
         if (isDone)

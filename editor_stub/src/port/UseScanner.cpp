@@ -191,6 +191,41 @@ bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name, st
                                });
 }
 
+/// What a class derives from in the end, by way of others of the files.
+std::vector<std::string> UseScanner::BasesOf(const CSharpClass& one, int depth) const
+{
+    constexpr int k_MaxBases = 20; // of classes that derive from each other
+    std::vector<std::string> bases;
+    for (const std::string& base : one.bases)
+    {
+        const CSharpClass* own = FindClass(base);
+        if (own && own != &one && depth < k_MaxBases)
+        {
+            const auto inherited = BasesOf(*own, depth + 1);
+            bases.insert(bases.end(), inherited.begin(), inherited.end());
+        }
+        else
+        {
+            bases.emplace_back(PlainTypeName(base));
+        }
+    }
+    return bases;
+}
+
+/// A method of a static class of the files that any object may be asked for; null = none.
+const CSharpMethod* UseScanner::FindExtension(std::string_view name) const
+{
+    for (const CSharpClass* one : m_Own.all())
+    {
+        const CSharpMethod* method = one->isStatic ? one->FindMethod(name) : nullptr;
+        if (method && !method->parameters.empty())
+        {
+            return method;
+        }
+    }
+    return nullptr;
+}
+
 /// @return what the member gives
 std::string UseScanner::MemberOf(const std::string& type, Word member, const std::string& generics)
 {
@@ -206,11 +241,11 @@ std::string UseScanner::MemberOf(const std::string& type, Word member, const std
     std::vector<std::string> bases{std::string(type.ends_with("[]") ? "[]" : plain)};
     if (own)
     {
-        bases = own->bases;
+        bases = BasesOf(*own);
     }
     for (const std::string& base : bases)
     {
-        if (const PortEntry* entry = FindInherited(PlainTypeName(base), name, owner))
+        if (const PortEntry* entry = FindInherited(base, name, owner))
         {
             Use(owner + "." + name, entry, member->location);
             if (entry->result == "T" && !generics.empty())
@@ -219,6 +254,10 @@ std::string UseScanner::MemberOf(const std::string& type, Word member, const std
             }
             return entry->result.empty() ? k_UnknownType : entry->result;
         }
+    }
+    if (const CSharpMethod* extension = FindExtension(name))
+    {
+        return extension->type;
     }
     if (type == k_UnknownType)
     {
