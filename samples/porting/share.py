@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """How much of a C# feature goes over into C++ as it is.
 
-    samples/porting/share.py [FEATURE.cs FEATURE.h]...     all pairs of this folder without arguments
+    samples/porting/share.py [-v] [FILE.cs... FILE.h FILE.cpp...]...    all ports of this folder without files
+
+C# files and the C++ behind them are one port; further C# begins the next. Whether the C++ is one
+header or a header with sources makes no difference: a method counts where its class is, and of a method
+that is declared and defined the definition. -v prints the lines that changed; one port alone does, too.
 
 A line of C# counts where it holds code, more than a bracket, and no using directive. It goes over as
 it is if each of its statements is found in the C++, in their order, with the same names, numbers and
@@ -125,6 +129,84 @@ def statement(words):
     return " ".join(names), {line for _, line in words}
 
 
+CLASS = re.compile(r"\b(?:class|struct)\s+(\w+)[^;{}()]*\{")
+
+
+def closing(text, at):
+    """Where the bracket closes that opens at `at`; strings and comments are gone or harmless here."""
+    pairs = {"{": "}", "(": ")"}
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] == text[at]) - (text[i] == pairs[text[at]])
+        if depth == 0:
+            return i
+    return len(text)
+
+
+def definitions(text):
+    """Those of methods outside of their class: (first, last, class, method, what stands in its place)."""
+    blocks = [(match.end(), closing(text, match.end() - 1)) for match in CLASS.finditer(text)]
+    for match in re.finditer(r"(?:^|(?<=[;{}\n]))[ \t]*(?P<type>[\w:<>,&*\t ]*?)\b(?P<owner>(?:\w+::)*?\w+)::(?P<name>~?\w+)\s*\(", text):
+        if any(first < match.start() < end for first, end in blocks):
+            continue
+        last = closing(text, match.end() - 1)
+        body = re.compile(r"[^;{}]*?(\{|;|=\s*default\s*;)").match(text, last + 1)
+        # `: a(1), b{2}` may stand before the body.
+        if body is None or body.group(1) == ";":
+            continue
+        end = body.end()
+        if body.group(1) == "{":
+            end = closing(text, body.end() - 1) + 1
+            while re.match(r"\s*[,{]", text[end:]):  # it was the brace of a member's value
+                end = closing(text, text.index("{", end)) + 1
+        owner = match.group("owner").split("::")[-1]
+        shown = match.group("type") + match.group("name") + text[match.end() - 1:end]
+        yield match.start(), end, owner, match.group("name"), shown
+
+
+def brought_home(text):
+    """The C++ with each method where its class declares it, as in one header: the order of the C#."""
+    text = without_comments(text)
+    text = re.sub(r"^[ \t]*#.*$", "", text, flags=re.M)
+    found = list(definitions(text))
+    for first, last, owner, name, shown in reversed(found):
+        text = text[:first] + "\n" + text[last:]
+    for first, last, owner, name, shown in found:
+        place = next((m for m in CLASS.finditer(text) if m.group(1) == owner), None)
+        if place is None:
+            text += "\n" + shown
+            continue
+        end = closing(text, place.end() - 1)
+        arguments = parameters(shown)
+        for declared in re.finditer(r"(?<![\w~.>])(?<!::)" + re.escape(name) + r"\s*\(", text[place.end():end]):
+            begin = place.end() + declared.start()
+            close = closing(text, place.end() + declared.end() - 1)
+            rest = re.match(r"[^;{}]*;", text[close + 1:])
+            if rest and parameters(text[begin:close + 1]) == arguments:
+                start = max(text.rfind(c, 0, begin) for c in ";{}:\n") + 1
+                # What is left out where it is called stands in the declaration alone.
+                if "=" in text[begin:close]:
+                    open_ = shown.index("(")
+                    shown = shown[:open_] + text[text.index("(", begin):close + 1] + shown[closing(shown, open_) + 1:]
+                text = text[:start] + " " + shown + text[close + 1 + rest.end():]
+                break
+        else:
+            text = text[:end] + shown + "\n" + text[end:]
+    return without_declarations(text)
+
+
+def parameters(text):
+    """How many a method has, by its text from the name on."""
+    open_ = text.index("(")
+    inner = text[open_ + 1:closing(text, open_)].strip()
+    return 0 if not inner or inner == "void" else len(re.sub(r"<[^<>]*>|\([^()]*\)", "", inner).split(","))
+
+
+def without_declarations(text):
+    """Without `class X;` and using lines, which C# has none of."""
+    return re.sub(r"^[ \t]*(?:class|struct|enum class)\s+\w+\s*;|^[ \t]*using\s[^;]*;", "", text, flags=re.M)
+
+
 def counted_lines(text):
     lines = without_comments(text).split("\n")
     return {number for number, line in enumerate(lines, 1)
@@ -133,9 +215,9 @@ def counted_lines(text):
 
 
 def measure(csharp, cpp):
-    text = csharp.read_text()
+    text = "\n".join(path.read_text() for path in csharp)
     theirs = list(statements(text))
-    ours = list(statements(cpp.read_text()))
+    ours = list(statements(brought_home("\n".join(path.read_text() for path in cpp))))
     matcher = difflib.SequenceMatcher(None, [s for s, _ in theirs], [s for s, _ in ours], autojunk=False)
     kept = {i for block in matcher.get_matching_blocks() for i in range(block.a, block.a + block.size)}
     counted = counted_lines(text)
@@ -146,19 +228,33 @@ def measure(csharp, cpp):
     return counted, counted & changed
 
 
+def ports(arguments):
+    """The C# and the C++ of each, in their order."""
+    found = []
+    for path in map(pathlib.Path, arguments):
+        if path.suffix == ".cs" and (not found or found[-1][1]):
+            found.append(([], []))
+        if not found:
+            sys.exit(f"{path}: the C# is expected before its C++: share.py FEATURE.cs FEATURE.h FEATURE.cpp")
+        found[-1][path.suffix != ".cs"].append(path)
+    for csharp, cpp in found:
+        if not cpp:
+            sys.exit(f"{csharp[-1]}: its C++ is expected behind it")
+    return found
+
+
 def main():
     here = pathlib.Path(__file__).parent
-    arguments = [pathlib.Path(a) for a in sys.argv[1:]]
-    pairs = list(zip(arguments[::2], arguments[1::2])) or \
-        [(path, path.with_suffix(".h")) for path in sorted(here.glob("*/*.cs"))]
+    arguments = [argument for argument in sys.argv[1:] if argument != "-v"]
+    pairs = ports(arguments) or [([path], [path.with_suffix(".h")]) for path in sorted(here.glob("*/*.cs"))]
     total = total_changed = 0
     for csharp, cpp in pairs:
         counted, changed = measure(csharp, cpp)
         total += len(counted)
         total_changed += len(changed)
-        print(f"{csharp.stem:28} {len(counted):4} lines, {100 * (1 - len(changed) / len(counted)):5.1f} % as they are")
+        print(f"{csharp[0].stem:28} {len(counted):4} lines, {100 * (1 - len(changed) / len(counted)):5.1f} % as they are")
         if "-v" in sys.argv or len(pairs) == 1:
-            lines = csharp.read_text().split("\n")
+            lines = "\n".join(path.read_text() for path in csharp).split("\n")
             for number in sorted(changed):
                 print(f"    {number:4}: {lines[number - 1].strip()}")
     print(f"{'all':28} {total:4} lines, {100 * (1 - total_changed / total):5.1f} % as they are")

@@ -2,7 +2,9 @@
 
 #include "commands/FeatureFolder.h"
 #include "port/PortFolder.h"
+#include "port/ReadCSharp.h"
 
+#include <algorithm>
 #include <array>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ReadFile.h>
@@ -42,20 +44,41 @@ void PrintUse(const UsedMember& use, Console& console)
                        (isOnce ? "" : "; " + std::to_string(use.places.size()) + " times")});
 }
 
+/// "#if X is left out", "is read", once each.
+void NoteConditions(const ReadCSharpFiles& read, Console& console)
+{
+    std::vector<std::string> said;
+    std::string text;
+    for (const auto& file : read.files)
+    {
+        for (const CSharpCondition& condition : file->tokens.conditions)
+        {
+            const std::string one = "'" + condition.text + "' is " +
+                                    (condition.isTrue ? "true" : "false");
+            if (std::ranges::find(said, one) == said.end())
+            {
+                text += (said.empty() ? "" : ", ") + one;
+                said.push_back(one);
+            }
+        }
+    }
+    if (!said.empty())
+    {
+        console.Note("the C# is read for " + read.target.name() + ": " + text);
+    }
+}
+
 } // namespace
 
 int RunPort(const PortOptions& options, Console& console)
 {
-    CSharpFiles files;
+    std::vector<std::pair<std::string, std::string>> texts;
     for (const std::string& path : options.files)
     {
-        auto file = std::make_unique<CSharpFile>();
-        file->path = path;
-        file->text = ReadFile(path);
-        ParseCSharp(*file);
-        files.push_back(std::move(file));
+        texts.emplace_back(path, ReadFile(path));
     }
-    const PortFolder port = PortFeature(files, UnityPortingTable());
+    const ReadCSharpFiles read = ReadCSharp(texts);
+    const PortFolder port = PortFeature(read.files, UnityPortingTable());
     MakeFeatureFolder(options.folder);
     for (const PortedFile& file : port.files)
     {
@@ -68,11 +91,12 @@ int RunPort(const PortOptions& options, Console& console)
             PrintUse(use, console);
         }
     }
+    NoteConditions(read, console);
     console.Note("of what the C# uses: " + Counts(port.uses) +
                  "; of its settings, passes and "
                  "events " +
-                 std::to_string(port.done) + " are C++, " + std::to_string(port.left) +
-                 " are left; see PORTING.md");
+                 std::to_string(port.done) + " are C++, and " + std::to_string(port.left) +
+                 (port.left == 1 ? " TODO is" : " TODOs are") + " left; see PORTING.md");
     return static_cast<int>(ExitCode::Done);
 }
 

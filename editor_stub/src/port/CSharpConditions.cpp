@@ -1,5 +1,6 @@
 #include "port/CSharpConditions.h"
 
+#include <algorithm>
 #include <charconv>
 #include <functional>
 
@@ -122,29 +123,87 @@ private:
     int m_Depth = 0;
 };
 
+/// "UNITY_2021_2_OR_NEWER": who, since which version.
+struct VersionSymbol
+{
+    explicit VersionSymbol(std::string_view symbol)
+    {
+        for (const std::string_view suffix : {"_OR_NEWER", "_OR_HIGHER", "_OR_LATER", "_PLUS"})
+        {
+            if (symbol.ends_with(suffix))
+            {
+                symbol.remove_suffix(suffix.size());
+                isOrNewer = true;
+            }
+        }
+        for (std::size_t bar = symbol.rfind('_'); bar != std::string_view::npos && bar > 0;
+             bar = symbol.rfind('_'))
+        {
+            int number = 0;
+            const char* end = symbol.data() + symbol.size();
+            const auto read = std::from_chars(symbol.data() + bar + 1, end, number);
+            if (read.ec != std::errc{} || read.ptr != end)
+            {
+                break;
+            }
+            numbers.insert(numbers.begin(), number);
+            symbol = symbol.substr(0, bar);
+        }
+        subject = symbol;
+    }
+
+    bool isMetBy(const std::vector<int>& version) const
+    {
+        for (std::size_t i = 0; i < std::min(numbers.size(), version.size()); ++i)
+        {
+            if (numbers[i] != version[i])
+            {
+                return isOrNewer && numbers[i] < version[i];
+            }
+        }
+        return true;
+    }
+
+    std::string_view subject; ///< "UNITY"
+    std::vector<int> numbers; ///< 2021, 2
+    bool isOrNewer = false;
+};
+
+/// "URP", "UNITY_PIPELINE_URP", "USING_UNIVERSAL_RP", as projects call it.
+bool IsOfUniversalPipeline(std::string_view subject)
+{
+    return subject.find("URP") != std::string_view::npos ||
+           subject.find("UNIVERSAL") != std::string_view::npos;
+}
+
 } // namespace
 
-bool IsDefinedForLimn(std::string_view symbol)
+std::string CSharpTarget::name() const
 {
-    // UNITY_2022_3_OR_NEWER, UNITY_2020_1_OR_NEWER, ... UNITY_6000_0_OR_NEWER is not.
-    constexpr std::string_view prefix = "UNITY_";
-    constexpr std::string_view suffix = "_OR_NEWER";
-    if (!symbol.starts_with(prefix) || !symbol.ends_with(suffix) ||
-        symbol.size() < prefix.size() + suffix.size())
+    return "Unity " + std::to_string(year) + "." + std::to_string(release) + " (URP " +
+           std::to_string(urp()) + ")";
+}
+
+bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target)
+{
+    if (symbol.starts_with("UNITY_EDITOR"))
     {
-        return false;
+        return false; // limn is a player
     }
-    int numbers[2] = {0, 0};
-    const char* begin = symbol.data() + prefix.size();
-    const char* end = symbol.data() + symbol.size() - suffix.size();
-    const auto year = std::from_chars(begin, end, numbers[0]);
-    if (year.ec != std::errc{} || year.ptr == end || *year.ptr != '_')
+    const VersionSymbol version(symbol);
+    if (version.subject == "UNITY" && !version.numbers.empty())
     {
-        return false;
+        return version.isMetBy({target.year, target.release});
     }
-    const auto release = std::from_chars(year.ptr + 1, end, numbers[1]);
-    return release.ec == std::errc{} &&
-           (numbers[0] < 2022 || (numbers[0] == 2022 && numbers[1] <= 3));
+    if (IsOfUniversalPipeline(version.subject))
+    {
+        return version.numbers.empty() ? version.subject.find("COMPATIBILITY") ==
+                                                 std::string_view::npos ||
+                                             target.urp() < 17
+                                       : version.isMetBy({target.urp()});
+    }
+    return symbol == "UNITY_STANDALONE" || symbol == "UNITY_64" ||
+           (target.isUnknownDefined && !symbol.starts_with("UNITY_"));
 }
 
 bool CSharpConditions::Answer(std::string_view condition, const SourceLocation& location)
@@ -153,7 +212,7 @@ bool CSharpConditions::Answer(std::string_view condition, const SourceLocation& 
     const auto isDefined = [this](std::string_view symbol)
     {
         return m_Defined.contains(symbol) ||
-               (!m_Undefined.contains(symbol) && IsDefinedForLimn(symbol));
+               (!m_Undefined.contains(symbol) && IsDefinedFor(symbol, m_Target));
     };
     if (!ConditionReader(condition, isDefined).Read(answer))
     {

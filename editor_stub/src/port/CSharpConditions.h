@@ -14,7 +14,10 @@ class CSharpConditions
 {
 public:
     /// @param file  for messages; must outlive this
-    explicit CSharpConditions(const std::string& file) : m_File(file) {}
+    CSharpConditions(const std::string& file, const CSharpTarget& target)
+        : m_File(file), m_Target(target)
+    {
+    }
 
     /// Takes a directive in; others than those above mean nothing.
     /// @param line  from the # on
@@ -40,6 +43,7 @@ private:
     [[noreturn]] void Fail(const SourceLocation& location, const std::string& message) const;
 
     const std::string& m_File;
+    CSharpTarget m_Target;
     std::set<std::string, std::less<>> m_Defined;
     std::set<std::string, std::less<>> m_Undefined;
     std::vector<Branch> m_Open;

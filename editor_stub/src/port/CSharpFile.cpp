@@ -18,6 +18,96 @@ bool IsModifier(std::string_view word)
     return modifiers.contains(word);
 }
 
+constexpr int k_MaxNesting = 100; ///< of brackets, of types in types, of arrays of arrays
+
+/// How deep a word lies in brackets and types.
+class Nesting
+{
+public:
+    /// The deepest of the kinds behind the word.
+    int Take(const CSharpToken& token)
+    {
+        m_Brackets += token.match > 0 ? 1 : token.match < 0 ? -1 : 0;
+        if (token.Is("<") && m_IsBehindName)
+        {
+            ++m_Types;
+        }
+        else if (token.Is(">"))
+        {
+            m_Types = std::max(m_Types - 1, 0);
+        }
+        else if (!token.isName() && std::string_view(",.?[]()*::").find(token.text) ==
+                                        std::string_view::npos)
+        {
+            m_Types = 0;
+        }
+        m_Arrays = token.Is("[") ? m_Arrays + 1 : token.Is("]") ? m_Arrays : 0;
+        m_IsBehindName = token.isName();
+        return std::max({m_Brackets, m_Types, m_Arrays});
+    }
+
+private:
+    int m_Brackets = 0;
+    int m_Types = 0;
+    int m_Arrays = 0;
+    bool m_IsBehindName = false;
+};
+
+/// What reads classes and types calls itself for what is in them.
+void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& tokens)
+{
+    Nesting nesting;
+    for (const CSharpToken& token : tokens)
+    {
+        if (nesting.Take(token) > k_MaxNesting)
+        {
+            throw AssetError(file.path, token.location,
+                             "more than " + std::to_string(k_MaxNesting) +
+                                 " brackets or types lie in each other here; limn reads no deeper");
+        }
+        RequireShallow(file, token.hole);
+    }
+}
+
+/// The bytes of the character that begins the text; 0 where it is none of UTF-8.
+std::size_t CharacterLength(std::string_view text)
+{
+    const auto byte = [&](std::size_t i)
+    {
+        return static_cast<unsigned char>(text[i]);
+    };
+    const std::size_t length = byte(0) < 0x80                      ? 1
+                               : byte(0) >= 0xc2 && byte(0) < 0xe0 ? 2
+                               : byte(0) >= 0xe0 && byte(0) < 0xf0 ? 3
+                               : byte(0) >= 0xf0 && byte(0) < 0xf5 ? 4
+                                                                   : 0;
+    bool isGood = length > 0 && length <= text.size();
+    for (std::size_t i = 1; isGood && i < length; ++i)
+    {
+        isGood = byte(i) >= 0x80 && byte(i) < 0xc0;
+    }
+    return isGood ? length : 0;
+}
+
+/// A question mark for each byte of another encoding: compilers refuse it in texts.
+void MakeUtf8(std::string& text)
+{
+    for (std::size_t at = 0; at < text.size();)
+    {
+        const std::size_t length = CharacterLength(std::string_view(text).substr(at));
+        const bool isMark = at == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
+        if (length == 0 && isMark)
+        {
+            return; // UTF-16, which the tokenizer refuses
+        }
+        if (length == 0)
+        {
+            text[at] = '?';
+        }
+        at += std::max<std::size_t>(length, 1);
+    }
+}
+
 } // namespace
 
 bool IsClassKeyword(const CSharpToken& token)
@@ -103,7 +193,7 @@ void CSharpParser::ParseSpace(const CSharpToken* end)
                 Fail(*m_At, "a class is expected here: 'class Name : ScriptableRendererFeature "
                             "{ ... }'");
             }
-            m_File.classes.push_back(ParseClass(modifiers));
+            AddClass(m_File.classes, ParseClass(modifiers));
         }
     }
 }
@@ -173,6 +263,7 @@ CSharpClass CSharpParser::ParseClass(const CSharpModifiers& modifiers)
         ++m_At;
     }
     result.isStatic = modifiers.Has("static");
+    result.isPartial = modifiers.Has("partial");
     result.location = m_At->location;
     result.name = ExpectName("the name of a class");
     result.isGeneric = m_At->Is("<");
@@ -206,6 +297,27 @@ CSharpClass CSharpParser::ParseClass(const CSharpModifiers& modifiers)
     result.keyword == "enum" ? ParseEnumerators(result, close) : ParseMembers(result, close);
     m_At = close + 1;
     return result;
+}
+
+void CSharpParser::AddClass(std::vector<CSharpClass>& classes, CSharpClass one)
+{
+    const auto first = std::ranges::find_if(
+        classes, [&](const CSharpClass& other)
+        { return one.isPartial && other.isPartial && other.name == one.name; });
+    if (first == classes.end())
+    {
+        classes.push_back(std::move(one));
+        return;
+    }
+    const auto append = [](auto& to, auto& from)
+    {
+        to.insert(to.end(), std::make_move_iterator(from.begin()),
+                  std::make_move_iterator(from.end()));
+    };
+    append(first->bases, one.bases);
+    append(first->fields, one.fields);
+    append(first->methods, one.methods);
+    append(first->classes, one.classes);
 }
 
 void CSharpParser::SkipGenerics()
@@ -247,9 +359,16 @@ void CSharpParser::ParseEnumerators(CSharpClass& result, const CSharpToken* clos
     }
 }
 
-void ParseCSharp(CSharpFile& file)
+void ParseCSharp(CSharpFile& file, const CSharpTarget& target)
 {
-    file.tokens = TokenizeCSharp(file.text, file.path);
+    MakeUtf8(file.text);
+    file.tokens = TokenizeCSharp(file.text, file.path, target);
+    RequireShallow(file, file.tokens.tokens);
+    for (const CSharpRange& range : file.tokens.leftOut)
+    {
+        std::fill(file.text.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                  file.text.begin() + static_cast<std::ptrdiff_t>(range.end), ' ');
+    }
     CSharpParser(file).ParseFile();
 }
 

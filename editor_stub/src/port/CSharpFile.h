@@ -26,6 +26,7 @@ struct CSharpField
     bool isStatic = false; ///< const as well
     bool isConst = false;
     bool isReadonly = false;
+    bool isProperty = false; ///< { get; set; }
     std::string type; ///< without spaces, '?' and namespaces: "List<ShaderTagId>"
     std::string name;
     SourceLocation location; ///< of the name
@@ -38,9 +39,10 @@ struct CSharpParameter
 {
     std::string type;
     std::string name;
+    bool isReference = false; ///< ref or out
 };
 
-/// A method, a constructor or a property.
+/// A method, a constructor or a property that computes something.
 struct CSharpMethod
 {
     std::string name;
@@ -71,6 +73,7 @@ struct CSharpClass
     std::vector<std::string> bases;
     bool isStatic = false;
     bool isGeneric = false;
+    bool isPartial = false;
     SourceLocation location; ///< of the name
     CSharpWords words;       ///< all of it, from its keyword to its }
     std::vector<CSharpField> fields;
@@ -97,10 +100,11 @@ struct CSharpFile
     ~CSharpFile() = default;
 };
 
-/// Reads the classes of a file with their members; bodies stay words.
+/// Reads the classes of a file with their members; bodies stay words. What #if leaves out becomes
+/// spaces in the text.
 /// @param file  its path and text are there already
-/// @throws AssetError with line and column if it is no C#
-void ParseCSharp(CSharpFile& file);
+/// @throws AssetError with line and column if it is no C#, or nested too deeply to be read
+void ParseCSharp(CSharpFile& file, const CSharpTarget& target = {});
 
 /// The text of the words, as the file has it.
 std::string_view TextOf(const CSharpFile& file, CSharpWords words);

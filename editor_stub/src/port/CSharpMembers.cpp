@@ -1,7 +1,26 @@
 #include "port/CSharpParser.h"
 
+#include <algorithm>
+
 namespace limn
 {
+
+namespace
+{
+
+/// { get; private set; }: a variable all the same.
+bool IsAutomatic(const CSharpMethod& property)
+{
+    const auto isPlain = [](const CSharpToken& word)
+    {
+        return word.Is("get") || word.Is("set") || word.Is("init") || word.Is(";") ||
+               word.Is("private") || word.Is("protected") || word.Is("internal");
+    };
+    return !property.isExpression && property.name != "this" && !property.body.empty() &&
+           std::ranges::all_of(property.body, isPlain);
+}
+
+} // namespace
 
 void CSharpParser::ParseMembers(CSharpClass& result, const CSharpToken* close)
 {
@@ -15,7 +34,7 @@ void CSharpParser::ParseMembers(CSharpClass& result, const CSharpToken* close)
         const CSharpModifiers modifiers = ParseModifiers();
         if (IsClassKeyword(*m_At))
         {
-            result.classes.push_back(ParseClass(modifiers));
+            AddClass(result.classes, ParseClass(modifiers));
         }
         else if (m_At->Is("delegate"))
         {
@@ -170,12 +189,13 @@ void CSharpParser::ParseParameter(CSharpMethod& method, const CSharpToken* close
     {
         m_At = Closing() + 1;
     }
+    CSharpParameter parameter;
     while (m_At->Is("ref") || m_At->Is("out") || m_At->Is("in") || m_At->Is("params") ||
            m_At->Is("this") || m_At->Is("readonly") || m_At->Is("scoped"))
     {
+        parameter.isReference = parameter.isReference || m_At->Is("ref") || m_At->Is("out");
         ++m_At;
     }
-    CSharpParameter parameter;
     parameter.type = ReadCSharpType(m_At);
     if (parameter.type.empty())
     {
@@ -218,13 +238,31 @@ void CSharpParser::ParseProperty(CSharpClass& owner, const CSharpModifiers& modi
         m_At = Closing() + 1;
     }
     SkipTo({"{", "=>"});
+    const bool isOfClass = owner.keyword != "interface" && !modifiers.Has("abstract") &&
+                           !property.isOverride && !modifiers.Has("new");
     ParseBody(property);
+    CSharpWords value;
     if (m_At->Is("=")) // { get; set; } = 3;
     {
+        const CSharpToken* begin = ++m_At;
         SkipTo({";"});
-        ++m_At;
+        value = {begin, m_At++};
     }
-    owner.methods.push_back(std::move(property));
+    if (!isOfClass || !IsAutomatic(property))
+    {
+        owner.methods.push_back(std::move(property));
+        return;
+    }
+    CSharpField field;
+    field.attributes = modifiers.attributes;
+    field.isPublic = modifiers.Has("public");
+    field.isStatic = modifiers.Has("static");
+    field.isProperty = true;
+    field.type = type;
+    field.name = property.name;
+    field.location = property.location;
+    field.value = value;
+    owner.fields.push_back(std::move(field));
 }
 
 } // namespace limn

@@ -44,6 +44,8 @@ private:
     CSharpModifiers ParseModifiers();
     void ParseAttributes(std::vector<CSharpAttribute>& attributes);
     CSharpClass ParseClass(const CSharpModifiers& modifiers);
+    /// The parts of a partial class are one.
+    static void AddClass(std::vector<CSharpClass>& classes, CSharpClass one);
     void SkipGenerics();
     void ParseEnumerators(CSharpClass& result, const CSharpToken* close);
 

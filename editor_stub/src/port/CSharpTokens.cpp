@@ -35,8 +35,8 @@ constexpr int k_MaxHoles = 20; ///< strings in strings
 class Tokenizer
 {
 public:
-    Tokenizer(std::string_view text, const std::string& file)
-        : m_Text(text), m_File(file), m_Conditions(file)
+    Tokenizer(std::string_view text, const std::string& file, const CSharpTarget& target)
+        : m_Text(text), m_File(file), m_Conditions(file, target)
     {
     }
 
@@ -59,6 +59,7 @@ public:
         result.tokens.push_back(end);
         Match(result.tokens);
         result.conditions = m_Conditions.answered();
+        result.leftOut = std::move(m_LeftOut);
         return result;
     }
 
@@ -100,13 +101,17 @@ private:
             if (c == '#' && m_IsLineEmpty)
             {
                 m_Conditions.Take(RestOfLine(), Here());
-                Advance(RestOfLine().size());
+                LeaveOutLine();
             }
             else if (c == ' ' || c == '\t' || c == '\r' || c == '\n')
             {
                 Advance();
             }
-            else if (!m_Conditions.isTaken() || StartsWith("//"))
+            else if (!m_Conditions.isTaken())
+            {
+                LeaveOutLine();
+            }
+            else if (StartsWith("//"))
             {
                 Advance(RestOfLine().size());
             }
@@ -120,6 +125,12 @@ private:
             }
         }
         return false;
+    }
+
+    void LeaveOutLine()
+    {
+        m_LeftOut.push_back({m_At, m_At + RestOfLine().size()});
+        Advance(RestOfLine().size());
     }
 
     void SkipComment()
@@ -353,6 +364,7 @@ private:
     std::string_view m_Text;
     const std::string& m_File;
     CSharpConditions m_Conditions;
+    std::vector<CSharpRange> m_LeftOut;
     std::size_t m_At = 0;
     std::size_t m_LineStart = 0;
     int m_Line = 1;
@@ -362,7 +374,8 @@ private:
 
 } // namespace
 
-CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file)
+CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
+                            const CSharpTarget& target)
 {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     {
@@ -376,7 +389,7 @@ CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file)
         throw AssetError(file, {line, static_cast<int>(zero - (before.rfind('\n') + 1)) + 1},
                          "is not text: here is a byte of 0; a C# file is expected");
     }
-    return Tokenizer(text, file).Run();
+    return Tokenizer(text, file, target).Run();
 }
 
 } // namespace limn

@@ -45,22 +45,43 @@ struct CSharpCondition
     SourceLocation location;
 };
 
+/// A part of a file's text.
+struct CSharpRange
+{
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
 /// A C# file in words.
 struct CSharpTokens
 {
     std::vector<CSharpToken> tokens; ///< ends with End; brackets match
     std::vector<CSharpCondition> conditions;
+    std::vector<CSharpRange> leftOut; ///< directives, and what #if leaves out, by lines
 };
 
-/// Whether a symbol of Unity's is defined for limn, which mirrors Unity 2022.3: its version and
-/// those before.
-bool IsDefinedForLimn(std::string_view symbol);
+/// The Unity that the conditions of C# are answered for.
+struct CSharpTarget
+{
+    int year = 2022; ///< of Unity: the version that limn mirrors
+    int release = 3;
+    bool isUnknownDefined = false; ///< symbols of a project, whose values no file says
+
+    int urp() const { return year >= 6000 ? 17 : 14; }
+    std::string name() const; ///< "Unity 2022.3 (URP 14)"
+};
+
+/// Whether the symbol is defined: UNITY_2021_3_OR_NEWER, UNITY_2022_3, URP_12_OR_NEWER,
+/// UNITY_STANDALONE and the like. The version of URP is that of the target, under whatever name a
+/// project asks for it.
+bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target);
 
 /// Cuts C# into words: comments go, so does what #if leaves out.
 /// @param text  must outlive the result
 /// @param file  for messages
 /// @throws AssetError with line and column if a text or a comment does not end, brackets do not
 ///     match, an #if is broken, or the file is not text
-CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file);
+CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
+                            const CSharpTarget& target = {});
 
 } // namespace limn

@@ -196,6 +196,9 @@ std::vector<CSharpRenderFunction> FindRenderFunctions(const CSharpGraphPass& pas
         if (open->Is("(") && open->match > 1)
         {
             functions.push_back(ReadFunction({open + 1, open + open->match}));
+            const Word last = open + open->match + 1;
+            functions.back().begin = at->offset;
+            functions.back().end = last->Is(";") ? last->offset + 1 : 0;
         }
     }
     return functions;

@@ -32,6 +32,8 @@ struct CSharpRenderFunction
     std::vector<std::string> parameters; ///< two, or none where they are not known
     CSharpWords body;                    ///< what it does; of `{ ... }` without the braces
     SourceLocation location;
+    std::size_t begin = 0; ///< in the file's text, of the statement
+    std::size_t end = 0;   ///< behind its ;
 };
 
 /// In their order. Those that stand under a condition or in a loop have a problem.

@@ -1,5 +1,8 @@
 #include "port/PortExpression.h"
 
+#include "port/CSharpWords.h"
+#include "port/PropertyIds.h"
+
 #include <algorithm>
 #include <limn/core/Inspector.h>
 
@@ -63,11 +66,18 @@ private:
     Result Convert(PortValue value, const std::string& wanted) const
     {
         const CSharpClass* own = wanted.empty() ? nullptr : m_Model.Find(wanted);
-        if (wanted.empty() || value.type == wanted || (own && own == m_Model.Find(value.type)))
+        if (wanted.empty())
         {
             return value;
         }
-        if (wanted == "float" && value.type == "int" && value.isLiteral)
+        if (value.type == wanted || (own && own == m_Model.Find(value.type)))
+        {
+            value.cpp = value.isPointer ? "*" + value.cpp : value.cpp;
+            value.isPointer = false;
+            return value;
+        }
+        const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
+        if (wanted == "float" && value.type == "int" && value.isLiteral && !isHex)
         {
             return PortValue{value.cpp + ".0f", "float", true};
         }
@@ -79,18 +89,25 @@ private:
         {
             return PortValue{value.cpp + "u", "uint", true};
         }
-        if (wanted == "LayerMask" && value.type == "int" && value.isLiteral)
+        const bool isMask = wanted == "LayerMask" || wanted == "RenderingLayerMask";
+        if (isMask && (value.type == "int" || value.type == "uint") && value.isLiteral)
         {
-            const bool isAll = value.cpp == "-1" || value.cpp == "~0";
-            if (isAll || value.cpp == "0")
+            const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
+            const bool isNone = value.cpp == "0" || value.cpp == "0u";
+            if (isAll || isNone)
             {
-                return PortValue{isAll ? "LayerMask::Everything()" : "LayerMask::Nothing()",
-                                 wanted};
+                return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
             }
+            const bool isBits = wanted == "RenderingLayerMask" && value.cpp[0] != '-' &&
+                                value.cpp[0] != '~';
+            return isBits ? Result(PortValue{
+                                wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"),
+                                wanted})
+                          : std::nullopt;
         }
         if (value.type == "null")
         {
-            return PortValue{"{}", wanted};
+            return PortValue{PortModel::CppDefault(m_Model.CppType(wanted).value_or("")), wanted};
         }
         return std::nullopt;
     }
@@ -236,12 +253,22 @@ private:
             const bool isWhole = text.find_first_of(".eE") == std::string::npos;
             return PortValue{text + (isWhole ? ".0f" : "f"), "float", true};
         }
+        const bool isUnsigned = last == 'u' || last == 'U';
+        if (isUnsigned)
+        {
+            text.pop_back();
+        }
         const bool isInt = text.find_first_not_of("0123456789") == std::string::npos || isHex;
         const bool isOctal = text.size() > 1 && text[0] == '0' && !isHex; // in C++ only
         const bool hasSuffix = text.find_first_of("uUlL") != std::string::npos;
-        return isInt && !isOctal && !hasSuffix && text.size() < 10
-                   ? Result(PortValue{text, "int", true})
-                   : std::nullopt;
+        const bool isSmall = text.size() < 10;
+        if (!isInt || isOctal || hasSuffix || !(isSmall || (isHex && text.size() == 10)))
+        {
+            return std::nullopt;
+        }
+        // 0xFFFFFFFF is a uint without saying so.
+        return isSmall && !isUnsigned ? PortValue{text, "int", true}
+                                      : PortValue{text + "u", "uint", true};
     }
 
     /// Behind `new`.
@@ -279,7 +306,7 @@ private:
         }
         if (arguments.empty())
         {
-            return type == "ProfilingSampler" ? std::nullopt : Result(PortValue{*cpp + "{}", type});
+            return type == "ProfilingSampler" ? std::nullopt : Result(PortValue{*cpp + PortModel::CppDefault(*cpp), type});
         }
         const auto count = counts.find(type);
         const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
@@ -329,6 +356,16 @@ private:
         return PortValue{text + "}", type};
     }
 
+    /// Shader.PropertyToID("_X"), whose bracket is the next word.
+    Result ReadPropertyId()
+    {
+        const CSharpToken* close = m_At + m_At->match;
+        const Result name = Translate(m_Model, m_Scope, {m_At + 1, close}, "string");
+        m_At = close + 1;
+        return name ? Result(PortValue{"Shader::PropertyToID(" + name->cpp + ")", k_PropertyIdType})
+                    : std::nullopt;
+    }
+
     /// a.b.c
     Result ReadChain()
     {
@@ -341,6 +378,11 @@ private:
             }
             names.emplace_back((m_At++)->text);
         } while (Next("."));
+        const bool isCall = m_At < m_End && m_At->Is("(") && m_At->match > 0;
+        if (isCall && names == std::vector<std::string>{"Shader", "PropertyToID"})
+        {
+            return ReadPropertyId();
+        }
         if (names.front() == "this" && names.size() > 1)
         {
             names.erase(names.begin());
@@ -356,14 +398,24 @@ private:
         {
             const CSharpClass* own = m_Model.Find(value.type);
             const CSharpField* field = own ? own->FindField(names[i]) : nullptr;
-            if (names[i] == "value" && PlainTypeName(value.type).ends_with("Parameter"))
+            const std::string dot = value.isPointer ? "->" : ".";
+            const bool isParameter = PlainTypeName(value.type).ends_with("Parameter");
+            if (names[i] == "value" && isParameter)
             {
                 value = {value.cpp + ".value()", ParameterValue(value.type)};
             }
-            else if (field && m_Model.RoleOf(*own) == PortRole::Data && !field->isStatic &&
-                     m_Model.CppType(field->type))
+            else if (names[i] == "overrideState" && isParameter)
             {
-                value = {value.cpp + "." + m_Model.CppName(field->name), field->type};
+                value = {value.cpp + ".overrideState()", "bool"};
+            }
+            else if (field && m_Model.RoleOf(*own) == PortRole::Data && !field->isStatic &&
+                     m_Model.isDeclared(*field))
+            {
+                const bool isVariable = value.isVariable;
+                value = {value.cpp + dot + m_Model.CppName(field->name),
+                         m_Model.ValueType(*own, *field)};
+                value.isVariable = isVariable;
+                value.isPointer = m_Model.isShared(*own, *field);
             }
             else
             {
@@ -402,6 +454,13 @@ private:
         const std::string& member = names.back();
         if (const CSharpClass* own = m_Model.Find(type))
         {
+            const CSharpField* field = own->FindField(member);
+            if (field && field->isStatic && m_Model.RoleOf(*own) == PortRole::Data &&
+                m_Model.isDeclared(*field))
+            {
+                return PortValue{m_Model.QualifiedName(*own) + "::" + m_Model.CppName(member),
+                                 field->type};
+            }
             const bool isMember = std::ranges::any_of(own->enumerators, [&](const auto& entry)
                                                       { return entry.name == member; });
             const auto cpp = isMember ? m_Model.CppType(type) : std::nullopt;
@@ -454,7 +513,12 @@ std::optional<std::string> PlainText(CSharpWords words)
             return std::nullopt;
         }
     }
-    return std::string(inner);
+    std::string plain(inner);
+    for (std::size_t at = plain.find("??"); at != std::string::npos; at = plain.find("??", at))
+    {
+        plain.insert(++at, "\\"); // C++ once had characters that begin with ??
+    }
+    return plain;
 }
 
 std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
@@ -471,7 +535,7 @@ std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords w
         return std::nullopt;
     }
     std::string text = value->cpp;
-    if (text.ends_with("f"))
+    if (value->type == "float" && text.ends_with("f"))
     {
         text.pop_back();
     }

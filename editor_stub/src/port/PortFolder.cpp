@@ -1,6 +1,8 @@
 #include "port/PortFolder.h"
 
+#include "port/FilterLines.h"
 #include "port/PortedCode.h"
+#include "port/PropertyIds.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -27,6 +29,18 @@ std::string Replaced(std::string text, std::string_view placeholder, const std::
     return text;
 }
 
+/// How many things the porter has left to do.
+int CountTodos(const std::string& text)
+{
+    int count = 0;
+    for (std::size_t at = text.find("// TODO"); at != std::string::npos;
+         at = text.find("// TODO", at + 1))
+    {
+        ++count;
+    }
+    return count;
+}
+
 /// The files of the template that every ported feature has.
 void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector<PortedFile>& files)
 {
@@ -41,6 +55,7 @@ void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector
         name = name.starts_with("Name") ? model.name() + name.substr(4) : name;
         std::string text = Replaced(std::string(file.text), "@NAME@", model.name());
         text = Replaced(std::move(text), "@FEATURE@", feature.name);
+        text = Replaced(std::move(text), "@FILTER@\n", FilterLines(model));
         text = Replaced(std::move(text), "@REGISTERED@", RegisteredName(feature));
         files.push_back({name, Replaced(std::move(text), "@VOLUMES@\n", volumes)});
     }
@@ -59,6 +74,9 @@ void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector
 
 PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
 {
+    PortFolder folder;
+    folder.uses = UsedMembersOf(files, table);
+    MarkPropertyIds(files);
     PortModel model(files, table);
     PortedCode code(model);
     std::vector<std::string> sources;
@@ -69,15 +87,14 @@ PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
     auto features = model.Of(PortRole::Feature);
     std::erase_if(features, [&](const CSharpClass* one) { return model.OuterOf(*one) != nullptr; });
     const CSharpClass& feature = *features.front();
-    PortFolder folder;
     folder.files.push_back({feature.name + ".h", PortedHeader(code, sources)});
     folder.files.push_back({feature.name + ".cpp", PortedSource(code)});
+    folder.left = CountTodos(folder.files[0].text) + CountTodos(folder.files[1].text);
     AddTemplate(model, feature, folder.files);
-    folder.uses = UsedMembersOf(files, table);
     folder.files.push_back({"PORTING.md", PortingReport(model, code.things(), folder.uses)});
     for (const PortedThing& thing : code.things())
     {
-        ++(thing.isDone ? folder.done : folder.left);
+        folder.done += thing.isDone ? 1 : 0;
     }
     return folder;
 }

@@ -19,12 +19,13 @@ struct PortFolder
 {
     std::vector<PortedFile> files;
     std::vector<UsedMember> uses; ///< what PORTING.md has in its table
-    int left = 0;                 ///< settings, parameters and the like that are TODOs
-    int done = 0;                 ///< those that are C++
+    int left = 0; ///< TODOs in the C++: bodies, members, settings and the like
+    int done = 0; ///< settings, parameters, passes and the like that are C++
 };
 
 /// Writes the C++ of the files' features: settings, parameters, passes, events; bodies as comments.
 /// @throws AssetError if there is no feature in the files
+/// The types of the files' ints may change, see MarkPropertyIds.
 PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table);
 
 /// What stands in PORTING.md: what became of what, and every use with its verdict.

@@ -1,5 +1,7 @@
 #include "port/PortModel.h"
 
+#include "port/CSharpWords.h"
+
 #include <algorithm>
 #include <filesystem>
 
@@ -77,7 +79,9 @@ bool IsSameType(std::string_view type)
                                                      "RendererListHandle",
                                                      "ScriptableRenderPassInput",
                                                      "RenderQueueRange",
-                                                     "CameraType"};
+                                                     "CameraType",
+                                                     "RenderingLayerMask",
+                                                     "ShaderPropertyId"};
     return types.contains(type);
 }
 
@@ -182,6 +186,22 @@ bool IsCppWord(std::string_view word)
     return words.contains(word);
 }
 
+/// A name that CMake takes for a target: of letters, digits and _, and none of its own.
+std::string TargetName(const std::string& name)
+{
+    std::string plain;
+    for (const char c : name)
+    {
+        constexpr const char* k_Digits = "0123456789abcdef";
+        const auto byte = static_cast<unsigned char>(c);
+        plain += byte < 0x80 ? std::string(1, c)
+                             : std::string("x") + k_Digits[byte / 16] + k_Digits[byte % 16];
+    }
+    const bool isTaken = IsIn(plain, {"all", "clean", "test", "install", "package", "help", "edit_cache",
+                                      "rebuild_cache", "package_source", "list_install_components"});
+    return isTaken ? plain + "_" : plain;
+}
+
 bool IsInterfaceName(std::string_view name)
 {
     return name.size() > 1 && name[0] == 'I' && name[1] >= 'A' && name[1] <= 'Z';
@@ -225,12 +245,16 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
             break;
         }
     }
+    m_Name = TargetName(m_Name);
 }
 
 void PortModel::Place(const CSharpFile& file, const CSharpClass& one)
 {
     const PortContext context(*this, one);
-    m_Places[&one] = {&file, ChooseRole(one)};
+    const bool isAgain = std::ranges::any_of(
+        m_Index.all(), [&](const CSharpClass* other)
+        { return other->name == one.name && OuterOf(*other) == OuterOf(one) && m_Places.contains(other); });
+    m_Places[&one] = {&file, isAgain ? PortRole::Other : ChooseRole(one)};
     for (const CSharpClass& nested : one.classes)
     {
         Place(file, nested);
@@ -243,9 +267,13 @@ PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
     {
         return PortRole::Enum;
     }
-    if (one.keyword == "interface" || one.isStatic || one.isGeneric || depth > 20)
+    if (one.keyword == "interface" || one.isGeneric || depth > 20)
     {
         return PortRole::Other;
+    }
+    if (one.isStatic)
+    {
+        return PortRole::Data;
     }
     PortRole role = PortRole::Data;
     for (const std::string& base : one.bases)
@@ -259,6 +287,10 @@ PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
         if (plain == "ScriptableRenderPass")
         {
             return PortRole::Pass;
+        }
+        if (plain == "ContextItem")
+        {
+            return PortRole::Context;
         }
         if (plain == "VolumeComponent")
         {
@@ -296,10 +328,15 @@ bool PortModel::isLeftOut(const CSharpClass& one) const
     return RoleOf(one) == PortRole::Other || isHomeless || (outer && isLeftOut(*outer));
 }
 
+std::string PortModel::ClassName(const CSharpClass& one)
+{
+    return IsCppWord(one.name) ? one.name + "_" : one.name;
+}
+
 std::string PortModel::QualifiedName(const CSharpClass& one) const
 {
     const CSharpClass* outer = OuterOf(one);
-    return outer ? QualifiedName(*outer) + "::" + one.name : one.name;
+    return outer ? QualifiedName(*outer) + "::" + ClassName(one) : ClassName(one);
 }
 
 std::string PortModel::Place(const CSharpClass& one, const SourceLocation& location) const
@@ -332,6 +369,13 @@ std::optional<std::string> PortModel::CppType(const std::string& type) const
     return IsSameType(type) ? std::optional(type) : std::nullopt;
 }
 
+std::string PortModel::CppDefault(const std::string& cppType)
+{
+    return cppType == "RenderQueueRange"   ? "{0, 0}"
+           : cppType == "ProfilingSampler" ? "{\"\"}"
+                                           : "{}";
+}
+
 std::optional<std::string> PortModel::CppParameter(const std::string& type) const
 {
     static const std::map<std::string, std::string, std::less<>> references = {
@@ -352,6 +396,7 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
         {"UniversalCameraData", "UniversalCameraData&"},
         {"UniversalRenderingData", "UniversalRenderingData&"},
         {"UniversalLightData", "UniversalLightData&"},
+        {"MaterialPropertyBlock", "MaterialPropertyBlock&"},
         {"Camera", "const Camera&"}};
     const auto reference = references.find(type);
     if (reference != references.end())
@@ -359,27 +404,74 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
         return reference->second;
     }
     const CSharpClass* own = Find(type);
+    if (own && RoleOf(*own) == PortRole::Context)
+    {
+        return isDeclared(*own) ? std::optional(QualifiedName(*own) + "&") : std::nullopt;
+    }
     if (own && RoleOf(*own) == PortRole::Component && !OuterOf(*own))
     {
-        return "const " + own->name + "&";
+        return "const " + ClassName(*own) + "&";
     }
     if (own && RoleOf(*own) == PortRole::Data)
     {
         const auto cpp = CppType(type);
-        // A struct of C# is a copy, a class is not.
+        // C# copies a struct and shares a class.
         return cpp ? std::optional(own->keyword == "class" ? *cpp + "&" : "const " + *cpp + "&")
                    : std::nullopt;
     }
     const auto cpp = CppType(type);
     const bool isSmall =
         cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
+}
+
+std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parameter) const
+{
+    auto type = CppParameter(parameter.type);
+    if (!type || !parameter.isReference)
+    {
+        return type;
+    }
+    const auto value = CppType(parameter.type);
+    return value ? std::optional(*value + "&") : type;
+}
+
+bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
+{
+    const CSharpClass* own = Find(field.type);
+    const bool isOne = own && RoleOf(*own) == PortRole::Data && own->keyword == "class" &&
+                       PlainTypeName(field.type).size() == field.type.size();
+    const CSharpClass* pass = &one;
+    while (pass && RoleOf(*pass) != PortRole::Pass)
+    {
+        pass = OuterOf(*pass);
+    }
+    const bool isMade = !field.value.empty() && field.value.front().Is("new");
+    return isOne && pass && !field.isStatic && (!isMade || isAssigned(*pass, field.name));
+}
+
+bool PortModel::isAssigned(const CSharpClass& one, std::string_view field)
+{
+    return std::ranges::any_of(one.methods,
+                               [&](const CSharpMethod& method)
+                               {
+                                   const CSharpWords body = method.body;
+                                   for (std::size_t i = 0; i + 1 < body.size(); ++i)
+                                   {
+                                       if (body[i].Is(field) && body[i + 1].Is("="))
+                                       {
+                                           return true;
+                                       }
+                                   }
+                                   return false;
+                               });
 }
 
 bool PortModel::isSetting(const std::string& type) const
 {
     static const std::set<std::string_view> types = {"int",
+                                                     "uint",
                                                      "float",
                                                      "bool",
                                                      "string",
@@ -388,6 +480,7 @@ bool PortModel::isSetting(const std::string& type) const
                                                      "Color",
                                                      "Vector4",
                                                      "LayerMask",
+                                                     "RenderingLayerMask",
                                                      "RenderPassEvent",
                                                      "Shader",
                                                      "Material",
@@ -400,8 +493,8 @@ bool PortModel::isSetting(const std::string& type) const
 
 bool PortModel::isSerialized(const CSharpField& field) const
 {
-    return (field.isPublic || field.Find("SerializeField")) && !field.isStatic &&
-           !field.isReadonly && !field.Find("NonSerialized");
+    return ((field.isPublic && !field.isProperty) || field.Find("SerializeField")) &&
+           !field.isStatic && !field.isReadonly && !field.Find("NonSerialized");
 }
 
 bool PortModel::isSetting(const CSharpClass& one, const CSharpField& field) const

@@ -15,7 +15,8 @@ namespace limn
 enum class PortRole
 {
     Enum,
-    Data,      ///< settings, what a pass hands over
+    Data,      ///< settings, what a pass hands over, static members
+    Context,   ///< a ContextItem
     Component, ///< a VolumeComponent
     Parameter, ///< class XParameter : VolumeParameter<X>
     Pass,
@@ -44,13 +45,17 @@ public:
     bool isLeftOut(const CSharpClass& one) const;
     /// As the class that a PortContext is about calls it; null where the files have none.
     const CSharpClass* Find(std::string_view type) const { return m_Index.Find(type, m_Context); }
+    static std::string ClassName(const CSharpClass& one);    ///< "Settings"; none of C++'s words
     std::string QualifiedName(const CSharpClass& one) const; ///< "Feature::Settings"
     std::string Place(const CSharpClass& one, const SourceLocation& location) const; ///< "A.cs:12"
 
     /// What C++ calls a type of C#; nothing where that is not known.
     std::optional<std::string> CppType(const std::string& type) const;
+    /// The value that a variable of C++'s type begins with where C# does not say one: "{}".
+    static std::string CppDefault(const std::string& cppType);
     /// As a parameter: const std::string&.
     std::optional<std::string> CppParameter(const std::string& type) const;
+    std::optional<std::string> CppParameter(const CSharpParameter& parameter) const;
     /// Whether an Inspector takes a field of this type.
     bool isSetting(const std::string& type) const;
     /// Whether Unity stores the field.
@@ -60,10 +65,20 @@ public:
     bool isSetting(const CSharpClass& one, const CSharpField& field) const;
     /// The type of what stands in the field: a setting's Material does not change.
     std::string ValueType(const CSharpClass& one, const CSharpField& field) const;
+    /// Whether a pass or its data keep an object of somebody else's in the field: in C++ a pointer.
+    bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
     /// Classes of the files may be used as types from here on.
     void Declare(const CSharpClass& one) { m_Declared.insert(&one); }
     bool isDeclared(const CSharpClass& one) const { return m_Declared.contains(&one); }
+    /// The same of fields, which C++ has or not, and of the methods in a class's definition.
+    void Declare(const CSharpField& field) { m_DeclaredFields.insert(&field); }
+    bool isDeclared(const CSharpField& field) const { return m_DeclaredFields.contains(&field); }
+    void Declare(const CSharpMethod& method) { m_DeclaredMethods.insert(&method); }
+    bool isDeclared(const CSharpMethod& method) const
+    {
+        return m_DeclaredMethods.contains(&method);
+    }
 
     /// A name that is none of C++'s words and none of a type.
     std::string CppName(const std::string& name) const;
@@ -78,6 +93,7 @@ private:
     friend class PortContext;
 
     void Place(const CSharpFile& file, const CSharpClass& one);
+    static bool isAssigned(const CSharpClass& one, std::string_view field);
     PortRole ChooseRole(const CSharpClass& one, int depth = 0) const;
 
     const CSharpFiles& m_Files;
@@ -87,6 +103,8 @@ private:
     mutable const CSharpClass* m_Context = nullptr; ///< in which types are called
     std::map<const CSharpClass*, ClassPlace> m_Places;
     std::set<const CSharpClass*> m_Declared;
+    std::set<const CSharpField*> m_DeclaredFields;
+    std::set<const CSharpMethod*> m_DeclaredMethods;
 };
 
 /// While it is there, types are what they are called in this class.

@@ -4,6 +4,7 @@
 #include "port/PortModel.h"
 
 #include <string>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +57,10 @@ void WriteData(PortedCode& code, const CSharpClass& one);
 void WriteComponent(PortedCode& code, const CSharpClass& one);
 /// The enums and data among these, those first that others need.
 void WriteTypes(PortedCode& code, std::vector<const CSharpClass*> classes);
+/// A method whose body is a comment; a comment as a whole where its types are not known.
+/// @param signatures  those that the class has already
+void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
+                 std::set<std::string>& signatures);
 /// One field: a member, a constant, or a TODO. Names that now have a value go into the scope.
 void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& field,
                 PortScope& scope);
@@ -66,6 +71,8 @@ void WritePass(PortedCode& code, const CSharpClass& one);
 /// The class of a feature, whose methods are defined behind the passes.
 void WriteFeature(PortedCode& code, const CSharpClass& one);
 void WriteFeatureMethods(PortedCode& code, const CSharpClass& one);
+/// The methods of the base class that others of their names would hide.
+void WriteUsing(PortedCode& code, const CSharpClass& one);
 /// Passes are defined in the source; before that they have a name.
 bool isPassOf(const PortModel& model, const CSharpField& field);
 
@@ -82,6 +89,8 @@ struct PortedSignature
 /// Nothing where its types are not known, or limn never calls it.
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method);
+/// What a method returns whose body is a comment.
+std::string DefaultResult(const PortedSignature& signature);
 /// What the method's parameters and the class's fields stand for.
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 /// What a parameter or variable of a method is called in C++: nothing that hides a member.
@@ -89,6 +98,8 @@ std::string LocalName(const PortModel& model, const CSharpClass& one, const std:
 /// The C# of a method that adds passes to a render graph, as comments, and the passes in C++.
 /// @return false, and writes nothing, where it adds none
 bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
+/// What a field of the class stands for, in its methods.
+PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
 /// The text between the braces.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 
@@ -99,6 +110,9 @@ struct PortedAssignment
     CSharpWords value;
 };
 std::vector<PortedAssignment> AssignmentsOf(CSharpWords body);
+/// The assignment in C++; "" where it is none that is known to mean the same.
+std::string AssignmentText(const PortModel& model, const PortScope& scope,
+                           const PortedAssignment& assignment);
 
 /// The header and the source of a plug-in with the features.
 std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources);

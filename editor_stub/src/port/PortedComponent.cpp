@@ -51,24 +51,38 @@ std::vector<std::string> ArgumentTypes(const std::string& type)
     return types;
 }
 
+/// What C# calls the arguments, in their order.
+std::vector<std::string> ArgumentNames(std::size_t count)
+{
+    return count == 5   ? std::vector<std::string>{"value", "hdr", "showAlpha", "showEyeDropper",
+                                                   "overrideState"}
+           : count == 4 ? std::vector<std::string>{"value", "min", "max", "overrideState"}
+           : count == 3 ? std::vector<std::string>{"value", "", "overrideState"}
+                        : std::vector<std::string>{"value", "overrideState"};
+}
+
 /// The arguments in C++; nothing if one of them is not known.
 std::optional<std::string> Arguments(const PortModel& model, const PortScope& scope,
                                      const std::vector<CSharpWords>& arguments,
-                                     std::vector<std::string> types)
+                                     std::vector<std::string> types, bool hasTooltip)
 {
     if (types.size() == 5 && arguments.size() == 2) // a colour and whether it is overridden
     {
         types.resize(1);
         types.emplace_back("bool");
     }
+    const std::vector<std::string> names = ArgumentNames(types.size());
     std::string text;
+    std::size_t last = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i)
     {
         CSharpWords words = arguments[i];
         const bool isNamed = words.size() > 2 && words[0].isName() && words[1].Is(":");
-        const bool isLastName = isNamed && words[0].Is("overrideState") && i + 1 == types.size();
-        words = isLastName ? words.subspan(2) : words;
-        const auto value = i < types.size() && (!isNamed || isLastName)
+        const bool isMiddle = i < names.size() && names[i].empty() &&
+                              (words[0].Is("min") || words[0].Is("max"));
+        const bool isInPlace = i < names.size() && (isMiddle || words[0].Is(names[i]));
+        words = isNamed ? words.subspan(2) : words;
+        const auto value = i < types.size() && (!isNamed || isInPlace)
                                ? Translate(model, scope, words, types[i])
                                : std::nullopt;
         if (!value)
@@ -76,8 +90,11 @@ std::optional<std::string> Arguments(const PortModel& model, const PortScope& sc
             return std::nullopt;
         }
         text += ", " + value->cpp;
+        last = i + 1;
     }
-    return text;
+    // A tooltip stands behind the last one.
+    const bool isShort = hasTooltip && types.size() == 5 && last == 4;
+    return isShort ? text + ", false" : text;
 }
 
 std::string TooltipText(const CSharpField& field)
@@ -125,6 +142,36 @@ std::string EnumParameterText(const PortModel& model, const PortScope& scope,
            TooltipText(field) + "};";
 }
 
+/// Of VolumeParameter<X>, or a class that derives from it, X; "" of others.
+std::string HeldType(const PortModel& model, const std::string& type)
+{
+    const CSharpClass* own = model.Find(type);
+    const std::string base = own && !own->bases.empty() ? own->bases.front() : type;
+    constexpr std::string_view k_Base = "VolumeParameter<";
+    return base.starts_with(k_Base) && base.ends_with(">")
+               ? base.substr(k_Base.size(), base.size() - k_Base.size() - 1)
+               : "";
+}
+
+/// A parameter of a uint, which in Unity is a mask of rendering layers more often than not.
+std::string NumberParameterText(const PortModel& model, const PortScope& scope,
+                                const CSharpField& field, const std::vector<CSharpWords>& arguments)
+{
+    const bool isMask = HeldType(model, field.type) == "RenderingLayerMask" ||
+                        (field.type + field.name).find("ayer") != std::string::npos;
+    auto text =
+        Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "uint", "bool"},
+                  !TooltipText(field).empty());
+    if (text && text->empty()) // new VolumeParameter<uint>()
+    {
+        text = isMask ? ", RenderingLayerMask::Nothing()" : ", 0u";
+    }
+    return !text ? ""
+                 : std::string(isMask ? "RenderingLayerMaskParameter " : "UIntParameter ") +
+                       model.CppName(field.name) + "{this, \"" + field.name + "\"" + *text +
+                       TooltipText(field) + "};";
+}
+
 void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField& field,
                     PortScope& scope)
 {
@@ -137,14 +184,18 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     std::string line;
     if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
     {
-        const auto text = Arguments(model, scope, *arguments, ArgumentTypes(field.type));
+        const auto text = Arguments(model, scope, *arguments, ArgumentTypes(field.type),
+                                    !TooltipText(field).empty());
         line = text ? field.type + " " + model.CppName(field.name) + "{this, \"" + field.name +
                           "\"" + *text + TooltipText(field) + "};"
                     : "";
     }
     else if (arguments)
     {
-        line = EnumParameterText(model, scope, field, *arguments);
+        const std::string held = HeldType(model, field.type);
+        line = held == "uint" || held == "RenderingLayerMask"
+                   ? NumberParameterText(model, scope, field, *arguments)
+                   : EnumParameterText(model, scope, field, *arguments);
     }
     code.Done({"parameter", one.name + "." + field.name, csharp.substr(0, csharp.size() - 1), place,
                !line.empty()});
@@ -155,6 +206,7 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     }
     code.Line(line);
     scope[field.name] = {model.CppName(field.name), field.type};
+    code.model().Declare(field);
 }
 
 /// IsActive and IsTileCompatible.
@@ -186,7 +238,7 @@ void WriteComponent(PortedCode& code, const CSharpClass& one)
     PortModel& model = code.model();
     const bool isPostProcess = one.Derives("IPostProcessComponent");
     code.Line("/// What volumes set. C#: " + model.Place(one, one.location) + ".");
-    code.Open("class " + one.name + " final : public VolumeComponent" +
+    code.Open("class " + model.ClassName(one) + " final : public VolumeComponent" +
               (isPostProcess ? ", public IPostProcessComponent" : ""));
     code.Label("public:");
     std::vector<const CSharpClass*> nested;
@@ -198,7 +250,9 @@ void WriteComponent(PortedCode& code, const CSharpClass& one)
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {
-        const bool isParameter = PlainTypeName(field.type).ends_with("Parameter");
+        const CSharpClass* own = model.Find(field.type);
+        const bool isParameter = PlainTypeName(field.type).ends_with("Parameter") ||
+                                 (own && model.RoleOf(*own) == PortRole::Parameter);
         isParameter ? WriteParameter(code, one, field, scope) : WriteField(code, one, field, scope);
     }
     if (isPostProcess)
@@ -208,13 +262,12 @@ void WriteComponent(PortedCode& code, const CSharpClass& one)
         WriteQuestion(code, one, "IsActive", scope);
         WriteQuestion(code, one, "IsTileCompatible", scope);
     }
+    std::set<std::string> signatures;
     for (const CSharpMethod& method : one.methods)
     {
         if (!isPostProcess || (method.name != "IsActive" && method.name != "IsTileCompatible"))
         {
-            code.Line();
-            code.Todo(method.name, model.Place(one, method.location),
-                      BodyText(model.FileOf(one), method));
+            WriteHelper(code, one, method, signatures);
         }
     }
     code.Close("};");

@@ -31,6 +31,29 @@ const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pas
     return found == pass.methods.end() ? nullptr : &*found;
 }
 
+/// The type of a class's parameter, as it is called outside of the class.
+std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpParameter& parameter)
+{
+    const PortContext context(model, one);
+    const CSharpClass* own = model.Find(parameter.type);
+    const bool isPlain = PlainTypeName(parameter.type).size() == parameter.type.size();
+    std::string type = own && isPlain ? model.QualifiedName(*own) : parameter.type;
+    for (std::size_t at = type.find("::"); at != std::string::npos; at = type.find("::"))
+    {
+        type.replace(at, 2, ".");
+    }
+    return type;
+}
+
+/// Whether what is handed over has to be a variable.
+bool isMutableReference(const PortModel& model, const CSharpClass& one,
+                        const CSharpParameter& parameter)
+{
+    const PortContext context(model, one);
+    const auto type = model.CppParameter(parameter);
+    return type && type->ends_with("&") && !type->starts_with("const ");
+}
+
 /// "std::make_unique<P>(a, b)" of `new P(a, b)`; "" where that is not known.
 std::string MakePass(const PortModel& model, const CSharpClass& pass, const PortScope& scope,
                      CSharpWords words)
@@ -51,8 +74,10 @@ std::string MakePass(const PortModel& model, const CSharpClass& pass, const Port
     std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
     for (std::size_t i = 0; i < arguments.size(); ++i)
     {
-        const auto value = Translate(model, scope, arguments[i], constructor->parameters[i].type);
-        if (!value)
+        const CSharpParameter& parameter = constructor->parameters[i];
+        const auto value = Translate(model, scope, arguments[i], TypeIn(model, pass, parameter));
+        const bool isReference = isMutableReference(model, pass, parameter);
+        if (!value || (isReference && !value->isVariable))
         {
             return "";
         }
@@ -178,13 +203,14 @@ void WriteEnqueuing(PortedCode& code, const CSharpClass& one, const CSharpMethod
     for (const CSharpField* field : EnqueuedIn(code.model(), one, method))
     {
         const std::string name = code.model().CppName(field->name);
-        const std::string renderer = code.model().CppName(method.parameters[0].name);
-        const std::string data = code.model().CppName(method.parameters[1].name);
+        const std::string renderer = LocalName(code.model(), one, method.parameters[0].name);
+        const std::string data = LocalName(code.model(), one, method.parameters[1].name);
+        const std::string owner = one.FindField("name") ? "ScriptableRendererFeature::name" : "name";
         code.Open("if (" + name + ")");
         code.Line(renderer + ".EnqueuePass(*" + name + ");");
         code.Close();
         code.Open("else");
-        code.Line(data + ".report->notes.push_back(name + \": '" + field->name +
+        code.Line(data + ".report->notes.push_back(" + owner + " + \": '" + field->name +
                   "' is not drawn, Create does not make it\");");
         code.Close();
     }
@@ -218,15 +244,15 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     const PortContext context(code.model(), one);
     PortModel& model = code.model();
     code.Line("/// C#: " + model.Place(one, one.location) + ".");
-    code.Open("class " + one.name + " final : public ScriptableRendererFeature");
+    code.Open("class " + model.ClassName(one) + " final : public ScriptableRendererFeature");
     code.Label("public:");
     std::vector<const CSharpClass*> nested;
     for (const CSharpClass& inner : one.classes)
     {
         nested.push_back(&inner);
-        if (model.RoleOf(inner) == PortRole::Pass)
+        if (model.RoleOf(inner) == PortRole::Pass && !model.isLeftOut(inner))
         {
-            code.Line("class " + inner.name + ";");
+            code.Line("class " + model.ClassName(inner) + ";");
         }
     }
     WriteTypes(code, nested);
@@ -244,8 +270,9 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
         }
     }
     code.Line();
-    code.Line(one.name + "();");
-    code.Line("~" + one.name + "() override;");
+    const std::string className = model.ClassName(one);
+    code.Line(className + "();");
+    code.Line("~" + className + "() override;");
     code.Line();
     if (!HasOwn(one, model, "Create"))
     {
@@ -255,12 +282,16 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     {
         code.Line("void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}");
     }
+    WriteUsing(code, one);
+    std::set<std::string> signatures;
     for (const CSharpMethod& method : one.methods)
     {
         const auto signature = SignatureOf(model, one, method);
-        if (signature && !method.isConstructor())
+        if (signature && !method.isConstructor() &&
+            signatures.insert(signature->name + signature->parameters).second)
         {
             code.Line(signature->Text() + ";");
+            model.Declare(method);
         }
     }
     WriteDescription(code, one);
@@ -272,19 +303,20 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
 {
     const PortContext context(code.model(), one);
     const PortModel& model = code.model();
-    code.Line(one.name + "::" + one.name + "() = default;");
-    code.Line(one.name + "::~" + one.name + "() = default;");
+    const std::string className = model.ClassName(one);
+    code.Line(className + "::" + className + "() = default;");
+    code.Line(className + "::~" + className + "() = default;");
     for (const CSharpMethod& method : one.methods)
     {
         const std::string place = model.Place(one, method.location);
         const auto signature = SignatureOf(model, one, method);
         code.Line();
-        if (!signature || method.isConstructor())
+        if (!signature || !model.isDeclared(method))
         {
             code.Todo(method.name, place, BodyText(model.FileOf(one), method));
             continue;
         }
-        code.Open(signature->Text(one.name + "::"));
+        code.Open(signature->Text(className + "::"));
         code.Todo("port", place, BodyText(model.FileOf(one), method));
         if (signature->isOverride && method.name == "Create")
         {
@@ -294,13 +326,13 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
                 writer.Write(assignment);
             }
         }
-        else if (signature->isOverride)
+        else if (signature->isOverride && method.name == "AddRenderPasses")
         {
             WriteEnqueuing(code, one, method);
         }
         else if (signature->result != "void")
         {
-            code.Line("return {};");
+            code.Line("return " + DefaultResult(*signature) + ";");
         }
         code.Close();
     }

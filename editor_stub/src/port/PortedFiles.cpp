@@ -37,7 +37,7 @@ std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sourc
     code.Line();
     for (const CSharpClass* pass : TopLevel(model, PortRole::Pass))
     {
-        code.Line("class " + pass->name + ";");
+        code.Line("class " + model.ClassName(*pass) + ";");
     }
     std::vector<const CSharpClass*> types = TopLevel(model, PortRole::Enum);
     std::ranges::copy(TopLevel(model, PortRole::Data), std::back_inserter(types));
@@ -93,12 +93,12 @@ std::string PortedSource(PortedCode& code)
     code.Open("LIMN_PLUGIN(features, components)");
     for (const CSharpClass* feature : features)
     {
-        code.Line("features.Register<" + model.name() + "Plugin::" + feature->name + ">(\"" +
+        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) + ">(\"" +
                   RegisteredName(*feature) + "\");");
     }
     for (const CSharpClass* component : TopLevel(model, PortRole::Component))
     {
-        code.Line("components.Register<" + model.name() + "Plugin::" + component->name + ">(\"" +
+        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) + ">(\"" +
                   RegisteredName(*component) + "\");");
     }
     code.Close();

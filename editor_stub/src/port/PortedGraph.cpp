@@ -128,14 +128,14 @@ private:
         m_Code.Line(TypeOf(pass) + "* " + data + " = nullptr;");
         m_Code.Line("auto " + builder + " = " + LocalName(m_Model, m_One, pass.graph) + "." +
                     pass.call + "<" + TypeOf(pass) + ">(" + *Name(pass) + ", " + data + ");");
+        const auto functions = FindRenderFunctions(pass);
         m_Code.Todo("what it holds and declares", m_Model.Place(m_One, pass.location),
-                    std::string_view(m_File.text).substr(pass.begin, pass.end - pass.begin));
+                    TextWithout(pass, functions));
         for (const CSharpWords& words : FindSwitches(pass))
         {
             m_Code.Line(builder + "." + std::string(words[2].text) + "(" +
                         std::string(words[4].text) + ");");
         }
-        const auto functions = FindRenderFunctions(pass);
         if (functions.size() != 1)
         {
             m_Code.Line(functions.empty() ? "// TODO: no SetRenderFunc stands in its block"
@@ -143,6 +143,21 @@ private:
         }
         WriteFunction(pass, builder, functions.size() == 1 ? functions[0] : CSharpRenderFunction());
         m_Code.Close();
+    }
+
+    /// The pass's C# without the one function that stands below it.
+    std::string TextWithout(const CSharpGraphPass& pass,
+                            const std::vector<CSharpRenderFunction>& functions) const
+    {
+        std::string text = m_File.text.substr(pass.begin, pass.end - pass.begin);
+        if (functions.size() == 1 && functions[0].end > functions[0].begin)
+        {
+            const std::size_t end = functions[0].end - pass.begin;
+            std::size_t begin = functions[0].begin - pass.begin;
+            begin = text.find_last_not_of(" \t\r\n", begin - 1) + 1;
+            text.erase(begin, end - begin);
+        }
+        return text;
     }
 
     void WriteFunction(const CSharpGraphPass& pass, const std::string& builder,

@@ -17,8 +17,10 @@ struct KnownMethod
     std::vector<std::string> parameters;
 };
 
+/// None of classes that are neither features nor passes.
 const std::vector<KnownMethod>& MethodsOf(PortRole role)
 {
+    static const std::vector<KnownMethod> none;
     static const std::vector<KnownMethod> feature = {
         {"Create", "Create", {}},
         {"Dispose", "Dispose", {"bool"}},
@@ -34,7 +36,7 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
         {"OnCameraCleanup", "OnCameraCleanup", {"CommandBuffer&"}},
         {"FrameCleanup", "FrameCleanup", {"CommandBuffer&"}},
         {"OnFinishCameraStackRendering", "OnFinishCameraStackRendering", {"CommandBuffer&"}}};
-    return role == PortRole::Feature ? feature : pass;
+    return role == PortRole::Feature ? feature : role == PortRole::Pass ? pass : none;
 }
 
 /// Whether it is the older half of a pass that has both: limn would run that one alone.
@@ -45,7 +47,8 @@ bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
     return isOld && method.isOverride && one.FindMethod("RecordRenderGraph");
 }
 
-/// What an assignment in a constructor is in C++; "" where that is not known.
+} // namespace
+
 std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment)
 {
@@ -64,11 +67,24 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
         return value ? name + " = " + value->cpp + ";" : "";
     }
     const auto field = scope.find("this." + name);
-    const auto value = field == scope.end()
-                           ? std::nullopt
-                           : Translate(model, scope, assignment.value, field->second.type);
+    if (field == scope.end())
+    {
+        return "";
+    }
+    if (field->second.isPointer)
+    {
+        const auto value = Translate(model, scope, assignment.value, "");
+        const bool isSame = value && value->isVariable && model.Find(value->type) &&
+                            model.Find(value->type) == model.Find(field->second.type);
+        return isSame ? field->second.cpp + " = " + (value->isPointer ? "" : "&") + value->cpp + ";"
+                      : "";
+    }
+    const auto value = Translate(model, scope, assignment.value, field->second.type);
     return value ? field->second.cpp + " = " + value->cpp + ";" : "";
 }
+
+namespace
+{
 
 /// Notes events and names of the pass that an assignment sets.
 void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
@@ -80,6 +96,22 @@ void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assi
                    std::string(TextOf(code.model().FileOf(one), assignment.value)),
                    code.model().Place(one, assignment.target.front().location), isDone});
     }
+}
+
+/// Takes the pointers out of a scope in which they are null; their names.
+std::set<std::string> TakePointers(PortScope& scope)
+{
+    std::set<std::string> names;
+    std::erase_if(scope,
+                  [&](const auto& entry)
+                  {
+                      if (entry.second.isPointer && entry.first.starts_with("this."))
+                      {
+                          names.insert(entry.first.substr(5));
+                      }
+                      return entry.second.isPointer;
+                  });
+    return names;
 }
 
 void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
@@ -96,11 +128,25 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
     const bool isConversion = method.parameters.size() == 1;
     code.Open((isConversion ? "explicit " : "") + signature->Text());
     code.Todo("port", place, BodyText(model.FileOf(one), method));
-    const PortScope scope = ScopeOf(model, one, method);
+    PortScope scope = ScopeOf(model, one, method);
+    std::set<std::string> unset = TakePointers(scope);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
+        const std::string name(assignment.target.back().text);
+        if (const CSharpField* field = unset.contains(name) ? one.FindField(name) : nullptr)
+        {
+            scope["this." + name] = VariableOf(model, one, *field);
+        }
         const std::string line = AssignmentText(model, scope, assignment);
         Note(code, one, assignment, !line.empty());
+        if (!line.empty() && unset.erase(name) > 0)
+        {
+            scope.try_emplace(name, scope["this." + name]);
+        }
+        else if (unset.contains(name))
+        {
+            scope.erase("this." + name);
+        }
         if (!line.empty())
         {
             code.Line(line);
@@ -148,7 +194,7 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     }
     if (signature->result != "void")
     {
-        code.Line("return {};");
+        code.Line("return " + DefaultResult(*signature) + ";");
     }
     code.Close();
 }
@@ -198,15 +244,23 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     {
         const auto result =
             method.type == "void" ? std::optional<std::string>("void") : model.CppType(method.type);
-        if (method.isProperty || (!method.isConstructor() && !result))
+        const auto& known = MethodsOf(model.RoleOf(one));
+        const bool isHiding =
+            std::ranges::any_of(known,
+                                [&](const KnownMethod& other)
+                                {
+                                    return other.name == method.name &&
+                                           other.parameters.size() == method.parameters.size();
+                                });
+        if (method.isProperty || (!method.isConstructor() && !result) || isHiding)
         {
             return std::nullopt;
         }
         signature.result = method.isConstructor() ? "" : *result;
-        signature.name = method.isConstructor() ? one.name : signature.name;
+        signature.name = method.isConstructor() ? model.ClassName(one) : signature.name;
         for (const CSharpParameter& parameter : method.parameters)
         {
-            const auto type = model.CppParameter(parameter.type);
+            const auto type = model.CppParameter(parameter);
             if (!type)
             {
                 return std::nullopt;
@@ -223,23 +277,47 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     return signature;
 }
 
+std::string DefaultResult(const PortedSignature& signature)
+{
+    return signature.result + PortModel::CppDefault(signature.result);
+}
+
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method)
 {
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {
-        if (model.CppType(field.type) && !(field.isStatic && field.type == "int" && !field.isConst))
+        if (model.isDeclared(field))
         {
-            const PortValue value{model.CppName(field.name), model.ValueType(one, field)};
-            scope[field.name] = value;
-            scope["this." + field.name] = value;
+            scope[field.name] = VariableOf(model, one, field);
+            scope["this." + field.name] = scope[field.name];
         }
     }
     for (const CSharpParameter& parameter : method.parameters)
     {
-        scope[parameter.name] = {LocalName(model, one, parameter.name), parameter.type};
+        PortValue value{LocalName(model, one, parameter.name), parameter.type};
+        value.isVariable = true;
+        scope[parameter.name] = value;
     }
     return scope;
+}
+
+void WriteUsing(PortedCode& code, const CSharpClass& one)
+{
+    const PortModel& model = code.model();
+    const bool isFeature = model.RoleOf(one) == PortRole::Feature;
+    for (const KnownMethod& known : MethodsOf(model.RoleOf(one)))
+    {
+        const bool isOverloaded = std::ranges::any_of(
+            one.methods, [&](const CSharpMethod& method)
+            { return method.name == known.name && SignatureOf(model, one, method) && !method.isOverride; });
+        if (isOverloaded)
+        {
+            code.Line(std::string("using ") +
+                      (isFeature ? "ScriptableRendererFeature::" : "ScriptableRenderPass::") +
+                      std::string(known.name) + ";");
+        }
+    }
 }
 
 void WritePass(PortedCode& code, const CSharpClass& one)
@@ -266,6 +344,7 @@ void WritePass(PortedCode& code, const CSharpClass& one)
     {
         WriteField(code, one, field, scope);
     }
+    WriteUsing(code, one);
     std::set<std::string> signatures;
     for (const CSharpMethod& method : one.methods)
     {

@@ -1,4 +1,6 @@
+#include "port/EnumValues.h"
 #include "port/PortedCode.h"
+#include "port/PropertyIds.h"
 
 #include <algorithm>
 
@@ -14,21 +16,32 @@ std::string FieldText(const PortModel& model, const CSharpClass& one, const CSha
     return field.type + " " + field.name + (value.empty() ? "" : " = " + std::string(value));
 }
 
-/// A = 1 << 2, B = A | 4 mean the same in C++.
-bool IsSameEnumValue(CSharpWords words, const CSharpClass& one)
+constexpr std::int64_t k_LargestInt = 2147483647;
+
+/// C# in a comment behind a line.
+std::string OneLine(std::string text)
 {
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\\'; }, ' ');
+    return text;
+}
+
+/// Whether C++ takes the value as C# has it, without a warning of brackets.
+bool IsPlainEnumValue(CSharpWords words)
+{
+    std::string_view only;
     return std::ranges::all_of(
         words,
         [&](const CSharpToken& word)
         {
-            const bool isMember = std::ranges::any_of(one.enumerators, [&](const auto& entry)
-                                                      { return entry.name == word.text; });
-            const bool isNumber =
-                word.kind == CSharpTokenKind::Number &&
-                word.text.find_first_not_of("0123456789abcdefABCDEFxX") == std::string_view::npos;
-            return isNumber || (word.isName() && isMember) ||
-                   (word.kind == CSharpTokenKind::Punctuation &&
-                    std::string_view("<>|&~+-*()").find(word.text) != std::string_view::npos);
+            if (word.kind != CSharpTokenKind::Punctuation)
+            {
+                return word.text.find_first_of("_bBuUlL") == std::string_view::npos ||
+                       word.isName() || word.text.starts_with("0x");
+            }
+            const bool isSame = only.empty() || only == word.text;
+            only = word.text;
+            return isSame && !word.Is("(") && !word.Is("^");
         });
 }
 
@@ -80,7 +93,7 @@ std::string AttributeText(const CSharpField& field, std::string_view attribute)
 /// ", {0, 1}" of [Range(0, 1)], {.min = 0} of [Min(0)]; "" for none.
 std::string RangeText(const PortModel& model, const CSharpField& field)
 {
-    const bool isNumber = field.type == "int" || field.type == "float";
+    const bool isNumber = field.type == "int" || field.type == "float" || field.type == "uint";
     if (const CSharpAttribute* range = field.Find("Range"); range && isNumber)
     {
         const auto limits = SplitArguments(range->arguments);
@@ -109,17 +122,9 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     }
     if (own && model.RoleOf(*own) == PortRole::Data)
     {
-        // As Unity's files are read: what is in these stands beside the feature's own fields.
-        const bool isFlat = field.name == "settings" || field.name == "m_Settings";
-        if (!isFlat)
-        {
-            code.Line("inspector.BeginGroup(\"" + field.name + "\");");
-        }
+        code.Line("inspector.BeginGroup(\"" + field.name + "\");");
         code.Line(name + ".Describe(inspector);");
-        if (!isFlat)
-        {
-            code.Line("inspector.EndGroup();");
-        }
+        code.Line("inspector.EndGroup();");
         return;
     }
     if (field.type == "CompareFunction" || field.type == "StencilOp")
@@ -129,18 +134,6 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     }
     const std::string entries = own ? ", " + EntriesName(model, *own) : "";
     code.Line("inspector.Field" + start + entries + RangeText(model, field) + tooltip);
-}
-
-/// How many levels of data are in it: groups of an Inspector are not nested.
-bool HasData(const PortModel& model, const CSharpClass& one)
-{
-    return std::ranges::any_of(one.fields,
-                               [&](const CSharpField& field)
-                               {
-                                   const CSharpClass* own = model.Find(field.type);
-                                   return model.isSerialized(field) && own &&
-                                          model.RoleOf(*own) == PortRole::Data;
-                               });
 }
 
 bool Needs(const PortModel& model, const CSharpClass& one, const CSharpClass& other)
@@ -160,26 +153,86 @@ bool Needs(const PortModel& model, const CSharpClass& one, const CSharpClass& ot
         }
         return false;
     };
-    return std::ranges::any_of(one.fields, [&](const auto& field) { return isIn(field.type); }) ||
+    const auto isNamed = [&](const CSharpField& field)
+    {
+        return std::ranges::any_of(field.value, [&](const CSharpToken& word)
+                                   { return word.Is(other.name); });
+    };
+    return std::ranges::any_of(one.fields, [&](const auto& field)
+                               { return isIn(field.type) || isNamed(field); }) ||
            std::ranges::any_of(one.bases, isIn) ||
            std::ranges::any_of(one.classes, [&](const CSharpClass& nested)
                                { return Needs(model, nested, other); });
 }
 
+/// " : Base" of data that derives from data.
+std::string BaseText(const PortModel& model, const CSharpClass& one)
+{
+    for (const std::string& base : one.bases)
+    {
+        const CSharpClass* own = model.Find(base);
+        if (own && own != &one && model.RoleOf(*own) == PortRole::Data && model.CppType(base))
+        {
+            return " : " + model.QualifiedName(*own);
+        }
+    }
+    return "";
+}
+
+/// A ContextItem's, which is pure in C++.
+void WriteReset(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+{
+    const PortModel& model = code.model();
+    code.Line();
+    code.Open("void Reset() override");
+    code.Todo("port", model.Place(one, method.location), BodyText(model.FileOf(one), method));
+    const PortScope scope = ScopeOf(model, one, method);
+    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
+    {
+        const std::string line = AssignmentText(model, scope, assignment);
+        if (!line.empty())
+        {
+            code.Line(line);
+        }
+    }
+    code.Close();
+}
+
+/// The field is there, by its name in C++.
+void Declare(PortModel& model, const CSharpClass& one, const CSharpField& field, PortScope& scope)
+{
+    model.Declare(field);
+    scope[field.name] = VariableOf(model, one, field);
+}
+
 } // namespace
+
+PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field)
+{
+    PortValue value{model.CppName(field.name), model.ValueType(one, field)};
+    value.isVariable = true;
+    value.isPointer = model.isShared(one, field);
+    return value;
+}
 
 void WriteEnum(PortedCode& code, const CSharpClass& one)
 {
     PortModel& model = code.model();
-    code.Open("enum class " + one.name);
-    for (const CSharpEnumerator& entry : one.enumerators)
+    const auto values = EnumValues(one);
+    const bool isLarge = std::ranges::any_of(
+        values, [](const auto& value)
+        { return value && (*value > k_LargestInt || *value < -k_LargestInt - 1); });
+    code.Open("enum class " + model.ClassName(one) + (isLarge ? " : std::int64_t" : ""));
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-        const std::string value(TextOf(model.FileOf(one), entry.value));
+        const CSharpEnumerator& entry = one.enumerators[i];
+        const std::string text(TextOf(model.FileOf(one), entry.value));
         const std::string name = model.CppName(entry.name);
-        const bool isSame = IsSameEnumValue(entry.value, one);
-        code.Line(value.empty() ? name + ","
-                  : isSame      ? name + " = " + value + ","
-                                : name + ", // TODO: = " + value);
+        const bool isPlain = !isLarge && IsPlainEnumValue(entry.value);
+        code.Line(text.empty()  ? name + ","
+                  : !values[i]  ? name + ", // TODO: = " + OneLine(text)
+                  : isPlain     ? name + " = " + text + ","
+                                : name + " = " + std::to_string(*values[i]) + ", // " + OneLine(text));
     }
     code.Close("};");
     model.Declare(one);
@@ -192,17 +245,11 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     const std::string name = model.CppName(field.name);
     const std::string place = model.Place(one, field.location);
     const std::string csharp = FieldText(model, one, field);
-    const bool isId = field.type == "int" && field.value.size() == 6 &&
-                      field.value[0].Is("Shader") && field.value[2].Is("PropertyToID");
-    if (isId)
+    if (model.isShared(one, field) && model.CppType(field.type))
     {
-        const auto id = Translate(model, scope, field.value.subspan(4, 1), "string");
-        if (id)
-        {
-            code.Line("inline static const ShaderPropertyId " + name + " = Shader::PropertyToID(" +
-                      id->cpp + ");");
-            return;
-        }
+        code.Line(*model.CppType(field.type) + "* " + name + " = nullptr;");
+        Declare(code.model(), one, field, scope);
+        return;
     }
     auto type = model.CppType(field.type);
     if (type && field.type == "Material" && model.isSetting(one, field))
@@ -220,7 +267,7 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
         if (isSampler)
         {
             code.Line("ProfilingSampler " + name + "{\"" + one.name + "\"};");
-            scope[field.name] = {name, field.type};
+            Declare(code.model(), one, field, scope);
         }
         return;
     }
@@ -231,17 +278,19 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     const bool isText = field.isConst && field.type == "string";
     const CSharpClass* own = model.Find(field.type);
     const bool isEnum = own && model.RoleOf(*own) == PortRole::Enum;
+    const bool isId = value && field.isStatic && field.isReadonly && *type == k_PropertyIdType;
     const std::string prefix = field.isConst    ? "static constexpr "
+                               : isId           ? "inline static const "
                                : field.isStatic ? "inline static "
                                                 : "";
     // A nested class has no default values yet where the outer one is being defined.
     const bool isPlainData = own && (!value || value->cpp == *type + "{}");
     code.Line(prefix + (isText ? "const char*" : *type) + " " + name +
               (isPlainData && !isEnum ? ""
-               : value                ? " = " + value->cpp
-                                      : "{}") +
+               : !value               ? PortModel::CppDefault(*type)
+                                      : " = " + value->cpp) +
               ";");
-    scope[field.name] = {name, model.ValueType(one, field)};
+    Declare(code.model(), one, field, scope);
 }
 
 void WriteDescription(PortedCode& code, const CSharpClass& one)
@@ -256,10 +305,7 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
         {
             continue;
         }
-        const CSharpClass* own = model.Find(field.type);
-        const bool isTooDeep = own && model.RoleOf(*own) == PortRole::Data &&
-                               (HasData(model, *own) || model.RoleOf(one) == PortRole::Data);
-        const bool isDone = model.isSetting(field.type) && !isTooDeep;
+        const bool isDone = model.isSetting(field.type) && model.isDeclared(field);
         code.Done({"setting", one.name + "." + field.name, FieldText(model, one, field),
                    model.Place(one, field.location), isDone});
         if (isDone)
@@ -296,6 +342,7 @@ void WriteTypes(PortedCode& code, std::vector<const CSharpClass*> classes)
             code.Line();
             break;
         case PortRole::Data:
+        case PortRole::Context:
             WriteData(code, one);
             code.Line();
             break;
@@ -305,12 +352,41 @@ void WriteTypes(PortedCode& code, std::vector<const CSharpClass*> classes)
     }
 }
 
+void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
+                 std::set<std::string>& signatures)
+{
+    const PortModel& model = code.model();
+    const std::string place = model.Place(one, method.location);
+    const std::string_view body = BodyText(model.FileOf(one), method);
+    const auto signature =
+        method.isOverride || method.isConstructor() ? std::nullopt : SignatureOf(model, one, method);
+    code.Line();
+    if (!signature || !signatures.insert(signature->name + signature->parameters).second)
+    {
+        code.Todo(method.name, place, body);
+        return;
+    }
+    code.Open((method.isStatic ? "static " : "") + signature->Text());
+    code.Todo("port", place, body);
+    if (signature->result != "void")
+    {
+        code.Line("return " + DefaultResult(*signature) + ";");
+    }
+    code.Close();
+}
+
 void WriteData(PortedCode& code, const CSharpClass& one)
 {
     const PortContext context(code.model(), one);
     PortModel& model = code.model();
     code.Line("/// C#: " + model.Place(one, one.location) + ".");
-    code.Open("struct " + one.name);
+    const bool isContext = model.RoleOf(one) == PortRole::Context;
+    code.Open(isContext ? "class " + model.ClassName(one) + " final : public ContextItem"
+                        : "struct " + model.ClassName(one) + BaseText(model, one));
+    if (isContext)
+    {
+        code.Label("public:");
+    }
     std::vector<const CSharpClass*> nested;
     for (const CSharpClass& inner : one.classes)
     {
@@ -322,17 +398,27 @@ void WriteData(PortedCode& code, const CSharpClass& one)
     {
         WriteField(code, one, field, scope);
     }
+    std::set<std::string> signatures;
     for (const CSharpMethod& method : one.methods)
     {
-        code.Line();
-        code.Todo(method.name, model.Place(one, method.location),
-                  BodyText(model.FileOf(one), method));
+        if (isContext && method.name == "Reset" && method.parameters.empty())
+        {
+            WriteReset(code, one, method);
+        }
+        else
+        {
+            WriteHelper(code, one, method, signatures);
+        }
     }
-    code.Line();
+    if (isContext && !one.FindMethod("Reset"))
+    {
+        code.Line("void Reset() override {} // TODO: the C# has none");
+    }
     // What a pass hands to its function is no setting.
     const CSharpClass* outer = model.OuterOf(one);
-    if (!outer || model.RoleOf(*outer) != PortRole::Pass)
+    if (!isContext && !one.isStatic && (!outer || model.RoleOf(*outer) != PortRole::Pass))
     {
+        code.Line();
         WriteDescription(code, one);
     }
     code.Close("};");

@@ -158,8 +158,8 @@ void UseScanner::UseOverride(const CSharpClass& one, const CSharpMethod& method)
         "overrides what the table does not have");
 }
 
-bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name,
-                             std::string& type) const
+bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name, std::string& type,
+                             int depth) const
 {
     if (const CSharpField* field = one.FindField(name))
     {
@@ -180,12 +180,50 @@ bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name,
     {
         return true;
     }
-    return std::ranges::any_of(one.bases,
+    constexpr int k_MaxBases = 20; // of classes that derive from each other
+    return depth < k_MaxBases &&
+           std::ranges::any_of(one.bases,
                                [&](const std::string& base)
                                {
                                    const CSharpClass* own = FindClass(base);
-                                   return own && own != &one && isOwnMember(*own, name, type);
+                                   return own && own != &one &&
+                                          isOwnMember(*own, name, type, depth + 1);
                                });
+}
+
+/// What a class derives from in the end, by way of others of the files.
+std::vector<std::string> UseScanner::BasesOf(const CSharpClass& one, int depth) const
+{
+    constexpr int k_MaxBases = 20; // of classes that derive from each other
+    std::vector<std::string> bases;
+    for (const std::string& base : one.bases)
+    {
+        const CSharpClass* own = FindClass(base);
+        if (own && own != &one && depth < k_MaxBases)
+        {
+            const auto inherited = BasesOf(*own, depth + 1);
+            bases.insert(bases.end(), inherited.begin(), inherited.end());
+        }
+        else
+        {
+            bases.emplace_back(PlainTypeName(base));
+        }
+    }
+    return bases;
+}
+
+/// A method of a static class of the files that any object may be asked for; null = none.
+const CSharpMethod* UseScanner::FindExtension(std::string_view name) const
+{
+    for (const CSharpClass* one : m_Own.all())
+    {
+        const CSharpMethod* method = one->isStatic ? one->FindMethod(name) : nullptr;
+        if (method && !method->parameters.empty())
+        {
+            return method;
+        }
+    }
+    return nullptr;
 }
 
 /// @return what the member gives
@@ -203,11 +241,11 @@ std::string UseScanner::MemberOf(const std::string& type, Word member, const std
     std::vector<std::string> bases{std::string(type.ends_with("[]") ? "[]" : plain)};
     if (own)
     {
-        bases = own->bases;
+        bases = BasesOf(*own);
     }
     for (const std::string& base : bases)
     {
-        if (const PortEntry* entry = FindInherited(PlainTypeName(base), name, owner))
+        if (const PortEntry* entry = FindInherited(base, name, owner))
         {
             Use(owner + "." + name, entry, member->location);
             if (entry->result == "T" && !generics.empty())
@@ -216,6 +254,10 @@ std::string UseScanner::MemberOf(const std::string& type, Word member, const std
             }
             return entry->result.empty() ? k_UnknownType : entry->result;
         }
+    }
+    if (const CSharpMethod* extension = FindExtension(name))
+    {
+        return extension->type;
     }
     if (type == k_UnknownType)
     {
@@ -282,6 +324,7 @@ std::string UseScanner::TypeOfValue(Word at, Word end)
 {
     const bool wasSilent = m_IsSilent;
     m_IsSilent = true;
+    at += at < end && at->Is("ref") ? 1 : 0; // ref var a = ref b
     std::string type = k_UnknownType;
     if (at < end && at->Is("new"))
     {

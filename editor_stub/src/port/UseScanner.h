@@ -47,10 +47,13 @@ private:
     std::string MemberOf(const std::string& type, Word member, const std::string& generics);
     std::string TypeOfValue(Word at, Word end);
 
+    std::vector<std::string> BasesOf(const CSharpClass& one, int depth = 0) const;
+    const CSharpMethod* FindExtension(std::string_view name) const;
     const CSharpClass* FindClass(std::string_view type) const;
     const PortEntry* FindInherited(std::string_view type, std::string_view member,
                                    std::string& owner) const;
-    bool isOwnMember(const CSharpClass& one, const std::string& name, std::string& type) const;
+    bool isOwnMember(const CSharpClass& one, const std::string& name, std::string& type,
+                     int depth = 0) const;
     void Use(const std::string& key, const PortEntry* entry, const SourceLocation& location,
              const std::string& problem = "");
 

@@ -185,7 +185,7 @@ UseScanner::Word UseScanner::ScanName(Word word, Word begin, Word end)
     {
         return behind;
     }
-    return before && ScanLambda(word, end) ? word + 1 : ScanHead(word, end);
+    return ScanLambda(word, end) ? word + 1 : ScanHead(word, end);
 }
 
 void UseScanner::ScanWords(CSharpWords words)

@@ -1,0 +1,221 @@
+#include "port/PropertyIds.h"
+
+#include "port/CSharpWords.h"
+
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
+
+/// Whether Unity's method takes a property's number first.
+bool TakesProperty(std::string_view method)
+{
+    constexpr std::string_view k_Beginnings[] = {"SetGlobal", "SetFloat",  "SetInt",
+                                                 "SetVector", "SetColor",  "SetTexture",
+                                                 "SetMatrix", "SetBuffer", "SetConstantBuffer",
+                                                 "GetFloat",  "GetInt",    "GetVector",
+                                                 "GetColor",  "GetMatrix", "GetTexture"};
+    return IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT",
+                         "HasProperty", "RenderTargetIdentifier"}) ||
+           std::ranges::any_of(k_Beginnings, [&](std::string_view beginning)
+                               { return method.starts_with(beginning); });
+}
+
+/// The type with a property's number in place of int; "" where it holds no int.
+std::string IdType(const std::string& type)
+{
+    return type == "int"         ? k_PropertyIdType
+           : type == "int[]"     ? std::string(k_PropertyIdType) + "[]"
+           : type == "List<int>" ? "List<" + std::string(k_PropertyIdType) + ">"
+                                 : "";
+}
+
+/// Finds the ints of all classes round by round.
+class PropertyIdFinder
+{
+public:
+    explicit PropertyIdFinder(const CSharpFiles& files)
+    {
+        for (const auto& file : files)
+        {
+            Collect(file->classes);
+        }
+    }
+
+    void Run()
+    {
+        for (int round = 0; round < k_MaxRounds && m_HasChanged; ++round)
+        {
+            m_HasChanged = false;
+            for (CSharpClass* one : m_Classes)
+            {
+                Look(*one);
+            }
+        }
+    }
+
+private:
+    void Collect(std::vector<CSharpClass>& classes)
+    {
+        for (CSharpClass& one : classes)
+        {
+            m_Classes.push_back(&one);
+            Collect(one.classes);
+        }
+    }
+
+    void Look(CSharpClass& one)
+    {
+        for (CSharpField& field : one.fields)
+        {
+            for (std::size_t i = 0; i < field.value.size(); ++i)
+            {
+                if (isProperty(field.value.subspan(i), one, nullptr))
+                {
+                    Mark(field.type);
+                }
+            }
+        }
+        for (CSharpMethod& method : one.methods)
+        {
+            for (std::size_t i = 0; i < method.body.size(); ++i)
+            {
+                LookAtAssignment(one, method, i);
+                LookAtCall(one, method, i);
+            }
+        }
+    }
+
+    void Mark(std::string& type)
+    {
+        const std::string id = IdType(type);
+        if (!id.empty())
+        {
+            type = id;
+            m_HasChanged = true;
+        }
+    }
+
+    /// The type of a name in a method; null where it is none of a field or parameter.
+    std::string* TypeOf(std::string_view name, CSharpClass& one, CSharpMethod* method)
+    {
+        for (std::size_t i = 0; method && i < method->parameters.size(); ++i)
+        {
+            if (method->parameters[i].name == name)
+            {
+                return &method->parameters[i].type;
+            }
+        }
+        for (CSharpField& field : one.fields)
+        {
+            if (field.name == name)
+            {
+                return &field.type;
+            }
+        }
+        return nullptr;
+    }
+
+    /// Whether a property's number begins there: Shader.PropertyToID(...), or a name of such.
+    bool isProperty(CSharpWords words, CSharpClass& one, CSharpMethod* method)
+    {
+        words = words.size() > 2 && words[0].Is("this") ? words.subspan(2) : words;
+        if (words.size() > 3 && words[1].Is(".") && words[2].Is("PropertyToID"))
+        {
+            return words[0].Is("Shader");
+        }
+        const bool isAlone = words.size() == 1 || (words.size() > 1 && IsIn(words[1].text, {";", ",", ")"}));
+        const std::string* type =
+            isAlone && words[0].isName() ? TypeOf(words[0].text, one, method) : nullptr;
+        return type && *type == k_PropertyIdType;
+    }
+
+    /// name = ..., name[i] = ... at a word.
+    void LookAtAssignment(CSharpClass& one, CSharpMethod& method, std::size_t at)
+    {
+        const CSharpWords words = method.body.subspan(at);
+        const std::size_t index = words.size() > 1 && words[1].Is("[") && words[1].match > 0
+                                      ? static_cast<std::size_t>(words[1].match) + 1
+                                      : 0;
+        const std::size_t equals = 1 + index;
+        if (!words[0].isName() || equals + 1 >= words.size() || !words[equals].Is("="))
+        {
+            return;
+        }
+        std::string* type = TypeOf(words[0].text, one, isThis(method.body, at) ? nullptr : &method);
+        if (type && isProperty(words.subspan(equals + 1), one, &method))
+        {
+            Mark(*type);
+        }
+        const bool isFromName = words.size() > equals + 2 && words[equals + 2].Is(";");
+        std::string* from =
+            isFromName ? TypeOf(words[equals + 1].text, one, &method) : nullptr;
+        if (type && from && *type == k_PropertyIdType)
+        {
+            Mark(*from);
+        }
+    }
+
+    /// Method(a, b) at a word.
+    void LookAtCall(CSharpClass& one, CSharpMethod& method, std::size_t at)
+    {
+        const CSharpWords words = method.body.subspan(at);
+        if (words.size() < 3 || !words[0].isName() || !words[1].Is("(") || words[1].match < 2)
+        {
+            return;
+        }
+        const auto arguments =
+            SplitArguments(words.subspan(2, static_cast<std::size_t>(words[1].match) - 1));
+        if (TakesProperty(words[0].text) && arguments[0].size() == 1 &&
+            arguments[0][0].isName())
+        {
+            if (std::string* type = TypeOf(arguments[0][0].text, one, &method))
+            {
+                Mark(*type);
+            }
+        }
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+        {
+            if (isProperty(arguments[i], one, &method))
+            {
+                MarkParameters(words[0].text, i, arguments.size());
+            }
+        }
+    }
+
+    /// Of every method and constructor of this name: who calls whom is not followed.
+    void MarkParameters(std::string_view name, std::size_t index, std::size_t arguments)
+    {
+        for (CSharpClass* one : m_Classes)
+        {
+            for (CSharpMethod& method : one->methods)
+            {
+                if (method.name == name && !method.isOverride && method.parameters.size() >= arguments)
+                {
+                    Mark(method.parameters[index].type);
+                }
+            }
+        }
+    }
+
+    static bool isThis(CSharpWords body, std::size_t at)
+    {
+        return at > 1 && body[at - 1].Is(".") && body[at - 2].Is("this");
+    }
+
+    std::vector<CSharpClass*> m_Classes;
+    bool m_HasChanged = true;
+};
+
+} // namespace
+
+void MarkPropertyIds(const CSharpFiles& files)
+{
+    PropertyIdFinder(files).Run();
+}
+
+} // namespace limn
