@@ -114,6 +114,7 @@ inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
 inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
 inline constexpr ValueRange k_RenderScales{0.1, 2.0};
 inline constexpr ValueRange k_LightLimits{0.0, 8.0};
+inline constexpr ValueRange k_PipelineVersions{7.0, 17.0};
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 
 inline constexpr SceneKey k_Position{"position", Vector};
@@ -128,6 +129,10 @@ inline constexpr SceneKey k_Scene[] = {
      k_RenderScales},
     {"maxAdditionalLightsCount", Integer, "How many of `lights` light an object: the brightest",
      k_LightLimits},
+    {"pipelineVersion", Integer,
+     "The major version of URP that the project's features were written for; 14 where it is not "
+     "given. Below 12 the camera's colour brings its depth along where it is bound alone",
+     k_PipelineVersions},
     {"renderPipelineAsset", Text,
      "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
      "place of these keys"},

@@ -61,6 +61,12 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
             ReadInt(*lights, "maxAdditionalLightsCount", diagnostics, scene_keys::k_LightLimits)
                 .value_or(0);
     }
+    if (const YamlNode* version = map.Find("pipelineVersion"))
+    {
+        asset.pipelineVersion =
+            ReadInt(*version, "pipelineVersion", diagnostics, scene_keys::k_PipelineVersions)
+                .value_or(asset.pipelineVersion);
+    }
     if (shadows)
     {
         YamlMapReader settings(*shadows, "shadows", diagnostics);

@@ -214,6 +214,16 @@ TEST(SceneFile, LimitsTheLightsOfAnObject)
                     testing::HasSubstr("m_AdditionalLightsPerObjectLimit: 9 is outside [0, 8]")));
 }
 
+TEST(SceneFile, SaysWhichVersionOfThePipelineItsFeaturesAreOf)
+{
+    SceneFolder folder;
+    EXPECT_EQ(14, folder.LoadWithCamera("").pipelineVersion);
+    EXPECT_EQ(10, folder.LoadWithCamera("pipelineVersion: 10\n").pipelineVersion);
+    EXPECT_THAT(
+        folder.ProblemsOf("camera:\npipelineVersion: 6\n"),
+        testing::ElementsAre(testing::HasSubstr("2:18: pipelineVersion: 6 is outside [7, 17]")));
+}
+
 TEST(SceneFile, LookAtTurnsTheCameraToThePoint)
 {
     SceneFolder folder;
