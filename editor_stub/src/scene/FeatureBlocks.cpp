@@ -50,7 +50,7 @@ void ReadScene(const YamlNode& scene, const std::string& file, FeatureBlocks& bl
     }
 }
 
-void ReadRenderer(const std::string& text, const std::string& file, FeatureBlocks& blocks)
+void ReadRendererBlocks(const std::string& text, const std::string& file, FeatureBlocks& blocks)
 {
     const UnityAsset asset(text, file);
     const UnityProject project(file);
@@ -97,7 +97,7 @@ FeatureBlocks ReadFeatureBlocks(const std::string& text, const std::string& file
     FeatureBlocks blocks;
     if (IsUnityAsset(text))
     {
-        ReadRenderer(text, file, blocks);
+        ReadRendererBlocks(text, file, blocks);
     }
     else
     {
