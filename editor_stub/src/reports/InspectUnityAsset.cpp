@@ -188,8 +188,7 @@ void AddProperties(const YamlNode& properties, const char* list, const char* hea
             }
             const bool isLeftOver = shader && shader->FindPropertyIndex(entry.key) < 0;
             group.values.push_back(
-                Value(header, entry.key, text,
-                      isLeftOver ? "the shader that limn draws with has no such property" : ""));
+                Value(header, entry.key, text, isLeftOver ? "unknown to limn's shader" : ""));
         }
     }
 }
@@ -259,13 +258,19 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
         if (const YamlNode* node = renderer.fields.Find(key))
         {
             const YamlNode* bits = node->Find("m_Bits");
-            group.values.push_back(Value("", key, AsText(bits ? *bits : *node), tooltip));
+            const YamlNode* stencil = node->Find("overrideStencilState");
+            group.values.push_back(Value("", key,
+                                         AsText(bits      ? *bits
+                                                : stencil ? *stencil
+                                                          : *node),
+                                         tooltip));
         }
     };
     add("m_OpaqueLayerMask", "Bits of the layers whose opaque objects are drawn");
     add("m_TransparentLayerMask", "Bits of the layers whose transparent objects are drawn");
     add("m_RenderingMode", "0 forward, 1 deferred, 2 forward+; limn draws all of them forward");
-    add("m_DefaultStencilState", "limn leaves it out");
+    add("m_DefaultStencilState",
+        "1 replaces the Stencil block of all objects, which limn leaves out");
     const YamlNode* data = renderer.fields.Find("postProcessData");
     const bool isOn = data && ReadFileID(*data).value_or(0) != 0;
     group.values.push_back(

@@ -106,20 +106,22 @@ TEST_F(InspectAsset, OfAPipelineSaysWhatLimnDrawsWithAndWhatItLeavesOut)
 
 TEST_F(InspectAsset, OfARendererShowsItsMasksAndItsFeatures)
 {
-    const std::string text =
-        Text("R.asset", k_Head + "--- !u!114 &5\nMonoBehaviour:\n"
-                                 "  m_Script: {guid: 6b3d386ba5cd94485973aee1479b272e}\n"
-                                 "  m_Name: Mask\n"
-                                 "  settings: {Event: 450}\n"
-                                 "--- !u!114 &11400000\nMonoBehaviour:\n"
-                                 "  m_Name: Forward\n"
-                                 "  m_RendererFeatures: [{fileID: 5}]\n"
-                                 "  m_OpaqueLayerMask: {serializedVersion: 2, m_Bits: 55}\n"
-                                 "  m_RenderingMode: 1\n"
-                                 "  postProcessData: {fileID: 0}\n");
+    const std::string text = Text(
+        "R.asset", k_Head + "--- !u!114 &5\nMonoBehaviour:\n"
+                            "  m_Script: {guid: 6b3d386ba5cd94485973aee1479b272e}\n"
+                            "  m_Name: Mask\n"
+                            "  settings: {Event: 450}\n"
+                            "--- !u!114 &11400000\nMonoBehaviour:\n"
+                            "  m_Name: Forward\n"
+                            "  m_RendererFeatures: [{fileID: 5}]\n"
+                            "  m_OpaqueLayerMask: {serializedVersion: 2, m_Bits: 55}\n"
+                            "  m_RenderingMode: 1\n"
+                            "  m_DefaultStencilState: {overrideStencilState: 0, passOperation: 2}\n"
+                            "  postProcessData: {fileID: 0}\n");
     EXPECT_THAT(text, testing::StartsWith("renderer 'Forward': UniversalRendererData\n"));
     EXPECT_THAT(text, ContainsRegex("m_OpaqueLayerMask +55 "));
     EXPECT_THAT(text, ContainsRegex("m_RenderingMode +1 .*limn draws all of them forward"));
+    EXPECT_THAT(text, ContainsRegex("m_DefaultStencilState +0 "));
     EXPECT_THAT(text, ContainsRegex("postProcessData +none +no post-processing"));
     EXPECT_THAT(text, HasSubstr("feature 'Mask': RenderObjects\n"));
     EXPECT_THAT(text, ContainsRegex("Event +BeforeRenderingTransparents +default "
@@ -143,7 +145,7 @@ TEST_F(InspectAsset, OfAMaterialSaysWhichShaderKeywordsAndPropertiesItHas)
     EXPECT_THAT(text, ContainsRegex("stringTagMap +.RenderType: Transparent. "));
     EXPECT_THAT(text, ContainsRegex("Textures\n +_Map +Assets/wood.tif, scale .x: 6, y: 6., offset "
                                     ".x: 0, y: 0.\n"));
-    EXPECT_THAT(text, ContainsRegex("_Mode +2 +the shader that limn draws with has no such"));
+    EXPECT_THAT(text, ContainsRegex("_Mode +2 +unknown to limn's shader\n"));
     EXPECT_THAT(text, ContainsRegex("_Tint +.r: 1, g: 0.5, b: 0, a: 1.\n"));
     EXPECT_EQ("material", AsJson("Glass.mat")["kind"]);
 }
