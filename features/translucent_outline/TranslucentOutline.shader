@@ -35,7 +35,8 @@ Shader "Limn/TranslucentOutline"
         float4 HullVertex(Attributes input) : SV_POSITION
         {
             float depth = abs(mul(UNITY_MATRIX_MV, input.positionOS).z);
-            float metresPerPixel = 2.0 * depth / UNITY_MATRIX_P._m11 / _ScreenParams.y;
+            // Negative where y is turned over, as for all that is drawn into a texture.
+            float metresPerPixel = 2.0 * depth / abs(UNITY_MATRIX_P._m11) / _ScreenParams.y;
             float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
             float3 positionWS = TransformObjectToWorld(input.positionOS.xyz);
             return TransformWorldToHClip(positionWS + normalWS * (_OutlineWidth * metresPerPixel));

@@ -270,8 +270,9 @@ protected:
     glm::dvec2 m_PlaceInPixel{0.5}; ///< from its left top
 };
 
-/// Where the first of four samples is, as Vulkan and D3D have it.
-constexpr glm::dvec2 k_FirstSample{0.375, 0.125};
+/// Where the first of four samples is, as Vulkan and D3D have it: they count from the first row,
+/// which is the picture's bottom.
+constexpr glm::dvec2 k_FirstSample{0.375, 0.875};
 
 /// Half floats have steps of 0.5 below 1000 m, of 3e-5 below a sixteenth of a metre. The sphere has
 /// facets.

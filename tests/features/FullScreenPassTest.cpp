@@ -63,7 +63,7 @@ protected:
 
     std::unique_ptr<FullScreenPassRendererFeature> feature =
         std::make_unique<FullScreenPassRendererFeature>();
-    const std::shared_ptr<const Material> material = std::make_shared<Material>(
+    const std::shared_ptr<Material> material = std::make_shared<Material>(
         test::ShaderWithProgram("", "Texture2D _BlitTexture;", "_BlitTexture.Load(int3(0, 0, 0))"));
     Scene scene;
     Camera camera;

@@ -80,8 +80,9 @@ TEST_F(LeanOutlineGpu, DrawsTheSamePixelsInRegionsOnly)
             transform.localRotation = EulerToRotation({place(random) * 90, place(random) * 90, 0});
         }
         const float width = 1.0f + static_cast<float>(i % 10);
-        const auto all = Picture(width, {false, true, false});
-        const auto inRegions = Picture(width, {false, true, true});
+        const auto all = Picture(width, {.held = {}, .leavesOut = true, .limitsRegions = false});
+        const auto inRegions =
+            Picture(width, {.held = {}, .leavesOut = true, .limitsRegions = true});
         limited += isLimited ? 1 : 0;
         ASSERT_EQ(all, inRegions) << "picture " << i << ", width " << width;
     }
@@ -96,7 +97,7 @@ TEST_F(LeanOutlineGpu, DrawsWithinOne255thWithoutTheCamerasColour)
     {
         content.scene.Find(name)->renderer->renderingLayerMask = RenderingLayerMask::FromIndex(0);
     }
-    const auto all = Picture(4.0f, {false, false, false});
+    const auto all = Picture(4.0f, {.held = {}, .leavesOut = false, .limitsRegions = false});
     const auto lean = Picture(4.0f, {});
     EXPECT_NE(all, std::vector<std::byte>(all.size(), all.front())) << "something is drawn";
     EXPECT_LE(LargestDifference(all, lean), 1);

@@ -17,7 +17,7 @@ namespace
 
 constexpr int k_Side = 32;
 /// Where four samples are in a pixel, from its left top, as Vulkan and D3D have them.
-constexpr glm::dvec2 k_Samples[] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+constexpr glm::dvec2 k_Samples[] = {{0.375, 0.875}, {0.875, 0.625}, {0.125, 0.375}, {0.625, 0.125}};
 
 /// A square before a camera that sees 2 m of black, in linear colour.
 class MultisampledCameraGpu : public GpuTest

@@ -66,7 +66,7 @@ public:
         m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
     }
 
-    Image Output() { return SharedDevice().ReadBack(*m_Result.output.rt()); }
+    Image Output() { return ReadRows(*m_Result.output.rt()); }
 
     Field Texture(const std::string& name)
     {
@@ -74,7 +74,7 @@ public:
         {
             if (handle.rt()->name() == name)
             {
-                return ToField(SharedDevice().ReadBack(*handle.rt()));
+                return ToField(ReadRows(*handle.rt()));
             }
         }
         throw std::runtime_error("no texture " + name + " in the frame");

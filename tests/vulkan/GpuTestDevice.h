@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <limn/core/Image.h>
+#include <limn/core/RenderTexture.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
 
@@ -67,6 +69,21 @@ inline VulkanDevice& SharedDevice()
         throw VulkanError(Environment().reason());
     }
     return *Environment().device();
+}
+
+/// Returns the texels as the texture stores them: the row of clip space's y = 1 first.
+inline Image ReadRows(const RenderTexture& texture, VulkanDevice& device = SharedDevice())
+{
+    Image image = device.ReadBack(texture);
+    image.texels = FlipRows(image.texels, image.height);
+    return image;
+}
+/// The same of the stencil.
+inline Image ReadStencilRows(const RenderTexture& texture)
+{
+    Image image = SharedDevice().ReadBackStencil(texture);
+    image.texels = FlipRows(image.texels, image.height);
+    return image;
 }
 
 inline std::string Text(const std::vector<ValidationMessage>& messages)

@@ -30,7 +30,12 @@ private:
 
 std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const RenderTexture& texture)
 {
-    return std::make_shared<FinishedReadback>(ReadBack(texture));
+    Image image = ReadBack(texture);
+    if (!texture.descriptor().isTopRowFirst)
+    {
+        image.texels = FlipRows(image.texels, image.height);
+    }
+    return std::make_shared<FinishedReadback>(std::move(image));
 }
 
 std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const GraphicsBuffer& buffer)

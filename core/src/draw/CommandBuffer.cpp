@@ -53,6 +53,18 @@ void ExpectDepth(const RTHandle& target)
     }
 }
 
+/// Returns what is bound as depth beside the colours: a colour that is given as depth means the one
+/// that it has, and a colour that is alone brings its own along.
+RTHandle DepthFor(std::span<const RTHandle> colors, const RTHandle& depth)
+{
+    if (depth)
+    {
+        const auto& own = depth.rt()->depthBuffer();
+        return own ? RTHandle(own) : depth;
+    }
+    return colors.size() == 1 && colors[0] ? RTHandle(colors[0].rt()->depthBuffer()) : RTHandle();
+}
+
 bool Wraps(const RTHandle& target)
 {
     return target && !target.rt();
@@ -116,8 +128,9 @@ void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHa
         ExpectColor(color);
         command.colors.push_back(color.rt());
     }
-    ExpectDepth(depth);
-    command.depth = depth.rt();
+    const RTHandle boundDepth = DepthFor(colors, depth);
+    ExpectDepth(boundDepth);
+    command.depth = boundDepth.rt();
     const RenderTexture* first =
         command.colors.empty() ? command.depth.get() : command.colors.front().get();
     if (first == nullptr)

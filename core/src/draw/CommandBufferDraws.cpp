@@ -2,6 +2,7 @@
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/RendererList.h>
 #include <limn/core/Scene.h>
+#include <limn/core/TargetOrientation.h>
 
 #include "draw/ExpectDraw.h"
 #include "draw/MatrixIds.h"
@@ -12,27 +13,42 @@ namespace limn
 namespace
 {
 
-/// 0...1 in x and y, seen from the front; row 0 of a texture is the top of the picture.
+/// 0...1 in x and y, seen from the front.
 const std::shared_ptr<const Mesh>& BlitQuad()
 {
     static const auto quad = []
     {
         MeshData data;
         data.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}};
-        data.uv = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+        data.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
         data.triangles = {0, 1, 2, 0, 2, 3};
         return std::make_shared<const Mesh>("Blit Quad", std::move(data));
     }();
     return quad;
 }
 
+void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTexture& dest,
+                const std::shared_ptr<const Material>& material, int pass)
+{
+    if (source.get() == &dest)
+    {
+        throw ContractError("Blit: '" + source->name() + "' is both source and destination");
+    }
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+}
+
 /// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
 /// @param properties  gets it: what a draw brings along wins over what is global
-void SetBlitMatrices(MaterialPropertyBlock& properties)
+void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& dest)
 {
     static const ShaderPropertyId limn_Origin{"limn_Origin"};
     // Near and far are given the other way round, which is reversed Z.
-    static const glm::mat4 projection = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
+    static const glm::mat4 upright = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
+    const glm::mat4 projection = IsProjectionFlipped(dest) ? WithFlippedY(upright) : upright;
     properties.SetMatrix(unity_MatrixV, glm::mat4(1.0f));
     properties.SetMatrix(glstate_matrix_projection, projection);
     properties.SetMatrix(unity_MatrixVP, projection);
@@ -160,34 +176,28 @@ void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
         Blit(source.nameID(), dest.nameID(), material, pass);
         return;
     }
-    DrawBlit(source.rt(), dest, material, pass);
+    ExpectBlit(source.rt(), *dest.rt(), material, pass);
+    SetRenderTarget(dest);
+    DrawBlit(source.rt(), *dest.rt(), material, pass);
 }
 
-void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
+void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source,
+                             const RenderTexture& dest,
                              const std::shared_ptr<const Material>& material, int pass)
 {
     static const ShaderPropertyId _MainTex{"_MainTex"};
-    if (source == dest.rt())
-    {
-        throw ContractError("Blit: '" + source->name() + "' is both source and destination");
-    }
+    ExpectBlit(source, dest, material, pass);
     RecordedDraw draw;
     draw.mesh = BlitQuad();
     draw.material = material;
     draw.shaderPass = pass;
     draw.isBlit = true;
-    ExpectMaterial(material);
-    if (pass != k_AllPasses)
-    {
-        ExpectDrawable(material, pass, glm::mat4(1.0f));
-    }
-    SetRenderTarget(dest);
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
     if (source)
     {
         properties.SetTexture(_MainTex, source);
     }
-    SetBlitMatrices(properties);
+    SetBlitMatrices(properties, dest);
     DrawPasses(std::move(draw), properties);
     properties.Clear();
 }

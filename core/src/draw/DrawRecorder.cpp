@@ -78,7 +78,10 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
     m_ObjectLights.Begin({}, 0);
     m_ShaderGlobalsVersion = 0;
     m_ShaderGlobals.clear();
+    m_Notes = &notes;
+    m_Target = nullptr;
     m_Depth = nullptr;
+    m_IsFlipped = true;
     if (std::exchange(m_HasDraws, false))
     {
         EraseUnused(m_MeshPlaces);
@@ -92,6 +95,7 @@ void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& orig
 void DrawRecorder::BeginCamera()
 {
     m_State = {};
+    m_IsFlipped = true; // as its uniforms are set; its first target may turn them
     ++m_GlobalsVersion; // what the last camera's draws have bound, this one's have to bind anew
     m_Resolver.BeginCamera();
 }
@@ -306,6 +310,10 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     const PerDrawData perDraw =
         MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
     setup.fullScreen = Promise(recorded, properties, setup.state);
+    if (recorded.isBlit && !m_Depth)
+    {
+        NoteMissingDepth(setup.state, *recorded.material, recorded.shaderPass);
+    }
     DrawCommand draw;
     draw.scissor = m_State.scissor;
     const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
@@ -323,10 +331,8 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
                              static_cast<std::uint32_t>(m_Frame.perDraw.size()));
     m_Frame.perDraw.push_back(perDraw);
     const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
-    // A shader that makes clip positions of its own, such as a full-screen triangle, counts on
-    // Unity's render textures, which are upside down: counter-clockwise is the front there.
     setup.state.topology = isOfQuads ? MeshTopology::Triangles : recorded.topology;
-    setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored != (recorded.mesh == nullptr));
+    setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored);
     draw.setup = Add(std::move(setup));
     if (recorded.isProcedural || !recorded.mesh || !MergeIntoLast(draw))
     {
@@ -396,6 +402,12 @@ void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)
 {
     m_Depth = command.depth;
     m_Frame.commands.emplace_back(command);
+    m_Target = command.colors.empty() ? command.depth.get() : command.colors.front().get();
+    if (IsProjectionFlipped(*m_Target) != m_IsFlipped)
+    {
+        m_IsFlipped = !m_IsFlipped;
+        TurnProjection();
+    }
 }
 
 /// A shader of another compiler than the renderer's may take near for far.
@@ -426,6 +438,34 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
                         "' uses the stencil, but the depth target '" + m_Depth->name() +
                         "' has the format " + ToString(m_Depth->graphicsFormat()) +
                         "; give it depthBufferBits 24 or 32");
+    }
+}
+
+/// Says once a frame that a blit tests what is not there. ZTest LEqual is what passes have that say
+/// nothing, and a blit lies at the near plane, where it always passes.
+void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& material,
+                                    int shaderPass)
+{
+    const bool testsStencil =
+        state.stencilEnabled && (state.stencilFront.compare != CompareFunction::Always ||
+                                 state.stencilBack.compare != CompareFunction::Always);
+    const bool testsDepth = state.zTest != CompareFunction::Disabled &&
+                            state.zTest != CompareFunction::Always &&
+                            state.zTest != CompareFunction::LessEqual;
+    if (m_Target == nullptr || !(testsStencil || testsDepth))
+    {
+        return;
+    }
+    std::string note = "Blit: pass " + std::to_string(shaderPass) + " of shader '" +
+                       material.shader()->name() + "' tests the " +
+                       (testsStencil ? "stencil" : "depth") + ", but the target '" +
+                       m_Target->name() +
+                       "' has none, so the test passes everywhere. Blit into "
+                       "BuiltinRenderTextureType::CameraTarget or into a texture made with "
+                       "depthBufferBits, or bind colour and depth and blit to CurrentActive";
+    if (std::ranges::find(*m_Notes, note) == m_Notes->end())
+    {
+        m_Notes->push_back(std::move(note));
     }
 }
 

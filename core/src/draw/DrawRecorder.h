@@ -85,8 +85,12 @@ public:
     std::optional<TargetRegion> Project(const Bounds& bounds, float radius,
                                         const PerDrawData& perDraw) const;
 
-    /// What PipelineState calls that for a mesh whose transform mirrors or does not.
-    bool FlipsFrontFace(bool isMirrored) const { return isMirrored != m_State.invertsCulling; }
+    /// Returns PipelineState::frontFaceFlipped of a draw into the bound target, whose transform
+    /// mirrors or does not.
+    bool FlipsFrontFace(bool isMirrored) const
+    {
+        return (isMirrored != m_State.invertsCulling) != m_IsFlipped;
+    }
 
     /// The number of a setup, or of a mesh, in the frame's tables.
     std::uint32_t Add(DrawSetup setup);
@@ -98,9 +102,11 @@ public:
 
 private:
     void Take(ShaderPropertyId id, const ShaderPropertyValue& value);
+    void TurnProjection();
     void Dispatch(const RecordedDispatch& recorded, const PropertySources& sources);
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
+    void NoteMissingDepth(const PipelineState& state, const Material& material, int shaderPass);
     bool MayCover(const RecordedDraw& recorded, const PipelineState& state) const;
     std::shared_ptr<const FullScreenPromise> Promise(const RecordedDraw& recorded,
                                                      const MaterialPropertyBlock* properties,
@@ -133,13 +139,16 @@ private:
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
-    glm::dmat4 m_View{1.0}; ///< what was set last
-    glm::mat4 m_Projection{1.0f};
+    glm::dmat4 m_View{1.0};       ///< what was set last
+    glm::mat4 m_Projection{1.0f}; ///< for a target whose projection is flipped
     CommonDrawState m_State;
+    const RenderTexture* m_Target = nullptr;      ///< the first colour bound, or the depth
     std::shared_ptr<const RenderTexture> m_Depth; ///< of the bound target
+    bool m_IsFlipped = true;                      ///< IsProjectionFlipped of the bound target
     ObjectLights m_ObjectLights;
     DrawResolver m_Resolver;
-    MaterialPropertyBlock m_CopyParams; ///< for its memory
+    std::vector<std::string>* m_Notes = nullptr; ///< of the frame
+    MaterialPropertyBlock m_CopyParams;          ///< for its memory
     struct MeshPlace
     {
         std::uint32_t index = 0; ///< in the frame's table

@@ -100,7 +100,7 @@ IdentifiedTargets::TexturePointer IdentifiedTargets::FindNamed(ShaderPropertyId 
 {
     if (const auto temporary = m_Temporaries.find(name); temporary != m_Temporaries.end())
     {
-        return temporary->second.main().rt();
+        return temporary->second.handle().rt();
     }
     const ShaderPropertyValue* value = m_Globals.Find(name);
     const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
@@ -128,6 +128,7 @@ IdentifiedTargets::TexturePointer IdentifiedTargets::Find(const RenderTargetIden
     switch (std::get<BuiltinRenderTextureType>(identifier.content()))
     {
     case BuiltinRenderTextureType::CameraTarget:
+    case BuiltinRenderTextureType::CameraColor:
         return Camera(call).color.rt();
     case BuiltinRenderTextureType::CurrentActive:
     {
@@ -154,7 +155,7 @@ RTHandle IdentifiedTargets::FindTarget(const RenderTargetIdentifier& identifier,
     return RTHandle(std::move(target));
 }
 
-/// The depth that is bound with a colour which is named alone.
+/// Returns the depth that is bound with a colour which is named alone.
 RTHandle IdentifiedTargets::DepthBeside(const RenderTargetIdentifier& color) const
 {
     if (color == BuiltinRenderTextureType::CameraTarget)
@@ -165,9 +166,9 @@ RTHandle IdentifiedTargets::DepthBeside(const RenderTargetIdentifier& color) con
     {
         return RTHandle(Bound("SetRenderTarget").depth);
     }
-    const auto* name = std::get_if<ShaderPropertyId>(&color.content());
-    const auto temporary = name != nullptr ? m_Temporaries.find(*name) : m_Temporaries.end();
-    return temporary != m_Temporaries.end() ? temporary->second.depth.handle() : RTHandle();
+    const auto texture =
+        std::dynamic_pointer_cast<const RenderTexture>(Find(color, "SetRenderTarget"));
+    return texture ? RTHandle(texture->depthBuffer()) : RTHandle();
 }
 
 const CommandBuffer& IdentifiedTargets::Resolve(const GetTemporaryRTCommand& command)
@@ -178,34 +179,18 @@ const CommandBuffer& IdentifiedTargets::Resolve(const GetTemporaryRTCommand& com
         throw ContractError("GetTemporaryRT: no pipeline renders, so there is no temporary "
                             "texture");
     }
-    RenderTextureDescriptor color = command.descriptor;
-    if (color.width < 0 || color.height < 0)
+    RenderTextureDescriptor descriptor = command.descriptor;
+    if (descriptor.width < 0 || descriptor.height < 0)
     {
         const RTHandle target =
             FindTarget(BuiltinRenderTextureType::CameraTarget, "GetTemporaryRT");
-        color.width = SizeOf(color.width, target.rt()->width());
-        color.height = SizeOf(color.height, target.rt()->height());
+        descriptor.width = SizeOf(descriptor.width, target.rt()->width());
+        descriptor.height = SizeOf(descriptor.height, target.rt()->height());
     }
-    RenderTextureDescriptor depth = color;
-    color.depthBufferBits = 0;
-    const auto get = [&](const RenderTextureDescriptor& descriptor)
-    {
-        return camera.temporaryTextures->GetTemporary(descriptor, command.filter,
-                                                      TextureWrapMode::Clamp);
-    };
-    const GraphicsFormat format = color.graphicsFormat;
-    const bool hasColor = format != GraphicsFormat::None && !IsDepthFormat(format);
-    Temporary temporary;
-    if (hasColor)
-    {
-        temporary.color = get(color);
-    }
-    if (!hasColor || depth.depthBufferBits != 0)
-    {
-        temporary.depth = get(depth);
-    }
+    TemporaryTexture temporary =
+        camera.temporaryTextures->GetTemporary(descriptor, command.filter, TextureWrapMode::Clamp);
     m_Result.Clear();
-    m_Result.SetGlobalTexture(command.id, temporary.main());
+    m_Result.SetGlobalTexture(command.id, temporary.handle());
     m_Temporaries[command.id] = std::move(temporary);
     return m_Result;
 }
@@ -218,7 +203,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const ReleaseTemporaryRTCommand&
     {
         const ShaderPropertyValue* value = m_Globals.Find(command.id);
         const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
-        if (texture != nullptr && *texture == temporary->second.main().rt())
+        if (texture != nullptr && *texture == temporary->second.handle().rt())
         {
             m_Result.SetGlobalTexture(command.id, TexturePointer());
         }
@@ -280,9 +265,10 @@ const CommandBuffer& IdentifiedTargets::Resolve(const IdentifiedBlitCommand& com
     m_Result.Clear();
     const TexturePointer source = Find(command.source, "Blit");
     const RTHandle dest = FindTarget(command.dest, "Blit");
+    Bind(command.dest, dest);
     if (command.material)
     {
-        m_Result.DrawBlit(source, dest, command.material, command.pass);
+        m_Result.DrawBlit(source, *dest.rt(), command.material, command.pass);
         return m_Result;
     }
     if (!source)
@@ -290,7 +276,8 @@ const CommandBuffer& IdentifiedTargets::Resolve(const IdentifiedBlitCommand& com
         throw ContractError("Blit: the source is None, and no material is given");
     }
     const bool isNearest = source->sampler().filterMode == FilterMode::Point;
-    DrawCopy(source, dest, isNearest ? k_NearestPass : k_BilinearPass, "Blit");
+    DrawCopy(source, *dest.rt(), BlitScaleBias(IsProjectionFlipped(*dest.rt())),
+             isNearest ? k_NearestPass : k_BilinearPass, "Blit");
     return m_Result;
 }
 
@@ -304,7 +291,8 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& comman
         throw ContractError("CopyTexture: the source is None");
     }
     ExpectCopyable(*source, *dest.rt());
-    DrawCopy(source, dest, k_NearestPass, "CopyTexture");
+    m_Result.SetRenderTarget(dest);
+    DrawCopy(source, *dest.rt(), k_WholeTexture, k_NearestPass, "CopyTexture");
     BindAgain();
     return m_Result;
 }
@@ -366,17 +354,25 @@ IdentifiedTargets::Resolve(const GenerateMipsCommand& command) const
     return texture;
 }
 
-void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
-                                 std::string_view call)
+/// Sets the target of a blit with the depth that belongs to it.
+void IdentifiedTargets::Bind(const RenderTargetIdentifier& dest, const RTHandle& texture)
 {
-    if (source == dest.rt())
+    if (dest != BuiltinRenderTextureType::CurrentActive)
+    {
+        m_Result.SetRenderTarget(texture, DepthBeside(dest));
+    }
+}
+
+void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RenderTexture& dest,
+                                 const glm::vec4& scaleBias, int pass, std::string_view call)
+{
+    if (source.get() == &dest)
     {
         throw ContractError(std::string(call) + ": '" + source->name() +
                             "' is both source and destination");
     }
-    m_Result.SetRenderTarget(dest);
     MaterialPropertyBlock properties;
-    properties.SetVector(_BlitScaleBias, k_WholeTexture);
+    properties.SetVector(_BlitScaleBias, scaleBias);
     DrawCopy(source, pass, call, std::move(properties), MeshTopology::Triangles);
 }
 

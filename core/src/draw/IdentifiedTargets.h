@@ -38,13 +38,6 @@ public:
     const std::shared_ptr<const ComputeShader>& CopyKernel(std::string_view call);
 
 private:
-    struct Temporary
-    {
-        TemporaryTexture color; ///< none where it is a depth texture
-        TemporaryTexture depth; ///< may be none
-
-        const RTHandle& main() const { return color ? color.handle() : depth.handle(); }
-    };
     using TexturePointer = std::shared_ptr<const Texture>;
 
     const CameraTargets& Camera(std::string_view call) const;
@@ -53,8 +46,10 @@ private:
     TexturePointer FindNamed(ShaderPropertyId name, std::string_view call) const;
     RTHandle FindTarget(const RenderTargetIdentifier& identifier, std::string_view call) const;
     RTHandle DepthBeside(const RenderTargetIdentifier& color) const;
-    void DrawCopy(const TexturePointer& source, const RTHandle& dest, int pass,
-                  std::string_view call);
+    void Bind(const RenderTargetIdentifier& dest, const RTHandle& texture);
+    /// @param scaleBias  of the source's uv
+    void DrawCopy(const TexturePointer& source, const RenderTexture& dest,
+                  const glm::vec4& scaleBias, int pass, std::string_view call);
     /// Onto what is bound, all in `properties` but the source.
     void DrawCopy(const TexturePointer& source, int pass, std::string_view call,
                   MaterialPropertyBlock properties, MeshTopology topology);
@@ -65,7 +60,7 @@ private:
     const MaterialPropertyBlock& m_Globals;
     CameraTargets m_Camera;
     std::vector<std::string>* m_Notes = nullptr; ///< null = no camera is rendered
-    std::unordered_map<ShaderPropertyId, Temporary> m_Temporaries;
+    std::unordered_map<ShaderPropertyId, TemporaryTexture> m_Temporaries;
     CommandBuffer m_Result;
     std::shared_ptr<const ComputeShader> m_CopyKernel;
     std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< whose it is

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 #include <limn/core/Camera.h>
+#include <limn/core/TargetOrientation.h>
 
 namespace limn
 {
@@ -18,7 +19,7 @@ void DrawRecorder::SetMatrix(const SetViewCommand& command)
 void DrawRecorder::SetMatrix(const SetProjectionCommand& command)
 {
     SetViewProjection(
-        {m_View, GpuProjection(command.projection, m_Frame.usesReversedZBuffer), false});
+        {m_View, GpuProjection(command.projection, m_Frame.usesReversedZBuffer, true), false});
 }
 
 void DrawRecorder::ExpectUnused(const GraphicsBuffer& buffer, const char* call) const
@@ -46,10 +47,12 @@ void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
     {
         SetGlobal({id, value});
     };
-    const glm::dmat4 projection(command.gpuProjection);
+    const glm::mat4 gpuProjection =
+        m_IsFlipped ? command.gpuProjection : WithFlippedY(command.gpuProjection);
+    const glm::dmat4 projection(gpuProjection);
     const glm::dvec4 origin = RelativeTo(m_Origin, command.view)[3];
     set(unity_MatrixV, glm::mat4(command.view));
-    set(glstate_matrix_projection, command.gpuProjection);
+    set(glstate_matrix_projection, gpuProjection);
     set(unity_MatrixVP, glm::mat4(projection * command.view));
     set(limn_OriginVS, glm::vec4(origin));
     set(limn_OriginCS, glm::vec4(projection * origin));
@@ -61,6 +64,43 @@ void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
         set(unity_MatrixInvP, glm::mat4(clipToView));
         set(unity_MatrixInvVP, glm::mat4(viewToWorld * clipToView));
     }
+}
+
+/// Turns over what shaders know of the camera, for a target of the other kind than the last one.
+void DrawRecorder::TurnProjection()
+{
+    static const ShaderPropertyId _ProjectionParams{"_ProjectionParams"};
+    static const ShaderPropertyId _ScaleBiasRt{"_ScaleBiasRt"};
+    const auto change = [&]<typename Value>(ShaderPropertyId id, Value (*turned)(Value))
+    {
+        const ShaderPropertyValue* value = m_Globals.Find(id);
+        if (const auto* known = value != nullptr ? std::get_if<Value>(value) : nullptr)
+        {
+            SetGlobal({id, turned(*known)});
+        }
+    };
+    for (const ShaderPropertyId toClip : {glstate_matrix_projection, unity_MatrixVP})
+    {
+        change(toClip, &WithFlippedY<glm::mat4>);
+    }
+    for (const ShaderPropertyId fromClip : {unity_MatrixInvP, unity_MatrixInvVP})
+    {
+        change(
+            fromClip,
+            +[](glm::mat4 matrix)
+            {
+                matrix[1] = -matrix[1];
+                return matrix;
+            });
+    }
+    const auto negatedY = +[](glm::vec4 v)
+    {
+        return glm::vec4(v.x, -v.y, v.z, v.w);
+    };
+    change(limn_OriginCS, negatedY);
+    change(
+        _ProjectionParams, +[](glm::vec4 v) { return glm::vec4(-v.x, v.y, v.z, v.w); });
+    SetGlobal({_ScaleBiasRt, ScaleBiasRt(m_IsFlipped)});
 }
 
 } // namespace limn

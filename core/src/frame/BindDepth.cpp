@@ -1,4 +1,4 @@
-#include "frame/FrameNode.h"
+#include "frame/TextureHistory.h"
 
 #include <unordered_set>
 
@@ -91,7 +91,7 @@ void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, Compiled
     for (FrameNode& node : nodes)
     {
         std::shared_ptr<const RenderTexture>& depth = node.targets.depth;
-        if (depth && depth->isTransient() && HasStencil(depth->graphicsFormat()) &&
+        if (depth && !OutlivesFrame(*depth, frame.states) && HasStencil(depth->graphicsFormat()) &&
             !kept.contains(depth->id()))
         {
             depth = TwinOf(depth, twins);

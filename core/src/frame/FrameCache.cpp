@@ -25,7 +25,7 @@ bool AreSame(const TextureState& a, const TextureState& b)
 {
     return !a.texture.expired() && a.usage == b.usage && a.isFilled == b.isFilled &&
            a.isPlaced == b.isPlaced && a.constant == b.constant && a.isPending == b.isPending &&
-           a.history == b.history && a.readers == b.readers;
+           a.readers == b.readers;
 }
 
 bool AreSame(const BufferState& a, const BufferState& b)
@@ -92,7 +92,7 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
 {
     return m_Frame && options.isLast == m_Options.isLast &&
            options.leavesOut == m_Options.leavesOut &&
-           options.limitsRegions == m_Options.limitsRegions &&
+           options.limitsRegions == m_Options.limitsRegions && options.held == m_Options.held &&
            commands.usesReversedZBuffer == m_Frame->usesReversedZBuffer &&
            std::ranges::equal(outputs, m_Outputs) && commands.commands == m_Commands.commands &&
            commands.meshes == m_Commands.meshes && commands.objects == m_Frame->objects &&

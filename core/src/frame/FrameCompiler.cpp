@@ -15,17 +15,13 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
                   [](const auto& entry) { return entry.second.texture.expired(); });
     std::erase_if(frame.states.buffers,
                   [](const auto& entry) { return entry.second.buffer.expired(); });
+    frame.states.held = options.held;
+    frame.states.isLast = options.isLast && options.leavesOut;
     static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
     std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
-    std::vector<std::uint64_t> overwritten;
     if (options.leavesOut)
     {
         FindAccess(nodes, frame);
-        overwritten = LearnHistory(nodes, outputs, frame);
-        if (options.isLast)
-        {
-            KeepNothing(frame.states);
-        }
         FoldConstants(nodes, outputs, frame);
         ForwardCopies(nodes, outputs, frame);
         LeaveOutUnread(nodes, outputs, frame);
@@ -45,7 +41,6 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     PlaceTextures(nodes, outputs, options.footprint, frame);
     MakePasses(std::move(nodes), outputs, frame);
     ForgetContents(frame.states);
-    RememberOverwritten(overwritten, frame.states);
     frame.uniformData = std::move(commands.uniformData);
     return frame;
 }

@@ -19,19 +19,7 @@ bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
            Only(state->second.constant.flags, AspectsOf(texture)) == AspectsOf(texture);
 }
 
-/// Says of what was Consumed whether it is kept, at the last node that draws into it.
-void Decide(const RenderTexture& texture, bool isRead, TextureStates& states)
-{
-    const auto state = states.textures.find(texture.id());
-    if (state != states.textures.end() && state->second.history == TextureHistory::Consumed)
-    {
-        state->second.history = isRead || IsReplaced(texture, states) ? TextureHistory::Unknown
-                                                                      : TextureHistory::Overwritten;
-    }
-}
-
-/// The textures whose contents are read behind the frame's last node. Those of history Consumed are
-/// if one of their readers in the frame is left.
+/// Returns the textures whose contents are read behind the frame's last node.
 Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
                    const TextureStates& states)
 {
@@ -40,10 +28,7 @@ Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
     {
         for (const auto& target : TargetsOf(node))
         {
-            const auto state = states.textures.find(target->id());
-            const bool isConsumed =
-                state != states.textures.end() && state->second.history == TextureHistory::Consumed;
-            if (OutlivesFrame(*target, states) && !isConsumed && !IsReplaced(*target, states))
+            if (OutlivesFrame(*target, states) && !IsReplaced(*target, states))
             {
                 ids.insert(target->id());
             }
@@ -74,10 +59,6 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {
         const auto targets = TargetsOf(*node);
-        for (const auto& target : targets)
-        {
-            Decide(*target, read.contains(target->id()), frame.states);
-        }
         const bool isRead =
             node->targets.isKept ||
             std::any_of(targets.begin(), targets.end(),
@@ -108,11 +89,6 @@ void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledF
         {
             read.insert(texture->id());
         }
-    }
-    for (auto& [id, state] : frame.states.textures) // what no node draws into any more
-    {
-        state.history =
-            state.history == TextureHistory::Consumed ? TextureHistory::Unknown : state.history;
     }
     EraseLeftOut(nodes, frame);
 }

@@ -69,7 +69,9 @@ RenderTextureDescriptor TextureDesc::descriptor() const
 {
     const glm::ivec2 size =
         sizeMode == TextureSizeMode::Explicit ? glm::ivec2(width, height) : SizeForCamera(*this);
-    RenderTextureDescriptor result(size.x, size.y, format, static_cast<int>(depthBufferBits));
+    const int depthBits = static_cast<int>(DepthBits(depthBufferBits));
+    RenderTextureDescriptor result(size.x, size.y, depthBits == 0 ? format : GraphicsFormat::None,
+                                   depthBits);
     result.msaaSamples = static_cast<int>(msaaSamples);
     result.enableRandomWrite = enableRandomWrite;
     result.useMipMap = useMipMap;

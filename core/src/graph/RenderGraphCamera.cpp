@@ -93,17 +93,25 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
                                       const RenderingData& renderingData, const Targets& targets)
 {
     auto& resources = m_FrameData.GetOrCreate<UniversalResourceData>();
-    const auto import = [this](const RTHandle& texture)
+    for (RenderGraphTexture& texture : m_Graph.m_State->textures)
     {
-        return texture ? m_Graph.ImportTexture(texture) : TextureHandle();
+        texture.handle = {}; // the camera's colour may be another one now
+    }
+    resources.cameraColor = Import(targets.color, "resourceData.activeColorTexture()");
+    resources.cameraDepth = Import(targets.depth, "resourceData.activeDepthTexture()");
+    const auto global = [&](ShaderPropertyId id, std::string_view handle)
+    {
+        return Import(RenderGraphRun::GlobalTexture(context, id), handle);
     };
-    resources.cameraColor = import(targets.color);
-    resources.cameraDepth = import(targets.depth);
-    resources.cameraDepthTexture = ImportGlobal(context, "_CameraDepthTexture");
-    resources.cameraNormalsTexture = ImportGlobal(context, "_CameraNormalsTexture");
-    resources.cameraOpaqueTexture = ImportGlobal(context, "_CameraOpaqueTexture");
-    resources.mainShadowsTexture = ImportGlobal(context, "_MainLightShadowmapTexture");
-    resources.additionalShadowsTexture = ImportGlobal(context, "_AdditionalLightsShadowmapTexture");
+    resources.cameraDepthTexture = global("_CameraDepthTexture", "resourceData.cameraDepthTexture");
+    resources.cameraNormalsTexture =
+        global("_CameraNormalsTexture", "resourceData.cameraNormalsTexture");
+    resources.cameraOpaqueTexture =
+        global("_CameraOpaqueTexture", "resourceData.cameraOpaqueTexture");
+    resources.mainShadowsTexture =
+        global("_MainLightShadowmapTexture", "resourceData.mainShadowsTexture");
+    resources.additionalShadowsTexture =
+        global("_AdditionalLightsShadowmapTexture", "resourceData.additionalShadowsTexture");
     static_cast<CameraData&>(m_FrameData.GetOrCreate<UniversalCameraData>()) =
         renderingData.cameraData;
     m_FrameData.GetOrCreate<UniversalRenderingData>().Set(renderingData);
@@ -113,11 +121,15 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
         renderingData.shadowData;
 }
 
-TextureHandle RenderGraphCamera::ImportGlobal(const ScriptableRenderContext& context,
-                                              ShaderPropertyId id)
+TextureHandle RenderGraphCamera::Import(const RTHandle& texture, std::string_view handle)
 {
-    const RTHandle texture = RenderGraphRun::GlobalTexture(context, id);
-    return texture ? m_Graph.ImportTexture(texture) : TextureHandle();
+    if (!texture)
+    {
+        return {};
+    }
+    TextureHandle imported = m_Graph.ImportTexture(texture);
+    m_Graph.m_State->Find(*texture.rt())->handle = handle;
+    return imported;
 }
 
 void RenderGraphCamera::End()

@@ -31,7 +31,8 @@ public:
 private:
     void FillFrameData(const ScriptableRenderContext& context, const RenderingData& renderingData,
                        const Targets& targets);
-    TextureHandle ImportGlobal(const ScriptableRenderContext& context, ShaderPropertyId id);
+    /// @param handle  what a feature calls it
+    TextureHandle Import(const RTHandle& texture, std::string_view handle);
 
     RenderGraph m_Graph;
     ContextContainer m_FrameData;

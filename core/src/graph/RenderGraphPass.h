@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <limn/core/RenderGraph.h>
@@ -11,6 +12,12 @@ template <typename T>
 using PooledVector = std::vector<T, PooledAllocator<T>>;
 template <typename T>
 using PooledDeque = std::deque<T, PooledAllocator<T>>;
+
+template <typename T>
+bool Has(const PooledVector<T>& list, const T& value)
+{
+    return std::ranges::find(list, value) != list.end();
+}
 
 /// What a message begins with, put together when there is one.
 struct RenderGraphCall
@@ -76,6 +83,8 @@ struct RenderGraphTexture
     Color clearColor;                       ///< linear
     bool isWritten = false;                 ///< by a pass that has run
     const RenderGraphPass* owner = nullptr; ///< of a transient one
+    /// What a feature calls its handle where it is one of UniversalResourceData; "" = its own.
+    std::string_view handle = {};
 };
 
 /// A buffer that a handle stands for.

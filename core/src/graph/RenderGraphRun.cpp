@@ -5,17 +5,6 @@
 namespace limn
 {
 
-namespace
-{
-
-template <typename T>
-bool Has(const PooledVector<T>& list, const T& value)
-{
-    return std::ranges::find(list, value) != list.end();
-}
-
-} // namespace
-
 void BaseCommandBuffer::DrawRendererList(const RendererListHandle& rendererList)
 {
     m_Run.DrawRendererList(rendererList);
@@ -25,6 +14,18 @@ CommandBuffer& BaseCommandBuffer::Globals(ShaderPropertyId id)
 {
     m_Run.ExpectGlobalsAllowed("sets the global", id.name());
     return m_Native;
+}
+
+CommandBuffer& BaseCommandBuffer::Keywords(const GlobalKeyword& keyword)
+{
+    m_Run.ExpectGlobalsAllowed("switches the keyword", keyword.name());
+    return m_Native;
+}
+
+void BaseCommandBuffer::SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
+{
+    m_Run.ExpectDeclared(value, id);
+    Globals(id).SetGlobalTexture(id, value);
 }
 
 void BaseCommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
@@ -71,6 +72,11 @@ void RenderGraphRun::Run(RenderGraphPass& pass)
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     m_Pass = &pass;
     m_Cmd = cmd.get();
+    m_Problems.clear();
+    m_RefusedGlobals.clear();
+    m_HasEffect = false;
+    m_SetHere.clear();
+    m_LineToBeRun.clear();
     ExpectRunnable();
     ResolveGlobals();
     ExpectWritten();
@@ -79,6 +85,7 @@ void RenderGraphRun::Run(RenderGraphPass& pass)
     Bind();
     Record();
     ExpectAsDeclared(first);
+    ThrowIfProblems();
     Finish();
 }
 
@@ -99,51 +106,7 @@ void RenderGraphRun::ExpectRunnable() const
     }
 }
 
-/// What is global now under the names that the pass uses.
-void RenderGraphRun::ResolveGlobals()
-{
-    for (const RenderGraphPass::GlobalUse& global : m_Pass->globalUses)
-    {
-        const RTHandle texture = GlobalTexture(m_Context, global.id);
-        if (!texture)
-        {
-            throw ContractError(Subject() + ": UseGlobalTexture of '" + global.id.name() +
-                                "', but no pass before it made a texture global under that name; "
-                                "SetGlobalTextureAfterPass does");
-        }
-        if (m_Pass->FindUse(texture) == nullptr)
-        {
-            m_Pass->uses.push_back({texture, global.flags, false});
-        }
-    }
-}
-
-void RenderGraphRun::ExpectWritten() const
-{
-    for (const RenderGraphPass::Use& use : m_Pass->uses)
-    {
-        const RenderGraphTexture* texture = m_State.Find(*use.texture.rt());
-        const bool holdsNothing = texture != nullptr && texture->isMade && !texture->isWritten &&
-                                  texture->owner != m_Pass;
-        if (holdsNothing && !use.isAttachment && use.flags == AccessFlags::Read)
-        {
-            throw ContractError(Subject() + " reads '" + use.texture.rt()->name() +
-                                "', which no pass before it writes");
-        }
-    }
-    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
-    {
-        RenderGraphBuffer& buffer = *m_State.Find(*use.buffer);
-        if (buffer.isMade && !buffer.isWritten && use.flags == AccessFlags::Read)
-        {
-            throw ContractError(Subject() + " reads buffer '" + use.buffer->name() +
-                                "', which no pass before it writes");
-        }
-        buffer.isWritten = buffer.isWritten || (use.flags & AccessFlags::Write);
-    }
-}
-
-/// What is written for the first time.
+/// What is written for the first time, or read without having been written.
 void RenderGraphRun::Clear()
 {
     m_Cmd->BeginSample(m_Pass->name);
@@ -153,12 +116,14 @@ void RenderGraphRun::Clear()
         const bool isOwn = texture.owner == m_Pass;
         const bool writes = isOwn || (use != nullptr && (use->flags & AccessFlags::Write));
         const bool discards = use != nullptr && (use->flags & AccessFlags::Discard);
-        if (writes && !discards && !texture.isWritten && texture.clears)
+        const bool reads = use != nullptr && texture.isMade;
+        if ((writes || reads) && !discards && !texture.isWritten && texture.clears)
         {
             const bool isDepth = IsDepthFormat(texture.texture.rt()->graphicsFormat());
             CoreUtils::SetRenderTarget(*m_Cmd, texture.texture,
                                        isDepth ? ClearFlag::DepthStencil : ClearFlag::Color,
                                        texture.clearColor);
+            texture.isWritten = true;
         }
         texture.isWritten = texture.isWritten || writes;
     }
@@ -205,28 +170,21 @@ void RenderGraphRun::Flush()
     {
         const auto* global = std::get_if<SetGlobalCommand>(&command);
         const auto* identified = std::get_if<SetGlobalIdentifierCommand>(&command);
-        if (const auto* keyword = std::get_if<SetKeywordCommand>(&command))
+        const auto* keyword = std::get_if<SetKeywordCommand>(&command);
+        if (global != nullptr || identified != nullptr || keyword != nullptr)
         {
-            ExpectGlobalsAllowed("switches the keyword", keyword->keyword.name());
-        }
-        if (global != nullptr || identified != nullptr)
-        {
-            const ShaderPropertyId id = global != nullptr ? global->id : identified->id;
-            ExpectGlobalsAllowed("sets the global", id.name());
+            m_HasEffect = true;
+            if (keyword == nullptr)
+            {
+                m_SetHere.push_back(global != nullptr ? global->id : identified->id);
+            }
+            NoteNativeGlobal(keyword != nullptr  ? keyword->keyword.name()
+                             : global != nullptr ? std::string_view(global->id.name())
+                                                 : std::string_view(identified->id.name()));
         }
     }
     m_Context.ExecuteCommandBuffer(*m_Cmd);
     m_Cmd->Clear();
-}
-
-void RenderGraphRun::ExpectGlobalsAllowed(std::string_view what, std::string_view name) const
-{
-    if (!m_Pass->allowsGlobalState)
-    {
-        const std::string quoted = name.empty() ? "" : " '" + std::string(name) + "'";
-        throw ContractError(Subject() + " " + std::string(what) + quoted +
-                            ", yet declares no AllowGlobalStateModification(true)");
-    }
 }
 
 void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
@@ -235,193 +193,15 @@ void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
         m_Graph.IndexOf(list, {"pass '", m_Pass->name.name(), "': DrawRendererList"});
     if (!Has(m_Pass->rendererLists, index))
     {
-        throw ContractError(Subject() +
-                            " declares no UseRendererList of a renderer list, yet draws it");
+        Fail(Subject() +
+             " declares no UseRendererList of a renderer list, yet draws it, of which Unity draws "
+             "nothing; add builder.UseRendererList(<its handle>);");
     }
     m_DrawnLists.push_back(index);
     Flush();
     const RendererListParams& params = m_State.rendererLists[index];
     m_Context.DrawRenderers(*params.cullingResults, params.drawSettings, params.filteringSettings,
                             params.stateBlock);
-}
-
-void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
-{
-    m_Sampled.clear();
-    m_Targets.clear();
-    m_Buffers.clear();
-    const bool isKept = !m_Pass->allowsCulling || m_Pass->allowsGlobalState;
-    const SetRenderTargetCommand* target = nullptr;
-    const DrawBindings* last = nullptr;
-    auto& commands = m_Context.m_Frame.commands;
-    for (std::size_t i = firstCommand; i < commands.size(); ++i)
-    {
-        if (auto* bound = std::get_if<SetRenderTargetCommand>(&commands[i]))
-        {
-            bound->isKept = isKept;
-            target = bound;
-            continue;
-        }
-        if (auto* dispatch = std::get_if<DispatchCommand>(&commands[i]))
-        {
-            dispatch->isKept = isKept;
-            last = m_Context.m_Frame.Setup(*dispatch).bindings.get();
-            ExpectReads(*last);
-            ExpectWrites(*last);
-            ExpectBuffers(*last);
-            continue;
-        }
-        const auto* draw = std::get_if<DrawCommand>(&commands[i]);
-        if (draw == nullptr && !std::holds_alternative<ClearCommand>(commands[i]))
-        {
-            continue;
-        }
-        ExpectTarget(target);
-        const DrawBindings* bindings =
-            draw != nullptr ? m_Context.m_Frame.Setup(*draw).bindings.get() : last;
-        if (bindings != last)
-        {
-            last = bindings;
-            ExpectReads(*bindings);
-            ExpectBuffers(*bindings);
-        }
-    }
-    NoteUnused(last != nullptr);
-    NoteUnusedBuffers();
-}
-
-void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
-{
-    if (target == nullptr)
-    {
-        throw ContractError(Subject() + (m_Pass->raster
-                                             ? " draws, yet declares no SetRenderAttachment"
-                                             : " draws before it sets a render target"));
-    }
-    const auto expect = [&](const std::shared_ptr<const RenderTexture>& texture)
-    {
-        if (!texture || Has<const Texture*>(m_Targets, texture.get()))
-        {
-            return;
-        }
-        m_Targets.push_back(texture.get());
-        const RenderGraphTexture* known = m_State.Find(*texture);
-        const RenderGraphPass::Use* use = m_Pass->FindUse(RTHandle(texture));
-        const bool isDeclared =
-            use != nullptr && (use->isAttachment || use->flags & AccessFlags::Write);
-        if (known != nullptr && known->owner != m_Pass && !isDeclared)
-        {
-            throw ContractError(Subject() + " declares no write of '" + texture->name() +
-                                "', yet draws into it; UseTexture(…, AccessFlags::Write) "
-                                "declares it");
-        }
-    };
-    std::ranges::for_each(target->colors, expect);
-    expect(target->depth);
-}
-
-void RenderGraphRun::ExpectWrites(const DrawBindings& bindings)
-{
-    for (const StorageTextureSlot& slot : bindings.storageTextures)
-    {
-        const RenderGraphTexture* known = m_State.Find(*slot.texture);
-        m_Targets.push_back(slot.texture.get());
-        if (known != nullptr && known->owner != m_Pass &&
-            !m_Pass->Declares(known->texture, AccessFlags::Write))
-        {
-            throw ContractError(Subject() + " declares no write of '" + slot.texture->name() +
-                                "', yet a kernel may write to it; UseTexture(…, "
-                                "AccessFlags::Write) declares it");
-        }
-    }
-}
-
-void RenderGraphRun::ExpectBuffers(const DrawBindings& bindings)
-{
-    for (const BufferSlot& slot : bindings.buffers)
-    {
-        m_Buffers.push_back(slot.buffer.get());
-        if (m_State.Find(*slot.buffer) == nullptr)
-        {
-            continue;
-        }
-        const RenderGraphPass::BufferUse* use = m_Pass->FindUse(*slot.buffer);
-        const AccessFlags wanted = slot.isWritten ? AccessFlags::Write : AccessFlags::Read;
-        if (use == nullptr || !(use->flags & wanted))
-        {
-            throw ContractError(Subject() + " declares no " + (slot.isWritten ? "write" : "read") +
-                                " of buffer '" + slot.buffer->name() + "', yet " +
-                                (slot.isWritten ? "a kernel may write to it" : "reads it") +
-                                "; UseBuffer declares it");
-        }
-    }
-}
-
-void RenderGraphRun::ExpectReads(const DrawBindings& bindings)
-{
-    for (const TextureSlot& slot : bindings.textures)
-    {
-        const Texture* texture = slot.texture.get();
-        if (Has(m_Sampled, texture))
-        {
-            continue;
-        }
-        m_Sampled.push_back(texture);
-        const RenderGraphTexture* known = m_State.Find(*texture);
-        if (known == nullptr || known->owner == m_Pass || m_Pass->usesAllGlobals)
-        {
-            continue;
-        }
-        const RenderGraphPass::Use* use = m_Pass->FindUse(known->texture);
-        if (use == nullptr || (!use->isAttachment && !(use->flags & AccessFlags::Read)))
-        {
-            throw ContractError(Subject() + " declares no read of '" + texture->name() +
-                                "', yet samples it; UseTexture declares it");
-        }
-    }
-}
-
-/// What is declared for nothing.
-void RenderGraphRun::NoteUnused(bool draws)
-{
-    std::vector<std::string>& notes = m_Report.notes;
-    const auto isDrawn = [&](std::size_t list)
-    {
-        return Has(m_DrawnLists, list);
-    };
-    if (!std::ranges::all_of(m_Pass->rendererLists, isDrawn))
-    {
-        notes.push_back(Subject() + " declares UseRendererList of a list that it does not draw");
-    }
-    for (const RenderGraphPass::Use& use : m_Pass->uses)
-    {
-        const Texture* texture = use.texture.rt().get();
-        const bool isRead = Has(m_Sampled, texture);
-        const bool isWritten = Has(m_Targets, texture);
-        if (!use.isAttachment && (use.flags & AccessFlags::Read) && draws && !isRead && !isWritten)
-        {
-            notes.push_back(Subject() + " declares a read of '" + texture->name() +
-                            "', yet samples it nowhere");
-        }
-        // Of a list there may be nothing to draw.
-        if ((use.flags & AccessFlags::Write) && !isWritten && !isRead && m_DrawnLists.empty())
-        {
-            notes.push_back(Subject() + " declares a write of '" + texture->name() +
-                            "', yet draws nothing into it");
-        }
-    }
-}
-
-void RenderGraphRun::NoteUnusedBuffers()
-{
-    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
-    {
-        if (!Has(m_Buffers, use.buffer.get()))
-        {
-            m_Report.notes.push_back(Subject() + " declares a use of buffer '" +
-                                     use.buffer->name() + "', yet uses it nowhere");
-        }
-    }
 }
 
 void RenderGraphRun::Finish()

@@ -143,7 +143,7 @@ glm::dmat4 ToTexture(const ViewportRect& tile, double size)
     const glm::dvec2 offset = glm::dvec2(tile.x, tile.y) / size;
     glm::dmat4 toTexture(1.0);
     toTexture[0][0] = 0.5 * scale.x;
-    toTexture[1][1] = -0.5 * scale.y; // its first row is the top one
+    toTexture[1][1] = 0.5 * scale.y;
     toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
     return toTexture;
 }
@@ -322,8 +322,8 @@ void AdditionalLightsShadowCasterPass::DrawSlice(ScriptableRenderContext& contex
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     cmd->SetViewport(slice.tile);
     RenderingUtils::SetViewAndProjectionMatrices(
-        *cmd, slice.view, glm::mat4(Projection(light, slice.slope, data.usesReversedZBuffer)),
-        false);
+        *cmd, slice.view,
+        WithFlippedY(glm::mat4(Projection(light, slice.slope, data.usesReversedZBuffer))), false);
     cmd->SetGlobalVector(k_ShadowBias,
                          ShadowBias(LookOf(light), renderingData.shadowSettings, slice.texelSize));
     cmd->SetGlobalVector(_LightPosition, glm::vec4(glm::vec3(place), 1.0f));

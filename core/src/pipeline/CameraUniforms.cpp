@@ -79,15 +79,17 @@ glm::vec4 ZBufferParams(double n, double f, bool usesReversedZBuffer)
 
 void SetMatrices(CommandBuffer& cmd, const CameraData& data)
 {
-    const glm::mat4& projection = data.gpuProjectionMatrix;
-    RenderingUtils::SetViewAndProjectionMatrices(cmd, data.viewMatrix, projection, true);
+    RenderingUtils::SetViewAndProjectionMatrices(cmd, data.viewMatrix, data.gpuProjectionMatrix,
+                                                 true);
     glm::dmat4 worldToCamera(1.0);
     worldToCamera[2][2] = -1.0;
     worldToCamera *= data.viewMatrix;
     Matrix(cmd, unity_WorldToCamera, glm::mat4(worldToCamera));
     Matrix(cmd, unity_CameraToWorld, Inverse(worldToCamera));
-    Matrix(cmd, unity_CameraProjection, projection);
-    Matrix(cmd, unity_CameraInvProjection, Inverse(glm::dmat4(projection)));
+    // OpenGL's, whatever the target is, as scripts see it.
+    const glm::dmat4 projection = data.GetProjectionMatrix();
+    Matrix(cmd, unity_CameraProjection, glm::mat4(projection));
+    Matrix(cmd, unity_CameraInvProjection, Inverse(projection));
     SetOriginUniforms(cmd, data);
 }
 
@@ -119,7 +121,8 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     const auto pictureHeight = static_cast<float>(data.pixelHeight);
     SetMatrices(cmd, data);
     Vector(cmd, _WorldSpaceCameraPos, glm::vec4(camera.transform.position(), 0.0f));
-    Vector(cmd, _ProjectionParams, glm::vec4(1.0, n, f, Reciprocal(f)));
+    const bool isFlipped = data.IsCameraProjectionMatrixFlipped();
+    Vector(cmd, _ProjectionParams, glm::vec4(ProjectionSign(isFlipped), n, f, Reciprocal(f)));
     Vector(cmd, _ScreenParams,
            {pictureWidth, pictureHeight, 1.0f + 1.0f / pictureWidth, 1.0f + 1.0f / pictureHeight});
     Vector(cmd, _ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
@@ -128,8 +131,7 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     Vector(cmd, unity_OrthoParams,
            {camera.orthographicSize * data.aspectRatio, camera.orthographicSize, 0.0f,
             camera.orthographic ? 1.0f : 0.0f});
-    // Row 0 is the top of the picture in every target, so nothing has to be turned.
-    Vector(cmd, _ScaleBiasRt, {-1.0f, 1.0f, -1.0f, 1.0f});
+    Vector(cmd, _ScaleBiasRt, ScaleBiasRt(isFlipped));
     Vector(cmd, _GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
     // No reflection probe sees anything.
     for (const ShaderPropertyId probe : {unity_SpecCube0, unity_SpecCube1})

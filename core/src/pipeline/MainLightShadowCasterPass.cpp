@@ -105,7 +105,7 @@ glm::dmat4 ToTexture(const ShadowCascade& cascade, const glm::ivec2& size, bool 
     const glm::dvec2 offset = glm::dvec2(cascade.tile.x, cascade.tile.y) / glm::dvec2(size);
     glm::dmat4 toTexture(1.0);
     toTexture[0][0] = 0.5 * scale.x;
-    toTexture[1][1] = -0.5 * scale.y; // its first row is the top one
+    toTexture[1][1] = 0.5 * scale.y;
     toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
     return toTexture * cascade.Projection(usesReversedZBuffer);
 }
@@ -211,7 +211,8 @@ void MainLightShadowCasterPass::DrawCascade(ScriptableRenderContext& context,
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     cmd->SetViewport(cascade.tile);
     RenderingUtils::SetViewAndProjectionMatrices(
-        *cmd, cascade.view, glm::mat4(cascade.Projection(data.usesReversedZBuffer)), false);
+        *cmd, cascade.view, WithFlippedY(glm::mat4(cascade.Projection(data.usesReversedZBuffer))),
+        false);
     cmd->SetGlobalVector(
         _ShadowBias, ShadowBias(LookOf(light), renderingData.shadowSettings, cascade.TexelSize()));
     cmd->SetGlobalVector(_LightDirection, glm::vec4(-light.direction, 0.0f));

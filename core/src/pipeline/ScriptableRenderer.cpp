@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <exception>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/CurrentCamera.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/TypeName.h>
 
 namespace limn
@@ -132,7 +134,18 @@ bool Is(const RTHandle& target, const RTHandle& camera)
         return target == camera;
     }
     const RenderTargetIdentifier identifier = target.nameID();
-    return identifier == BuiltinRenderTextureType::CameraTarget || identifier == camera.nameID();
+    return identifier == BuiltinRenderTextureType::CameraTarget ||
+           identifier == BuiltinRenderTextureType::CameraColor || identifier == camera.nameID();
+}
+
+/// Returns whether a colour that is bound alone brings the camera's depth along.
+bool BringsDepth(const RTHandle& color, const RTHandle& cameraColor, const RTHandle& cameraDepth)
+{
+    const RenderTargetIdentifier identifier = color.nameID();
+    const auto texture =
+        identifier == BuiltinRenderTextureType::CameraColor ? cameraColor.rt() : color.rt();
+    return identifier == BuiltinRenderTextureType::CameraTarget ||
+           (texture && texture->depthBuffer() && texture->depthBuffer() == cameraDepth.rt());
 }
 
 /// Their number where it is none of them.
@@ -168,6 +181,7 @@ ScriptableRenderer::AddFeature(std::unique_ptr<ScriptableRendererFeature> featur
     {
         throw ContractError("AddFeature: the feature is null");
     }
+    const ShaderSourceScope shaders(m_ShaderSource);
     RunFeature(*feature, "Create", [&] { feature->Create(); });
     m_Features.push_back(std::move(feature));
     return *m_Features.back();
@@ -265,6 +279,8 @@ void ScriptableRenderer::RenderCamera(ScriptableRenderContext& context,
                 m_RenderGraph->End();
             }
         });
+    const ShaderSourceScope shaders(m_ShaderSource);
+    const CurrentCamera current(renderingData);
     // An overlay's colour is what the cameras before it have drawn.
     m_FirstColor = renderingData.cameraData.renderType == CameraRenderType::Base;
     m_FirstDepth = true;
@@ -444,9 +460,9 @@ void ScriptableRenderer::BindTargets(CommandBuffer& cmd, const ScriptableRenderP
         }
     }
     // A colour that is named alone brings its own depth along.
+    const bool isAlone = !depth && colors.size() == 1;
     const bool isWithCameraDepth =
-        depth ? Is(depth, m_CameraDepth)
-              : colors.size() == 1 && colors[0].nameID() == BuiltinRenderTextureType::CameraTarget;
+        isAlone ? BringsDepth(colors[0], m_CameraColor, m_CameraDepth) : Is(depth, m_CameraDepth);
     const bool isFirstDepth = isWithCameraDepth && m_FirstDepth;
     m_FirstDepth = m_FirstDepth && !isFirstDepth;
     clear = clear | Only(isFirstDepth ? cameraClear : pass.clearFlag(), ClearFlag::DepthStencil);

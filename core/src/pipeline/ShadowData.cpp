@@ -10,7 +10,7 @@ namespace limn
 namespace
 {
 
-bool ThrowsShadows(const Light* light)
+bool HasShadows(const Light* light)
 {
     return light->shadows != LightShadows::None;
 }
@@ -50,7 +50,7 @@ ShadowData::ShadowData(const ShadowSettings& settings, const LightData& lights)
       mainLightShadowCascadeBorder(settings.cascadeBorder),
       supportsAdditionalLightShadows(settings.additionalLightShadowsSupported &&
                                      lights.supportsAdditionalLights &&
-                                     std::ranges::any_of(lights.additionalLights, ThrowsShadows)),
+                                     std::ranges::any_of(lights.additionalLights, HasShadows)),
       additionalLightsShadowmapWidth(settings.additionalLightsShadowmapResolution),
       additionalLightsShadowmapHeight(settings.additionalLightsShadowmapResolution),
       supportsSoftShadows(settings.softShadowsSupported &&

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/core/CurrentCamera.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -77,6 +78,15 @@ void ExpectLightLimit(int count)
     {
         throw ContractError("UniversalRenderPipeline: maxAdditionalLightsCount is " +
                             std::to_string(count) + "; it must be from 0 to 8");
+    }
+}
+
+void ExpectPipelineVersion(int version)
+{
+    if (version < 7 || version > 17)
+    {
+        throw ContractError("UniversalRenderPipeline: pipelineVersion is " +
+                            std::to_string(version) + "; it must be from 7 to 17");
     }
 }
 
@@ -189,15 +199,16 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.viewMatrix = camera.viewMatrix();
     data.cameraData.usesReversedZBuffer = UsesReversedZBuffer(renderer);
     data.cameraData.gpuProjectionMatrix =
-        camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer);
+        WithFlippedY(camera.gpuProjectionMatrix(aspect, data.cameraData.usesReversedZBuffer));
     data.scene = request.scene;
     data.time = request.time;
     data.volumeStack = request.blendVolumes ? request.blendVolumes(camera) : request.volumeStack;
+    data.report = &report;
+    const CurrentCamera current(data); // for code of features that is asked for its margin
     const glm::vec2 margin = 2.0f * renderer.cullingMargin(data.volumeStack) / size;
     data.cullResults = Measure(
         request.timeline, "cull",
         [&] { return Cull(*request.scene, camera, aspect, margin, data.cameraData.renderOrigin); });
-    data.report = &report;
     return data;
 }
 
@@ -324,6 +335,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     ExpectSampleCount(msaaSampleCount);
     ExpectRenderScale(renderScale);
     ExpectLightLimit(maxAdditionalLightsCount);
+    ExpectPipelineVersion(pipelineVersion);
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.notes.clear();
@@ -348,6 +360,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
         renderingData.cameraData.renderScale = scale;
+        renderingData.cameraData.pipelineVersion = pipelineVersion;
         renderingData.cameraData.maxShadowDistance = MaxShadowDistance(*camera, shadows);
         renderingData.postProcessingEnabled = std::ranges::any_of(
             m_Stack, [](const Camera* each) { return each->renderPostProcessing; });
@@ -398,6 +411,7 @@ void UniversalRenderPipeline::Finish(const RenderRequest& request, FrameCache& f
             return m_Device->Footprint(texture);
         };
     }
+    options.held = m_TemporaryTextures.held();
     m_Commands = m_Context->TakeCommands();
     result.frame = Measure(
         request.timeline, "compile",

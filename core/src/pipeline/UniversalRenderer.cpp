@@ -3,9 +3,11 @@
 #include "pipeline/DrawSkyboxPass.h"
 #include "pipeline/MainLightShadowCasterPass.h"
 
+#include <algorithm>
 #include <limits>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalRenderer.h>
 
 namespace limn
@@ -23,17 +25,23 @@ struct BlitPasses
 constexpr BlitPasses k_Copy{0, 1};      // "Nearest", "Bilinear"
 constexpr BlitPasses k_FinalBlit{2, 5}; // "Final", "FinalBilinear": opaque
 
-/// A texture of the renderer's own: nobody sees it after the frame.
+/// Makes a texture of the renderer's own: nobody sees it after the frame.
+/// @param depthBuffer  what the colour brings along; null = nothing
 void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descriptor,
-                        const char* name)
+                        const char* name,
+                        const std::shared_ptr<const RenderTexture>& depthBuffer = nullptr)
 {
-    if (handle && handle.rt()->descriptor() == descriptor)
+    if (handle && handle.rt()->descriptor() == descriptor &&
+        handle.rt()->depthBuffer() == depthBuffer)
     {
         return;
     }
     const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
                                TextureWrapMode::Clamp, false};
-    handle = RTHandle(std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
+    handle = RTHandle(
+        depthBuffer
+            ? std::make_shared<const RenderTexture>(name, descriptor, sampler, true, depthBuffer)
+            : std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
 }
 
 } // namespace
@@ -55,6 +63,7 @@ UniversalRenderer::UniversalRenderer(std::shared_ptr<ShaderCompiler> compiler)
     m_FinalBlitPass = std::make_unique<BlitPass>("Final Blit", RenderPassEvent::AfterRendering + 1,
                                                  m_CopyMaterial, k_FinalBlit.ofSize);
     m_CameraTextures = std::make_unique<CameraTextures>(m_CopyMaterial);
+    SetShaderSource(std::make_shared<ShaderSource>(&BuiltinShaders, m_Compiler));
 }
 
 UniversalRenderer::~UniversalRenderer() = default;
@@ -99,16 +108,26 @@ void UniversalRenderer::MakeTargets(const CameraData& camera)
     RenderTextureDescriptor color = camera.cameraTargetDescriptor;
     color.depthBufferBits = 0;
     m_Current = 0;
-    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA");
-    AllocateAttachment(m_Depth, camera.cameraTargetDescriptor, "_CameraDepthAttachment");
+    RenderTextureDescriptor depth = camera.cameraTargetDescriptor;
+    depth.graphicsFormat = GraphicsFormat::None;
+    AllocateAttachment(m_Depth, depth, "_CameraDepthAttachment");
+    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA",
+                       BringsDepth(camera) ? m_Depth.rt() : nullptr);
     ConfigureCameraTarget(m_Colors[0], m_Depth);
     const BlitPasses& passes = camera.targetTexture ? k_Copy : k_FinalBlit;
     const bool isScaled = color.width != camera.pixelWidth || color.height != camera.pixelHeight;
     m_FinalBlitPass->SetMaterialPass(isScaled ? passes.scaled : passes.ofSize,
-                                     camera.targetTexture
-                                         ? glm::vec4(1.0f, -1.0f, 0.0f, 1.0f) // bottom row first
-                                         : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
+                                     BlitScaleBias(IsProjectionFlipped(*m_Output.rt())));
     m_FinalBlitPass->SetTargets(m_Colors[0], m_Output);
+}
+
+/// Returns whether the camera's colour has the camera's depth, as in URP 7 to 11 where no depth
+/// texture is made of that. Source: UniversalRenderer.Setup, CreateCameraRenderTarget (URP 10).
+bool UniversalRenderer::BringsDepth(const CameraData& camera) const
+{
+    return camera.pipelineVersion < 12 &&
+           std::ranges::none_of(activeRenderPassQueue(), [](const ScriptableRenderPass* pass)
+                                { return pass->input() & ScriptableRenderPassInput::Depth; });
 }
 
 const RTHandle& UniversalRenderer::GetCameraColorFrontBuffer()

@@ -4,6 +4,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <limn/core/Camera.h>
+#include <limn/core/TargetOrientation.h>
 #include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
@@ -120,10 +121,12 @@ glm::dmat4 ReversedProjection(const Camera& camera, float aspect)
 
 } // namespace
 
-glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer)
+glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer,
+                        bool renderIntoTexture)
 {
     const glm::dmat4 reversed = TurnDepth(projection, 0.5);
-    return glm::mat4(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
+    const glm::mat4 upright(usesReversedZBuffer ? reversed : WithTurnedDepth(reversed));
+    return renderIntoTexture ? WithFlippedY(upright) : upright;
 }
 
 glm::dmat4 Camera::viewMatrix() const

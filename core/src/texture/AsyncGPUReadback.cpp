@@ -34,12 +34,6 @@ void AsyncGPUReadbackRequest::WaitForCompletion()
     m_Pending->Finish(true);
 }
 
-const Image& AsyncGPUReadbackRequest::image() const
-{
-    Bytes(1);
-    return m_Pending->result();
-}
-
 int AsyncGPUReadbackRequest::width() const
 {
     return m_Pending->result().width;

@@ -20,13 +20,7 @@ SamplerState MakeSampler(FilterMode filterMode, TextureWrapMode wrapMode)
 bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted,
              const SamplerState& sampler, std::string_view name)
 {
-    RenderTextureDescriptor actual = texture.descriptor();
-    if (wanted.depthBufferBits != 0)
-    {
-        // A depth texture has no colour format, so a difference there is none.
-        actual.graphicsFormat = wanted.graphicsFormat;
-    }
-    return actual == wanted && texture.sampler() == sampler && texture.name() == name;
+    return texture.descriptor() == wanted && texture.sampler() == sampler && texture.name() == name;
 }
 
 } // namespace
@@ -84,22 +78,34 @@ RenderTargetIdentifier::RenderTargetIdentifier(std::shared_ptr<const Texture> te
 RTHandle RTHandles::Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode,
                           TextureWrapMode wrapMode, std::string name)
 {
-    return RTHandle(std::make_shared<const RenderTexture>(std::move(name), descriptor,
-                                                          MakeSampler(filterMode, wrapMode)));
+    return RTHandle(std::make_shared<const RenderTexture>(
+        std::move(name), DescriptorOfHandle(descriptor), MakeSampler(filterMode, wrapMode)));
 }
 
 bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                                         FilterMode filterMode, TextureWrapMode wrapMode,
                                         std::string_view name)
 {
-    descriptor.width = std::max(descriptor.width, 1);
-    descriptor.height = std::max(descriptor.height, 1);
-    if (handle.rt() && Matches(*handle.rt(), descriptor, MakeSampler(filterMode, wrapMode), name))
+    ReAllocateArguments arguments{filterMode, wrapMode};
+    arguments.name = name;
+    return ReAllocateIfNeeded(handle, descriptor, arguments);
+}
+
+bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                                        const ReAllocateArguments& arguments)
+{
+    RenderTextureDescriptor wanted = DescriptorOfHandle(WithArguments(descriptor, arguments));
+    wanted.width = std::max(wanted.width, 1);
+    wanted.height = std::max(wanted.height, 1);
+    const SamplerState sampler = SamplerWith(wanted, arguments);
+    const bool isKept = handle.rt() && !handle.useScaling() &&
+                        Matches(*handle.rt(), wanted, sampler, arguments.name);
+    if (!isKept)
     {
-        return false;
+        handle = RTHandle(
+            std::make_shared<const RenderTexture>(std::string(arguments.name), wanted, sampler));
     }
-    handle = RTHandles::Alloc(descriptor, filterMode, wrapMode, std::string(name));
-    return true;
+    return !isKept;
 }
 
 } // namespace limn

@@ -9,12 +9,12 @@ namespace limn
 namespace
 {
 
-GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& descriptor)
+GraphicsFormat DepthFormatOf(const std::string& name, const RenderTextureDescriptor& descriptor)
 {
     switch (descriptor.depthBufferBits)
     {
     case 0:
-        return descriptor.graphicsFormat;
+        return GraphicsFormat::None;
     case 16:
         return GraphicsFormat::D32_SFloat;
     case 24:
@@ -25,6 +25,36 @@ GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& 
                             std::to_string(descriptor.depthBufferBits) +
                             "; it must be 0, 16, 24 or 32");
     }
+}
+
+bool HasColor(const RenderTextureDescriptor& descriptor)
+{
+    return descriptor.graphicsFormat != GraphicsFormat::None &&
+           !IsDepthFormat(descriptor.graphicsFormat);
+}
+
+GraphicsFormat FormatOf(const std::string& name, const RenderTextureDescriptor& descriptor)
+{
+    const GraphicsFormat depth = DepthFormatOf(name, descriptor);
+    return HasColor(descriptor) || depth == GraphicsFormat::None
+               ? MadeFormat(descriptor.graphicsFormat)
+               : depth;
+}
+
+/// Returns null where the descriptor asks for none beside its colour.
+std::shared_ptr<const RenderTexture>
+MakeDepthBuffer(const std::string& name, const RenderTextureDescriptor& descriptor, bool transient)
+{
+    if (!HasColor(descriptor) || descriptor.depthBufferBits == 0)
+    {
+        return nullptr;
+    }
+    RenderTextureDescriptor depth(descriptor.width, descriptor.height, GraphicsFormat::None,
+                                  descriptor.depthBufferBits);
+    depth.msaaSamples = descriptor.msaaSamples;
+    depth.isTopRowFirst = descriptor.isTopRowFirst;
+    depth.memoryless = descriptor.memoryless;
+    return std::make_shared<const RenderTexture>(name + " Depth", depth, SamplerState(), transient);
 }
 
 SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState sampler)
@@ -64,7 +94,7 @@ TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
 
 GraphicsFormat RenderTextureDescriptor::depthStencilFormat() const
 {
-    return depthBufferBits == 0 ? GraphicsFormat::None : FormatOf("descriptor", *this);
+    return DepthFormatOf("descriptor", *this);
 }
 
 void RenderTextureDescriptor::SetDepthStencilFormat(GraphicsFormat format)
@@ -74,9 +104,7 @@ void RenderTextureDescriptor::SetDepthStencilFormat(GraphicsFormat format)
         throw ContractError(std::string("SetDepthStencilFormat: ") + ToString(format) +
                             " is no depth format");
     }
-    depthBufferBits = format == GraphicsFormat::None         ? 0
-                      : format == GraphicsFormat::D32_SFloat ? 16
-                                                             : 32;
+    depthBufferBits = format == GraphicsFormat::None ? 0 : HasStencil(format) ? 32 : 16;
 }
 
 RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
@@ -84,6 +112,7 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
     : Texture(name, ShapeOf(descriptor), FormatOf(name, descriptor),
               SamplerFor(descriptor, sampler)),
       m_Descriptor(descriptor),
+      m_DepthBuffer(MakeDepthBuffer(this->name(), descriptor, transient)),
       m_Transient(transient)
 {
     if (const std::string reason = ReasonRefused(descriptor); !reason.empty())
@@ -116,6 +145,23 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
                             std::to_string(samples) + " samples of " + ToString(format) +
                             "; kernels write to colours of one sample that are not sRGB");
     }
+}
+
+RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
+                             SamplerState sampler, bool transient,
+                             std::shared_ptr<const RenderTexture> depthBuffer)
+    : RenderTexture(std::move(name), descriptor, sampler, transient)
+{
+    const bool fits = depthBuffer && IsDepthFormat(depthBuffer->graphicsFormat()) &&
+                      depthBuffer->width() == width() && depthBuffer->height() == height() &&
+                      depthBuffer->descriptor().msaaSamples == descriptor.msaaSamples;
+    if (!fits || m_DepthBuffer || !HasColor(descriptor))
+    {
+        throw ContractError("texture '" + this->name() +
+                            "': a depth buffer that is given must be a depth texture of the "
+                            "colour's size and samples, and the colour's depthBufferBits 0");
+    }
+    m_DepthBuffer = std::move(depthBuffer);
 }
 
 } // namespace limn

@@ -64,15 +64,33 @@ TemporaryTexture RenderTexturePool::GetTemporary(const RenderTextureDescriptor& 
     if (!entry)
     {
         entry = std::make_shared<TemporaryTexture::Entry>();
-        entry->texture = RTHandles::Alloc(descriptor, filterMode, wrapMode,
-                                          "TempBuffer " + std::to_string(++m_Made) + " " +
-                                              std::to_string(descriptor.width) + "x" +
-                                              std::to_string(descriptor.height));
+        entry->texture = RTHandle(std::make_shared<const RenderTexture>(
+            "TempBuffer " + std::to_string(++m_Made) + " " + std::to_string(descriptor.width) +
+                "x" + std::to_string(descriptor.height),
+            descriptor, sampler, true));
         m_Entries.push_back(entry);
     }
     entry->isTaken = true;
     entry->idleFrames = 0;
     return TemporaryTexture(std::move(entry));
+}
+
+std::vector<std::uint64_t> RenderTexturePool::held() const
+{
+    std::vector<std::uint64_t> ids;
+    for (const auto& entry : m_Entries)
+    {
+        if (entry->isTaken)
+        {
+            const RenderTexture& texture = *entry->texture.rt();
+            ids.push_back(texture.id());
+            if (texture.depthBuffer())
+            {
+                ids.push_back(texture.depthBuffer()->id());
+            }
+        }
+    }
+    return ids;
 }
 
 void RenderTexturePool::BeginFrame()

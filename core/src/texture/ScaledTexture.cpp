@@ -40,12 +40,34 @@ bool MatchesButForSize(const RenderTexture& texture, RenderTextureDescriptor wan
 {
     wanted.width = texture.width();
     wanted.height = texture.height();
-    const RenderTexture other("", wanted, sampler);
+    const RenderTexture other("", DescriptorOfHandle(wanted), sampler);
     return texture.descriptor() == other.descriptor() && texture.sampler() == sampler &&
            texture.name() == name;
 }
 
 } // namespace
+
+RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
+                                      const ReAllocateArguments& arguments)
+{
+    if (arguments.isShadowMap)
+    {
+        constexpr int k_WithoutStencil = 16;
+        descriptor.shadowSamplingMode = ShadowSamplingMode::CompareDepths;
+        descriptor.depthBufferBits = std::max(descriptor.depthBufferBits, k_WithoutStencil);
+    }
+    return descriptor;
+}
+
+SamplerState SamplerWith(const RenderTextureDescriptor& descriptor,
+                         const ReAllocateArguments& arguments)
+{
+    SamplerState sampler = SamplerWith(arguments.filterMode, arguments.wrapMode);
+    sampler.comparison = descriptor.shadowSamplingMode == ShadowSamplingMode::CompareDepths;
+    sampler.anisoLevel = arguments.anisoLevel;
+    sampler.mipMapBias = arguments.mipMapBias;
+    return sampler;
+}
 
 void RTHandles::SetReferenceSize(int width, int height)
 {
@@ -96,7 +118,7 @@ glm::ivec2 ScaledTexture::SizeFor(const glm::ivec2& camera) const
 ScaledTexture::ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDescriptor& descriptor,
                              const SamplerState& sampler, std::string name)
     : m_Scale(std::move(scale)),
-      m_Descriptor(descriptor),
+      m_Descriptor(DescriptorOfHandle(descriptor)),
       m_Sampler(sampler),
       m_Name(std::move(name))
 {
@@ -172,12 +194,27 @@ bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scale
                                         FilterMode filterMode, TextureWrapMode wrapMode,
                                         std::string_view name)
 {
+    ReAllocateArguments arguments{filterMode, wrapMode};
+    arguments.name = name;
+    return ReAllocateIfNeeded(handle, scaleFactor, descriptor, arguments);
+}
+
+bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
+                                        const RenderTextureDescriptor& descriptor,
+                                        const ReAllocateArguments& arguments)
+{
+    const RenderTextureDescriptor wanted = WithArguments(descriptor, arguments);
+    const SamplerState sampler = SamplerWith(wanted, arguments);
     if (handle.scaleFactor() == scaleFactor &&
-        MatchesButForSize(*handle.rt(), descriptor, SamplerWith(filterMode, wrapMode), name))
+        MatchesButForSize(*handle.rt(), wanted, sampler, arguments.name))
     {
         return false;
     }
-    handle = RTHandles::Alloc(scaleFactor, descriptor, filterMode, wrapMode, std::string(name));
+    auto texture =
+        std::make_shared<ScaledTexture>(ScaleBy(scaleFactor, "ReAllocateIfNeeded", arguments.name),
+                                        wanted, sampler, std::string(arguments.name));
+    texture->factor = scaleFactor;
+    handle = RTHandle(std::move(texture));
     return true;
 }
 

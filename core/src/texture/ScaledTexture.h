@@ -13,6 +13,22 @@ RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::str
 RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call,
                              std::string_view name);
 
+/// Returns what a handle's texture is made of: with depthBufferBits a depth without a colour.
+inline RenderTextureDescriptor DescriptorOfHandle(RenderTextureDescriptor descriptor)
+{
+    if (descriptor.depthBufferBits != 0)
+    {
+        descriptor.graphicsFormat = GraphicsFormat::None;
+    }
+    return descriptor;
+}
+
+/// What the arguments of ReAllocateIfNeeded make of a descriptor, and of a texture's sampler.
+RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
+                                      const ReAllocateArguments& arguments);
+SamplerState SamplerWith(const RenderTextureDescriptor& descriptor,
+                         const ReAllocateArguments& arguments);
+
 /// A texture whose size is worked out from the camera's.
 class ScaledTexture
 {

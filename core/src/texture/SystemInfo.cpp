@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/SystemInfo.h>
+#include <limn/shaderlab/Diagnostic.h>
 #include <mutex>
+#include <span>
+#include <string_view>
 
 namespace limn
 {
@@ -22,61 +25,103 @@ Devices& AllDevices()
     return devices;
 }
 
-/// By Vulkan 1.3, "Required Format Support"; of depth formats, which have one of two there, limn
-/// draws on no device without its own.
-bool isAlwaysTarget(GraphicsFormat format)
+/// What every Vulkan device does with images of a format, by Vulkan 1.3, "Required Format Support".
+/// Formats that are not here are left to the device.
+struct Promise
 {
-    switch (format)
+    GraphicsFormat format;
+    /// s: sampled, l: with a linear filter, w: written by kernels, r: a target, b: blended
+    std::string_view what;
+};
+
+using enum GraphicsFormat;
+constexpr Promise k_Promises[] = {
+    {R8_UNorm, "slrb"},
+    {R8_SNorm, "sl"},
+    {R8_UInt, "sr"},
+    {R8_SInt, "sr"},
+    {R8G8_UNorm, "slrb"},
+    {R8G8_SNorm, "sl"},
+    {R8G8_UInt, "sr"},
+    {R8G8_SInt, "sr"},
+    {R8G8B8A8_UNorm, "slwrb"},
+    {R8G8B8A8_SNorm, "slw"},
+    {R8G8B8A8_UInt, "swr"},
+    {R8G8B8A8_SInt, "swr"},
+    {R8G8B8A8_SRGB, "slrb"},
+    {B8G8R8A8_UNorm, "slrb"},
+    {B8G8R8A8_SRGB, "slrb"},
+    {B4G4R4A4_UNormPack16, "sl"},
+    {R5G6B5_UNormPack16, "slrb"},
+    {A1R5G5B5_UNormPack16, "slrb"},
+    {A2B10G10R10_UNormPack32, "slrb"},
+    {A2B10G10R10_UIntPack32, "sr"},
+    {B10G11R11_UFloatPack32, "sl"},
+    {E5B9G9R9_UFloatPack32, "sl"},
+    {R16_UInt, "sr"},
+    {R16_SInt, "sr"},
+    {R16_SFloat, "slrb"},
+    {R16G16_UInt, "sr"},
+    {R16G16_SInt, "sr"},
+    {R16G16_SFloat, "slrb"},
+    {R16G16B16A16_UInt, "swr"},
+    {R16G16B16A16_SInt, "swr"},
+    {R16G16B16A16_SFloat, "slwrb"},
+    {R32_UInt, "swr"},
+    {R32_SInt, "swr"},
+    {R32_SFloat, "swr"},
+    {R32G32_UInt, "swr"},
+    {R32G32_SInt, "swr"},
+    {R32G32_SFloat, "swr"},
+    {R32G32B32A32_UInt, "swr"},
+    {R32G32B32A32_SInt, "swr"},
+    {R32G32B32A32_SFloat, "swr"},
+    // Devices have one of two with these bits; limn draws on none without its own.
+    {D32_SFloat, "sr"},
+    {D32_SFloat_S8_UInt, "sr"},
+};
+
+bool isPromised(GraphicsFormat format, char what)
+{
+    const auto promise = std::ranges::find(k_Promises, MadeFormat(format), &Promise::format);
+    return promise != std::end(k_Promises) && promise->what.find(what) != std::string_view::npos;
+}
+
+/// Wider formats of the same kind, best first, for who cannot have the one that is asked for.
+std::span<const GraphicsFormat> Substitutes(GraphicsFormat format)
+{
+    static constexpr GraphicsFormat k_SRGB[] = {R8G8B8A8_SRGB, B8G8R8A8_SRGB};
+    static constexpr GraphicsFormat k_Norm8[] = {R8G8B8A8_UNorm, B8G8R8A8_UNorm};
+    static constexpr GraphicsFormat k_Float16[] = {R16G16B16A16_SFloat, R32G32B32A32_SFloat};
+    static constexpr GraphicsFormat k_Float32[] = {R32G32B32A32_SFloat};
+    static constexpr GraphicsFormat k_UInt[] = {R32G32B32A32_UInt};
+    static constexpr GraphicsFormat k_SInt[] = {R32G32B32A32_SInt};
+    const std::string_view name = ToString(format);
+    const auto has = [&](const char* part)
     {
-    case GraphicsFormat::None:
-    case GraphicsFormat::R8G8B8A8_SNorm:
-    case GraphicsFormat::R16_UNorm:
-    case GraphicsFormat::R16G16_UNorm:
-    case GraphicsFormat::R16G16B16A16_UNorm:
-    case GraphicsFormat::B10G11R11_UFloatPack32:
-        return false;
-    default:
-        return true;
-    }
-}
-
-bool isAlwaysBlended(GraphicsFormat format)
-{
-    const bool isWide = format == GraphicsFormat::R32_SFloat ||
-                        format == GraphicsFormat::R32G32_SFloat ||
-                        format == GraphicsFormat::R32G32B32A32_SFloat;
-    return isAlwaysTarget(format) && !isWide && !IsDepthFormat(format) &&
-           ComponentType(format) == UniformType::Float;
-}
-
-bool isAlwaysSampled(GraphicsFormat format)
-{
-    return isAlwaysTarget(format) || format == GraphicsFormat::R8G8B8A8_SNorm ||
-           format == GraphicsFormat::B10G11R11_UFloatPack32;
-}
-
-bool isAlwaysStored(GraphicsFormat format)
-{
-    switch (format)
+        return name.find(part) != std::string_view::npos;
+    };
+    if (format == None || IsDepthFormat(format))
     {
-    case GraphicsFormat::R8G8B8A8_UNorm:
-    case GraphicsFormat::R8G8B8A8_SNorm:
-    case GraphicsFormat::R8G8B8A8_UInt:
-    case GraphicsFormat::R16G16B16A16_UInt:
-    case GraphicsFormat::R16G16B16A16_SFloat:
-    case GraphicsFormat::R32_UInt:
-    case GraphicsFormat::R32_SInt:
-    case GraphicsFormat::R32_SFloat:
-    case GraphicsFormat::R32G32_UInt:
-    case GraphicsFormat::R32G32_SInt:
-    case GraphicsFormat::R32G32_SFloat:
-    case GraphicsFormat::R32G32B32A32_UInt:
-    case GraphicsFormat::R32G32B32A32_SInt:
-    case GraphicsFormat::R32G32B32A32_SFloat:
-        return true;
-    default:
-        return false;
+        return {};
     }
+    if (has("SRGB"))
+    {
+        return k_SRGB;
+    }
+    if (has("_UInt"))
+    {
+        return k_UInt;
+    }
+    if (has("_SInt"))
+    {
+        return k_SInt;
+    }
+    const bool isWideNorm = has("16_UNorm") || has("16_SNorm") || has("R32"); // a half has 11 bits
+    const bool isFloat = has("Float") || has("10_") || has("SNorm");
+    return isWideNorm ? std::span<const GraphicsFormat>(k_Float32)
+           : isFloat  ? std::span<const GraphicsFormat>(k_Float16)
+                      : std::span<const GraphicsFormat>(k_Norm8);
 }
 
 } // namespace
@@ -103,21 +148,21 @@ bool EveryDeviceSupports(GraphicsFormat format, FormatUsage usage)
     case FormatUsage::GetPixels:
     case FormatUsage::SetPixels:
     case FormatUsage::SetPixels32:
-        return isAlwaysSampled(format);
+        return isPromised(format, 's');
     case FormatUsage::Linear:
-        return isAlwaysBlended(format) || (isAlwaysSampled(format) && !isAlwaysTarget(format));
+        return isPromised(format, 'l');
     case FormatUsage::Render:
     case FormatUsage::ReadPixels:
-        return isAlwaysTarget(format);
+        return isPromised(format, 'r');
     case FormatUsage::Blend:
-        return isAlwaysBlended(format);
+        return isPromised(format, 'b');
     case FormatUsage::LoadStore:
-        return isAlwaysStored(format);
+        return isPromised(format, 'w');
     case FormatUsage::MSAA2x: // one of four samples is asked for, not one of two
     case FormatUsage::MSAA8x:
         return false;
     case FormatUsage::MSAA4x:
-        return isAlwaysTarget(format) &&
+        return isPromised(format, 'r') &&
                (IsDepthFormat(format) || ComponentType(format) == UniformType::Float);
     case FormatUsage::Sparse:
     case FormatUsage::StencilSampling:
@@ -128,15 +173,84 @@ bool EveryDeviceSupports(GraphicsFormat format, FormatUsage usage)
 
 bool SystemInfo::IsFormatSupported(GraphicsFormat format, FormatUsage usage)
 {
+    const GraphicsFormat made = MadeFormat(format);
+    if (made == GraphicsFormat::None || !GraphicsFormatProblem(made).empty())
+    {
+        return false;
+    }
     Devices& devices = AllDevices();
     const std::lock_guard lock(devices.mutex);
-    return devices.list.empty() ? EveryDeviceSupports(format, usage)
-                                : devices.list.back()->IsFormatSupported(format, usage);
+    return devices.list.empty() ? EveryDeviceSupports(made, usage)
+                                : devices.list.back()->IsFormatSupported(made, usage);
+}
+
+bool SystemInfo::IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage)
+{
+    for (int bit = 0; bit <= static_cast<int>(FormatUsage::StencilSampling); ++bit)
+    {
+        const bool isAsked = (static_cast<int>(usage) & (1 << bit)) != 0;
+        if (isAsked && !IsFormatSupported(format, static_cast<FormatUsage>(bit)))
+        {
+            return false;
+        }
+    }
+    return format != GraphicsFormat::None;
+}
+
+GraphicsFormat SystemInfo::GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage usage)
+{
+    if (IsFormatSupported(format, usage))
+    {
+        return format;
+    }
+    const auto substitutes = Substitutes(format);
+    const auto found = std::ranges::find_if(substitutes, [usage](GraphicsFormat other)
+                                            { return IsFormatSupported(other, usage); });
+    return found == substitutes.end() ? GraphicsFormat::None : *found;
+}
+
+GraphicsFormat SystemInfo::GetCompatibleFormat(GraphicsFormat format, FormatUsage usage)
+{
+    return GetCompatibleFormat(format,
+                               static_cast<GraphicsFormatUsage>(1 << static_cast<int>(usage)));
+}
+
+GraphicsFormat SystemInfo::GetGraphicsFormat(DefaultFormat format)
+{
+    switch (format)
+    {
+    case DefaultFormat::LDR:
+        return GraphicsFormat::R8G8B8A8_SRGB;
+    case DefaultFormat::HDR:
+        return GraphicsFormat::R16G16B16A16_SFloat;
+    case DefaultFormat::DepthStencil:
+        return GraphicsFormat::D32_SFloat_S8_UInt;
+    case DefaultFormat::Shadow:
+        return GraphicsFormat::D32_SFloat;
+    case DefaultFormat::Video:
+        break;
+    }
+    throw ContractError("SystemInfo::GetGraphicsFormat: there is no video; LDR would do");
 }
 
 bool SystemInfo::SupportsRenderTextureFormat(RenderTextureFormat format)
 {
     return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Render);
+}
+
+bool SystemInfo::SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Blend);
+}
+
+bool SystemInfo::SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::LoadStore);
+}
+
+bool SystemInfo::SupportsTextureFormat(TextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format, false), FormatUsage::Sample);
 }
 
 } // namespace limn

@@ -83,6 +83,10 @@ Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat for
     {
         throw ContractError("texture '" + m_Name + "': format None; it needs a format");
     }
+    if (const std::string problem = GraphicsFormatProblem(format); !problem.empty())
+    {
+        throw ContractError("texture '" + m_Name + "': format " + ToString(format) + " " + problem);
+    }
     if (shape.mipCount < 1 || shape.mipCount > FullMipCount(shape))
     {
         throw ContractError("texture '" + m_Name + "': " + std::to_string(shape.mipCount) +

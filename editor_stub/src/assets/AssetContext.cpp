@@ -72,6 +72,7 @@ AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLo
         m_Roots.Add(folder);
     }
     m_Compiler = std::make_shared<ShaderCompiler>(std::move(options));
+    m_ShaderSource = std::make_shared<ShaderSource>(&ShippedShaders, m_Compiler);
     RegisterFeatures(m_Features, m_VolumeComponents);
 }
 
@@ -109,7 +110,7 @@ void AssetContext::LoadPlugin(const std::filesystem::path& path)
     {
         limn::LoadPlugin(path, m_Features, m_VolumeComponents, m_PluginLoading);
         m_Plugins.insert(canonical);
-        m_ShippedShaders.clear(); // where a name may stand for none
+        m_ShaderSource->Clear(); // where a name may stand for none
     }
 }
 
@@ -123,16 +124,13 @@ bool AssetContext::ReloadPlugin(const std::filesystem::path& path)
     return isPlugin;
 }
 
-std::shared_ptr<const Shader> AssetContext::FindShader(std::string_view name)
-{
-    return Cached(m_ShippedShaders, name, [&] { return FindShippedShader(name, m_Compiler); });
-}
-
 std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::path& path)
 {
     Reach(path);
-    return Cached(m_Shaders, path.lexically_normal(),
-                  [&] { return ReadShader(path.lexically_normal()); });
+    const std::shared_ptr<const Shader>& shader = Cached(
+        m_Shaders, path.lexically_normal(), [&] { return ReadShader(path.lexically_normal()); });
+    m_ShaderSource->Add(shader);
+    return shader;
 }
 
 const ShaderDatabase& AssetContext::DatabaseAround(const std::filesystem::path& shaderFile)
@@ -270,7 +268,7 @@ void AssetContext::Forget(const std::filesystem::path& path)
     if (m_Compiler->includeFiles().count(normal) > 0)
     {
         m_Shaders.clear();
-        m_ShippedShaders.clear();
+        m_ShaderSource->Clear();
     }
 }
 

@@ -4,6 +4,7 @@
 #include "command_line/UsageProblem.h"
 
 #include <CLI/CLI.hpp>
+#include <limn/core/Debug.h>
 #include <limn/core/DrawError.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/TerminalText.h>
@@ -15,6 +16,38 @@ namespace limn
 
 namespace
 {
+
+/// Prints what features say by Debug::Log outside of a frame. What they say within one is among its
+/// notes.
+class FeatureLog
+{
+public:
+    explicit FeatureLog(Console& console)
+    {
+        s_Console = &console;
+        SetLogSink(&Print);
+    }
+    ~FeatureLog()
+    {
+        SetLogSink(nullptr);
+        s_Console = nullptr;
+    }
+    FeatureLog(const FeatureLog&) = delete;
+    FeatureLog& operator=(const FeatureLog&) = delete;
+
+private:
+    static void Print(const LogMessage& message)
+    {
+        if (message.isNoted)
+        {
+            return;
+        }
+        message.type == LogType::Log ? s_Console->Note(message.text)
+                                     : s_Console->Warning(message.text);
+    }
+
+    static inline Console* s_Console = nullptr;
+};
 
 int WrongUsage(const std::string& problem, const CLI::App& app, Console& console)
 {
@@ -155,6 +188,7 @@ int CheckResults(int exitCode, Console& console)
 int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& err)
 {
     Console console(out, err);
+    const FeatureLog log(console);
     try
     {
         return CheckResults(ParseAndRun(args, console), console);

@@ -38,7 +38,8 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
                                       return ReadMaterialName(value, setting, loader);
                                   }};
     ReadFeatureSettings(map, *feature, context, diagnostics);
-    TryCreate(*feature, node.location(), subject + ": ", diagnostics);
+    TryCreate(*feature, loader.references.assets().shaderSource(), node.location(), subject + ": ",
+              diagnostics);
     loader.asset.renderer.features.push_back(std::move(feature));
     loader.asset.renderer.featureTypes.push_back(type);
 }

@@ -141,9 +141,10 @@ void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
     reader.Finish();
 }
 
-void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
-               std::string_view subject, AssetDiagnostics& diagnostics)
+void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderSource>& shaders,
+               SourceLocation location, std::string_view subject, AssetDiagnostics& diagnostics)
 {
+    const ShaderSourceScope scope(shaders);
     try
     {
         RunFeatureCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });

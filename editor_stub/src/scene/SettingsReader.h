@@ -5,6 +5,7 @@
 #include <functional>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRendererFeature.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -39,8 +40,9 @@ void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
 
 /// Settings that are good one by one may not fit each other: better said where they stand than when
 /// the feature is used. An error at `location` if it cannot be created.
+/// @param shaders  where its Create finds shaders by name
 /// @param subject  stands before what the feature says, which begins with its name
-void TryCreate(ScriptableRendererFeature& feature, SourceLocation location,
-               std::string_view subject, AssetDiagnostics& diagnostics);
+void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderSource>& shaders,
+               SourceLocation location, std::string_view subject, AssetDiagnostics& diagnostics);
 
 } // namespace limn

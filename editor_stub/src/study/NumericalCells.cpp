@@ -38,6 +38,29 @@ void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& res
                      {"numericalDiffering", static_cast<double>(differing) / pixels}};
 }
 
+/// Repeats what the device does, whose targets have the bottom row of the picture first: the shapes
+/// are turned over before, and the picture back again.
+Coverage DrawTwin(const Twin& twin, const CellId& id)
+{
+    ScreenTriangles triangles = ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight);
+    for (auto& triangle : triangles)
+    {
+        for (glm::dvec2& corner : triangle)
+        {
+            corner.y = id.pictureHeight - corner.y;
+        }
+    }
+    Coverage picture = twin(Silhouette(triangles), id.width, id.pictureWidth, id.pictureHeight);
+    for (int row = 0; row < picture.height / 2; ++row)
+    {
+        for (int x = 0; x < picture.width; ++x)
+        {
+            std::swap(picture.At(x, row), picture.At(x, picture.height - 1 - row));
+        }
+    }
+    return picture;
+}
+
 } // namespace
 
 const std::vector<std::string>& NumericalVariants()
@@ -108,8 +131,7 @@ CellResult NumericalBench::Measure(const CellId& id)
     const Coverage drawn = Draw(id, AssetsFor(id.variant), !isSmall);
     if (id.variant.empty())
     {
-        const Silhouette silhouette(ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight));
-        AddDifference(drawn, twin(silhouette, id.width, id.pictureWidth, id.pictureHeight), result);
+        AddDifference(drawn, DrawTwin(twin, id), result);
         return result;
     }
     Coverage usual = Draw(id, m_Assets, true);

@@ -11,6 +11,7 @@ StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, Graphic
       m_Volumes(assets.volumeComponents()),
       m_Stack(m_Volumes.CreateStack())
 {
+    m_Renderer.SetShaderSource(assets.shaderSource());
     m_Renderer.opaqueLayerMask = m_Asset.renderer.opaqueLayerMask;
     m_Renderer.transparentLayerMask = m_Asset.renderer.transparentLayerMask;
     for (std::unique_ptr<ScriptableRendererFeature>& feature : m_Asset.renderer.features)

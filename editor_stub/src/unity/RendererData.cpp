@@ -141,7 +141,7 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
             ReadBool(*active, object.name + ".m_Active", loading.diagnostics).value_or(true));
     }
     ReadSettings(object, type, *feature, loading);
-    TryCreate(*feature, object.location, "", loading.diagnostics);
+    TryCreate(*feature, loading.assets.shaderSource(), object.location, "", loading.diagnostics);
     renderer.features.push_back(std::move(feature));
     renderer.featureTypes.push_back(type);
 }

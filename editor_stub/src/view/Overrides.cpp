@@ -83,7 +83,7 @@ public:
         AssetDiagnostics diagnostics("--set");
         for (ScriptableRendererFeature* feature : m_Changed)
         {
-            TryCreate(*feature, {}, "", diagnostics);
+            TryCreate(*feature, m_Assets.shaderSource(), {}, "", diagnostics);
         }
         diagnostics.ThrowIfErrors();
         if (m_Profile)

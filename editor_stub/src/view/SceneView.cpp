@@ -77,6 +77,7 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
       m_Volumes(assets.volumeComponents()),
       m_Stack(m_Volumes.CreateStack())
 {
+    m_Renderer.SetShaderSource(assets.shaderSource());
     m_Renderer.opaqueLayerMask = m_Asset.renderer.opaqueLayerMask;
     m_Renderer.transparentLayerMask = m_Asset.renderer.transparentLayerMask;
     for (std::unique_ptr<ScriptableRendererFeature>& feature : m_Asset.renderer.features)

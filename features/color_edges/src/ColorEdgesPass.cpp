@@ -132,6 +132,7 @@ void ColorEdgesPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData)
 {
     RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
     descriptor.depthBufferBits = 0;
+    descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
     std::shared_ptr<const Texture> mask = DefaultTexture("white");
     if (m_Settings.m_OnlyFilteredObjects) // as many samples as the depth that it is tested against
     {

@@ -44,6 +44,7 @@ void FullScreenRenderPass::OnCameraSetup(CommandBuffer&, RenderingData& renderin
         RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
         descriptor.msaaSamples = 1;
         descriptor.depthBufferBits = 0;
+        descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
         RenderingUtils::ReAllocateIfNeeded(m_CopiedColor, descriptor, FilterMode::Bilinear,
                                            TextureWrapMode::Clamp, "_FullscreenPassColorCopy");
     }

@@ -6,9 +6,12 @@
 #include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
+#include <limn/core/Debug.h>
 #include <limn/core/GltfMesh.h>
+#include <limn/core/GraphicsFormatUtility.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalFrameData.h>
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/AutoOutlineRendererFeature.h>

@@ -141,6 +141,7 @@ void MaskDifferenceOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData& ren
         RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
         descriptor.depthBufferBits = 0;
         descriptor.msaaSamples = 1;
+        descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
         RenderingUtils::ReAllocateIfNeeded(m_SceneColor, descriptor, FilterMode::Point,
                                            TextureWrapMode::Clamp, "t_tex1");
         m_Material->SetTexture(k_MaskDifference.t_tex1, m_SceneColor.rt());

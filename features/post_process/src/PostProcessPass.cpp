@@ -149,9 +149,8 @@ void PostProcessPass::SetupVignette(const Vignette* vignette, const glm::ivec2& 
     m_UberMaterial->SetVector(
         _Vignette_Params1,
         glm::vec4(Channels(vignette->color.value()), vignette->rounded.value() ? aspect : 1.0f));
-    const glm::vec2 center = vignette->center.value(); // from the bottom, where v is from the top
     m_UberMaterial->SetVector(_Vignette_Params2,
-                              {center.x, 1.0f - center.y, 3.0f * vignette->intensity.value(),
+                              {vignette->center.value(), 3.0f * vignette->intensity.value(),
                                5.0f * vignette->smoothness.value()});
 }
 
@@ -181,6 +180,7 @@ void PostProcessPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData
     RenderTextureDescriptor descriptor = renderingData.cameraData.cameraTargetDescriptor;
     descriptor.depthBufferBits = 0;
     descriptor.msaaSamples = 1;
+    descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
     const auto allocate = [&](RTHandle& handle, const std::string& textureName)
     {
         RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Bilinear,

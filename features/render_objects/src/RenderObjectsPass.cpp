@@ -110,7 +110,8 @@ void RenderObjectsPass::SetCamera(CommandBuffer& cmd, const CameraData& cameraDa
                         std::to_string(camera.nearClipPlane) + "; more than 0 is needed");
     }
     RenderingUtils::SetViewAndProjectionMatrices(
-        cmd, view, camera.gpuProjectionMatrix(aspect, cameraData.usesReversedZBuffer), false);
+        cmd, view, WithFlippedY(camera.gpuProjectionMatrix(aspect, cameraData.usesReversedZBuffer)),
+        false);
 }
 
 /// A chosen name that no shader in view has is most often a typing mistake.

@@ -79,6 +79,7 @@ void OutlineDrawingRenderPass::OnCameraSetup(CommandBuffer&, RenderingData& rend
     descriptor.height = std::max(descriptor.height / 2, 1);
     descriptor.SetColorFormat(RenderTextureFormat::R8);
     descriptor.depthBufferBits = 0;
+    descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads them
     RenderingUtils::ReAllocateIfNeeded(mRendererDrawingTexture, descriptor, FilterMode::Bilinear,
                                        TextureWrapMode::Clamp, kRenderedObjectTextureName);
     RenderingUtils::ReAllocateIfNeeded(mOutlineTexture, descriptor, FilterMode::Bilinear,

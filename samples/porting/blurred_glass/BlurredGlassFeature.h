@@ -108,7 +108,7 @@ public:
     {
         inspector.BeginGroup("settings");
         inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is blurred");
-        inspector.Field("blurShader", settings.blurShader, "Porting/KawaseBlur");
+        inspector.Field("blurShader", settings.blurShader, "Blurs the picture");
         inspector.Field("iterations", settings.iterations, {1, 8}, "How often: each goes farther");
         inspector.Field("downsample", settings.downsample, {1, 4}, "Of the picture's size");
         inspector.EndGroup();

@@ -157,7 +157,7 @@ public:
         inspector.BeginGroup("settings");
         inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
         inspector.Field("layerMask", settings.layerMask, "What is outlined");
-        inspector.Field("shader", settings.shader, "Porting/DistanceOutline");
+        inspector.Field("shader", settings.shader, "Draws the outline from the distances");
         inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
         inspector.Field("width", settings.width, {1, 32}, "Texels");
         inspector.EndGroup();

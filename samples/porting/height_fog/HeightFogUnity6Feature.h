@@ -77,7 +77,7 @@ public:
 
     void Describe(Inspector& inspector) override
     {
-        inspector.Field("shader", shader, "Porting/HeightFog");
+        inspector.Field("shader", shader, "Draws the fog over the picture");
     }
 };
 

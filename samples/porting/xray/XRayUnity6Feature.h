@@ -121,7 +121,7 @@ public:
         inspector.BeginGroup("settings");
         inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
         inspector.Field("layerMask", settings.layerMask, "Whose hidden parts are shown");
-        inspector.Field("shader", settings.shader, "Porting/XRay");
+        inspector.Field("shader", settings.shader, "Draws what is hidden");
         inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
         inspector.Field("stencilReference", settings.stencilReference, {1, 255},
                         "What pixels are marked with that need no colour");

@@ -54,7 +54,8 @@ float3 TransformViewToProjection(float3 v) { return mul((float3x3)UNITY_MATRIX_P
 
 float4 ComputeScreenPos(float4 pos) { return limn_ScreenPos(pos); }
 float4 ComputeNonStereoScreenPos(float4 pos) { return limn_ScreenPos(pos); }
-float4 ComputeGrabScreenPos(float4 pos) { return limn_ScreenPos(pos); }
+// Where a copy of the target's rows has the same place, whichever way up they are.
+float4 ComputeGrabScreenPos(float4 pos) { return limn_ScreenPos(pos, -1.0); }
 
 float Linear01Depth(float z) { return limn_Linear01Depth(z, _ZBufferParams); }
 float LinearEyeDepth(float z) { return limn_LinearEyeDepth(z, _ZBufferParams); }

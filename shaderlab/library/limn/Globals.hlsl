@@ -11,13 +11,13 @@ cbuffer limn_PerCamera
     float4 _TimeParameters; // t, sin t, cos t, 0
 
     float3 _WorldSpaceCameraPos;
-    float4 _ProjectionParams;   // 1, near, far, 1/far
+    float4 _ProjectionParams;   // -1 (1 into a back buffer), near, far, 1/far
     float4 _ScreenParams;       // camera width, height in pixels, 1 + 1/width, 1 + 1/height
     float4 _ScaledScreenParams; // the same of the target that is drawn to
     float4 _ScreenSize;         // target width, height, 1/width, 1/height
     float4 _ZBufferParams;      // far/near - 1, 1, 1/near - 1/far, 1/far
     float4 unity_OrthoParams;   // half width, half height, 0, 1 if orthographic
-    float4 _ScaleBiasRt;        // -1, 1, -1, 1: rows of targets run from the top down
+    float4 _ScaleBiasRt;        // -1, 1, -1, 1; into a back buffer 1, 0, 1, 1
     float2 _GlobalMipBias;      // bias, 2^bias
 
     float4x4 unity_MatrixV;

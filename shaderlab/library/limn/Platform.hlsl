@@ -2,7 +2,7 @@
 #pragma once
 
 // Clip space has y up and z from 1 (near) to 0 (far), or the other way round
-// (ShaderCompilerOptions::usesReversedZBuffer); row 0 of a texture is the top of the picture.
+// (ShaderCompilerOptions::usesReversedZBuffer); y = 1 in clip space is a target's first row.
 #define UNITY_UV_STARTS_AT_TOP 1
 #if defined(LIMN_STANDARD_Z)
 #define UNITY_NEAR_CLIP_VALUE (0.0)

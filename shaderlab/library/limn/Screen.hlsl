@@ -4,11 +4,16 @@
 #include "limn/Globals.hlsl"
 #include "limn/Platform.hlsl"
 
-// Texture coordinate of the screen, times w; v runs down from the top, as rows of textures do.
+// Texture coordinate of the screen, times w; v = 0 is the bottom of the picture. projectionSign is
+// _ProjectionParams.x, of the target that is drawn into.
+float4 limn_ScreenPos(float4 positionCS, float projectionSign)
+{
+    float2 ndc = float2(positionCS.x, positionCS.y * projectionSign);
+    return float4(ndc * 0.5 + positionCS.w * 0.5, positionCS.zw);
+}
 float4 limn_ScreenPos(float4 positionCS)
 {
-    float2 ndc = float2(positionCS.x, -positionCS.y);
-    return float4(ndc * 0.5 + positionCS.w * 0.5, positionCS.zw);
+    return limn_ScreenPos(positionCS, _ProjectionParams.x);
 }
 
 // What the depth buffer holds as 1 near ... 0 far, whichever way round it is; leads back as well.

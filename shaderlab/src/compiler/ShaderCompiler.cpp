@@ -22,7 +22,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 13;
+constexpr int k_CompilerVersion = 14;
 
 std::string HashName(const std::string& text)
 {

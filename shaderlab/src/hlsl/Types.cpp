@@ -37,7 +37,7 @@ const WordList k_LikeArguments(
     "WaveActiveMax");
 
 const WordList
-    k_IntegerLikeArguments("abs clamp countbits max min reversebits firstbithigh firstbitlow");
+    k_IntegerLikeArguments("abs clamp countbits mad max min reversebits firstbithigh firstbitlow");
 
 const WordList k_FloatScalars("length distance dot determinant");
 const WordList k_Truths("isnan isinf isfinite");

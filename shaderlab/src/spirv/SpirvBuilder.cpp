@@ -1,6 +1,7 @@
 #include "spirv/SpirvBuilder.h"
 
 #include "hlsl/Editor.h"
+#include "spirv/Arithmetic.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
 #include "spirv/HalfPrecision.h"
@@ -193,6 +194,7 @@ std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStag
     std::vector<std::uint32_t> spirv;
     glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
     PackStructuredBuffers(spirv);
+    UseDirect3DArithmetic(spirv);
     if (stage == ShaderStage::Compute)
     {
         ConvertAtomicValues(spirv);

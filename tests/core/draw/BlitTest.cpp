@@ -66,12 +66,12 @@ TEST_F(Blits, LeaveTheCameraAndTheMaterialAsTheyAre)
     const FrameCommands frame = Execute();
     const auto draws = test::DrawsOf(frame);
     ASSERT_EQ(draws.size(), 2u);
-    // Columns: 0...1 becomes -1...1.
+    // Columns: 0...1 becomes -1...1 in x, and 1...-1 in y, as a projection into a texture has it.
     const auto blit = test::ReadUniform<float>(frame, draws[0], "unity_MatrixVP", 16);
     EXPECT_EQ(blit[0], 2.0f);
-    EXPECT_EQ(blit[5], 2.0f);
+    EXPECT_EQ(blit[5], -2.0f);
     EXPECT_EQ(blit[12], -1.0f);
-    EXPECT_EQ(blit[13], -1.0f);
+    EXPECT_EQ(blit[13], 1.0f);
     EXPECT_EQ(test::ReadUniform<float>(frame, draws[1], "unity_MatrixVP", 1)[0], 3.0f);
 }
 

@@ -44,13 +44,16 @@ protected:
     const std::shared_ptr<const Material> m_Material = std::make_shared<Material>(
         ShaderWithProgram("",
                           "float4x4 unity_MatrixV; float4x4 glstate_matrix_projection; float4x4 "
-                          "unity_MatrixVP;",
-                          "unity_MatrixV[0] + glstate_matrix_projection[0] + unity_MatrixVP[0]"));
+                          "unity_MatrixVP; float4 _ProjectionParams;",
+                          "unity_MatrixV[0] + glstate_matrix_projection[0] + unity_MatrixVP[0] + "
+                          "_ProjectionParams"));
     const glm::dmat4 m_View = glm::translate(glm::dmat4(1.0), {1.0, -2.0, -5.0});
     const glm::dmat4 m_OpenGl = glm::perspectiveRH_NO(glm::radians(60.0), 2.0, 0.5, 20.0);
     /// glm's own: near 0, far 1, and with the planes exchanged near 1, far 0.
     const glm::dmat4 m_Standard = glm::perspectiveRH_ZO(glm::radians(60.0), 2.0, 0.5, 20.0);
     const glm::dmat4 m_Reversed = glm::perspectiveRH_ZO(glm::radians(60.0), 2.0, 20.0, 0.5);
+    /// What turns y over, as for all that is drawn into a texture.
+    const glm::dmat4 m_Flip = glm::scale(glm::dmat4(1.0), {1.0, -1.0, 1.0});
 };
 
 TEST_F(CameraMatrices, AreSetTogether)
@@ -59,19 +62,52 @@ TEST_F(CameraMatrices, AreSetTogether)
     Draw();
     const auto draws = Execute();
     ExpectMatrix(draws[0], "unity_MatrixV", m_View);
-    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Reversed);
-    ExpectMatrix(draws[0], "unity_MatrixVP", m_Reversed * m_View);
+    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Flip * m_Reversed);
+    ExpectMatrix(draws[0], "unity_MatrixVP", m_Flip * m_Reversed * m_View);
+}
+
+/// Back and forth between a texture and a back buffer, with what was set before.
+TEST_F(CameraMatrices, AreTurnedOverForTheTargetThatIsBound)
+{
+    RenderTextureDescriptor descriptor(8, 4, GraphicsFormat::R8G8B8A8_UNorm);
+    descriptor.isTopRowFirst = true;
+    const RTHandle screen(std::make_shared<const RenderTexture>("Screen", descriptor));
+    m_Cmd.SetViewProjectionMatrices(m_View, m_OpenGl);
+    m_Cmd.SetGlobalVector("_ProjectionParams", {-1.0f, 2.0f, 3.0f, 4.0f});
+    Draw();
+    m_Cmd.SetRenderTarget(screen);
+    Draw();
+    m_Cmd.SetViewMatrix(glm::dmat4(1.0));
+    Draw();
+    m_Cmd.SetRenderTarget(m_Target);
+    Draw();
+    const auto draws = Execute();
+    const glm::dmat4 views[] = {m_View, m_View, glm::dmat4(1.0), glm::dmat4(1.0)};
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        const bool isScreen = i == 1 || i == 2;
+        const glm::dmat4 projection = isScreen ? m_Reversed : m_Flip * m_Reversed;
+        ExpectMatrix(draws[i], "glstate_matrix_projection", projection);
+        ExpectMatrix(draws[i], "unity_MatrixVP", projection * views[i]);
+        EXPECT_EQ(ReadUniform<float>(m_Frame, draws[i], "_ProjectionParams", 4),
+                  (std::vector<float>{isScreen ? 1.0f : -1.0f, 2.0f, 3.0f, 4.0f}));
+        EXPECT_EQ(draws[i].state.frontFaceFlipped, !isScreen);
+    }
 }
 
 TEST_F(CameraMatrices, FollowTheDevicesDepth)
 {
     for (const bool isReversed : {true, false})
     {
-        const glm::mat4 projection = GpuProjection(m_OpenGl, isReversed);
+        const glm::dmat4 wanted = isReversed ? m_Reversed : m_Standard;
+        const glm::dmat4 turned = m_Flip * wanted;
         for (int i = 0; i < 16; ++i)
         {
-            EXPECT_NEAR(projection[i / 4][i % 4],
-                        (isReversed ? m_Reversed : m_Standard)[i / 4][i % 4], 1e-6)
+            EXPECT_NEAR(GpuProjection(m_OpenGl, isReversed)[i / 4][i % 4], wanted[i / 4][i % 4],
+                        1e-6)
+                << i;
+            EXPECT_NEAR(GpuProjection(m_OpenGl, isReversed, true)[i / 4][i % 4],
+                        turned[i / 4][i % 4], 1e-6)
                 << i;
         }
     }
@@ -88,9 +124,9 @@ TEST_F(CameraMatrices, AreSetOneByOne)
     m_Cmd.SetProjectionMatrix(wide);
     Draw();
     const auto draws = Execute();
-    ExpectMatrix(draws[0], "unity_MatrixVP", m_Reversed * other);
-    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Reversed);
-    ExpectMatrix(draws[1], "unity_MatrixVP", wideReversed * other);
+    ExpectMatrix(draws[0], "unity_MatrixVP", m_Flip * m_Reversed * other);
+    ExpectMatrix(draws[0], "glstate_matrix_projection", m_Flip * m_Reversed);
+    ExpectMatrix(draws[1], "unity_MatrixVP", m_Flip * wideReversed * other);
     ExpectMatrix(draws[1], "unity_MatrixV", other);
 }
 

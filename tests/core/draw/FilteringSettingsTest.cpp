@@ -136,4 +136,14 @@ TEST(DrawingSettings, HoldAsManyPassNamesAsUnity)
 }
 
 } // namespace
+TEST(FilteringSettings, TakesNullForAllQueuesAsUnityDoes)
+{
+    EXPECT_EQ(FilteringSettings(nullptr, LayerMask(2)),
+              FilteringSettings(RenderQueueRange::all, LayerMask(2)));
+    const std::optional<RenderQueueRange> none;
+    EXPECT_EQ(FilteringSettings(none), FilteringSettings());
+    EXPECT_EQ(FilteringSettings(RenderQueueRange::opaque).renderQueueRange,
+              RenderQueueRange::opaque);
+}
+
 } // namespace limn

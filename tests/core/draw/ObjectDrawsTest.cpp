@@ -184,7 +184,7 @@ TEST_F(ObjectDraws, AreOneForEachWindingToo)
     {
         for (const float place : Places(draw))
         {
-            EXPECT_EQ(draw.state.frontFaceFlipped, place > 500.0f);
+            EXPECT_EQ(draw.state.frontFaceFlipped, place <= 500.0f);
         }
     }
 }

@@ -149,31 +149,6 @@ TEST_F(LeftOutOfAFrame, IsWhatOnlyAPassReadsThatIsLeftOut)
     EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 3"));
 }
 
-//   frames 1…n: clear, draw, never read        ⇒ frame 1 runs it, frame 2 no longer does
-TEST_F(LeftOutOfAFrame, IsATextureThatEveryFrameOverwritesAndNoneReads)
-{
-    const auto record = [&]
-    {
-        m_Frame.Bind(m_Mask).Clear(ClearFlag::Color).Draw(1).Bind(m_Camera).Draw(2);
-    };
-    record();
-    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"))
-        << "a second frame may read it";
-    record();
-    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 2"));
-    m_Frame.Bind(m_Camera).Draw(3, {m_Mask});
-    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 3"));
-    EXPECT_THAT(m_Last.notes,
-                ElementsAre("what the frame before left in 'Mask' is read, but was not kept, "
-                            "because the frames before that had overwritten it first; it is kept "
-                            "from now on"));
-    record();
-    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
-    record();
-    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
-    EXPECT_THAT(m_Last.notes, IsEmpty());
-}
-
 //   frame n: history ─▶ camera, then camera ─▶ history
 TEST_F(LeftOutOfAFrame, IsNoTextureThatEachFrameHandsToTheNext)
 {
@@ -357,7 +332,7 @@ TEST_F(LeftOutOfAFrame, IsAllThatANextFrameWouldReadOfTheLast)
 {
     m_Frame.Bind(m_Mask).Draw(1).Bind(m_Camera).Draw(2);
     const CompiledFrame last =
-        CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true});
+        CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {.isLast = true, .held = {}});
     EXPECT_EQ(last.passes.size(), 1u);
 }
 

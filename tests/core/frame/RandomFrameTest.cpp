@@ -236,7 +236,6 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
     if (steps > 0)
     {
         FindAccess(nodes, frame);
-        LearnHistory(nodes, outputs, frame);
     }
     using Step = void (*)(std::vector<FrameNode>&, OutputSpan, CompiledFrame&);
     const Step k_Steps[] = {FoldConstants, ForwardCopies, LeaveOutUnread, LeaveOutStencil};
@@ -317,7 +316,6 @@ std::string Describe(const FrameCommands& frame)
 struct Tally
 {
     int frames = 0;
-    int surprises = 0;
     int steady = 0; ///< as the one before
     std::uint64_t structure = 0;
     std::size_t leftOut = 0;
@@ -343,7 +341,9 @@ void RunSequence(unsigned seed, Tally& tally)
     std::vector<RenderTexturePtr> outputs;
     for (int i = 0; i < 9; ++i)
     {
-        if (i < 3 || i % 3 == 0) // the later ones are drawn thrice
+        // The later ones are drawn thrice: what reads and draws comes and goes, as features do that
+        // are switched on and off, and reads what all frames before have drawn over unseen.
+        if (i < 3 || i % 3 == 0)
         {
             recorded = random.Record();
             outputs = random.Outputs();
@@ -360,11 +360,7 @@ void RunSequence(unsigned seed, Tally& tally)
         tally.sharing += frame.placed.empty() ? 0 : 1;
         ++tally.frames;
         tally.leftOut += frame.leftOut.size();
-        if (!frame.notes.empty())
-        {
-            ++tally.surprises;
-            return; // what was not kept is said to be lost
-        }
+        ASSERT_TRUE(frame.notes.empty()) << frame.notes.front() << frames;
         // One by one takes its time: every fifth frame.
         for (int steps = HasPending(states) ? 2 : 0; steps <= 5 && tally.frames % 5 == 0; ++steps)
         {
@@ -408,14 +404,13 @@ TEST(RandomFrame, GivesWhatItsCommandsGiveOneByOneAfterEveryStep)
             return;
         }
     }
-    EXPECT_GT(tally.frames, 2000) << "most are not cut short by a surprise";
+    EXPECT_EQ(tally.frames, 500 * 9);
     EXPECT_GT(tally.steady, 200) << "some are as the one before";
     EXPECT_GT(tally.leftOut, 2000u) << "there is something to leave out";
     EXPECT_GT(tally.sharing, 100) << "there is something to put into one place";
     EXPECT_GT(tally.dispatches, 1000) << "there are kernels among them";
     RecordProperty("frames", tally.frames);
     RecordProperty("sharing", tally.sharing);
-    RecordProperty("surprises", tally.surprises);
 }
 
 } // namespace limn

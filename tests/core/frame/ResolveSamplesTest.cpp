@@ -110,11 +110,11 @@ TEST_F(ResolvedSamples, AreKeptAndResolvedForAFrameThatMayReadOrDrawOn)
     EXPECT_EQ(frame.passes[0].colors[0].store, StoreOp::Store);
 }
 
-TEST_F(ResolvedSamples, AreNeitherKeptNorResolvedOnceFramesOverwriteThem)
+TEST_F(ResolvedSamples, AreKeptWhereANextFrameMayReadThem)
 {
-    const RenderTexturePtr kept = Smooth("kept", false);
-    for (int i = 0; i < 2; ++i)
+    for (const bool isTransient : {false, true})
     {
+        const RenderTexturePtr kept = Smooth("kept", isTransient);
         Begin(kept, 1);
         Read(kept, 2);
         Begin(kept, 3); // what the next frame overwrites
@@ -123,7 +123,8 @@ TEST_F(ResolvedSamples, AreNeitherKeptNorResolvedOnceFramesOverwriteThem)
         ASSERT_EQ(frame.passes.size(), 4u);
         EXPECT_EQ(frame.passes[0].colors[0].store, StoreOp::DontCare);
         EXPECT_EQ(frame.passes[0].colors[0].resolve, kept);
-        EXPECT_EQ(frame.passes[2].colors[0].store, i == 0 ? StoreOp::Store : StoreOp::DontCare);
+        EXPECT_EQ(frame.passes[2].colors[0].store,
+                  isTransient ? StoreOp::DontCare : StoreOp::Store);
         EXPECT_EQ(frame.passes[2].colors[0].resolve, kept);
     }
 }

@@ -158,41 +158,43 @@ TEST_F(ComputePass, IsKeptWhereItMayNotBeCulled)
 
 TEST_F(ComputePass, IsRefusedWhereItWritesWhatItDoesNotDeclare)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer&)
-                  {
-                      const TextureHandle filled = graph.CreateTexture(WritableDesc("_Filled"));
-                      AddCompute(
-                          graph, "Fill", [](auto&) {},
-                          [=](ComputeCommandBuffer& cmd)
-                          {
-                              cmd.SetComputeTextureParam(Fill(), 0, "_Result", filled);
-                              cmd.DispatchCompute(Fill(), 0, 1, 1, 1);
-                          });
-                  }),
-              "pass 'Fill' declares no write of '_Filled', yet a kernel may write to it; "
-              "UseTexture(…, AccessFlags::Write) declares it");
+    EXPECT_EQ(
+        ErrorOf(
+            [](RenderGraph& graph, ContextContainer&)
+            {
+                const TextureHandle filled = graph.CreateTexture(WritableDesc("_Filled"));
+                AddCompute(
+                    graph, "Fill", [](auto&) {},
+                    [=](ComputeCommandBuffer& cmd)
+                    {
+                        cmd.SetComputeTextureParam(Fill(), 0, "_Result", filled);
+                        cmd.DispatchCompute(Fill(), 0, 1, 1, 1);
+                    });
+            }),
+        "pass 'Fill' declares no write of '_Filled', yet a kernel may write to it, which Unity "
+        "throws for; add builder.UseTexture(<handle of '_Filled'>, AccessFlags::Write);");
 }
 
 TEST_F(ComputePass, IsRefusedWhereItSamplesWhatItDoesNotDeclare)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer&)
-                  {
-                      const TextureHandle filled = Filled(graph);
-                      const TextureHandle result = graph.CreateTexture(WritableDesc("_Out"));
-                      AddCompute(
-                          graph, "Filter",
-                          [&](auto& builder) { builder.UseTexture(result, AccessFlags::Write); },
-                          [=](ComputeCommandBuffer& cmd)
-                          {
-                              cmd.SetComputeTextureParam(Filter(), 0, "_Source", filled);
-                              cmd.SetComputeTextureParam(Filter(), 0, "_Result", result);
-                              cmd.DispatchCompute(Filter(), 0, 1, 1, 1);
-                          });
-                  }),
-              "pass 'Filter' declares no read of '_Filled', yet samples it; UseTexture declares "
-              "it");
+    EXPECT_EQ(
+        ErrorOf(
+            [](RenderGraph& graph, ContextContainer&)
+            {
+                const TextureHandle filled = Filled(graph);
+                const TextureHandle result = graph.CreateTexture(WritableDesc("_Out"));
+                AddCompute(
+                    graph, "Filter",
+                    [&](auto& builder) { builder.UseTexture(result, AccessFlags::Write); },
+                    [=](ComputeCommandBuffer& cmd)
+                    {
+                        cmd.SetComputeTextureParam(Filter(), 0, "_Source", filled);
+                        cmd.SetComputeTextureParam(Filter(), 0, "_Result", result);
+                        cmd.DispatchCompute(Filter(), 0, 1, 1, 1);
+                    });
+            }),
+        "pass 'Filter' declares no read of '_Filled', yet samples it, which Unity throws for; "
+        "add builder.UseTexture(<handle of '_Filled'>);");
 }
 
 TEST_F(ComputePass, DeclaresItsBuffers)
@@ -221,8 +223,9 @@ TEST_F(ComputePass, DeclaresItsBuffers)
         };
     };
     EXPECT_EQ(ErrorOf(run(AccessFlags::None)),
-              "pass 'Count' declares no write of buffer '_Counts', yet a kernel may write to it; "
-              "UseBuffer declares it");
+              "pass 'Count' declares no write of buffer '_Counts', yet a kernel may write to it, "
+              "where its handle stands for no buffer in Unity; add builder.UseBuffer(<handle of "
+              "'_Counts'>, AccessFlags::ReadWrite);");
     EXPECT_EQ(ErrorOf(run(AccessFlags::Read)),
               "pass 'Count' reads buffer '_Counts', which no pass before it writes");
     Render(run(AccessFlags::ReadWrite));
@@ -292,8 +295,8 @@ TEST_F(ComputePass, MaySetGlobalsWhereItSaysSo)
                           graph, "Global", [](auto&) {},
                           [](ComputeCommandBuffer& cmd) { cmd.SetGlobalFloat("_X", 1.0f); });
                   }),
-              "pass 'Global' sets the global '_X', yet declares no "
-              "AllowGlobalStateModification(true)");
+              "pass 'Global' sets the global '_X', which Unity throws for; add "
+              "builder.AllowGlobalStateModification(true);");
 }
 
 TEST_F(ComputePass, HasATransientBuffer)

@@ -98,31 +98,137 @@ TEST_F(RenderGraphMismatch, IsNoneWhereThePassDoesWhatItDeclares)
         IsEmpty());
 }
 
+// Unity has given the texture back by then: nobody declares it behind the pass that wrote it.
 TEST_F(RenderGraphMismatch, NamesATextureThatIsSampledUndeclared)
 {
-    EXPECT_EQ(ErrorOf(Blur([](auto&, const TextureHandle&) {}, k_SampleMask)),
-              "pass 'Blur' declares no read of '_Mask', yet samples it; UseTexture declares it");
-    EXPECT_EQ(ErrorOf(Blur([](auto& builder, const TextureHandle& mask)
-                           { builder.UseTexture(mask, AccessFlags::Write); },
-                           k_SampleMask)),
-              "pass 'Blur' declares no read of '_Mask', yet samples it; UseTexture declares it");
+    EXPECT_EQ(
+        ErrorOf(Blur([](auto&, const TextureHandle&) {}, k_SampleMask)),
+        "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
+        "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
 
-TEST_F(RenderGraphMismatch, NamesOneOfTheCamerasTexturesAsWell)
+TEST_F(RenderGraphMismatch, NotesAReadOfWhatThePassDeclaresToWrite)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer& frameData)
-                  {
-                      const auto& resources = frameData.Get<UniversalResourceData>();
-                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
-                      AddRaster(
-                          graph, "Blur",
-                          [&](auto& builder) { builder.SetRenderAttachment(mask, 0); },
-                          [color = resources.activeColorTexture()](RasterCommandBuffer& cmd)
-                          { Sample(cmd, color); });
-                  }),
-              "pass 'Blur' declares no read of 'CameraColor', yet samples it; UseTexture declares "
-              "it");
+    EXPECT_THAT(NotesOf(Blur([](auto& builder, const TextureHandle& mask)
+                             { builder.UseTexture(mask, AccessFlags::Write); },
+                             k_SampleMask)),
+                ElementsAre("pass 'Blur' declares no read of '_Mask', yet samples it; "
+                            "builder.UseTexture(<handle of '_Mask'>, AccessFlags::ReadWrite); "
+                            "declares it"));
+}
+
+TEST_F(RenderGraphMismatch, NotesAReadOfWhatALaterPassDeclares)
+{
+    EXPECT_THAT(NotesOf(
+                    [&](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        const TextureHandle mask = WrittenMask(graph);
+                        const TextureHandle color =
+                            frameData.Get<UniversalResourceData>().activeColorTexture();
+                        for (const bool declares : {false, true})
+                        {
+                            AddRaster(
+                                graph, declares ? "Later" : "Blur",
+                                [&](auto& builder)
+                                {
+                                    builder.SetRenderAttachment(color, 0);
+                                    if (declares)
+                                    {
+                                        builder.UseTexture(mask);
+                                    }
+                                },
+                                [=](RasterCommandBuffer& cmd) { Sample(cmd, mask); });
+                        }
+                    }),
+                ElementsAre("pass 'Blur' declares no read of '_Mask', yet samples it; "
+                            "builder.UseTexture(<handle of '_Mask'>); declares it"));
+}
+
+TEST_F(RenderGraphMismatch, NotesAReadOfWhatIsGlobal)
+{
+    const auto material = std::make_shared<const Material>(test::ShaderWithProgram(
+        "", "Texture2D _Mask; SamplerState sampler_Mask;", "_Mask.Sample(sampler_Mask, 0.5)"));
+    EXPECT_THAT(NotesOf(
+                    [&](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                        AddRaster(
+                            graph, "Mask",
+                            [&](auto& builder)
+                            {
+                                builder.SetRenderAttachment(mask, 0);
+                                builder.SetGlobalTextureAfterPass(mask, "_Mask");
+                            },
+                            [](RasterCommandBuffer& cmd) { Draw(cmd); });
+                        AddRaster(
+                            graph, "Blur",
+                            [&](auto& builder) {
+                                builder.SetRenderAttachment(
+                                    frameData.Get<UniversalResourceData>().activeColorTexture(), 0);
+                            },
+                            [=](RasterCommandBuffer& cmd) { Draw(cmd, material); });
+                    }),
+                ElementsAre("pass 'Blur' declares no read of '_Mask', yet samples it; "
+                            "builder.UseTexture(<handle of '_Mask'>); declares it"));
+}
+
+// They outlive the graph, so that nothing is wrong in Unity, and here neither.
+TEST_F(RenderGraphMismatch, NotesOneOfTheCamerasTexturesByItsHandle)
+{
+    EXPECT_THAT(NotesOf(
+                    [](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        const auto& resources = frameData.Get<UniversalResourceData>();
+                        const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
+                        AddRaster(
+                            graph, "Blur",
+                            [&](auto& builder) { builder.SetRenderAttachment(mask, 0); },
+                            [color = resources.activeColorTexture()](RasterCommandBuffer& cmd)
+                            { Sample(cmd, color); });
+                    }),
+                ElementsAre("pass 'Blur' declares no read of 'CameraColor', yet samples it; "
+                            "builder.UseTexture(resourceData.activeColorTexture()); declares it"));
+}
+
+TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
+{
+    EXPECT_EQ(
+        ErrorOf(
+            [](RenderGraph& graph, ContextContainer& frameData)
+            {
+                const TextureHandle mask = WrittenMask(graph);
+                TextureDesc other = Desc("_Other");
+                other.clearBuffer = false;
+                const TextureHandle unwritten = graph.CreateTexture(other);
+                AddRaster(
+                    graph, "Blur",
+                    [&](auto& builder)
+                    {
+                        builder.SetRenderAttachment(
+                            frameData.Get<UniversalResourceData>().activeColorTexture(), 0);
+                        builder.UseTexture(unwritten);
+                        builder.UseGlobalTexture("_Nobody");
+                    },
+                    [=](RasterCommandBuffer& cmd)
+                    {
+                        Sample(cmd, mask);
+                        Sample(cmd, unwritten);
+                        cmd.SetGlobalFloat("_Width", 2.0f);
+                        cmd.SetGlobalTexture("_Shown", mask);
+                    });
+            }),
+        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
+        "global under that name; SetGlobalTextureAfterPass does\n"
+        "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is false: "
+        "it holds nothing in particular\n"
+        "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+        "builder.AllowGlobalStateModification(true);\n"
+        "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, which "
+        "Unity throws for; add builder.UseTexture(<handle of '_Mask'>);\n"
+        "pass 'Blur' sets the global '_Shown', which Unity throws for; add "
+        "builder.AllowGlobalStateModification(true);\n"
+        "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
+        "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
 
 TEST_F(RenderGraphMismatch, IsNoneWhereABlitSamplesWhatIsGlobal)
@@ -160,32 +266,87 @@ TEST_F(RenderGraphMismatch, LeavesTexturesAloneThatTheGraphDoesNotKnow)
         IsEmpty());
 }
 
+/// Of an unsafe pass "Chain" that clears `target`.
+template <typename Declare>
+void AddClearing(RenderGraph& graph, const TextureHandle& target, Declare declare)
+{
+    AddUnsafe(graph, "Chain", declare,
+              [target](UnsafeCommandBuffer& cmd)
+              {
+                  cmd.SetRenderTarget(target);
+                  cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
+              });
+}
+
 TEST_F(RenderGraphMismatch, NamesATextureThatAnUnsafePassDrawsIntoUndeclared)
 {
-    for (const bool reads : {false, true})
-    {
-        EXPECT_EQ(ErrorOf(
-                      [&](RenderGraph& graph, ContextContainer&)
-                      {
-                          const TextureHandle mask = WrittenMask(graph);
-                          AddUnsafe(
-                              graph, "Chain",
-                              [&](auto& builder)
-                              {
-                                  if (reads)
-                                  {
-                                      builder.UseTexture(mask);
-                                  }
-                              },
-                              [mask](UnsafeCommandBuffer& cmd)
-                              {
-                                  cmd.SetRenderTarget(mask);
-                                  cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
-                              });
-                      }),
-                  "pass 'Chain' declares no write of '_Mask', yet draws into it; UseTexture(…, "
-                  "AccessFlags::Write) declares it");
-    }
+    EXPECT_EQ(ErrorOf([&](RenderGraph& graph, ContextContainer&)
+                      { AddClearing(graph, WrittenMask(graph), [](auto&) {}); }),
+              "pass 'Chain' declares no write of '_Mask', yet draws into it, where its handle "
+              "stands for no texture in Unity; add builder.UseTexture(<handle of '_Mask'>, "
+              "AccessFlags::Write);");
+}
+
+TEST_F(RenderGraphMismatch, NamesAPassThatUnityLeavesOut)
+{
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer& frameData) {
+                      AddClearing(graph, frameData.Get<UniversalResourceData>().cameraColor,
+                                  [](auto&) {});
+                  }),
+              "pass 'Chain' declares no write, so that Unity leaves it out; add "
+              "builder.UseTexture(resourceData.activeColorTexture(), AccessFlags::Write);");
+    const RTHandle own(test::Target("Own"));
+    EXPECT_EQ(ErrorOf(
+                  [&](RenderGraph& graph, ContextContainer&)
+                  {
+                      AddUnsafe(
+                          graph, "Chain", [](auto&) {},
+                          [own](UnsafeCommandBuffer& cmd)
+                          {
+                              cmd.SetRenderTarget(own);
+                              cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
+                          });
+                  }),
+              "pass 'Chain' declares no write, so that Unity leaves it out; add "
+              "builder.AllowPassCulling(false);");
+}
+
+TEST_F(RenderGraphMismatch, NotesTheCamerasColourThatAPassDrawsIntoUndeclared)
+{
+    EXPECT_THAT(NotesOf(
+                    [](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        AddClearing(graph, frameData.Get<UniversalResourceData>().cameraColor,
+                                    [](auto& builder) { builder.AllowPassCulling(false); });
+                    }),
+                ElementsAre("pass 'Chain' declares no write of 'CameraColor', yet draws into it; "
+                            "builder.UseTexture(resourceData.activeColorTexture(), "
+                            "AccessFlags::Write); declares it"));
+}
+
+TEST_F(RenderGraphMismatch, IsNoneWhereAnUnsafePassTestsADepthThatItReads)
+{
+    EXPECT_THAT(NotesOf(
+                    [](RenderGraph& graph, ContextContainer& frameData)
+                    {
+                        const auto& resources = frameData.Get<UniversalResourceData>();
+                        AddUnsafe(
+                            graph, "Chain",
+                            [&](auto& builder)
+                            {
+                                builder.UseTexture(resources.activeColorTexture(),
+                                                   AccessFlags::Write);
+                                builder.UseTexture(resources.activeDepthTexture());
+                            },
+                            [color = resources.activeColorTexture(),
+                             depth = resources.activeDepthTexture()](UnsafeCommandBuffer& cmd)
+                            {
+                                cmd.SetRenderTarget(color, depth);
+                                Draw(cmd);
+                            });
+                    }),
+                IsEmpty());
 }
 
 TEST_F(RenderGraphMismatch, NamesAPassThatDrawsWithoutATarget)
@@ -220,8 +381,8 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         };
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), set)),
-              "pass 'Blur' sets the global '_Width', yet declares no "
-              "AllowGlobalStateModification(true)");
+              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "builder.AllowGlobalStateModification(true);");
     EXPECT_THAT(NotesOf(Blur(declare(true), set)), IsEmpty());
     const auto setView = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
     {
@@ -229,24 +390,27 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), setView)),
-              "pass 'Blur' sets the view and projection matrices, yet declares no "
-              "AllowGlobalStateModification(true)");
+              "pass 'Blur' sets the view and projection matrices, which Unity throws for; add "
+              "builder.AllowGlobalStateModification(true);");
 }
 
-TEST_F(RenderGraphMismatch, NamesAGlobalThatANativeCommandBufferSetsWithoutLeave)
+TEST_F(RenderGraphMismatch, NotesAGlobalThatANativeCommandBufferSets)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer&)
-                  {
-                      AddUnsafe(
-                          graph, "Chain", [](auto&) {},
-                          [](UnsafeCommandBuffer& cmd) {
-                              CommandBufferHelpers::GetNativeCommandBuffer(cmd).SetGlobalInt(
-                                  "_Count", 2);
-                          });
-                  }),
-              "pass 'Chain' sets the global '_Count', yet declares no "
-              "AllowGlobalStateModification(true)");
+    const auto set = [](bool isKept)
+    {
+        return [isKept](RenderGraph& graph, ContextContainer&)
+        {
+            AddUnsafe(
+                graph, "Chain", [&](auto& builder) { builder.AllowPassCulling(!isKept); },
+                [](UnsafeCommandBuffer& cmd)
+                { CommandBufferHelpers::GetNativeCommandBuffer(cmd).SetGlobalInt("_Count", 2); });
+        };
+    };
+    EXPECT_THAT(NotesOf(set(true)),
+                ElementsAre("pass 'Chain' sets '_Count' for all that follow by a native command "
+                            "buffer; builder.AllowGlobalStateModification(true); declares it"));
+    EXPECT_EQ(ErrorOf(set(false)), "pass 'Chain' declares no write, so that Unity leaves it out; "
+                                   "add builder.AllowPassCulling(false);");
 }
 
 TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
@@ -258,8 +422,8 @@ TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
     };
     EXPECT_EQ(ErrorOf(Blur(
                   [](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); }, wet)),
-              "pass 'Blur' switches the keyword 'WET', yet declares no "
-              "AllowGlobalStateModification(true)");
+              "pass 'Blur' switches the keyword 'WET', which Unity throws for; add "
+              "builder.AllowGlobalStateModification(true);");
 }
 
 TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
@@ -271,17 +435,26 @@ TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
               "global under that name; SetGlobalTextureAfterPass does");
 }
 
-TEST_F(RenderGraphMismatch, NamesATextureThatIsReadBeforeAnythingWroteIt)
+TEST_F(RenderGraphMismatch, NotesATextureThatIsReadBeforeAnythingWroteIt)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer&)
-                  {
-                      const TextureHandle mask = graph.CreateTexture(Desc("_Mask"));
-                      AddUnsafe(
-                          graph, "Blur", [&](auto& builder) { builder.UseTexture(mask); },
-                          [](UnsafeCommandBuffer&) {});
-                  }),
-              "pass 'Blur' reads '_Mask', which no pass before it writes");
+    const auto read = [](bool clears)
+    {
+        return [clears](RenderGraph& graph, ContextContainer&)
+        {
+            TextureDesc desc = Desc("_Mask");
+            desc.clearBuffer = clears;
+            const TextureHandle mask = graph.CreateTexture(desc);
+            AddUnsafe(
+                graph, "Blur", [&](auto& builder) { builder.UseTexture(mask); },
+                [](UnsafeCommandBuffer&) {});
+        };
+    };
+    EXPECT_THAT(NotesOf(read(true)),
+                ElementsAre("pass 'Blur' reads '_Mask', which no pass before it writes: it finds "
+                            "the clearColor"));
+    EXPECT_EQ(ErrorOf(read(false)),
+              "pass 'Blur' reads '_Mask', which no pass before it writes, and clearBuffer is "
+              "false: it holds nothing in particular");
 }
 
 TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
@@ -314,7 +487,8 @@ TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
         };
     };
     EXPECT_EQ(ErrorOf(record(false, true)),
-              "pass 'List' declares no UseRendererList of a renderer list, yet draws it");
+              "pass 'List' declares no UseRendererList of a renderer list, yet draws it, of which "
+              "Unity draws nothing; add builder.UseRendererList(<its handle>);");
     EXPECT_THAT(NotesOf(record(true, false)),
                 ElementsAre("pass 'List' declares UseRendererList of a list that it does not "
                             "draw"));

@@ -128,5 +128,20 @@ TEST(ShaderPropertyId, IsEqualForEqualNamesOnly)
     EXPECT_EQ(Shader::PropertyToID("_MainTex"), ShaderPropertyId("_MainTex"));
 }
 
+TEST(Vectors, AreMadeOfShorterOnesAsInUnity)
+{
+    MaterialPropertyBlock block;
+    block.SetVector("_V", Vector2(1, 2));
+    EXPECT_EQ(block.GetVector("_V"), Vector4(1, 2, 0, 0));
+    block.SetVector("_V", Vector3(1, 2, 3));
+    EXPECT_EQ(block.GetVector("_V"), Vector4(1, 2, 3, 0));
+    block.SetVector("_V", Color(0.5f, 0.25f, 1.0f, 0.75f));
+    EXPECT_EQ(block.GetVector("_V"), Vector4(0.5f, 0.25f, 1.0f, 0.75f)) << "as it is";
+    block.SetVector("_V", {1, 2, 3, 4});
+    EXPECT_EQ(block.GetVector("_V"), Vector4(1, 2, 3, 4));
+    Shader::SetGlobalVector("_TestShorterVector", Vector2(3, 4));
+    EXPECT_EQ(Shader::GetGlobalVector("_TestShorterVector"), Vector4(3, 4, 0, 0));
+}
+
 } // namespace
 } // namespace limn

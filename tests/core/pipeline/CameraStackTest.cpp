@@ -149,7 +149,7 @@ TEST_F(CameraStack, TellsFeaturesOfEachCameraWhatItIs)
     EXPECT_THAT(members(&CameraData::cameraType), ElementsAre(2, 2, 2));
     EXPECT_EQ(seen[1].camera, &first);
     EXPECT_EQ(seen[1].cameraTargetDescriptor, seen[0].cameraTargetDescriptor);
-    EXPECT_EQ(seen[1].gpuProjectionMatrix, first.gpuProjectionMatrix(2.0f));
+    EXPECT_EQ(seen[1].gpuProjectionMatrix, WithFlippedY(first.gpuProjectionMatrix(2.0f)));
 }
 
 TEST_F(CameraStack, RunsFeaturesForEachCameraAndEndsTheStackOnce)

@@ -15,15 +15,22 @@ using testing::IsEmpty;
 using TexturePtr = std::shared_ptr<const Texture>;
 
 /// Makes temporary textures when the camera is set up.
-class TemporaryTargetPass final : public test::LoggingPass
+class NamedTargetPass final : public test::LoggingPass
 {
 public:
     using LoggingPass::LoggingPass;
     void OnCameraSetup(CommandBuffer& cmd, RenderingData&) override
     {
-        cmd.GetTemporaryRT("_Both", 8, 4, 24);
-        cmd.GetTemporaryRT("_Color", 8, 4);
+        cmd.SetGlobalTexture("_Both", m_Both);
+        cmd.SetGlobalTexture("_Color", m_ColorOnly);
     }
+
+private:
+    static constexpr GraphicsFormat k_Format = GraphicsFormat::R8G8B8A8_SRGB;
+    const test::RenderTexturePtr m_Both =
+        std::make_shared<const RenderTexture>("both", RenderTextureDescriptor(8, 4, k_Format, 24));
+    const test::RenderTexturePtr m_ColorOnly =
+        std::make_shared<const RenderTexture>("color", RenderTextureDescriptor(8, 4, k_Format));
 };
 
 /// What ConfigureTarget of identifiers and of several colours makes a pass draw into.
@@ -60,13 +67,13 @@ protected:
     test::RendererHarness m_Harness;
     const RTHandle& m_Color = m_Harness.renderer.color;
     const RTHandle& m_Depth = m_Harness.renderer.depth;
-    TemporaryTargetPass m_Pass{"pass", RenderPassEvent::AfterRenderingOpaques, m_Log};
+    NamedTargetPass m_Pass{"pass", RenderPassEvent::AfterRenderingOpaques, m_Log};
     test::LoggingPass m_Other{"other", RenderPassEvent::AfterRenderingOpaques + 1, m_Log};
     const RTHandle m_Mask{test::Target("Mask")};
     const RTHandle m_Normals{test::Target("Normals")};
 };
 
-TEST_F(ConfiguredTargets, ByNameAreTemporaryTexturesWithTheDepthBesideThem)
+TEST_F(ConfiguredTargets, ByNameAreTexturesWithTheDepthThatTheyHave)
 {
     m_Pass.ConfigureTarget("_Both");
     m_Pass.ConfigureClear(ClearFlag::All, Color::red);
@@ -190,7 +197,7 @@ TEST_F(ConfiguredTargets, OfSeveralColorsMayBeIdentifiers)
     ASSERT_EQ(clears.passes.size(), 2u);
     EXPECT_THAT(ColorsOf(clears.passes[0]), ElementsAre(m_Color.rt()));
     EXPECT_THAT(ClearsOf(clears.passes[0]), ElementsAre(Color::green));
-    EXPECT_THAT(ClearsOf(clears.passes[1]), ElementsAre(Color::red)) << "the temporary texture";
+    EXPECT_THAT(ClearsOf(clears.passes[1]), ElementsAre(Color::red)) << "the other texture";
     m_Pass.ConfigureTarget(colors, BuiltinRenderTextureType::CameraTarget);
     const CompiledFrame frame = m_Harness.Render();
     ASSERT_EQ(frame.passes.size(), 3u);

@@ -322,7 +322,8 @@ TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
     EXPECT_THAT(global("_WorldSpaceCameraPos"), ElementsAre(1, 2, 3, 0));
     EXPECT_THAT(global("limn_Origin"), ElementsAre(0, 0, 0, 0));
     EXPECT_THAT(global("_ScreenParams"), ElementsAre(64, 32, 1.015625f, 1.03125f));
-    EXPECT_THAT(global("_ProjectionParams"), ElementsAre(1, 0.3f, 1000, 0.001f));
+    EXPECT_THAT(global("_ProjectionParams"), ElementsAre(-1, 0.3f, 1000, 0.001f));
+    EXPECT_THAT(global("_ScaleBiasRt"), ElementsAre(-1, 1, -1, 1));
     EXPECT_THAT(global("_Time"), ElementsAre(0.1f, 2, 4, 6));
     EXPECT_NEAR(global("_SinTime")[3], std::sin(2.0), 1e-6);
 }
@@ -350,7 +351,7 @@ TEST_F(Pipeline, TellsShadersPlacesRelativeToACameraThatIsFarAway)
     EXPECT_THAT(global("limn_OriginVS"), ElementsAre(-0.25f, -0.5f, -0.75f, 1));
     const glm::mat4 projection = m_Camera.gpuProjectionMatrix(2.0f);
     EXPECT_THAT(global("limn_OriginCS"),
-                ElementsAre(-0.25f * projection[0][0], -0.5f * projection[1][1],
+                ElementsAre(-0.25f * projection[0][0], 0.5f * projection[1][1], // turned over
                             -0.75f * projection[2][2] + projection[3][2], 0.75f));
 }
 

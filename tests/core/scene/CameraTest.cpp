@@ -315,4 +315,13 @@ TEST(RenderOrigin, IsTheWorldsOriginUpToAKilometreAndAPointNearTheCameraBeyond)
 }
 
 } // namespace
+
+TEST(CameraType, IsAskedForByItsBits)
+{
+    const CameraType both = CameraType::Game | CameraType::SceneView;
+    EXPECT_TRUE((CameraType::Game & both) != 0);
+    EXPECT_TRUE((CameraType::Preview & both) == 0);
+    EXPECT_TRUE((both & CameraType::SceneView) == CameraType::SceneView);
+}
+
 } // namespace limn

@@ -108,8 +108,42 @@ TEST(ReAllocateIfNeeded, ReplacesATextureForEachFieldThatDiffers)
     {
         RTHandle handle = MaskHandle();
         EXPECT_TRUE(ReAllocateMask(handle, other)) << "field " << &other - others.data();
-        EXPECT_EQ(handle.rt()->descriptor(), other);
+        RenderTextureDescriptor made = other;
+        made.graphicsFormat =
+            other.depthBufferBits == 0 ? other.graphicsFormat : GraphicsFormat::None; // depth only
+        EXPECT_EQ(handle.rt()->descriptor(), made);
     }
+}
+
+TEST(ReAllocateIfNeeded, TakesUnitysArgumentsByNameAndByPlace)
+{
+    RTHandle handle;
+    EXPECT_TRUE(ReAllocateIfNeeded(
+        handle, k_Mask,
+        {.filterMode = FilterMode::Trilinear, .anisoLevel = 4, .mipMapBias = -1, .name = "_A"}));
+    EXPECT_EQ(handle.rt()->name(), "_A");
+    EXPECT_EQ(handle.rt()->sampler().anisoLevel, 4);
+    EXPECT_EQ(handle.rt()->sampler().mipMapBias, -1.0f);
+    EXPECT_EQ(handle.rt()->sampler().wrapModeV, TextureWrapMode::Repeat) << "as Unity's";
+    EXPECT_FALSE(ReAllocateIfNeeded(handle, k_Mask, FilterMode::Trilinear, TextureWrapMode::Repeat,
+                                    false, 4, -1.0f, "_A"));
+    EXPECT_TRUE(
+        ReAllocateIfNeeded(handle, k_Mask, FilterMode::Point, TextureWrapMode::Repeat, "_A"))
+        << "the name, not isShadowMap";
+    EXPECT_EQ(handle.rt()->name(), "_A");
+}
+
+TEST(ReAllocateIfNeeded, MakesAShadowMapThatSamplersCompareWith)
+{
+    RTHandle handle;
+    const auto ask = [&]
+    {
+        return ReAllocateIfNeeded(handle, k_Mask, {.isShadowMap = true, .name = "_Shadows"});
+    };
+    EXPECT_TRUE(ask());
+    EXPECT_EQ(handle.rt()->graphicsFormat(), GraphicsFormat::D32_SFloat);
+    EXPECT_TRUE(handle.rt()->sampler().comparison);
+    EXPECT_FALSE(ask());
 }
 
 TEST(ReAllocateIfNeeded, ReplacesATextureForAnotherFilterWrapModeOrName)

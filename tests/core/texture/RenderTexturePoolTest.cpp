@@ -22,8 +22,11 @@ TEST(RenderTexturePool, GivesATextureOfTheAskedKind)
             .rt()
             ->graphicsFormat(),
         GraphicsFormat::R8G8B8A8_UNorm);
-    EXPECT_EQ(pool.GetTemporary(8, 8, 24).rt()->graphicsFormat(),
-              GraphicsFormat::D32_SFloat_S8_UInt);
+    EXPECT_EQ(color.rt()->depthBuffer(), nullptr);
+    const TemporaryTexture both = pool.GetTemporary(8, 8, 24);
+    EXPECT_EQ(both.rt()->graphicsFormat(), GraphicsFormat::R8G8B8A8_SRGB);
+    ASSERT_TRUE(both.rt()->depthBuffer());
+    EXPECT_EQ(both.rt()->depthBuffer()->graphicsFormat(), GraphicsFormat::D32_SFloat_S8_UInt);
     const TemporaryTexture samples =
         pool.GetTemporary(8, 8, 0, RenderTextureFormat::R8, RenderTextureReadWrite::Default, 4);
     EXPECT_EQ(samples.rt()->descriptor().msaaSamples, 4);

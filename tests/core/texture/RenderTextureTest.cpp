@@ -13,7 +13,7 @@ using test::ThrownMessage;
 
 GraphicsFormat FormatFor(int depthBufferBits)
 {
-    return RenderTexture("t", {4, 4, GraphicsFormat::R8_UNorm, depthBufferBits}).graphicsFormat();
+    return RenderTexture("t", {4, 4, GraphicsFormat::None, depthBufferBits}).graphicsFormat();
 }
 
 TEST(RenderTexture, KeepsItsDescriptor)
@@ -29,12 +29,44 @@ TEST(RenderTexture, KeepsItsDescriptor)
     EXPECT_FALSE(RenderTexture("t", descriptor).isTransient());
 }
 
-TEST(RenderTexture, HasTheColourFormatWithoutDepthBits)
+TEST(RenderTexture, HasADepthBesideItsColourWithDepthBits)
 {
-    EXPECT_EQ(FormatFor(0), GraphicsFormat::R8_UNorm);
+    RenderTextureDescriptor descriptor(4, 6, GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(RenderTexture("t", descriptor).depthBuffer(), nullptr);
+    descriptor.msaaSamples = 4;
+    for (const auto& [bits, format] : {std::pair(16, GraphicsFormat::D32_SFloat),
+                                       std::pair(24, GraphicsFormat::D32_SFloat_S8_UInt),
+                                       std::pair(32, GraphicsFormat::D32_SFloat_S8_UInt)})
+    {
+        descriptor.depthBufferBits = bits;
+        const RenderTexture texture("t", descriptor);
+        EXPECT_EQ(texture.graphicsFormat(), GraphicsFormat::R8_UNorm);
+        ASSERT_TRUE(texture.depthBuffer());
+        const RenderTexture& depth = *texture.depthBuffer();
+        EXPECT_EQ(depth.graphicsFormat(), format);
+        EXPECT_EQ(depth.width(), 4);
+        EXPECT_EQ(depth.height(), 6);
+        EXPECT_EQ(depth.descriptor().msaaSamples, 4);
+        EXPECT_EQ(depth.depthBuffer(), nullptr);
+    }
 }
 
-TEST(RenderTexture, IsADepthTextureWithDepthBitsWhateverTheColourFormat)
+TEST(RenderTexture, TakesADepthThatIsThereIfItFits)
+{
+    const auto depth = std::make_shared<const RenderTexture>(
+        "d", RenderTextureDescriptor(4, 4, GraphicsFormat::None, 24));
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(RenderTexture("t", descriptor, {}, false, depth).depthBuffer(), depth);
+    descriptor.width = 5;
+    EXPECT_THROW(RenderTexture("t", descriptor, {}, false, depth), ContractError);
+    descriptor.width = 4;
+    descriptor.depthBufferBits = 16;
+    EXPECT_THROW(RenderTexture("t", descriptor, {}, false, depth), ContractError);
+    EXPECT_THROW(RenderTexture("t", {4, 4, GraphicsFormat::R8_UNorm}, {}, false, nullptr),
+                 ContractError);
+}
+
+TEST(RenderTexture, IsADepthTextureWithDepthBitsAndNoColourFormat)
 {
     EXPECT_EQ(FormatFor(16), GraphicsFormat::D32_SFloat);
     EXPECT_EQ(FormatFor(24), GraphicsFormat::D32_SFloat_S8_UInt);
@@ -105,6 +137,7 @@ TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
     descriptor.mipCount = 6;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
               "texture 'a': 6 mip levels; 20x7 has 1 to 5");
+    descriptor.graphicsFormat = GraphicsFormat::None;
     descriptor.depthBufferBits = 24;
     descriptor.mipCount = 0;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
@@ -152,7 +185,7 @@ TEST(RenderTexture, OfIntegersHasNoAverages)
 
 TEST(RenderTexture, TakesItsDepthByFormatAsWell)
 {
-    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm);
+    RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::None);
     EXPECT_EQ(descriptor.depthStencilFormat(), GraphicsFormat::None);
     for (const GraphicsFormat format :
          {GraphicsFormat::D32_SFloat, GraphicsFormat::D32_SFloat_S8_UInt})

@@ -41,6 +41,14 @@ TEST_F(AssetContextTest, ReachesEveryFileOfASceneAndWhatItsShadersInclude)
     EXPECT_EQ(1u, assets.reachedFiles().count(folder / "Tint.hlsl"));
 }
 
+TEST_F(AssetContextTest, LetsFeaturesFindShippedShadersAndThoseThatWereLoaded)
+{
+    EXPECT_EQ(assets.shaderSource()->Find("Hidden/ScreenSpaceOutline"),
+              assets.FindShader("Hidden/ScreenSpaceOutline"));
+    const auto own = assets.LoadShader(folder / "own.shader");
+    EXPECT_EQ(assets.shaderSource()->Find(own->name()), own);
+}
+
 TEST_F(AssetContextTest, ReachesAnIncludeThatIsMissing)
 {
     std::filesystem::remove(folder / "Tint.hlsl");

@@ -70,6 +70,9 @@ void ExpectATransform()
     camera.transform.localPosition = {1, 2, 3};
     EXPECT_EQ(camera.transform.position(), glm::vec3(1, 2, 3));
     ExpectNear(camera.transform.forward(), {0, 0, 1});
+    const glm::vec4 seen = camera.worldToCameraMatrix() * glm::vec4(1, 2, 4, 1);
+    ExpectNear(glm::vec3(seen), {0, 0, -1});
+    ExpectNear(glm::vec3(camera.cameraToWorldMatrix() * seen), {1, 2, 4});
 }
 
 template <typename Data>
@@ -84,8 +87,6 @@ void ExpectCameraDataOf()
     data.cameraType = CameraType::SceneView;
     EXPECT_TRUE(data.isSceneViewCamera());
     EXPECT_FALSE(data.isPreviewCamera());
-    EXPECT_FALSE(data.IsCameraProjectionMatrixFlipped());
-    EXPECT_FALSE(data.IsHandleYFlipped(RTHandle()));
 }
 
 void ExpectCameraData()
@@ -178,10 +179,10 @@ DiffersChecks CameraDiffers()
             {Members("Camera", {"projectionMatrix", "ResetProjectionMatrix",
                                 "nonJitteredProjectionMatrix", "cullingMatrix"}),
              ExpectAProjectionOfItsOwnOrTheLens},
-            {{"Camera.transform"}, ExpectATransform},
+            {Members("Camera", {"transform", "cameraToWorldMatrix", "worldToCameraMatrix"}),
+             ExpectATransform},
             {OfEach({"CameraData", "UniversalCameraData"},
-                    {"isPreviewCamera", "isSceneViewCamera", "volumeTrigger",
-                     "IsCameraProjectionMatrixFlipped", "IsHandleYFlipped"}),
+                    {"isPreviewCamera", "isSceneViewCamera", "volumeTrigger"}),
              ExpectCameraData},
             {Members("UniversalCameraData", {"scaledWidth", "scaledHeight"}), ExpectScaledSizes},
             {{"LightData.visibleLights", "UniversalLightData.visibleLights", "ShadowData.bias",

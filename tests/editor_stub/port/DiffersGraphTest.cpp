@@ -167,7 +167,9 @@ void ExpectASentenceForWhatIsNotDeclared()
             return ErrorOf(
                 [&](RenderGraph& graph, ContextContainer&)
                 {
-                    const TextureHandle own = graph.CreateTexture(Desc("_Own"));
+                    TextureDesc desc = Desc("_Own");
+                    desc.clearBuffer = false;
+                    const TextureHandle own = graph.CreateTexture(desc);
                     AddOwn(
                         graph, isRaster, [&](auto& builder) { declare(builder, own); },
                         k_DrawNothing);

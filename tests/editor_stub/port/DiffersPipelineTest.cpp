@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/core/CurrentCamera.h>
 #include <limn/core/RecordingDevice.h>
 
 namespace limn::test
@@ -202,6 +203,60 @@ void ExpectComponentsAndStacksToGoByThemselves()
     EXPECT_EQ(LivingComponent::living, before);
 }
 
+class ParameterComponent final : public VolumeComponent
+{
+public:
+    FloatParameter width{this, "width", 1.0f};
+};
+
+void ExpectTheStackOfTheCameraThatIsRendered()
+{
+    VolumeComponentRegistry registry;
+    registry.Register<ParameterComponent>("Parameter");
+    VolumeManager volumes(registry);
+    const VolumeStack stack = volumes.CreateStack();
+    RenderingData data;
+    data.volumeStack = &stack;
+    {
+        const CurrentCamera camera(data);
+        EXPECT_EQ(VolumeManager::stack()->GetComponent<ParameterComponent>(),
+                  stack.GetComponent<ParameterComponent>());
+    }
+    EXPECT_EQ(&*VolumeManager::stack(), &VolumeStack::Defaults());
+    ParameterComponent component;
+    ASSERT_EQ(component.parameters().size(), 1u);
+    EXPECT_EQ(component.parameters()[0], &component.width);
+}
+
+template <typename Renderer>
+concept Executes = requires(Renderer& renderer, ScriptableRenderContext& context,
+                            RenderingData& data)
+{
+    renderer.Execute(context, data);
+};
+template <typename Renderer>
+concept SetsUp = requires(Renderer& renderer, ScriptableRenderContext& context, RenderingData& data)
+{
+    renderer.Setup(context, data);
+};
+template <typename Renderer>
+concept ConfiguresTarget = requires(Renderer& renderer)
+{
+    renderer.ConfigureCameraTarget(RTHandle(), RTHandle());
+};
+
+void ExpectARendererThatIsLeftToThePipeline()
+{
+    EXPECT_FALSE(Executes<ScriptableRenderer>);
+    EXPECT_FALSE(SetsUp<ScriptableRenderer>);
+    EXPECT_FALSE(ConfiguresTarget<ScriptableRenderer>);
+}
+
+void ExpectASamplersNameByAFunction()
+{
+    EXPECT_EQ(ProfilingSampler("Blur").name(), "Blur");
+}
+
 } // namespace
 
 DiffersChecks PipelineDiffers()
@@ -229,8 +284,13 @@ DiffersChecks PipelineDiffers()
             {Members("VolumeParameter", {"value", "overrideState", "GetValue"}),
              ExpectParametersByFunctions},
             {{"VolumeComponent.OnEnable", "VolumeComponent.OnDisable", "VolumeStack.Dispose",
-              "VolumeStack.GetComponent", "VolumeManager.instance", "VolumeManager.stack"},
-             ExpectComponentsAndStacksToGoByThemselves}};
+              "VolumeStack.GetComponent", "VolumeManager.instance"},
+             ExpectComponentsAndStacksToGoByThemselves},
+            {{"VolumeManager.stack", "VolumeComponent.parameters"},
+             ExpectTheStackOfTheCameraThatIsRendered},
+            {Members("ScriptableRenderer", {"ConfigureCameraTarget", "Setup", "Execute"}),
+             ExpectARendererThatIsLeftToThePipeline},
+            {{"ProfilingSampler.name"}, ExpectASamplersNameByAFunction}};
 }
 
 } // namespace limn::test

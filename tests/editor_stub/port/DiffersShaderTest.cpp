@@ -169,11 +169,29 @@ void ExpectAKernelToReadAGlobalOnceItIsGiven()
     EXPECT_EQ(textures[0].texture, DefaultTexture("blue"));
 }
 
-void ExpectShadersOfADatabase()
+void ExpectShadersOfTheScopesSource()
 {
+    const auto none = Shader::Find("Hidden/ScreenSpaceOutline"); // outside of all features' code
+    EXPECT_EQ(none, nullptr);
+    const ShaderSourceScope scope(
+        std::make_shared<ShaderSource>(&ShippedShaders, DiffersCompiler()));
+    const auto found = Shader::Find("Hidden/ScreenSpaceOutline");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found, Shader::Find("Hidden/ScreenSpaceOutline"));
+    EXPECT_EQ(Shader::Find("No/Such"), nullptr);
     EXPECT_NE(Shader::Find("Hidden/ScreenSpaceOutline", ShippedShaders(), DiffersCompiler()),
               nullptr);
     EXPECT_EQ(Shader::Find("No/Such", ShippedShaders(), DiffersCompiler()), nullptr);
+}
+
+void ExpectKeywordsByFunctions()
+{
+    EXPECT_EQ(GlobalKeyword::Create("WET").name(), "WET");
+    const auto compute = ComputeShader::FromText("#pragma kernel Fill\n"
+                                                 "[numthreads(1, 1, 1)] void Fill() {}",
+                                                 "Fill.compute", DiffersCompiler());
+    compute->EnableKeyword("WET");
+    EXPECT_EQ(compute->shaderKeywords(), std::vector<std::string>{"WET"});
 }
 
 void ExpectNamesOfATypeOfTheirOwn()
@@ -205,8 +223,9 @@ DiffersChecks ShaderDiffers()
                   "GetPropertyTextureDefaultName", "GetPropertyTextureDimension",
                   "GetPropertyType"}),
          ExpectTheDocumentToHaveAllOfTheFile},
+        {{"GlobalKeyword.name", "ComputeShader.shaderKeywords"}, ExpectKeywordsByFunctions},
         {{"ComputeShader.SetTextureFromGlobal"}, ExpectAKernelToReadAGlobalOnceItIsGiven},
-        {{"Shader.Find"}, ExpectShadersOfADatabase},
+        {{"Shader.Find"}, ExpectShadersOfTheScopesSource},
         {{"Shader.PropertyToID"}, ExpectNamesOfATypeOfTheirOwn}};
 }
 

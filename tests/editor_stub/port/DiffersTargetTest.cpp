@@ -87,12 +87,23 @@ void ExpectScalesOfAHandle()
     EXPECT_EQ(less.rt()->width(), 15) << "the function is said when it is allocated";
 }
 
-void ExpectReAllocationByTheOlderName()
+void ExpectReAllocationByNamedArguments()
 {
     RTHandle handle;
-    EXPECT_TRUE(RenderingUtils::ReAllocateIfNeeded(handle, {8, 4, k_Format}));
-    EXPECT_FALSE(RenderingUtils::ReAllocateIfNeeded(handle, {8, 4, k_Format}));
-    EXPECT_TRUE(RenderingUtils::ReAllocateIfNeeded(handle, {9, 4, k_Format}));
+    const RenderTextureDescriptor descriptor(8, 4, GraphicsFormat::R8_UNorm);
+    const auto ask = [&]
+    {
+        return RenderingUtils::ReAllocateIfNeeded(
+            handle, descriptor, {.wrapMode = TextureWrapMode::Clamp, .name = "_Mask"});
+    };
+    EXPECT_TRUE(ask());
+    EXPECT_FALSE(ask());
+    EXPECT_EQ(handle.rt()->name(), "_Mask");
+    EXPECT_EQ(handle.rt()->sampler().filterMode, FilterMode::Point);
+    EXPECT_EQ(handle.rt()->sampler().wrapModeU, TextureWrapMode::Clamp);
+    EXPECT_FALSE(RenderingUtils::ReAllocateHandleIfNeeded(
+        handle, descriptor, FilterMode::Point, TextureWrapMode::Clamp, 1, 0.0f, "_Mask"));
+    EXPECT_TRUE(RenderingUtils::ReAllocateHandleIfNeeded(handle, descriptor, {.name = "_Mask"}));
 }
 
 void ExpectAlwaysTheSameFullscreenMesh()
@@ -137,11 +148,24 @@ void ExpectFunctionsOfABuffer()
     EXPECT_EQ(buffer.name(), "Edges");
 }
 
-void ExpectNoHandles()
+void ExpectDepthsOfThirtyTwoBits()
 {
-    EXPECT_FALSE(TextureHandle::nullHandle.IsValid());
-    EXPECT_FALSE(RendererListHandle::nullHandle.IsValid());
-    EXPECT_FALSE(BufferHandle::nullHandle.IsValid());
+    using enum GraphicsFormat;
+    for (const auto& [asked, made] :
+         {std::pair(D16_UNorm, D32_SFloat), std::pair(D24_UNorm, D32_SFloat),
+          std::pair(D24_UNorm_S8_UInt, D32_SFloat_S8_UInt),
+          std::pair(D16_UNorm_S8_UInt, D32_SFloat_S8_UInt), std::pair(S8_UInt, D32_SFloat_S8_UInt)})
+    {
+        const RenderTexture texture("Depth", RenderTextureDescriptor(8, 4, asked));
+        EXPECT_EQ(texture.graphicsFormat(), made) << ToString(asked);
+        RenderTextureDescriptor descriptor(8, 4, None);
+        descriptor.SetDepthStencilFormat(asked);
+        EXPECT_EQ(RenderTexture("Depth", descriptor).graphicsFormat(), made) << ToString(asked);
+    }
+    EXPECT_EQ(GraphicsFormatUtility::GetDepthStencilFormat(16, 0), D32_SFloat);
+    EXPECT_EQ(GraphicsFormatUtility::GetDepthStencilFormat(24, 8), D32_SFloat_S8_UInt);
+    EXPECT_EQ(GraphicsFormatUtility::GetDepthStencilFormat(32), D32_SFloat_S8_UInt);
+    EXPECT_EQ(GraphicsFormatUtility::GetDepthStencilFormat(0, 0), None);
 }
 
 } // namespace
@@ -152,26 +176,28 @@ DiffersChecks TargetDiffers()
         Members("RenderTextureDescriptor", {"bindMS", "dimension", "volumeDepth", "vrUsage"});
     const auto descs = Members("TextureDesc", {"bindTextureMS", "dimension", "slices"});
     flat.insert(flat.end(), descs.begin(), descs.end());
-    return {
-        {flat, ExpectFlatTargetsOnly},
-        {Members("RenderTextureDescriptor", {"colorFormat", "depthStencilFormat", "sRGB"}),
-         ExpectFormatsByFunctions},
-        {Members("RTHandle",
-                 {"rt", "nameID", "name", "isMSAAEnabled", "rtHandleProperties", "Release"}),
-         ExpectFunctionsOfAHandle},
-        {{"RTHandle.useScaling", "RTHandle.scaleFactor", "RTHandle.scaleFunc",
-          "RTHandle.referenceSize", "RTHandles.maxWidth", "RTHandles.maxHeight",
-          "RTHandles.rtHandleProperties"},
-         ExpectScalesOfAHandle},
-        {{"RenderingUtils.ReAllocateHandleIfNeeded"}, ExpectReAllocationByTheOlderName},
-        {{"RenderingUtils.fullscreenMesh"}, ExpectAlwaysTheSameFullscreenMesh},
-        {Members("CoreUtils", {"blackCubeTexture", "whiteCubeTexture"}), ExpectCubesByName},
-        {{"CoreUtils.CreateEngineMaterial"}, ExpectEngineMaterialsToHaveAShader},
-        {{"CoreUtils.Destroy"}, ExpectDestroyToLetGo},
-        {Members("GraphicsBuffer", {"count", "stride", "target", "name"}),
-         ExpectFunctionsOfABuffer},
-        {{"TextureHandle.nullHandle", "RendererListHandle.nullHandle", "BufferHandle.nullHandle"},
-         ExpectNoHandles}};
+    return {{flat, ExpectFlatTargetsOnly},
+            {Members("RenderTextureDescriptor", {"colorFormat", "depthStencilFormat", "sRGB"}),
+             ExpectFormatsByFunctions},
+            {Members("RTHandle",
+                     {"rt", "nameID", "name", "isMSAAEnabled", "rtHandleProperties", "Release"}),
+             ExpectFunctionsOfAHandle},
+            {{"RTHandle.useScaling", "RTHandle.scaleFactor", "RTHandle.scaleFunc",
+              "RTHandle.referenceSize", "RTHandles.maxWidth", "RTHandles.maxHeight",
+              "RTHandles.rtHandleProperties"},
+             ExpectScalesOfAHandle},
+            {Members("RenderingUtils", {"ReAllocateIfNeeded", "ReAllocateHandleIfNeeded"}),
+             ExpectReAllocationByNamedArguments},
+            {{"RenderingUtils.fullscreenMesh"}, ExpectAlwaysTheSameFullscreenMesh},
+            {Members("CoreUtils", {"blackCubeTexture", "whiteCubeTexture"}), ExpectCubesByName},
+            {{"CoreUtils.CreateEngineMaterial"}, ExpectEngineMaterialsToHaveAShader},
+            {{"CoreUtils.Destroy"}, ExpectDestroyToLetGo},
+            {Members("GraphicsBuffer", {"count", "stride", "target", "name"}),
+             ExpectFunctionsOfABuffer},
+            {{"GraphicsFormat.D16_UNorm", "GraphicsFormat.D24_UNorm",
+              "GraphicsFormat.D24_UNorm_S8_UInt", "GraphicsFormat.S8_UInt",
+              "GraphicsFormat.D16_UNorm_S8_UInt", "GraphicsFormatUtility.GetDepthStencilFormat"},
+             ExpectDepthsOfThirtyTwoBits}};
 }
 
 } // namespace limn::test

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <limn/core/Inspector.h>
+#include <limn/core/Material.h>
 
 namespace limn::test
 {
@@ -24,7 +25,46 @@ public:
     }
 };
 
+/// Finds its shader by name and sets a material of its settings.
+class FindingFeature final : public ScriptableRendererFeature
+{
+public:
+    std::shared_ptr<const Shader> found;
+    std::shared_ptr<Material> m_Material;
+
+    void Create() override
+    {
+        found = Shader::Find("Hidden/ScreenSpaceOutline");
+        if (m_Material)
+        {
+            m_Material->SetFloat("_Width", 7);
+        }
+    }
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+    void Describe(Inspector& inspector) override
+    {
+        inspector.Field("m_Material", m_Material, "Drawn with");
+    }
+};
+
 } // namespace
+
+TEST(OwnFeature, FindsShadersByNameAndSetsTheMaterialOfItsSettings)
+{
+    SceneFolder folder;
+    folder.assets.features().Register<FindingFeature>("FindingFeature");
+    const SceneAsset scene =
+        folder.LoadWithCamera("materials: {flat: {shader: Universal Render Pipeline/Unlit}}\n"
+                              "renderer: {features: [{type: FindingFeature, m_Material: flat}]}\n");
+    ASSERT_EQ(1u, scene.renderer.features.size());
+    const auto* feature = dynamic_cast<const FindingFeature*>(scene.renderer.features[0].get());
+    ASSERT_NE(nullptr, feature);
+    ASSERT_NE(nullptr, feature->found);
+    EXPECT_EQ(feature->found, folder.assets.FindShader("Hidden/ScreenSpaceOutline"));
+    ASSERT_NE(nullptr, feature->m_Material);
+    EXPECT_EQ("flat", feature->m_Material->name());
+    EXPECT_NE(nullptr, feature->m_Material->Find("_Width"));
+}
 
 TEST(OwnFeature, OfAProgramIsReadFromAScene)
 {

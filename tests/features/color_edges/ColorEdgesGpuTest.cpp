@@ -144,7 +144,7 @@ TEST_P(ColorEdgesAtSizeGpu, AgreesWithTheDoublePrecisionReference)
     OutlineScene content;
     PictureRun run(content.scene, content.camera, GetParam().first, GetParam().second);
     AddEdges(run);
-    const Field base = run.Color(nullptr);
+    const Field base = run.ColorRows(nullptr);
     for (const EdgeOperator edgeOperator : k_Operators)
     {
         for (const double width : {0.5, 1.0, 2.0, 3.0, 4.7})
@@ -152,7 +152,7 @@ TEST_P(ColorEdgesAtSizeGpu, AgreesWithTheDoublePrecisionReference)
             for (const double softness : {0.0, 0.3})
             {
                 const Look look{edgeOperator, width, 0.1, softness, 0.75};
-                const Field picture = run.Color(&With(look));
+                const Field picture = run.ColorRows(&With(look));
                 const Field reference = Reference(base, look);
                 EXPECT_GE(ShareWithinTwo(picture, reference), 0.999)
                     << static_cast<int>(edgeOperator) << ", width " << width << ", softness "
@@ -178,9 +178,9 @@ TEST_F(ColorEdgesGpu, AgreesWithTheReferenceForACameraOfFourSamples)
     PictureRun run(content.scene, content.camera, 61, 37);
     run.SetSamples(4);
     AddEdges(run);
-    const Field base = run.Color(nullptr);
+    const Field base = run.ColorRows(nullptr);
     const Look look{EdgeOperator::Sobel, 2.0, 0.1, 0.3, 1.0};
-    EXPECT_GE(ShareWithinTwo(run.Color(&With(look)), Reference(base, look)), 0.999);
+    EXPECT_GE(ShareWithinTwo(run.ColorRows(&With(look)), Reference(base, look)), 0.999);
 }
 
 TEST_F(ColorEdgesGpu, DrawsALineAsWideAsAskedAtAStep)

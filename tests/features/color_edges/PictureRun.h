@@ -63,6 +63,16 @@ public:
         return Color();
     }
 
+    /// The same with the rows as the texture stores them, for references that go by texture
+    /// coordinates.
+    Field ColorRows(const VolumeStack* stack)
+    {
+        Render(stack);
+        Image image = Read("_CameraColorAttachmentA");
+        image.texels = FlipRows(image.texels, image.height);
+        return ToField(image);
+    }
+
     Field Texture(const std::string& name) { return ToField(Read(name)); }
     Image Read(const std::string& name)
     {

@@ -152,7 +152,7 @@ protected:
             FindShippedShader("Hidden/Limn/MaskDifferenceOutline", Compiler()));
         PictureRun run(m_Flat.scene, m_Flat.camera, m_Width, m_Height);
         auto& feature = run.Add(std::make_unique<FullScreenPassRendererFeature>());
-        const Field background = run.Color(nullptr);
+        const Field background = run.ColorRows(nullptr);
         feature.fetchColorBuffer = false;
         feature.passMaterial = material;
         feature.passIndex = passIndex;
@@ -166,7 +166,7 @@ protected:
                 for (const DepthConvention& convention : k_Conventions)
                 {
                     SetInputs(*material, convention, width, threshold);
-                    const Field picture = run.Color(nullptr);
+                    const Field picture = run.ColorRows(nullptr);
                     EXPECT_GE(ShareWithinTwo(picture, expected), 0.999)
                         << "width " << width << ", threshold " << threshold;
                     first = first ? first : picture;

@@ -103,7 +103,8 @@ protected:
                 const double u = (0.3 + 0.4 * (x + 0.5) / k_Side) * k_Texels;
                 const double v = (0.3 + 0.4 * (y + 0.5) / k_Side) * k_Texels;
                 const double wanted = Filtered(u, v, weight);
-                ASSERT_NEAR(picture.At(x, y, 0), wanted, 1e-3) << x << ", " << y;
+                ASSERT_NEAR(picture.At(x, k_Side - 1 - y, 0), wanted, 1e-3)
+                    << x << ", " << y << " from the bottom";
                 least = std::min(least, wanted);
                 most = std::max(most, wanted);
             }

@@ -303,7 +303,7 @@ Image FunctionGrid::Draw() const
         commands.emplace_back(draw);
     }
     SharedDevice().Execute(frame);
-    return SharedDevice().ReadBack(*target);
+    return ReadRows(*target);
 }
 
 std::string FunctionGrid::Mismatches() const

@@ -36,7 +36,7 @@ Image DrawWith(const std::shared_ptr<Material>& material)
     CoreUtils::SetRenderTarget(cmd, RTHandle(target), ClearFlag::Color);
     CoreUtils::DrawFullScreen(cmd, material);
     RunCommands(cmd, {target});
-    return SharedDevice().ReadBack(*target);
+    return ReadRows(*target);
 }
 
 std::shared_ptr<Material> MakeMaterial(const std::string& declarations, const std::string& value)
@@ -204,10 +204,8 @@ TEST_F(BufferGpu, GoesFromAKernelToADrawAndBack)
         CoreUtils::DrawFullScreen(cmd, material);
     }
     RunCommands(cmd, {first, second});
-    EXPECT_EQ(TexelFloat(SharedDevice().ReadBack(*first), 3, 1),
-              (std::array<float, 4>{3, 10, 0, 1}));
-    EXPECT_EQ(TexelFloat(SharedDevice().ReadBack(*second), 3, 1),
-              (std::array<float, 4>{6, 20, 0, 2}));
+    EXPECT_EQ(TexelFloat(ReadRows(*first), 3, 1), (std::array<float, 4>{3, 10, 0, 1}));
+    EXPECT_EQ(TexelFloat(ReadRows(*second), 3, 1), (std::array<float, 4>{6, 20, 0, 2}));
 }
 
 TEST_F(BufferGpu, CannotBeReadBackBeforeAFrameUsedIt)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "GpuTestDevice.h"
-#include "GpuTestFrame.h"
+#include "vulkan/GpuTestDevice.h"
+#include "vulkan/GpuTestFrame.h"
 
 #include <functional>
 #include <limn/core/CommandBuffer.h>
@@ -91,7 +91,7 @@ inline std::vector<std::string> CountDrawn(int width, int height,
     cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
     record(cmd);
     RunCommands(cmd, {std::const_pointer_cast<RenderTexture>(target.rt())});
-    const Image image = SharedDevice().ReadBack(*target.rt());
+    const Image image = ReadRows(*target.rt());
     std::vector<std::string> rows;
     for (int y = 0; y < height; ++y)
     {

@@ -102,7 +102,7 @@ TEST_F(KernelGpu, WritesTexturesWhoseSizeIsNoMultipleOfTheGroup)
         CommandBuffer cmd;
         cmd.DispatchCompute(shader, 0, (width + 7) / 8, (height + 7) / 8, 1);
         RunCommands(cmd, {result});
-        const Image image = SharedDevice().ReadBack(*result);
+        const Image image = ReadRows(*result);
         for (int y = 0; y < height; ++y)
         {
             for (int x = 0; x < width; ++x)
@@ -148,7 +148,7 @@ TEST_F(KernelGpu, ReadsAndWritesTexturesOfEachFormat)
         const std::array<float, 4> wanted{red, channels > 1 ? 0.75f : 0.0f,
                                           channels > 2 ? 0.1875f : 0.0f,
                                           channels > 3 ? 1.125f : 1.0f};
-        const auto texel = TexelFloat(SharedDevice().ReadBack(*seen), 3, 2);
+        const auto texel = TexelFloat(ReadRows(*seen), 3, 2);
         for (std::size_t i = 0; i < 4; ++i)
         {
             const bool isByte = BytesPerTexel(format) == channels;

@@ -84,7 +84,7 @@ TEST_F(BlitQuadGpu, CoversItsPartOfTheTarget)
     m_Cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
     Blitter::BlitQuad(m_Cmd, m_Source, {1, 1, 0, 0}, {0.5f, 0.5f, 0.25f, 0.125f}, 0, false);
     Execute(target);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int y = 0; y < 8; ++y)
     {
         for (int x = 0; x < 16; ++x)
@@ -103,7 +103,7 @@ TEST_F(BlitQuadGpu, TakesItsPartOfTheTextureAndOfItsLevels)
     // The right half of the texture, mirrored: u goes from 1 down to 0.5.
     Blitter::BlitQuad(m_Cmd, m_Source, {-0.5f, 1, 1, 0}, {1, 1, 0, 0}, 0, true);
     Execute(target);
-    Image image = SharedDevice().ReadBack(*target);
+    Image image = ReadRows(*target);
     for (int y = 0; y < 8; ++y)
     {
         for (int x = 0; x < 16; ++x)
@@ -116,7 +116,7 @@ TEST_F(BlitQuadGpu, TakesItsPartOfTheTextureAndOfItsLevels)
     m_Cmd.SetRenderTarget(RTHandle(target));
     Blitter::BlitQuad(m_Cmd, m_Source, {1, 1, 0, 0}, {1, 1, 0, 0}, 2, false);
     Execute(target);
-    image = SharedDevice().ReadBack(*target);
+    image = ReadRows(*target);
     double mean = 0.0;
     for (int i = 0; i < 16; ++i)
     {
@@ -145,7 +145,7 @@ TEST_F(BlitQuadGpu, WritesColourWithDepthOrAlone)
         Blitter::BlitColorAndDepth(m_Cmd, m_Source, blitsDepth ? source : nullptr, {1, 1, 0, 0},
                                    0.0f, blitsDepth);
         Execute(depth);
-        const Image depths = SharedDevice().ReadBack(*depth);
+        const Image depths = ReadRows(*depth);
         for (int y = 0; y < 4; ++y)
         {
             // ReadBack has 1 at the near plane, a clear at the far one.
@@ -155,7 +155,7 @@ TEST_F(BlitQuadGpu, WritesColourWithDepthOrAlone)
         m_Cmd.SetRenderTarget(RTHandle(color), RTHandle(depth));
         Blitter::BlitColorAndDepth(m_Cmd, m_Source, source, {1, 1, 0, 0}, 0.0f, blitsDepth);
         Execute(color);
-        const Image image = SharedDevice().ReadBack(*color);
+        const Image image = ReadRows(*color);
         for (int i = 0; i < 32; ++i)
         {
             EXPECT_EQ(Texel8(image, i % 8, i / 8)[0], Value(i % 8, i / 8));

@@ -51,7 +51,7 @@ protected:
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                             std::span(&texture, 1)));
         ExpectNoValidationMessages();
-        return SharedDevice().ReadBack(*texture);
+        return ReadRows(*texture);
     }
     void Quad(const std::shared_ptr<const Material>& material)
     {
@@ -136,16 +136,17 @@ TEST_F(CommonStateGpu, InvertedCullingTakesTheBackForTheFront)
 {
     const auto front = Paint("float4(1, 0, 0, 0)", "Cull Back Blend One One ZTest Always");
     const auto back = Paint("float4(0, 1, 0, 0)", "Cull Front Blend One One ZTest Always");
+    // The quad is clockwise in clip space: its back, where no projection into a texture turns it.
     Quad(front);
     Quad(back);
-    EXPECT_EQ(Middle(), (std::array{255, 0}));
+    EXPECT_EQ(Middle(), (std::array{0, 255}));
     cmd.Clear();
     cmd.SetRenderTarget(target);
     cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
     cmd.SetInvertCulling(true);
     Quad(front);
     Quad(back);
-    EXPECT_EQ(Middle(), (std::array{0, 255}));
+    EXPECT_EQ(Middle(), (std::array{255, 0}));
 }
 
 TEST_F(CommonStateGpu, ADepthBiasMovesDrawsAwayOrCloser)

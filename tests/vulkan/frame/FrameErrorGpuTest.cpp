@@ -201,17 +201,17 @@ TEST_F(FrameErrors, LeaveNothingOfTheFrameBehind)
               ErrorOf(wrong));
 
     EXPECT_EQ(before.meshes, SharedDevice().statistics().meshes);
-    EXPECT_EQ((Rgba8{0, 255, 0, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((Rgba8{0, 255, 0, 255}), Texel8(ReadRows(*target), 0, 0));
     wrong.passes.pop_back();
     SharedDevice().Execute(wrong);
-    EXPECT_EQ((Rgba8{255, 0, 0, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((Rgba8{255, 0, 0, 255}), Texel8(ReadRows(*target), 0, 0));
 }
 
 TEST_F(FrameErrors, ReadBackNamesATextureNeverDrawn)
 {
     const TargetPtr target = MakeTarget(1, 1);
     EXPECT_EQ("texture 'target' cannot be read back: no frame has drawn it",
-              ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*target); }));
+              ThrownMessage<ContractError>([&] { ReadRows(*target); }));
 }
 
 TEST_F(FrameErrors, ReadBackNamesATextureThatIsNoOutput)
@@ -222,7 +222,7 @@ TEST_F(FrameErrors, ReadBackNamesATextureThatIsNoOutput)
     SharedDevice().Execute(frame);
     EXPECT_EQ("texture 'target' cannot be read back: the last frame left it as ColorAttachment; "
               "make it an output (CopySource)",
-              ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*target); }));
+              ThrownMessage<ContractError>([&] { ReadRows(*target); }));
 }
 
 TEST_F(FrameErrors, ReadBackRefusesSamplesThatAreNotResolved)
@@ -237,7 +237,7 @@ TEST_F(FrameErrors, ReadBackRefusesSamplesThatAreNotResolved)
     SharedDevice().Execute(frame);
     EXPECT_EQ("texture 'depth' cannot be read back: the last pass that drew into it did not "
               "resolve its 4 samples a texel",
-              ThrownMessage<ContractError>([&] { SharedDevice().ReadBack(*depth); }));
+              ThrownMessage<ContractError>([&] { ReadRows(*depth); }));
 }
 
 } // namespace limn::test

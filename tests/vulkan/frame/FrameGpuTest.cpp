@@ -62,7 +62,7 @@ TEST_F(Frames, SampleInOnePassWhatTheOneBeforeDrew)
     const TargetPtr mask = MakeTarget(4, 4, GraphicsFormat::R8_UNorm, "mask");
     const TargetPtr target = MakeTarget(8, 8);
     SharedDevice().Execute(MaskThenCopy(mask, target));
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int y = 0; y < 8; ++y)
     {
         for (int x = 0; x < 8; ++x)
@@ -87,7 +87,7 @@ TEST_F(Frames, SampleDepth)
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
     frame.passes[1].commands.emplace_back(MakeCopy(frame, depth));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_FLOAT_EQ(0.625f, TexelFloat(image, 0, 0)[0]);
     EXPECT_EQ(0.0f, TexelFloat(image, 0, 1)[0]);
 }
@@ -100,7 +100,7 @@ TEST_F(Frames, DrawIntoASingleTexel)
     frame.passes[0].commands.clear();
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::white));
     SharedDevice().Execute(frame);
-    EXPECT_EQ((Rgba8{255, 255, 255, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((Rgba8{255, 255, 255, 255}), Texel8(ReadRows(*target), 0, 0));
 }
 
 TEST_F(Frames, KeepContentsForTheNextFrame)
@@ -112,7 +112,7 @@ TEST_F(Frames, KeepContentsForTheNextFrame)
     frame.passes[0].colors[0].load = LoadOp::Load;
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(0, -1, 1, 1), Color::red));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ((Rgba8{0, 255, 0, 255}), Texel8(image, 0, 0));
     EXPECT_EQ((Rgba8{255, 0, 0, 255}), Texel8(image, 1, 0));
 }
@@ -127,7 +127,7 @@ TEST_F(Frames, OutliveWhatTheyDrawWith)
         frame.passes[0].commands.emplace_back(MakeCopy(frame, texture));
         SharedDevice().Execute(frame);
     } // texture, mesh and bindings go while the GPU may still draw
-    EXPECT_EQ(255, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
+    EXPECT_EQ(255, Texel8(ReadRows(*target), 0, 0)[0]);
 }
 
 TEST_F(Frames, KeepTheirUniformsWhileInFlight)
@@ -158,7 +158,7 @@ TEST_F(Frames, KeepTheirUniformsWhileInFlight)
     }
     for (int i = 0; i < 6; ++i)
     {
-        const Image image = SharedDevice().ReadBack(*targets[static_cast<std::size_t>(i)]);
+        const Image image = ReadRows(*targets[static_cast<std::size_t>(i)]);
         EXPECT_EQ(static_cast<float>(i), TexelFloat(image, 127, 127)[0]);
     }
 }
@@ -228,7 +228,7 @@ TEST_F(Frames, ReadTexturesThatTakeThePlaceOfOthers)
         CompiledFrame frame = FrameOf({ClearPass(target)}, target);
         frame.passes[0].commands.emplace_back(MakeCopy(frame, texture));
         SharedDevice().Execute(frame);
-        EXPECT_EQ(6 * i, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
+        EXPECT_EQ(6 * i, Texel8(ReadRows(*target), 0, 0)[0]);
     }
 }
 
@@ -261,8 +261,7 @@ TEST_F(Frames, UploadMoreThanAChunkOfUniforms)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(), {1.0f, 2.0f, 3.0f, 4.0f}));
     SharedDevice().Execute(frame);
-    EXPECT_EQ((std::array<float, 4>{1, 2, 3, 4}),
-              TexelFloat(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((std::array<float, 4>{1, 2, 3, 4}), TexelFloat(ReadRows(*target), 0, 0));
 }
 
 TEST_F(Frames, BindManySetsInOneFrame)
@@ -277,7 +276,7 @@ TEST_F(Frames, BindManySetsInOneFrame)
             MakeColorDraw(frame, quad, {static_cast<float>(i), 0.0f, 0.0f, 1.0f}));
     }
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 2048; ++i)
     {
         ASSERT_EQ(static_cast<float>(i), TexelFloat(image, i % 64, i / 64)[0]);
@@ -289,7 +288,7 @@ TEST_F(Frames, TimeEachPassByName)
     const TargetPtr mask = MakeTarget(4, 4, GraphicsFormat::R8_UNorm, "mask");
     const TargetPtr target = MakeTarget(4, 4);
     SharedDevice().Execute(MaskThenCopy(mask, target));
-    SharedDevice().ReadBack(*target);
+    ReadRows(*target);
     const std::vector<PassTiming> timings = SharedDevice().LastFrameTimings();
     ASSERT_EQ(2u, timings.size());
     EXPECT_EQ("mask", timings[0].name);
@@ -307,7 +306,7 @@ TEST_F(Frames, NestSamplesThatGoOnIntoTheNextPass)
     first.insert(first.begin(), BeginSampleCommand{SampleName("outline")});
     frame.passes[1].commands.emplace_back(EndSampleCommand{});
     SharedDevice().Execute(frame);
-    EXPECT_EQ(255, Texel8(SharedDevice().ReadBack(*target), 0, 0)[0]);
+    EXPECT_EQ(255, Texel8(ReadRows(*target), 0, 0)[0]);
 }
 
 } // namespace limn::test

@@ -35,7 +35,7 @@ protected:
     template <typename Integer>
     static std::vector<Integer> ValuesOf(const TargetPtr& target)
     {
-        const Image image = SharedDevice().ReadBack(*target);
+        const Image image = ReadRows(*target);
         std::vector<Integer> values(image.texels.size() / sizeof(Integer));
         std::memcpy(values.data(), image.texels.data(), image.texels.size());
         return values;

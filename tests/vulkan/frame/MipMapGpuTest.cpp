@@ -116,7 +116,7 @@ protected:
         frame = CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                              std::span(&texture, 1));
         SharedDevice().Execute(frame);
-        return SharedDevice().ReadBack(*texture);
+        return ReadRows(*texture);
     }
     static Level Noise(int width, int height)
     {

@@ -64,7 +64,7 @@ float Coverage(float alpha)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(), {1, 1, 1, alpha}, state));
     SharedDevice().Execute(frame);
-    return TexelFloat(SharedDevice().ReadBack(*target), 0, 0)[0];
+    return TexelFloat(ReadRows(*target), 0, 0)[0];
 }
 
 bool IsLavapipe()
@@ -80,7 +80,7 @@ TEST_F(Multisampling, ReadsBackTheAverageOfTheSamples)
 {
     const TargetPtr target = MakeSmooth(5);
     SharedDevice().Execute(Staircase(target));
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int k = 0; k <= 4; ++k)
     {
         EXPECT_EQ(0.25f * static_cast<float>(k), TexelFloat(image, k, 0)[0]);
@@ -92,9 +92,9 @@ TEST_F(Multisampling, AveragesInTheFormatsOfCameraTargets)
     const TargetPtr bytes = MakeSmooth(5, GraphicsFormat::R8G8B8A8_UNorm);
     const TargetPtr halves = MakeSmooth(5, GraphicsFormat::R16G16B16A16_SFloat);
     SharedDevice().Execute(Staircase(bytes));
-    const Image byteImage = SharedDevice().ReadBack(*bytes);
+    const Image byteImage = ReadRows(*bytes);
     SharedDevice().Execute(Staircase(halves));
-    const Image halfImage = SharedDevice().ReadBack(*halves);
+    const Image halfImage = ReadRows(*halves);
     constexpr std::array<std::uint16_t, 5> k_QuartersAsHalf = {0, 0x3400, 0x3800, 0x3A00, 0x3C00};
     for (int k = 0; k <= 4; ++k)
     {
@@ -116,7 +116,7 @@ TEST_F(Multisampling, ShowsTheAverageToTheShaderThatReadsIt)
     frame.passes[1].commands.emplace_back(MakeCopyDraw(frame, smooth));
     frame.finalBarriers = {{copy, TextureUsage::ColorAttachment, TextureUsage::CopySource}};
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*copy);
+    const Image image = ReadRows(*copy);
     for (int k = 0; k <= 4; ++k)
     {
         EXPECT_EQ(0.25f * static_cast<float>(k), TexelFloat(image, k, 0)[0]);
@@ -155,8 +155,8 @@ TEST_F(Multisampling, WorksThroughTheFrameCompilerFrameAfterFrame)
         SharedDevice().Execute(
             CompileFrame(std::move(recorded), SharedDevice().textureStates(), outputs));
         const float first = 0.25f * static_cast<float>(frameNumber);
-        EXPECT_EQ(first, TexelFloat(SharedDevice().ReadBack(*other), 0, 0)[0]);
-        EXPECT_EQ(first + 0.25f, TexelFloat(SharedDevice().ReadBack(*copy), 0, 0)[0]);
+        EXPECT_EQ(first, TexelFloat(ReadRows(*other), 0, 0)[0]);
+        EXPECT_EQ(first + 0.25f, TexelFloat(ReadRows(*copy), 0, 0)[0]);
     }
 }
 
@@ -169,7 +169,7 @@ TEST_F(Multisampling, KeepsTheSamplesFromPassToPass)
     frame.passes[1].colors[0].load = LoadOp::Load;
     frame.passes[1].commands.emplace_back(MakeColorDraw(frame, Quarters(1, 2), Color::white));
     SharedDevice().Execute(frame);
-    EXPECT_EQ(0.5f, TexelFloat(SharedDevice().ReadBack(*target), 0, 0)[0])
+    EXPECT_EQ(0.5f, TexelFloat(ReadRows(*target), 0, 0)[0])
         << "7/16 if the first pass's average had been spread over the samples";
 }
 
@@ -193,7 +193,7 @@ TEST_F(Multisampling, TestsDepthAndStencilSampleBySample)
     state.stencilFront.compare = CompareFunction::Equal;
     draw(Quarters(0, 4, 0.25f), {0, 0, 1, 1}); // where nothing has been drawn
     SharedDevice().Execute(frame);
-    const std::array<float, 4> texel = TexelFloat(SharedDevice().ReadBack(*target), 0, 0);
+    const std::array<float, 4> texel = TexelFloat(ReadRows(*target), 0, 0);
     EXPECT_EQ((std::array<float, 4>{0.5f, 0.25f, 0.25f, 1.0f}), texel);
 }
 
@@ -223,8 +223,7 @@ TEST_F(Multisampling, CoversAllSamplesWhateverTheAlphaWithoutAlphaToMask)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(), {1, 1, 1, 0.25f}, PlainState()));
     SharedDevice().Execute(frame);
-    EXPECT_EQ((std::array<float, 4>{1, 1, 1, 0.25f}),
-              TexelFloat(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((std::array<float, 4>{1, 1, 1, 0.25f}), TexelFloat(ReadRows(*target), 0, 0));
 }
 
 /// A pass that draws what covers the texel's samples from the left: depth 0.75, 0.5, 0.25, nothing.
@@ -258,8 +257,8 @@ TEST_F(Multisampling, ShowsDepthAndStencilOfTheFirstSample)
     frame.finalBarriers = {{copy, TextureUsage::ColorAttachment, TextureUsage::CopySource},
                            {depth, TextureUsage::ShaderRead, TextureUsage::CopySource}};
     SharedDevice().Execute(frame);
-    EXPECT_EQ(0.5f, TexelFloat(SharedDevice().ReadBack(*copy), 0, 0)[0]);
-    EXPECT_EQ(0.5f, TexelFloat<1>(SharedDevice().ReadBack(*depth), 0, 0)[0]);
+    EXPECT_EQ(0.5f, TexelFloat(ReadRows(*copy), 0, 0)[0]);
+    EXPECT_EQ(0.5f, TexelFloat<1>(ReadRows(*depth), 0, 0)[0]);
     EXPECT_EQ(std::byte{2}, SharedDevice().ReadBackStencil(*depth).texels.at(0));
 }
 
@@ -274,7 +273,7 @@ TEST_F(Multisampling, ResolvesIntoAnotherTexture)
         {target, TextureUsage::Undefined, TextureUsage::ColorAttachment});
     frame.finalBarriers = {{target, TextureUsage::ColorAttachment, TextureUsage::CopySource}};
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int k = 0; k <= 4; ++k)
     {
         EXPECT_EQ(0.25f * static_cast<float>(k), TexelFloat(image, k, 0)[0]);

@@ -47,7 +47,7 @@ protected:
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                             std::span(&texture, 1)));
         ExpectNoValidationMessages();
-        const Image image = SharedDevice().ReadBack(*texture);
+        const Image image = ReadRows(*texture);
         std::vector<std::string> rows;
         for (int y = 0; y < 8; ++y)
         {
@@ -161,7 +161,7 @@ TEST_F(ProceduralGpu, DrawsPointsAsLargeAsTheyShouldBe)
     SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                         std::span(&texture, 1)));
     ExpectNoValidationMessages();
-    const Image image = SharedDevice().ReadBack(*texture);
+    const Image image = ReadRows(*texture);
     for (int y = 0; y < 8; ++y)
     {
         for (int x = 0; x < 8; ++x)
@@ -208,7 +208,7 @@ TEST_F(ProceduralGpu, GivesPointsToAGeometryFunction)
     SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                         std::span(&texture, 1)));
     ExpectNoValidationMessages();
-    const Image image = SharedDevice().ReadBack(*texture);
+    const Image image = ReadRows(*texture);
     int count = 0;
     for (int i = 0; i < 64; ++i)
     {

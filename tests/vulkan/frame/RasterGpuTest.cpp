@@ -29,7 +29,7 @@ int CentreOf(const MeshPtr& mesh, const PipelineState& state)
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, mesh, Color::white, state));
     SharedDevice().Execute(frame);
-    return Texel8(SharedDevice().ReadBack(*target), 2, 2)[0];
+    return Texel8(ReadRows(*target), 2, 2)[0];
 }
 
 /// The red of a 2x2 target, row by row, with one mesh drawn in white on black.
@@ -39,7 +39,7 @@ std::array<int, 4> DrawnTexels(const MeshPtr& mesh, const PipelineState& state)
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, mesh, Color::white, state));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     return {Texel8(image, 0, 0)[0], Texel8(image, 1, 0)[0], Texel8(image, 0, 1)[0],
             Texel8(image, 1, 1)[0]};
 }
@@ -71,7 +71,7 @@ Rgba8 DrawTwo(float redZ, float greenZ, const PipelineState& red, const Pipeline
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(-1, -1, 1, 1, greenZ), Color::green, green));
     SharedDevice().Execute(frame);
-    return Texel8(SharedDevice().ReadBack(*target), 1, 1);
+    return Texel8(ReadRows(*target), 1, 1);
 }
 
 constexpr Rgba8 k_Red = {255, 0, 0, 255};
@@ -89,7 +89,7 @@ TEST_F(Rasterization, PutsClipSpaceUpIntoTheFirstRow)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(-1, 0.5f, 0, 1), Color::white));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 16; ++i)
     {
         EXPECT_EQ(i < 2 ? 255 : 0, Texel8(image, i % 4, i / 4)[0]) << "texel " << i;
@@ -104,7 +104,7 @@ TEST_F(Rasterization, MapsClipSpaceToTheViewport)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(-1, 0, 1, 1), Color::white));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 16; ++i)
     {
         EXPECT_EQ(i == 2 || i == 3 ? 255 : 0, Texel8(image, i % 4, i / 4)[0]) << "texel " << i;
@@ -201,7 +201,7 @@ TEST_F(Rasterization, ScalesTheOffsetFactorWithTheSlope)
             MakeColorDraw(frame, sloped, Color::red, DepthState()));
         frame.passes[0].commands.emplace_back(MakeColorDraw(frame, sloped, Color::green, offset));
         SharedDevice().Execute(frame);
-        return Texel8(SharedDevice().ReadBack(*target), 2, 2);
+        return Texel8(ReadRows(*target), 2, 2);
     };
     EXPECT_EQ(k_Green, draw(-1.0f)) << "nearer";
     EXPECT_EQ(k_Red, draw(1.0f)) << "farther";
@@ -239,7 +239,7 @@ TEST_F(Rasterization, DrawsWithoutAMeshByVertexId)
     draw.vertexCount = 3;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ(k_Green, Texel8(image, 0, 0));
     EXPECT_EQ(k_Green, Texel8(image, 2, 2));
 }
@@ -258,7 +258,7 @@ TEST_F(Rasterization, DrawsOneSubMeshOnly)
     draw.subMesh = 1;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ(0, Texel8(image, 0, 0)[0]);
     EXPECT_EQ(255, Texel8(image, 1, 0)[0]);
 }

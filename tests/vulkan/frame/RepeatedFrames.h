@@ -18,7 +18,7 @@ inline std::uint64_t NewStructure()
 
 inline Rgba8 TexelOf(const TargetPtr& target)
 {
-    return Texel8(SharedDevice().ReadBack(*target), 0, 0);
+    return Texel8(ReadRows(*target), 0, 0);
 }
 
 inline std::uint64_t RecordedFrames()

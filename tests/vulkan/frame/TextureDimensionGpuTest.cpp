@@ -49,7 +49,7 @@ public:
         context.ExecuteCommandBuffer(cmd);
         const std::vector<std::shared_ptr<const RenderTexture>> outputs = {target.rt()};
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, outputs));
-        return TexelFloat(SharedDevice().ReadBack(*target.rt()), 0, 0);
+        return TexelFloat(ReadRows(*target.rt()), 0, 0);
     }
 
     /// The first channel in 255ths, as it stands in an R8_UNorm texture.

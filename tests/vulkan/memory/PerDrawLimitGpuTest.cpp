@@ -85,7 +85,7 @@ TEST_F(PerDrawLimit, IsKeptByBindingTheDataInPieces)
     ASSERT_EQ(std::size_t{1 + k_Columns}, frame.passes.at(0).commands.size());
 
     m_Device->Execute(frame);
-    const Image image = m_Device->ReadBack(*target);
+    const Image image = ReadRows(*target, *m_Device);
     for (int i = 0; i < k_Columns; ++i)
     {
         EXPECT_EQ(1.0f, TexelFloat(image, i, 0)[0]) << "column " << i;

@@ -15,7 +15,7 @@ std::array<float, 4> DrawTexel(CompiledFrame frame, const DrawCommand& draw)
     frame.finalBarriers = {{target, TextureUsage::ColorAttachment, TextureUsage::CopySource}};
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    return TexelFloat(SharedDevice().ReadBack(*target), 0, 0);
+    return TexelFloat(ReadRows(*target), 0, 0);
 }
 
 /// Returns an attribute of a mesh as the fragment function gets it.
@@ -122,7 +122,7 @@ TEST_F(Resources, GiveUniformsToEachDraw)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(0, -1, 1, 1), {5.0f, 6.0f, 7.0f, 8.0f}));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ((Float4{1.5f, 2.0f, 3.0f, 4.0f}), TexelFloat(image, 0, 0));
     EXPECT_EQ((Float4{5.0f, 6.0f, 7.0f, 8.0f}), TexelFloat(image, 1, 0));
 }
@@ -264,7 +264,7 @@ TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)
     draw.instanceCount = 2;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ(0.0f, TexelFloat(image, 0, 0)[0]);
     // The fragment function sees the element of the draw's first instance.
     EXPECT_EQ(12.0f, TexelFloat(image, 1, 0)[0]);

@@ -36,7 +36,7 @@ TEST_F(DynamicKeywords, ChangeThePictureWithoutAnotherVariant)
         context.ExecuteCommandBuffer(cmd);
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                             std::array{target}));
-        const Image image = SharedDevice().ReadBack(*target);
+        const Image image = ReadRows(*target);
         return std::pair(Texel8(image, 1, 0), Texel8(image, 0, 1));
     };
     constexpr Rgba8 k_Black = {0, 0, 0, 255};

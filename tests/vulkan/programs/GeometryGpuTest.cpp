@@ -68,7 +68,7 @@ TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
     frame.passes[0].commands.emplace_back(
         MakeDraw(frame, CompileGeometryPass(k_Columns), ColorMesh()));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     const Rgba8 expected[] = {
         {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
     for (int i = 0; i < 8; ++i)
@@ -96,7 +96,7 @@ TEST_F(Geometry, TakesTheValuesOfAVertexInSeveralArrays)
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(MakeDraw(frame, CompileGeometryPass(text), ColorMesh()));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     const Rgba8 expected[] = {
         {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
     for (int i = 0; i < 8; ++i)
@@ -125,7 +125,7 @@ TEST_F(Geometry, MakesLinesOfTriangles)
     frame.passes[0].commands.emplace_back(
         MakeDraw(frame, pass, std::make_shared<Mesh>("edge", std::move(data))));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 16; ++i)
     {
         EXPECT_EQ(Texel8(image, i % 4, i / 4)[0], i / 4 == 1 ? 255 : 0) << "texel " << i;
@@ -167,7 +167,7 @@ TEST_F(Geometry, FindsThePerDrawDataOfItsDraw)
         frame.passes[0].commands.emplace_back(draw);
     }
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 4; ++i)
     {
         EXPECT_EQ(TexelFloat(image, i, 0)[0], 2.0f + 0.5f * static_cast<float>(i)) << i;
@@ -202,7 +202,7 @@ TEST_F(Geometry, MovesEachMeshOfACommandBufferByItsOwnMatrix)
     ScriptableRenderContext context(report);
     context.ExecuteCommandBuffer(cmd);
     SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < 4; ++i)
     {
         EXPECT_EQ(Texel8(image, i, 0)[0], i == 2 ? 0 : 255) << "column " << i;
@@ -244,7 +244,7 @@ TEST_F(Geometry, SamplesATextureThatTheSameFrameUploads)
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(SamplingDraw(frame, texture));
     SharedDevice().Execute(frame);
-    EXPECT_EQ((Rgba8{51, 0, 0, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((Rgba8{51, 0, 0, 255}), Texel8(ReadRows(*target), 0, 0));
 }
 
 TEST_F(Geometry, SamplesATextureThatTheSameFrameDraws)
@@ -258,7 +258,7 @@ TEST_F(Geometry, SamplesATextureThatTheSameFrameDraws)
     frame.passes[1].commands.emplace_back(SamplingDraw(frame, source));
     frame.passes[2].barriers[0].before = TextureUsage::ShaderRead; // waits for the read in turn
     SharedDevice().Execute(frame);
-    EXPECT_EQ((Rgba8{0, 0, 255, 255}), Texel8(SharedDevice().ReadBack(*target), 0, 0));
+    EXPECT_EQ((Rgba8{0, 0, 255, 255}), Texel8(ReadRows(*target), 0, 0));
 }
 
 } // namespace limn::test

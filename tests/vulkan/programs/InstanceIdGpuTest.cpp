@@ -64,7 +64,7 @@ TEST_F(InstanceIds, CountFromZeroInEachDraw)
     draw.instanceCount = 3;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < k_Width; ++i)
     {
         EXPECT_EQ(TexelFloat(image, i, 0)[0], static_cast<float>(i % 3)) << "column " << i;
@@ -87,7 +87,7 @@ TEST_F(InstanceIds, NeedNoPerDrawData)
     draw.instanceCount = 2;
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     for (int i = 0; i < k_Width; ++i)
     {
         EXPECT_EQ(Texel8(image, i, 0)[0], i < 2 ? 255 : 0) << "column " << i;
@@ -136,7 +136,7 @@ TEST_F(InstanceIds, AreZeroForEachMeshOfACommandBuffer)
         ScriptableRenderContext context(report);
         context.ExecuteCommandBuffer(cmd);
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
-        const Image image = SharedDevice().ReadBack(*target);
+        const Image image = ReadRows(*target);
         for (int i = 0; i < k_Width; ++i)
         {
             EXPECT_EQ(Texel8(image, i, 0)[0], i == 2 ? 0 : 255) << pragma << "column " << i;

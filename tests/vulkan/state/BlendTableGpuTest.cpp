@@ -209,7 +209,7 @@ std::vector<Image> DrawTable()
     std::vector<Image> images;
     for (const TargetPtr& target : targets)
     {
-        images.push_back(SharedDevice().ReadBack(*target));
+        images.push_back(ReadRows(*target));
     }
     return images;
 }

@@ -40,8 +40,8 @@ std::vector<CellResult> DrawCells(const std::vector<Cell>& cells)
             MakeColorDraw(frame, cell.mesh, Color::white, cell.state));
     }
     SharedDevice().Execute(frame);
-    const Image color = SharedDevice().ReadBack(*target);
-    const Image depths = SharedDevice().ReadBack(*depth);
+    const Image color = ReadRows(*target);
+    const Image depths = ReadRows(*depth);
     std::vector<CellResult> results;
     for (int i = 0; i < count; ++i)
     {

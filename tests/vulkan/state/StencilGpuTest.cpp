@@ -40,7 +40,7 @@ std::array<bool, 2> IsWhite(const PipelineState& mark, const PipelineState& test
         MakeColorDraw(frame, MakeQuad(-1, -1, 0, 1), Color::black, mark));
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::white, test));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     return {Texel8(image, 0, 0)[0] == 255, Texel8(image, 1, 0)[0] == 255};
 }
 
@@ -152,7 +152,7 @@ TEST_F(Stencil, IsClearedByTheClearCommand)
     frame.passes[0].commands.emplace_back(
         MakeColorDraw(frame, MakeQuad(), Color::white, Testing(CompareFunction::Equal, 4)));
     SharedDevice().Execute(frame);
-    const Image image = SharedDevice().ReadBack(*target);
+    const Image image = ReadRows(*target);
     EXPECT_EQ(0, Texel8(image, 0, 0)[0]);
     EXPECT_EQ(255, Texel8(image, 1, 0)[0]);
 }

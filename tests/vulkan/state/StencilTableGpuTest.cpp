@@ -169,8 +169,7 @@ CellImages DrawCells(std::span<const PipelineState> states)
         pass.commands.emplace_back(WithState(frame, draw, states[i]));
     }
     SharedDevice().Execute(frame);
-    return {SharedDevice().ReadBack(*target), SharedDevice().ReadBack(*depth),
-            SharedDevice().ReadBackStencil(*depth)};
+    return {ReadRows(*target), ReadRows(*depth), ReadStencilRows(*depth)};
 }
 
 std::string Describe(const PipelineState& state, int stored, bool back, bool depthPasses)

@@ -1,10 +1,17 @@
 #include "blending/Components.h"
 
 #include <algorithm>
+#include <limn/core/CurrentCamera.h>
 #include <limn/volume/VolumeManager.h>
 
 namespace limn
 {
+
+VolumeStackPointer VolumeManager::stack()
+{
+    const RenderingData* camera = CurrentCamera::renderingData();
+    return camera != nullptr ? camera->volumeStack : VolumeStackPointer();
+}
 
 VolumeStack VolumeManager::CreateStack() const
 {

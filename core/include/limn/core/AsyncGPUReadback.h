@@ -34,8 +34,8 @@ public:
     /// thread.
     void WaitForCompletion();
 
-    /// The texels of a texture, top row first (Unity's begin with the bottom row), or a buffer's
-    /// elements. Lives as long as a copy of the request.
+    /// Returns the texels of a texture as it stores them, the bottom row of its picture first, or a
+    /// buffer's elements. They live as long as a copy of the request.
     /// @throws ContractError if it is not over, or has an error, or is no whole number of elements
     template <typename Element>
     std::span<const Element> GetData() const
@@ -44,10 +44,6 @@ public:
         const std::span<const std::byte> bytes = Bytes(sizeof(Element));
         return {reinterpret_cast<const Element*>(bytes.data()), bytes.size() / sizeof(Element)};
     }
-    /// The texels with their format, as GraphicsDevice::ReadBack; a buffer's bytes are a row of
-    /// R8_UNorm.
-    /// @throws ContractError if it is not over, or has an error
-    const Image& image() const;
     int width() const;                 ///< texels; of a buffer its bytes
     int height() const;                ///< texels; of a buffer 1
     std::size_t layerDataSize() const; ///< bytes; 0 before it is over

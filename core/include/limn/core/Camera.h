@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
+#include <limn/core/LiteralZero.h>
 #include <limn/core/Transform.h>
 #include <memory>
 #include <optional>
@@ -35,6 +36,19 @@ enum class CameraType
     Preview = 4,
     Reflection = 16
 };
+// As C# has them for every enum: `(cameraType & CameraType::Game) != 0`.
+constexpr CameraType operator&(CameraType a, CameraType b)
+{
+    return static_cast<CameraType>(static_cast<int>(a) & static_cast<int>(b));
+}
+constexpr CameraType operator|(CameraType a, CameraType b)
+{
+    return static_cast<CameraType>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr bool operator==(CameraType a, LiteralZero)
+{
+    return static_cast<int>(a) == 0;
+}
 
 /// Whether a camera makes a picture, or draws onto what the cameras before it in a stack made.
 /// Unity: UnityEngine.Rendering.Universal.CameraRenderType (URP 14).
@@ -112,7 +126,6 @@ struct Camera
     /// Of a base camera: where its picture ends up, alpha included, in place of the frame's. It
     /// has this texture's size and format, and its samples unless allowMSAA is off or the
     /// pipeline's msaaSampleCount is 1. A colour; what later cameras draw may read it.
-    /// Bottom row first, as pictures have it, so that it is upright on meshes.
     std::shared_ptr<const RenderTexture> targetTexture;
 
     /// World to view space: right-handed, looking along -z. Unity: Camera.worldToCameraMatrix.
@@ -128,13 +141,14 @@ struct Camera
     /// position give equal bits near the world's origin.
     glm::dvec3 renderOrigin() const;
 
-    /// View to clip space: y up, z from w at the near plane to 0 at the far one, or from 0 to w.
+    /// View to clip space: y up, z from w at the near plane to 0 at the far one, or from 0 to w. A
+    /// camera that draws into a texture has y turned over: CameraData::gpuProjectionMatrix.
     /// Computed in double precision: exact to float rounding for any near and far.
     /// @param aspect               width / height
     /// @param usesReversedZBuffer  z is w at the near plane; see ShaderCompilerOptions
     /// @throws ContractError naming the field, if one is outside its range or not finite, or if
     ///     projectionMatrix is no projection of this camera's kind, singular or beyond a float
-    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix)
+    /// @source Unity: GL.GetGPUProjectionMatrix(camera.projectionMatrix, false)
     glm::mat4 gpuProjectionMatrix(float aspect, bool usesReversedZBuffer = true) const;
 
     /// projectionMatrix, or what the fields make in its place: what to begin with for a matrix of
@@ -178,9 +192,12 @@ struct Camera
                                                      float aspect) const;
 };
 
-/// What shaders get of a projection with z from -w at the near plane to w at the far one, as
-/// OpenGL has it and Camera::projectionMatrix. Unity: GL.GetGPUProjectionMatrix (2022.3).
-glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer);
+/// Returns what shaders get of a projection with z from -w at the near plane to w at the far one,
+/// as OpenGL has it and Camera::projectionMatrix.
+/// @param renderIntoTexture  y is turned over: TargetOrientation.h
+/// @source Unity: GL.GetGPUProjectionMatrix (2022.3)
+glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer,
+                        bool renderIntoTexture = false);
 
 /// Depth the other way round: of near 1 ... far 0 comes near 0 ... far 1, and back.
 template <typename Matrix>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <limn/core/Vector.h>
@@ -103,6 +104,29 @@ inline constexpr Color Color::magenta{1.0f, 0.0f, 1.0f, 1.0f};
 inline constexpr Color Color::yellow{1.0f, 235.0f / 255.0f, 4.0f / 255.0f, 1.0f};
 inline constexpr Color Color::gray{0.5f, 0.5f, 0.5f, 1.0f};
 inline constexpr Color Color::grey{0.5f, 0.5f, 0.5f, 1.0f};
+
+namespace detail
+{
+
+/// What C# makes a Vector4 of by itself: the components that are left are 0.
+template <typename T>
+concept MadeVector4 =
+    std::same_as<T, glm::vec2> || std::same_as<T, glm::vec3> || std::same_as<T, Color>;
+
+inline glm::vec4 ToVector4(const glm::vec2& v)
+{
+    return {v, 0.0f, 0.0f};
+}
+inline glm::vec4 ToVector4(const glm::vec3& v)
+{
+    return {v, 0.0f};
+}
+inline glm::vec4 ToVector4(const Color& v)
+{
+    return v.vector();
+}
+
+} // namespace detail
 
 /// A colour of four bytes, 255 = 1. Unity: UnityEngine.Color32 (2022.3).
 struct Color32

@@ -25,14 +25,15 @@ public:
     std::string name;
 
     /// @param color  a depth texture here, with `depth` empty, is the depth
-    /// @param depth  empty: the colour has no depth beside it
+    /// @param depth  empty: the depth that the colour has (RenderTexture::depthBuffer), if any; of
+    ///               several colours, none. A colour here stands for the depth that it has.
     /// @throws ContractError if both are empty, there are more than 8 colours, a format is of the
     ///         wrong kind, or sizes or sample counts differ
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
-    /// With the depth that belongs to the colour: the camera's, or the one that GetTemporaryRT made
-    /// beside it. Executing throws ContractError where a name stands for nothing, and for what the
-    /// other forms refuse.
+    /// Binds the colour with the depth that belongs to it: of CameraTarget the camera's, of
+    /// CurrentActive what is bound. Executing throws ContractError where a name stands for nothing,
+    /// and for what the other forms refuse.
     void SetRenderTarget(RenderTargetIdentifier color);
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
@@ -49,8 +50,8 @@ public:
 
     /// A texture until ReleaseTemporaryRT, or to the camera's end, which is global under its name
     /// at once. What is in it is undefined: clear it, or draw over the whole of it. One of the same
-    /// name that is not released yet is. A colour format with depthBufferBits is a colour and a
-    /// depth beside it. Wraps by clamping.
+    /// name that is not released yet is. A colour format with depthBufferBits is a colour that has
+    /// a depth. Wraps by clamping.
     /// @param width, height  texels; a negative one is a part of the camera's: -1 all, -2 half
     /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
     /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
@@ -191,8 +192,9 @@ public:
     /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
     /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
     /// right; object space is world space, and an orthographic camera sees just that, for these
-    /// draws only. TEXCOORD0 is where the same place is in `source`. No depth is bound: tests
-    /// against depth or stencil pass.
+    /// draws only. TEXCOORD0 is where the same place is in `source`. The depth and stencil that
+    /// belong to `dest` are bound with it, as by SetRenderTarget; where it has none, tests against
+    /// them pass, and the report says so.
     /// @param pass  -1 = all passes of the shader, one after the other
     /// @throws ContractError if a handle is empty or both are the same texture, the material is
     ///         null, or there is no such pass
@@ -200,7 +202,8 @@ public:
     void Blit(const RTHandle& source, const RTHandle& dest,
               const std::shared_ptr<const Material>& material, int pass = -1);
     /// The same with what the identifiers stand for when the buffer is executed, which is when they
-    /// are refused. A source that is none leaves _MainTex to the material.
+    /// are refused. A source that is none leaves _MainTex to the material. CurrentActive as `dest`
+    /// keeps all that is bound.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
               std::shared_ptr<const Material> material, int pass = -1);
     /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
@@ -235,6 +238,10 @@ public:
     void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value) { SetGlobal(id, value); }
+    void SetGlobalVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetGlobalVector(id, detail::ToVector4(value));
+    }
     /// The same as SetGlobalVector, as in Unity: give it `linear()` of what a person picked. Only
     /// colours of materials and property blocks are converted.
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
@@ -346,6 +353,11 @@ public:
                             ShaderPropertyId id, int value);
     void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
                                ShaderPropertyId id, const glm::vec4& value);
+    void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
+                               ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetComputeVectorParam(computeShader, id, detail::ToVector4(value));
+    }
     void SetComputeVectorArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
                                     ShaderPropertyId id, std::vector<glm::vec4> values);
     void SetComputeMatrixParam(const std::shared_ptr<ComputeShader>& computeShader,
@@ -454,8 +466,10 @@ public:
 private:
     friend class IdentifiedTargets;
 
+    /// Draws onto what is bound.
     /// @param source  null = none
-    void DrawBlit(const std::shared_ptr<const Texture>& source, const RTHandle& dest,
+    /// @param dest    the first colour that is bound
+    void DrawBlit(const std::shared_ptr<const Texture>& source, const RenderTexture& dest,
                   const std::shared_ptr<const Material>& material, int pass);
     void SetBufferBytes(const std::shared_ptr<GraphicsBuffer>& buffer,
                         const GraphicsBuffer::Part& part);

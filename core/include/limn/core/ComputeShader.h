@@ -57,6 +57,10 @@ public:
     void SetInt(ShaderPropertyId id, int value) { Set(k_AllKernels, id, value); }
     void SetBool(ShaderPropertyId id, bool value) { Set(k_AllKernels, id, value ? 1 : 0); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(k_AllKernels, id, value); }
+    void SetVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetVector(id, detail::ToVector4(value));
+    }
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(k_AllKernels, id, value); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> values)
     {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <limn/core/LayerMask.h>
 #include <limn/core/RenderQueueRange.h>
+#include <optional>
 
 namespace limn
 {
@@ -16,10 +18,19 @@ struct FilteringSettings
     RenderingLayerMask renderingLayerMask = RenderingLayerMask::Everything(); ///< of the renderer
 
     constexpr FilteringSettings() = default;
+    /// @param queues  std::nullopt for all, as null in Unity
     constexpr explicit FilteringSettings(
-        RenderQueueRange queues, LayerMask layers = LayerMask::Everything(),
+        std::optional<RenderQueueRange> queues, LayerMask layers = LayerMask::Everything(),
         RenderingLayerMask renderingLayers = RenderingLayerMask::Everything())
-        : renderQueueRange(queues), layerMask(layers), renderingLayerMask(renderingLayers)
+        : renderQueueRange(queues.value_or(RenderQueueRange::all)),
+          layerMask(layers),
+          renderingLayerMask(renderingLayers)
+    {
+    }
+    constexpr explicit FilteringSettings(
+        std::nullptr_t, LayerMask layers = LayerMask::Everything(),
+        RenderingLayerMask renderingLayers = RenderingLayerMask::Everything())
+        : FilteringSettings(std::nullopt, layers, renderingLayers)
     {
     }
 

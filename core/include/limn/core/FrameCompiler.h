@@ -20,6 +20,9 @@ using TextureFootprintFunction = std::function<TextureFootprint(const RenderText
 struct FrameCompilerOptions
 {
     bool isLast = false; ///< no frame comes after this one: nothing is kept for it
+    /// The ids of transient textures that somebody keeps all the same, so that a next frame may
+    /// read them: RenderTexturePool::held.
+    std::vector<std::uint64_t> held;
     /// Off: everything recorded is run, each node as one pass, to compare with. The same for all
     /// frames of a device.
     bool leavesOut = true;
@@ -33,10 +36,8 @@ struct FrameCompilerOptions
 /// function: it knows of earlier frames what `states` says, and says in `CompiledFrame::states`
 /// what it leaves to the next.
 ///
-/// Textures outlive the frame where a next one may read them: not those made transient, nor those
-/// that every frame so far has overwritten before it read any; nor those that no frame has used
-/// before, if this one as recorded reads what it leaves in them and all that reads it is left out.
-/// A frame that reads such a one after all gets a note, and it is kept from then on.
+/// Textures outlive the frame where a next one may read them: all but those that are made transient
+/// and that nobody holds, as nobody can tell what a next frame's passes read.
 ///
 /// Its steps, each in a file of core/src/frame:
 /// - SplitIntoNodes: commands on the same targets form a node; a target bound and never drawn into

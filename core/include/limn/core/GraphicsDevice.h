@@ -36,7 +36,8 @@ public:
     /// device shares none.
     virtual TextureFootprint Footprint(const RenderTexture&) { return {}; }
 
-    /// The texels of a texture that was an output of the last frame; waits for it.
+    /// Returns the texels of a texture that was an output of the last frame, the top row of its
+    /// picture first whichever way up the texture is; waits for it.
     /// @throws ContractError if it was not
     virtual Image ReadBack(const RenderTexture& texture) = 0;
 

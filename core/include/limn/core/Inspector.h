@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <limn/core/Color.h>
@@ -11,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -25,6 +28,31 @@ struct EnumEntry
 {
     std::string_view name;
     int value = 0;
+};
+
+/// One sentence for the user, of settings where a name would look like a default.
+struct TooltipText
+{
+    /// A shader's name, "Hidden/Blur", which no word in lower case tells from one, does not
+    /// compile.
+    template <std::size_t Size>
+    consteval TooltipText(const char (&words)[Size]) : text(words)
+    {
+        bool isName = text.find('/') != text.npos;
+        for (std::size_t i = 0; i < text.size(); ++i)
+        {
+            const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '/';
+            isName = isName && !(begins && text[i] >= 'a' && text[i] <= 'z');
+        }
+        if (isName)
+        {
+            throw "this is the tooltip, a sentence; a default is what the member begins with";
+        }
+    }
+    template <std::convertible_to<std::string_view> Words>
+    requires(!std::is_array_v<Words>) constexpr TooltipText(const Words& words) : text(words) {}
+
+    std::string_view text;
 };
 
 /// What a person is told about a setting.
@@ -78,7 +106,30 @@ public:
     template <typename T>
     void Field(std::string_view name, T& value, std::string_view tooltip)
     {
-        Field({name, tooltip}, &value);
+        static_assert(std::is_constructible_v<FieldValue, T*>,
+                      "a setting is a bool, int, float, Color, vec4, LayerMask, RenderPassEvent, "
+                      "string or list of strings, a shared_ptr of const Shader or of Material, or "
+                      "an enum with its entries behind it");
+        if constexpr (std::is_constructible_v<FieldValue, T*>)
+        {
+            Field({name, tooltip}, &value);
+        }
+    }
+    /// A default is what the member begins with: `Shader.Find` in Create, or the file.
+    void Field(std::string_view name, std::shared_ptr<const Shader>& value, TooltipText tooltip)
+    {
+        Field({name, tooltip.text}, &value);
+    }
+    /// A material whose properties the feature may set, for all that use it, as in Unity.
+    void Field(std::string_view name, std::shared_ptr<Material>& value, TooltipText tooltip)
+    {
+        std::shared_ptr<const Material> material = value;
+        Field({name, tooltip.text}, &material);
+        value = std::const_pointer_cast<Material>(material);
+    }
+    void Field(std::string_view name, std::shared_ptr<const Material>& value, TooltipText tooltip)
+    {
+        Field({name, tooltip.text}, &value);
     }
     void Field(std::string_view name, int& value, ValueRange range, std::string_view tooltip)
     {

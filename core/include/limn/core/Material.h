@@ -56,6 +56,10 @@ public:
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
     void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
+    void SetVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetVector(id, detail::ToVector4(value));
+    }
     /// @param value  sRGB; linear for the shader, unless the property is declared [HDR]: those are
     ///               linear already
     void SetColor(ShaderPropertyId id, const Color& value);

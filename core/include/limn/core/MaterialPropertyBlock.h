@@ -47,6 +47,10 @@ public:
     void SetInt(ShaderPropertyId id, int value) { Set(id, value); }
     void SetInteger(ShaderPropertyId id, int value) { Set(id, value); }
     void SetVector(ShaderPropertyId id, const glm::vec4& value) { Set(id, value); }
+    void SetVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetVector(id, detail::ToVector4(value));
+    }
     void SetColor(ShaderPropertyId id, const Color& value) { Set(id, value); } ///< sRGB
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
     // A shader gets as many elements as both it and the array have; the rest of its own are 0.

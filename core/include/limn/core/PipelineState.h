@@ -21,7 +21,9 @@ enum class MeshTopology
 struct PipelineState
 {
     CullMode cull = CullMode::Back;
-    bool frontFaceFlipped = false; ///< the transform mirrors: counter-clockwise faces front
+    /// Counter-clockwise triangles face front: into a texture, whose projection is flipped, where
+    /// the transform does not mirror, and into a back buffer where it does.
+    bool frontFaceFlipped = false;
     CompareFunction zTest = CompareFunction::LessEqual; ///< Disabled = no depth test and no write
     bool zWrite = true;
     bool zClip = true;

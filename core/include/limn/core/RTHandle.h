@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <glm/vec2.hpp>
@@ -88,7 +89,8 @@ private:
 namespace RTHandles
 {
 
-/// A new texture of exactly the descriptor's size. Unity: RTHandles.Alloc.
+/// Makes a new texture of exactly the descriptor's size. With depthBufferBits it is a depth
+/// texture, whatever the colour format is. Unity: RTHandles.Alloc.
 /// @throws ContractError as RenderTexture does, for a size below 1 among others
 RTHandle Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
@@ -132,6 +134,18 @@ inline void Release(RTHandle& handle)
 
 } // namespace RTHandles
 
+/// The arguments of ReAllocateIfNeeded that C# gives by name: `wrapMode: W, name: "_X"` is
+/// `{.wrapMode = W, .name = "_X"}`, in this order.
+struct ReAllocateArguments
+{
+    FilterMode filterMode = FilterMode::Point;
+    TextureWrapMode wrapMode = TextureWrapMode::Repeat;
+    bool isShadowMap = false; ///< a depth that samplers compare with
+    int anisoLevel = 1;       ///< see SamplerState
+    float mipMapBias = 0.0f;  ///< see SamplerState
+    std::string_view name = {};
+};
+
 namespace RenderingUtils
 {
 
@@ -145,6 +159,33 @@ bool ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
                         std::string_view name = {});
+/// The same with the arguments that Unity's call has.
+bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                        const ReAllocateArguments& arguments);
+bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                        FilterMode filterMode, TextureWrapMode wrapMode,
+                        std::same_as<bool> auto isShadowMap, int anisoLevel = 1,
+                        float mipMapBias = 0.0f, std::string_view name = {})
+{
+    return ReAllocateIfNeeded(
+        handle, descriptor,
+        ReAllocateArguments{filterMode, wrapMode, isShadowMap, anisoLevel, mipMapBias, name});
+}
+/// Unity: RenderingUtils.ReAllocateHandleIfNeeded (URP 17).
+inline bool ReAllocateHandleIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                                     FilterMode filterMode, TextureWrapMode wrapMode,
+                                     int anisoLevel = 1, float mipMapBias = 0.0f,
+                                     std::string_view name = {})
+{
+    return ReAllocateIfNeeded(
+        handle, descriptor,
+        ReAllocateArguments{filterMode, wrapMode, false, anisoLevel, mipMapBias, name});
+}
+inline bool ReAllocateHandleIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                                     const ReAllocateArguments& arguments = {})
+{
+    return ReAllocateIfNeeded(handle, descriptor, arguments);
+}
 /// The same for one whose size follows the camera's.
 /// @source Unity: RenderingUtils.ReAllocateIfNeeded(ref RTHandle, Vector2, ...) (URP 14)
 bool ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
@@ -152,6 +193,15 @@ bool ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
                         std::string_view name = {});
+bool ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
+                        const RenderTextureDescriptor& descriptor,
+                        const ReAllocateArguments& arguments);
+inline bool ReAllocateHandleIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
+                                     const RenderTextureDescriptor& descriptor,
+                                     const ReAllocateArguments& arguments = {})
+{
+    return ReAllocateIfNeeded(handle, scaleFactor, descriptor, arguments);
+}
 
 } // namespace RenderingUtils
 

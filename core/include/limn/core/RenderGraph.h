@@ -45,8 +45,9 @@ struct BlitMaterialParameters
 /// it reads and writes and a function that records it. They run in their order when
 /// RecordRenderGraph returns, and the frame compiler does with them what it does with all passes:
 /// culling, load and store, memory. Beside that each is compared with what its author declared:
-/// what Unity would draw wrongly is a ContractError, what is declared for nothing a note in the
-/// report. Unity: UnityEngine.Rendering.RenderGraphModule.RenderGraph (core 17).
+/// what Unity throws for or draws otherwise is a ContractError with all of it, with the lines to
+/// add; what is missing and harmless there, and what is declared for nothing, a note in the report.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.RenderGraph (core 17).
 class RenderGraph
 {
 public:

@@ -23,8 +23,8 @@ namespace Blitter
 
 void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// @throws ContractError unless the pass does AllowGlobalStateModification: the source is global as
-///         _BlitTexture from then on
+/// The source is global as _BlitTexture from then on, which the report notes unless the pass does
+/// AllowGlobalStateModification.
 void BlitTexture(BaseCommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
 void BlitTexture(BaseCommandBuffer& cmd, const glm::vec4& scaleBias,

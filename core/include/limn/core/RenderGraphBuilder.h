@@ -63,7 +63,8 @@ public:
     void UseTexture(const TextureHandle& input, AccessFlags flags = AccessFlags::Read);
     /// @throws ContractError if the pass uses the buffer otherwise already
     BufferHandle UseBuffer(const BufferHandle& input, AccessFlags flags = AccessFlags::Read);
-    /// What is global under the name when the pass runs. @throws ContractError then, if nothing is
+    /// What is global under the name when the pass runs. @throws ContractError behind it, if
+    /// nothing is
     void UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags = AccessFlags::Read);
     /// Shaders may sample whatever is global: nothing is said about textures that they read.
     void UseAllGlobalTextures(bool enable);

@@ -130,7 +130,8 @@ public:
     /// @throws ContractError if the pass did not UseRendererList of it
     void DrawRendererList(const RendererListHandle& rendererList);
 
-    // Globals: @throws ContractError unless the pass does AllowGlobalStateModification.
+    // Globals: @throws ContractError unless the pass does AllowGlobalStateModification, when it has
+    // recorded.
     void SetGlobalFloat(ShaderPropertyId id, float value) { Globals(id).SetGlobalFloat(id, value); }
     void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
     {
@@ -141,6 +142,10 @@ public:
     void SetGlobalVector(ShaderPropertyId id, const glm::vec4& value)
     {
         Globals(id).SetGlobalVector(id, value);
+    }
+    void SetGlobalVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetGlobalVector(id, detail::ToVector4(value));
     }
     void SetGlobalColor(ShaderPropertyId id, const Color& value)
     {
@@ -162,10 +167,8 @@ public:
     {
         Globals(id).SetGlobalMatrixArray(id, std::move(values));
     }
-    void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
-    {
-        Globals(id).SetGlobalTexture(id, value);
-    }
+    /// @throws ContractError for a texture of the graph that the pass does not declare, too
+    void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
     void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
         Globals(id).SetGlobalBuffer(id, std::move(value));
@@ -188,7 +191,7 @@ public:
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     void SetKeyword(const GlobalKeyword& keyword, bool value)
     {
-        m_Native.SetKeyword(keyword, value);
+        Keywords(keyword).SetKeyword(keyword, value);
     }
     void SetKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword,
                     bool value)
@@ -218,6 +221,7 @@ protected:
 private:
     friend CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd);
     CommandBuffer& Globals(ShaderPropertyId id);
+    CommandBuffer& Keywords(const GlobalKeyword& keyword);
 
     CommandBuffer& m_Native;
     RenderGraphRun& m_Run;
@@ -275,6 +279,11 @@ public:
     }
     void SetComputeVectorParam(const Shader& computeShader, ShaderPropertyId id,
                                const glm::vec4& value)
+    {
+        m_Cmd.SetComputeVectorParam(computeShader, id, value);
+    }
+    void SetComputeVectorParam(const Shader& computeShader, ShaderPropertyId id,
+                               const detail::MadeVector4 auto& value)
     {
         m_Cmd.SetComputeVectorParam(computeShader, id, value);
     }

@@ -2,6 +2,7 @@
 
 #include <limn/core/Color.h>
 #include <limn/core/GraphicsBuffer.h>
+#include <limn/core/LiteralZero.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/RendererList.h>
 #include <optional>
@@ -35,6 +36,7 @@ constexpr bool operator&(AccessFlags a, AccessFlags b)
 enum class DepthBits
 {
     None = 0,
+    Depth8 = 8, ///< refused: there is no depth of so few
     Depth16 = 16,
     Depth24 = 24,
     Depth32 = 32
@@ -63,7 +65,7 @@ struct TextureDesc
     int width = 0;  ///< texels
     int height = 0; ///< texels
     GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
-    DepthBits depthBufferBits = DepthBits::None; ///< not None = a depth texture without colour
+    ZeroOr<DepthBits> depthBufferBits; ///< not None = a depth texture without colour
     MSAASamples msaaSamples = MSAASamples::None;
     FilterMode filterMode = FilterMode::Bilinear;
     TextureWrapMode wrapMode = TextureWrapMode::Clamp;

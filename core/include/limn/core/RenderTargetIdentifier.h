@@ -15,7 +15,8 @@ enum class BuiltinRenderTextureType
     CurrentActive = 1, ///< what is bound when the command is executed
     /// What the camera is drawn into, colour and depth, as ScriptableRenderer's
     /// cameraColorTargetHandle. (Unity: the back buffer, which URP's final blit writes over.)
-    CameraTarget = 2
+    CameraTarget = 2,
+    CameraColor = 256 ///< limn's own: the camera's colour alone, see cameraColorTarget
 };
 
 // What a target is bound with; limn works out by itself what has to be loaded and stored, from what

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/Texture.h>
+#include <memory>
 
 namespace limn
 {
@@ -34,10 +35,13 @@ struct RenderTextureDescriptor
 {
     int width = 0;  ///< texels
     int height = 0; ///< texels
-    /// Of the colour. A depth format makes a depth texture, too (Unity refuses it here).
+    /// The colour's format. None with depthBufferBits, or a depth format, makes a depth texture, as
+    /// MadeFormat says (Unity refuses a depth format here).
     GraphicsFormat graphicsFormat = GraphicsFormat::R8G8B8A8_UNorm;
-    /// 0, 16, 24 or 32. Not 0 = a depth texture whose graphicsFormat is ignored, as RTHandles do:
-    /// D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in Unity only 16 has no stencil.
+    /// 0, 16, 24 or 32. Not 0 beside a colour format makes a colour with a depth of its own
+    /// (RenderTexture::depthBuffer); RTHandles make a depth texture of it, whatever the colour
+    /// format, as in Unity. Depth is D32_SFloat for 16, D32_SFloat_S8_UInt for 24 and 32, since in
+    /// Unity only 16 has no stencil.
     int depthBufferBits = 0;
     /// 1, 2, 4 or 8 a texel. What draws left in several is resolved for whoever reads the texture:
     /// colour to the average, depth and stencil to the first sample.
@@ -57,9 +61,15 @@ struct RenderTextureDescriptor
     ShadowSamplingMode shadowSamplingMode = ShadowSamplingMode::None;
     VRTextureUsage vrUsage = VRTextureUsage::None; ///< others are refused
     bool bindMS = false; ///< true is refused: shaders see one sample a texel
-    /// No effect: what need not be stored is worked out.
+    /// Not None promises that no next frame reads what this one leaves in the texture, so that
+    /// nothing need be stored; within a frame it may be read. (Unity: within a pass only, and only
+    /// where the device can.)
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
     bool useDynamicScale = false; ///< no effect: nothing scales
+    /// Whether the texture's first row is the top of the picture, as in a window's or a host's
+    /// image: what Unity calls the back buffer. TargetOrientation.h says what follows. Only as the
+    /// last target of a frame is such a texture upright; shaders that sample it see it mirrored.
+    bool isTopRowFirst = false;
 
     RenderTextureDescriptor() = default;
     RenderTextureDescriptor(int w, int h, GraphicsFormat format, int depthBits = 0)
@@ -77,9 +87,8 @@ struct RenderTextureDescriptor
 
     /// None where depthBufferBits is 0. Unity: the property depthStencilFormat.
     GraphicsFormat depthStencilFormat() const;
-    /// @param format  None, or a depth format: D32_SFloat is depthBufferBits 16, that with a
-    /// stencil
-    ///                32
+    /// @param format  None, or a depth format: one without a stencil is depthBufferBits 16, one
+    ///                with it 32
     /// @throws ContractError for another format
     void SetDepthStencilFormat(GraphicsFormat format);
 
@@ -97,15 +106,28 @@ public:
     ///         refuses
     RenderTexture(std::string name, const RenderTextureDescriptor& descriptor,
                   SamplerState sampler = {}, bool transient = false);
+    /// Makes a colour whose depth is there already.
+    /// @param depthBuffer  a depth texture of its size and samples
+    /// @throws ContractError also if the descriptor has depthBufferBits of its own
+    RenderTexture(std::string name, const RenderTextureDescriptor& descriptor, SamplerState sampler,
+                  bool transient, std::shared_ptr<const RenderTexture> depthBuffer);
 
     const RenderTextureDescriptor& descriptor() const { return m_Descriptor; }
 
+    /// Returns the depth and stencil that are bound with this colour where it is set as a target
+    /// alone; null for a depth texture and for a colour without. Unity: RenderTexture.depthBuffer.
+    const std::shared_ptr<const RenderTexture>& depthBuffer() const { return m_DepthBuffer; }
+
     /// Nobody looks at the contents after the frame: what no later command of the frame reads need
     /// not be stored.
-    bool isTransient() const { return m_Transient; }
+    bool isTransient() const
+    {
+        return m_Transient || m_Descriptor.memoryless != RenderTextureMemoryless::None;
+    }
 
 private:
     RenderTextureDescriptor m_Descriptor;
+    std::shared_ptr<const RenderTexture> m_DepthBuffer;
     bool m_Transient;
 };
 

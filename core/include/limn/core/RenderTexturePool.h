@@ -49,7 +49,7 @@ class RenderTexturePool
 public:
     /// A texture for as long as the result lives. What is in it is undefined: clear it, or draw
     /// over the whole of it.
-    /// @param depthBuffer  not 0: it is a depth texture, as RenderTextureDescriptor says
+    /// @param depthBuffer  bits of a depth that the colour has, see RenderTextureDescriptor
     /// @throws ContractError as RenderTexture does
     TemporaryTexture
     GetTemporary(int width, int height, int depthBuffer = 0,
@@ -61,6 +61,10 @@ public:
                                   TextureWrapMode wrapMode = TextureWrapMode::Clamp);
     /// Gives `texture` back before its scope ends; it is none afterwards.
     static void ReleaseTemporary(TemporaryTexture& texture) { texture.Release(); }
+
+    /// Returns the ids of the textures that are given out: of what is not, nothing is kept for the
+    /// next frame, whoever gets it then.
+    std::vector<std::uint64_t> held() const;
 
     /// Forgets textures that nobody has asked for in the last 15 frames.
     void BeginFrame();

@@ -7,6 +7,7 @@
 #include <limn/core/RenderReport.h>
 #include <limn/core/Scene.h>
 #include <limn/core/ShadowData.h>
+#include <limn/core/TargetOrientation.h>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,7 @@ struct CameraData
     int pixelHeight = 0;
     float aspectRatio = 1.0f;      ///< of the picture, width / height
     float renderScale = 1.0f;      ///< UniversalRenderPipeline::renderScale, or 1
+    int pipelineVersion = 14;      ///< UniversalRenderPipeline::pipelineVersion
     bool isDefaultViewport = true; ///< cameras draw over the whole picture
     CameraRenderType renderType = CameraRenderType::Base;
     bool clearDepth = true;         ///< Camera::clearDepth, of an overlay
@@ -60,6 +62,7 @@ struct CameraData
     std::shared_ptr<const RenderTexture> targetTexture;
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
     glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
+    /// View to clip space with y turned over, for draws into textures.
     glm::mat4 gpuProjectionMatrix{1.0f};
     glm::vec3 worldSpaceCameraPos{0.0f}; ///< metres
     /// What positions are relative to on the device: Camera::renderOrigin of the base camera.
@@ -85,9 +88,19 @@ struct CameraData
     // Nothing jitters.
     glm::dmat4 GetProjectionMatrixNoJitter() const { return GetProjectionMatrix(); }
     const glm::mat4& GetGPUProjectionMatrixNoJitter() const { return gpuProjectionMatrix; }
-    // Row 0 is the top of the picture in every target.
-    bool IsCameraProjectionMatrixFlipped() const { return false; }
-    bool IsHandleYFlipped(const RTHandle&) const { return false; }
+    /// Returns true: cameras draw into textures, and a back buffer gets its picture by a blit.
+    bool IsCameraProjectionMatrixFlipped() const { return true; }
+    /// Returns whether a camera's projection is flipped for this target (TargetOrientation.h).
+    bool IsRenderTargetProjectionMatrixFlipped(const RTHandle& color,
+                                               const RTHandle& depth = {}) const
+    {
+        return IsHandleYFlipped(color ? color : depth);
+    }
+    /// Returns the same; true for a handle that is empty or only a name.
+    bool IsHandleYFlipped(const RTHandle& handle) const
+    {
+        return !handle.rt() || IsProjectionFlipped(*handle.rt());
+    }
 
     /// World to clip space with z from w near to 0 far, whichever way round the device's depth is.
     glm::dmat4 reversedViewProjection() const

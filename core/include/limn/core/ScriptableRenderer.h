@@ -11,6 +11,7 @@ namespace limn
 
 class RenderGraphCamera;
 class ShaderCompiler;
+class ShaderSource;
 
 /// Runs features and passes for one camera after the other, in URP's order of calls:
 /// AddRenderPasses of all features, Setup, SetupRenderPasses of all features, OnCameraSetup of all
@@ -36,6 +37,13 @@ public:
     /// @param pass  kept until the camera is done
     void EnqueuePass(ScriptableRenderPass& pass);
 
+    /// Where Shader::Find of features and passes looks. Before features are added, whose Create may
+    /// ask. To begin with limn's own shaders, of a UniversalRenderer.
+    void SetShaderSource(std::shared_ptr<ShaderSource> source)
+    {
+        m_ShaderSource = std::move(source);
+    }
+
     /// The feature that enqueued a pass of this frame in its AddRenderPasses; null for the others.
     const ScriptableRendererFeature* FeatureOf(const ScriptableRenderPass& pass) const;
 
@@ -59,12 +67,13 @@ public:
                                       setInverseMatrices);
     }
 
-    /// The camera's colour with its depth, by an identifier that may be asked for at any time, in
-    /// AddRenderPasses as well: what it is when a command is executed.
+    /// Returns the camera's colour by an identifier that may be asked for at any time, in
+    /// AddRenderPasses as well: what it is when a command is executed. It brings a depth along only
+    /// where UniversalRenderPipeline::pipelineVersion says so.
     /// @source Unity: ScriptableRenderer.cameraColorTarget (URP 8 to 14)
     RenderTargetIdentifier cameraColorTarget() const
     {
-        return BuiltinRenderTextureType::CameraTarget;
+        return BuiltinRenderTextureType::CameraColor;
     }
     /// @throws ContractError outside rendering, as cameraDepthTargetHandle does
     RenderTargetIdentifier cameraDepthTarget() const { return cameraDepthTargetHandle().nameID(); }
@@ -126,6 +135,7 @@ private:
     std::vector<ScriptableRenderPass*> m_Queue;
     std::vector<ScriptableRenderPass*> m_FeaturePasses; ///< of these, as enqueued
     std::vector<std::size_t> m_FeaturePassEnds;         ///< of each feature, among those
+    std::shared_ptr<ShaderSource> m_ShaderSource;       ///< null = nowhere
     RTHandle m_CameraColor;
     RTHandle m_CameraDepth;
     std::shared_ptr<RenderGraphCamera> m_RenderGraph; ///< null until a pass records one

@@ -42,6 +42,11 @@ public:
     /// @throws AssetError as the constructor
     static std::shared_ptr<const Shader> Find(std::string_view name, const ShaderDatabase& database,
                                               std::shared_ptr<ShaderCompiler> compiler);
+    /// Those of limn, of plug-ins and of files that the scene names: in a feature's Create, and
+    /// while a camera is rendered (see ShaderSource). Where there is none, null and a warning with
+    /// the nearest name.
+    /// @throws AssetError as the constructor
+    static std::shared_ptr<const Shader> Find(std::string_view name);
     /// @param file  what error messages call the text
     static std::shared_ptr<const Shader> FromText(std::string_view text, std::string file,
                                                   std::shared_ptr<ShaderCompiler> compiler);
@@ -61,6 +66,10 @@ public:
     static void SetGlobalInt(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     static void SetGlobalInteger(ShaderPropertyId id, int value) { SetGlobal(id, value); }
     static void SetGlobalVector(ShaderPropertyId id, const glm::vec4& v) { SetGlobal(id, v); }
+    static void SetGlobalVector(ShaderPropertyId id, const detail::MadeVector4 auto& value)
+    {
+        SetGlobalVector(id, detail::ToVector4(value));
+    }
     /// As it is, see CommandBuffer::SetGlobalColor.
     static void SetGlobalColor(ShaderPropertyId id, const Color& v) { SetGlobal(id, v.vector()); }
     static void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& v) { SetGlobal(id, v); }

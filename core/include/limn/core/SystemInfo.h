@@ -25,6 +25,42 @@ enum class FormatUsage
     StencilSampling = 16 ///< never
 };
 
+/// The same as flags, as Unity 6 writes it; values Unity's.
+/// Unity: UnityEngine.Experimental.Rendering.GraphicsFormatUsage (6).
+enum class GraphicsFormatUsage
+{
+    None = 0,
+    Sample = 1 << 0,
+    Linear = 1 << 1,
+    Sparse = 1 << 2,
+    Render = 1 << 4,
+    Blend = 1 << 5,
+    GetPixels = 1 << 6,
+    SetPixels = 1 << 7,
+    SetPixels32 = 1 << 8,
+    ReadPixels = 1 << 9,
+    LoadStore = 1 << 10,
+    MSAA2x = 1 << 11,
+    MSAA4x = 1 << 12,
+    MSAA8x = 1 << 13,
+    StencilSampling = 1 << 16
+};
+constexpr GraphicsFormatUsage operator|(GraphicsFormatUsage a, GraphicsFormatUsage b)
+{
+    return static_cast<GraphicsFormatUsage>(static_cast<int>(a) | static_cast<int>(b));
+}
+
+/// What a platform takes for a purpose. Unity: UnityEngine.Experimental.Rendering.DefaultFormat
+/// (2022.3).
+enum class DefaultFormat
+{
+    LDR = 0,
+    HDR = 1,
+    DepthStencil = 2,
+    Shadow = 3,
+    Video = 4 ///< refused: there is none
+};
+
 /// Unity: UnityEngine.SystemInfo (2022.3).
 namespace SystemInfo
 {
@@ -32,8 +68,20 @@ namespace SystemInfo
 /// Of the device that was made last and still is. Where there is none, what every Vulkan device
 /// does. Any thread, while none is made or goes.
 bool IsFormatSupported(GraphicsFormat format, FormatUsage usage);
+/// Whether it does all of the usages; false for None.
+bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage);
+/// The format, or one with as many bits a component at least that does the usage; None where there
+/// is none. Unity's own choice is the platform's.
+GraphicsFormat GetCompatibleFormat(GraphicsFormat format, FormatUsage usage);
+GraphicsFormat GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage usage);
+/// @throws ContractError for Video
+GraphicsFormat GetGraphicsFormat(DefaultFormat format);
 /// As a target: a depth format as a depth.
 bool SupportsRenderTextureFormat(RenderTextureFormat format);
+bool SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format);
+bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format);
+/// To be sampled.
+bool SupportsTextureFormat(TextureFormat format);
 
 } // namespace SystemInfo
 

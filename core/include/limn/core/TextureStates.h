@@ -2,6 +2,7 @@
 
 #include <limn/core/FrameCommands.h>
 #include <unordered_map>
+#include <vector>
 
 namespace limn
 {
@@ -17,15 +18,6 @@ enum class TextureUsage
     RandomWrite ///< read and written by a kernel
 };
 
-/// What the frames so far did with a texture that outlives them.
-enum class TextureHistory
-{
-    Unknown,     ///< no frame has used it
-    Consumed,    ///< Unknown, and the frame being made itself reads what it leaves in it
-    Overwritten, ///< every frame wrote the whole of it before it read any: nothing of it is kept
-    Read         ///< a frame read what one before it left: it is kept
-};
-
 /// A texture as a frame leaves it.
 struct TextureState
 {
@@ -36,8 +28,7 @@ struct TextureState
     /// What every texel of it is, of the aspects that `flags` names; what nobody has read may not
     /// be in the image yet.
     ClearCommand constant;
-    bool isPending = false; ///< `constant` is not in the image
-    TextureHistory history = TextureHistory::Unknown;
+    bool isPending = false;                  ///< `constant` is not in the image
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 };
 
@@ -65,6 +56,10 @@ struct TextureStates
     std::unordered_map<std::uint64_t, DepthTwin> depthTwins; ///< by the original's id
 
     std::unordered_map<std::uint64_t, BufferState> buffers; ///< by GraphicsBuffer::id
+
+    // Of the frame that is being compiled: see FrameCompilerOptions.
+    std::vector<std::uint64_t> held; ///< by Texture::id
+    bool isLast = false;
 };
 
 } // namespace limn

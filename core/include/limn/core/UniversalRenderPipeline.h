@@ -67,6 +67,12 @@ public:
     /// where it is. Unity: UniversalRenderPipelineAsset.maxAdditionalLightsCount.
     int maxAdditionalLightsCount = 4;
 
+    /// The major version of URP whose rules hold where they have changed, 7 ... 17: that of the
+    /// project that features were written for. Below 12 the camera's colour brings the camera's
+    /// depth and stencil along where it is bound alone, as long as no pass asks for the depth
+    /// texture; from 12 on it has none. Unity: the package com.unity.render-pipelines.universal.
+    int pipelineVersion = 14;
+
     /// Passes that override both Execute and RecordRenderGraph run Execute. Unity:
     /// RenderGraphSettings.enableRenderCompatibilityMode (URP 17), where passes that override one
     /// of the two only run in one of the modes only; here they run in both.

@@ -53,8 +53,9 @@ protected:
                     const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
-    /// A base camera's, which the overlays of its stack draw onto.
+    /// Makes a base camera's targets, which the overlays of its stack draw onto.
     void MakeTargets(const CameraData& camera);
+    bool BringsDepth(const CameraData& camera) const;
 
     std::shared_ptr<ShaderCompiler> m_Compiler;
     std::shared_ptr<const Material> m_CopyMaterial; ///< of CoreBlit.shader

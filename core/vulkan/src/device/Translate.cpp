@@ -22,66 +22,166 @@ VkFormat ToVkFormat(GraphicsFormat format)
     {
     case GraphicsFormat::None:
         throw ContractError("a texture of format None has no texels; give it a format");
+    case GraphicsFormat::R8_SRGB:
+        return VK_FORMAT_R8_SRGB;
+    case GraphicsFormat::R8G8_SRGB:
+        return VK_FORMAT_R8G8_SRGB;
+    case GraphicsFormat::R8G8B8_SRGB:
+        return VK_FORMAT_R8G8B8_SRGB;
     case GraphicsFormat::R8G8B8A8_SRGB:
         return VK_FORMAT_R8G8B8A8_SRGB;
     case GraphicsFormat::R8_UNorm:
         return VK_FORMAT_R8_UNORM;
     case GraphicsFormat::R8G8_UNorm:
         return VK_FORMAT_R8G8_UNORM;
+    case GraphicsFormat::R8G8B8_UNorm:
+        return VK_FORMAT_R8G8B8_UNORM;
     case GraphicsFormat::R8G8B8A8_UNorm:
         return VK_FORMAT_R8G8B8A8_UNORM;
+    case GraphicsFormat::R8_SNorm:
+        return VK_FORMAT_R8_SNORM;
+    case GraphicsFormat::R8G8_SNorm:
+        return VK_FORMAT_R8G8_SNORM;
+    case GraphicsFormat::R8G8B8_SNorm:
+        return VK_FORMAT_R8G8B8_SNORM;
     case GraphicsFormat::R8G8B8A8_SNorm:
         return VK_FORMAT_R8G8B8A8_SNORM;
     case GraphicsFormat::R8_UInt:
         return VK_FORMAT_R8_UINT;
+    case GraphicsFormat::R8G8_UInt:
+        return VK_FORMAT_R8G8_UINT;
+    case GraphicsFormat::R8G8B8_UInt:
+        return VK_FORMAT_R8G8B8_UINT;
     case GraphicsFormat::R8G8B8A8_UInt:
         return VK_FORMAT_R8G8B8A8_UINT;
+    case GraphicsFormat::R8_SInt:
+        return VK_FORMAT_R8_SINT;
+    case GraphicsFormat::R8G8_SInt:
+        return VK_FORMAT_R8G8_SINT;
+    case GraphicsFormat::R8G8B8_SInt:
+        return VK_FORMAT_R8G8B8_SINT;
+    case GraphicsFormat::R8G8B8A8_SInt:
+        return VK_FORMAT_R8G8B8A8_SINT;
     case GraphicsFormat::R16_UNorm:
         return VK_FORMAT_R16_UNORM;
     case GraphicsFormat::R16G16_UNorm:
         return VK_FORMAT_R16G16_UNORM;
+    case GraphicsFormat::R16G16B16_UNorm:
+        return VK_FORMAT_R16G16B16_UNORM;
     case GraphicsFormat::R16G16B16A16_UNorm:
         return VK_FORMAT_R16G16B16A16_UNORM;
+    case GraphicsFormat::R16_SNorm:
+        return VK_FORMAT_R16_SNORM;
+    case GraphicsFormat::R16G16_SNorm:
+        return VK_FORMAT_R16G16_SNORM;
+    case GraphicsFormat::R16G16B16_SNorm:
+        return VK_FORMAT_R16G16B16_SNORM;
+    case GraphicsFormat::R16G16B16A16_SNorm:
+        return VK_FORMAT_R16G16B16A16_SNORM;
     case GraphicsFormat::R16_UInt:
         return VK_FORMAT_R16_UINT;
+    case GraphicsFormat::R16G16_UInt:
+        return VK_FORMAT_R16G16_UINT;
+    case GraphicsFormat::R16G16B16_UInt:
+        return VK_FORMAT_R16G16B16_UINT;
     case GraphicsFormat::R16G16B16A16_UInt:
         return VK_FORMAT_R16G16B16A16_UINT;
+    case GraphicsFormat::R16_SInt:
+        return VK_FORMAT_R16_SINT;
+    case GraphicsFormat::R16G16_SInt:
+        return VK_FORMAT_R16G16_SINT;
+    case GraphicsFormat::R16G16B16_SInt:
+        return VK_FORMAT_R16G16B16_SINT;
+    case GraphicsFormat::R16G16B16A16_SInt:
+        return VK_FORMAT_R16G16B16A16_SINT;
     case GraphicsFormat::R32_UInt:
         return VK_FORMAT_R32_UINT;
     case GraphicsFormat::R32G32_UInt:
         return VK_FORMAT_R32G32_UINT;
+    case GraphicsFormat::R32G32B32_UInt:
+        return VK_FORMAT_R32G32B32_UINT;
     case GraphicsFormat::R32G32B32A32_UInt:
         return VK_FORMAT_R32G32B32A32_UINT;
     case GraphicsFormat::R32_SInt:
         return VK_FORMAT_R32_SINT;
     case GraphicsFormat::R32G32_SInt:
         return VK_FORMAT_R32G32_SINT;
+    case GraphicsFormat::R32G32B32_SInt:
+        return VK_FORMAT_R32G32B32_SINT;
     case GraphicsFormat::R32G32B32A32_SInt:
         return VK_FORMAT_R32G32B32A32_SINT;
     case GraphicsFormat::R16_SFloat:
         return VK_FORMAT_R16_SFLOAT;
     case GraphicsFormat::R16G16_SFloat:
         return VK_FORMAT_R16G16_SFLOAT;
+    case GraphicsFormat::R16G16B16_SFloat:
+        return VK_FORMAT_R16G16B16_SFLOAT;
     case GraphicsFormat::R16G16B16A16_SFloat:
         return VK_FORMAT_R16G16B16A16_SFLOAT;
     case GraphicsFormat::R32_SFloat:
         return VK_FORMAT_R32_SFLOAT;
     case GraphicsFormat::R32G32_SFloat:
         return VK_FORMAT_R32G32_SFLOAT;
+    case GraphicsFormat::R32G32B32_SFloat:
+        return VK_FORMAT_R32G32B32_SFLOAT;
     case GraphicsFormat::R32G32B32A32_SFloat:
         return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case GraphicsFormat::B8G8R8_SRGB:
+        return VK_FORMAT_B8G8R8_SRGB;
     case GraphicsFormat::B8G8R8A8_SRGB:
         return VK_FORMAT_B8G8R8A8_SRGB;
+    case GraphicsFormat::B8G8R8_UNorm:
+        return VK_FORMAT_B8G8R8_UNORM;
     case GraphicsFormat::B8G8R8A8_UNorm:
         return VK_FORMAT_B8G8R8A8_UNORM;
+    case GraphicsFormat::B8G8R8_SNorm:
+        return VK_FORMAT_B8G8R8_SNORM;
+    case GraphicsFormat::B8G8R8A8_SNorm:
+        return VK_FORMAT_B8G8R8A8_SNORM;
+    case GraphicsFormat::B8G8R8_UInt:
+        return VK_FORMAT_B8G8R8_UINT;
+    case GraphicsFormat::B8G8R8A8_UInt:
+        return VK_FORMAT_B8G8R8A8_UINT;
+    case GraphicsFormat::B8G8R8_SInt:
+        return VK_FORMAT_B8G8R8_SINT;
+    case GraphicsFormat::B8G8R8A8_SInt:
+        return VK_FORMAT_B8G8R8A8_SINT;
+    case GraphicsFormat::R4G4B4A4_UNormPack16:
+        return VK_FORMAT_R4G4B4A4_UNORM_PACK16;
+    case GraphicsFormat::B4G4R4A4_UNormPack16:
+        return VK_FORMAT_B4G4R4A4_UNORM_PACK16;
+    case GraphicsFormat::R5G6B5_UNormPack16:
+        return VK_FORMAT_R5G6B5_UNORM_PACK16;
+    case GraphicsFormat::B5G6R5_UNormPack16:
+        return VK_FORMAT_B5G6R5_UNORM_PACK16;
+    case GraphicsFormat::R5G5B5A1_UNormPack16:
+        return VK_FORMAT_R5G5B5A1_UNORM_PACK16;
+    case GraphicsFormat::B5G5R5A1_UNormPack16:
+        return VK_FORMAT_B5G5R5A1_UNORM_PACK16;
+    case GraphicsFormat::A1R5G5B5_UNormPack16:
+        return VK_FORMAT_A1R5G5B5_UNORM_PACK16;
+    case GraphicsFormat::E5B9G9R9_UFloatPack32:
+        return VK_FORMAT_E5B9G9R9_UFLOAT_PACK32;
     case GraphicsFormat::B10G11R11_UFloatPack32:
         return VK_FORMAT_B10G11R11_UFLOAT_PACK32;
     case GraphicsFormat::A2B10G10R10_UNormPack32:
         return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
+    case GraphicsFormat::A2B10G10R10_UIntPack32:
+        return VK_FORMAT_A2B10G10R10_UINT_PACK32;
+    case GraphicsFormat::A2B10G10R10_SIntPack32:
+        return VK_FORMAT_A2B10G10R10_SINT_PACK32;
+    case GraphicsFormat::A2R10G10B10_UNormPack32:
+        return VK_FORMAT_A2R10G10B10_UNORM_PACK32;
+    case GraphicsFormat::A2R10G10B10_UIntPack32:
+        return VK_FORMAT_A2R10G10B10_UINT_PACK32;
+    case GraphicsFormat::A2R10G10B10_SIntPack32:
+        return VK_FORMAT_A2R10G10B10_SINT_PACK32;
     case GraphicsFormat::D32_SFloat:
         return VK_FORMAT_D32_SFLOAT;
     case GraphicsFormat::D32_SFloat_S8_UInt:
         return VK_FORMAT_D32_SFLOAT_S8_UINT;
+    default: // of these no texture is made
+        break;
     }
     RefuseValue("GraphicsFormat", static_cast<int>(format));
 }

@@ -177,7 +177,12 @@ std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const GraphicsBuf
 
 Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
 {
-    return Measure(timeline, "wait", [&] { return Copy(texture, aspect)->WaitAndTake(); });
+    Image image = Measure(timeline, "wait", [&] { return Copy(texture, aspect)->WaitAndTake(); });
+    if (!texture.descriptor().isTopRowFirst)
+    {
+        image.texels = FlipRows(image.texels, image.height);
+    }
+    return image;
 }
 
 namespace

@@ -88,6 +88,22 @@ int SamplesFor(FormatUsage usage)
                                           : 1;
 }
 
+/// "; R16G16B16A16_SFloat would do"
+std::string InsteadOf(const Texture& texture)
+{
+    GraphicsFormatUsage usage = GraphicsFormatUsage::Sample;
+    if (const auto* target = dynamic_cast<const RenderTexture*>(&texture))
+    {
+        usage = usage | GraphicsFormatUsage::Render;
+        usage =
+            target->descriptor().enableRandomWrite ? usage | GraphicsFormatUsage::LoadStore : usage;
+    }
+    const GraphicsFormat other = SystemInfo::GetCompatibleFormat(texture.graphicsFormat(), usage);
+    return other == GraphicsFormat::None || other == texture.graphicsFormat()
+               ? ""
+               : std::string("; ") + limn::ToString(other) + " would do";
+}
+
 } // namespace
 
 bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage)
@@ -141,7 +157,8 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
     if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
     {
         throw ContractError(subject + "the device cannot use format " +
-                            limn::ToString(texture.graphicsFormat()) + " for it");
+                            limn::ToString(texture.graphicsFormat()) + " for it" +
+                            InsteadOf(texture));
     }
     Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
     RequireFits(texture, can);

@@ -5,6 +5,7 @@
 #include <limn/core/Mesh.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/Shader.h>
+#include <limn/core/ShaderSource.h>
 #include <limn/core/Texture.h>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/features/FeatureRegistry.h>
@@ -49,7 +50,13 @@ public:
     bool ReloadPlugin(const std::filesystem::path& path);
 
     /// A shader that comes with limn or a plug-in; null for any other name.
-    std::shared_ptr<const Shader> FindShader(std::string_view name);
+    std::shared_ptr<const Shader> FindShader(std::string_view name)
+    {
+        return m_ShaderSource->Find(name);
+    }
+    /// Where Shader::Find of features looks: shaders that come with limn or a plug-in, and those
+    /// that were loaded from files.
+    const std::shared_ptr<ShaderSource>& shaderSource() const { return m_ShaderSource; }
     /// A .shader file. What its UsePass and Fallback name is looked for in the files of its folder
     /// and below, or of the Unity project's Assets folder that it lies in, and among limn's own.
     /// @throws AssetError as Shader::Load
@@ -135,7 +142,7 @@ private:
     std::shared_ptr<ShaderCompiler> m_Compiler;
     FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;
-    std::map<std::string, std::shared_ptr<const Shader>, std::less<>> m_ShippedShaders;
+    std::shared_ptr<ShaderSource> m_ShaderSource; ///< of shipped ones and those that were loaded
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;
     // Files go by their normal path.
     std::map<std::filesystem::path, std::shared_ptr<const Shader>> m_Shaders;

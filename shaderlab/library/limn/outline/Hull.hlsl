@@ -52,7 +52,8 @@ float4 HullPosition(float3 positionOS, float3 normalOS, float3 outlineOS, float 
     // moved in space, by the size that a pixel has at the near plane.
     if (!orthographic && positionCS.w < _ProjectionParams.y)
     {
-        float metresPerPixel = 2.0 * _ProjectionParams.y / (UNITY_MATRIX_P._m11 * _ScreenParams.y);
+        float metresPerPixel =
+            2.0 * _ProjectionParams.y / (abs(UNITY_MATRIX_P._m11) * _ScreenParams.y);
         positionVS += normalVS * (miter * width * metresPerPixel);
         return mul(UNITY_MATRIX_P, float4(positionVS, 1.0));
     }

@@ -32,7 +32,10 @@ void HlslLowering::LowerCall(HlslNode& node)
         }
         LowerParts(node);
         LowerExponent(node);
+        LowerInteger(node);
+        LowerLit(node);
         LowerMatrixFunction(node);
+        LowerFolding(node);
     }
 }
 
@@ -89,6 +92,38 @@ void HlslLowering::LowerExponent(HlslNode& node)
     const std::string type = node.type.Of(HlslScalar::Float).Spelling();
     Need(type + " limn_ldexp(" + type + " x, " + type + " e) { return x * exp2(e); } ");
     m_Code.Spelling(node.token) = "limn_ldexp";
+}
+
+/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` of a uint for an int's.
+void HlslLowering::LowerInteger(HlslNode& node)
+{
+    const std::string_view name = Text(node.token);
+    if (!node.type.isNumber() || node.type.isMatrix() || node.type.isFloating())
+    {
+        return;
+    }
+    const std::string type = node.type.Spelling();
+    if (name == "mad")
+    {
+        Need(type + " limn_mad(" + type + " x, " + type + " y, " + type +
+             " z) { return x * y + z; } ");
+        m_Code.Spelling(node.token) = "limn_mad";
+    }
+    else if (name == "abs" && node.type.scalar == HlslScalar::Uint)
+    {
+        m_Code.Spelling(node.token) = "(" + type + ")";
+    }
+}
+
+/// glslang multiplies by the exponent.
+void HlslLowering::LowerLit(HlslNode& node)
+{
+    if (Text(node.token) == "lit" && node.CountChildren() == 3)
+    {
+        Need("float4 limn_lit(float light, float middle, float power) { return float4(1.0, "
+             "max(light, 0.0), light < 0.0 || middle < 0.0 ? 0.0 : pow(middle, power), 1.0); } ");
+        m_Code.Spelling(node.token) = "limn_lit";
+    }
 }
 
 /// The language cuts what is larger than the parameter; glslang only from vector to vector.

@@ -62,9 +62,11 @@ void HlslLowering::LowerNode(HlslNode& node)
     switch (node.kind)
     {
     case HlslNodeKind::Cast:
+        LowerConstantCast(node);
         LowerCast(node);
         break;
     case HlslNodeKind::Construct:
+        LowerConstantCast(node);
         LowerConstruct(node);
         break;
     case HlslNodeKind::Member:
@@ -73,7 +75,12 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Binary:
     case HlslNodeKind::Assign:
         LowerTruthAssignment(node);
+        if (Text(node.token) == "=")
+        {
+            LowerConstantCast(node);
+        }
         LowerMatrixOperator(node);
+        LowerFolding(node);
         break;
     case HlslNodeKind::Prefix:
         if ((Text(node.token) == "-" || Text(node.token) == "~") && isTruth(*node.child))
@@ -92,6 +99,7 @@ void HlslLowering::LowerNode(HlslNode& node)
         }
         break;
     case HlslNodeKind::Declarator:
+        LowerConstantCast(node);
         LowerDeclarator(node);
         break;
     default:

@@ -62,7 +62,14 @@ private:
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);
+    void LowerInteger(HlslNode& node);
+    void LowerLit(HlslNode& node);
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
+    // Constants.cpp
+    void Hide(const HlslNode& node);
+    bool FoldsWrong(const HlslNode& node) const;
+    void LowerFolding(HlslNode& node);
+    void LowerConstantCast(const HlslNode& node);
     // Initializers.cpp
     void LowerDeclarator(HlslNode& node);
     void LowerArrayCast(HlslNode& node);

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <glm/vec3.hpp>
 #include <limn/core/LayerMask.h>
+#include <limn/core/RenderingData.h>
 #include <limn/volume/Volume.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeStack.h>
@@ -41,6 +42,11 @@ public:
     /// To be called after an edit to a default profile where no volume is registered: an Update
     /// would not look. Does nothing for other profiles.
     void OnVolumeProfileChanged(const VolumeProfile& profile);
+
+    /// The stack of the camera that this thread renders, for helpers that are given no
+    /// RenderingData; that of the defaults where none is rendered.
+    /// Unity: VolumeManager.instance.stack.
+    static VolumeStackPointer stack();
 
     /// Volumes of equal priority are applied in the order of registration.
     /// @return false if it is registered already

@@ -79,7 +79,8 @@ public:
     std::shared_ptr<PendingReadback> BeginReadBack(const RenderTexture& texture) override;
     std::shared_ptr<PendingReadback> BeginReadBack(const GraphicsBuffer& buffer) override;
 
-    /// The stencil of a D32_SFloat_S8_UInt texture as R8_UNorm: a byte is the stored value.
+    /// Returns the stencil of a D32_SFloat_S8_UInt texture as R8_UNorm, the top row of the picture
+    /// first: a byte is the stored value.
     /// @throws ContractError as ReadBack, or if the texture has no stencil
     Image ReadBackStencil(const RenderTexture& texture);
 

@@ -29,7 +29,7 @@ public:
     /// The picture so far is copied first, so that the pass reads a copy, never its target.
     bool fetchColorBuffer = true;
     ScriptableRenderPassInput requirements = ScriptableRenderPassInput::None;
-    std::shared_ptr<const Material> passMaterial;
+    std::shared_ptr<Material> passMaterial;
     int passIndex = 0;
     bool bindDepthStencilAttachment = false; ///< the camera's depth and stencil can be tested
 

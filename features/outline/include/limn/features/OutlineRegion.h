@@ -24,7 +24,9 @@ struct OutlineRegion
     /// A texture of this size, one sample a texel unless set otherwise.
     RenderTextureDescriptor Descriptor(GraphicsFormat format) const
     {
-        return {size.x, size.y, format};
+        RenderTextureDescriptor descriptor(size.x, size.y, format);
+        descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads it
+        return descriptor;
     }
     /// What draws into such a texture in place of the camera's projection.
     glm::mat4 Projection(const glm::mat4& gpuProjection) const;

@@ -65,7 +65,7 @@ struct RenderObjectsSettings
     FilterSettings filterSettings;
 
     OverrideMaterialMode overrideMode = OverrideMaterialMode::Material;
-    std::shared_ptr<const Material> overrideMaterial; ///< null = no override
+    std::shared_ptr<Material> overrideMaterial; ///< null = no override
     int overrideMaterialPassIndex = 0;
     std::shared_ptr<const Shader> overrideShader; ///< fed with each object's own properties
     int overrideShaderPassIndex = 0;

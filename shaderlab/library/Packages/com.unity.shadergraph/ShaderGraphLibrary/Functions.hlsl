@@ -31,8 +31,10 @@ Gradient NewGradient(int type, int colorsLength, int alphasLength, float4 colors
 // limn computes colours linearly.
 bool IsGammaSpace() { return false; }
 
-// The sign is that of a projection turned upside down, which limn has none of.
-float4 ComputeScreenPos(float4 pos, float projectionSign) { return ComputeScreenPos(pos); }
+float4 ComputeScreenPos(float4 pos, float projectionSign)
+{
+    return limn_ScreenPos(pos, projectionSign);
+}
 
 // The blending of gradients that are even to the eye (Ottosson's Oklab).
 float3 LinearToOklab(float3 rgb)

@@ -1,0 +1,186 @@
+#pragma once
+
+#include <concepts>
+#include <exception>
+#include <initializer_list>
+#include <limn/core/Color.h>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace limn
+{
+
+/// Unity: UnityEngine.LogType (2022.3).
+enum class LogType
+{
+    Error = 0,
+    Assert = 1,
+    Warning = 2,
+    Log = 3,
+    Exception = 4
+};
+
+/// A sentence of a feature's author.
+struct LogMessage
+{
+    LogType type = LogType::Log;
+    std::string text;
+    bool isNoted = false; ///< it is in the report of the camera that is rendered as well
+};
+
+/// Hears of each, on the thread that says it.
+using LogSink = void (*)(const LogMessage& message);
+/// @param sink  in place of the one before; null: a line on stderr, as to begin with
+void SetLogSink(LogSink sink);
+
+namespace detail
+{
+
+/// As C# writes it: numbers the shortest way, `True`, `(1.00, 2.00)`.
+std::string LogTextOf(std::string_view text);
+std::string LogTextOf(bool value);
+std::string LogTextOf(double value);
+std::string LogTextOf(float value);
+std::string LogTextOf(long long value);
+std::string LogTextOf(unsigned long long value);
+std::string LogTextOf(const glm::vec2& value);
+std::string LogTextOf(const glm::vec3& value);
+std::string LogTextOf(const glm::vec4& value);
+std::string LogTextOf(const Color& value);
+std::string LogTextOf(const std::exception& value);
+
+template <typename T>
+concept LogEnum = std::is_enum_v<T>;
+template <typename T>
+concept LogInteger = std::integral<T> && !std::same_as<T, bool>;
+
+template <typename T>
+std::string LogText(const T& value)
+{
+    if constexpr (std::convertible_to<const T&, std::string_view>)
+    {
+        return LogTextOf(std::string_view(value));
+    }
+    else if constexpr (LogEnum<T>)
+    {
+        return LogTextOf(static_cast<long long>(value));
+    }
+    else if constexpr (LogInteger<T>)
+    {
+        using Widest = std::conditional_t<std::is_signed_v<T>, long long, unsigned long long>;
+        return LogTextOf(static_cast<Widest>(value));
+    }
+    else
+    {
+        return LogTextOf(value);
+    }
+}
+
+/// A value of a format string.
+struct LogArgument
+{
+    std::string text;
+    double number = 0.0; ///< for a format with digits
+    bool isNumber = false;
+};
+template <typename T>
+LogArgument MakeLogArgument(const T& value)
+{
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
+    {
+        return {LogText(value), static_cast<double>(value), true};
+    }
+    else
+    {
+        return {LogText(value)};
+    }
+}
+
+void Log(LogType type, std::string text);
+/// @throws ContractError for a format that C# does not know, or an index without a value
+std::string FormatLog(std::string_view format, const std::vector<LogArgument>& arguments);
+
+template <typename... Args>
+void LogFormatted(LogType type, std::string_view format, const Args&... args)
+{
+    Log(type, FormatLog(format, {MakeLogArgument(args)...}));
+}
+
+} // namespace detail
+
+/// Sentences of a feature's author, to whoever listens (SetLogSink) and, while a camera is
+/// rendered, to the notes of its report. Unity: UnityEngine.Debug (2022.3).
+namespace Debug
+{
+
+template <typename T>
+void Log(const T& message)
+{
+    detail::Log(LogType::Log, detail::LogText(message));
+}
+template <typename T>
+void LogWarning(const T& message)
+{
+    detail::Log(LogType::Warning, detail::LogText(message));
+}
+template <typename T>
+void LogError(const T& message)
+{
+    detail::Log(LogType::Error, detail::LogText(message));
+}
+/// @param context  no effect: there is no editor that could show it
+template <typename T, typename Context>
+void Log(const T& message, const Context& context)
+{
+    static_cast<void>(context);
+    Log(message);
+}
+template <typename T, typename Context>
+void LogWarning(const T& message, const Context& context)
+{
+    static_cast<void>(context);
+    LogWarning(message);
+}
+template <typename T, typename Context>
+void LogError(const T& message, const Context& context)
+{
+    static_cast<void>(context);
+    LogError(message);
+}
+inline void LogException(const std::exception& exception)
+{
+    detail::Log(LogType::Exception, detail::LogTextOf(exception));
+}
+
+/// "{0}", "{1:F2}", and braces doubled, as C# has them.
+template <typename... Args>
+void LogFormat(std::string_view format, const Args&... args)
+{
+    detail::LogFormatted(LogType::Log, format, args...);
+}
+template <typename... Args>
+void LogWarningFormat(std::string_view format, const Args&... args)
+{
+    detail::LogFormatted(LogType::Warning, format, args...);
+}
+template <typename... Args>
+void LogErrorFormat(std::string_view format, const Args&... args)
+{
+    detail::LogFormatted(LogType::Error, format, args...);
+}
+
+/// Says so where the condition does not hold, and goes on.
+inline void Assert(bool condition, std::string_view message = "Assertion failed")
+{
+    if (!condition)
+    {
+        detail::Log(LogType::Assert, std::string(message));
+    }
+}
+
+} // namespace Debug
+
+} // namespace limn

@@ -1,0 +1,216 @@
+#include <limn/core/Debug.h>
+
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <limn/core/CurrentCamera.h>
+#include <limn/core/RenderReport.h>
+#include <limn/core/RenderingData.h>
+#include <limn/shaderlab/Diagnostic.h>
+
+namespace limn
+{
+
+namespace
+{
+
+const char* NameOf(LogType type)
+{
+    switch (type)
+    {
+    case LogType::Error:
+        return "error";
+    case LogType::Assert:
+        return "assertion";
+    case LogType::Warning:
+        return "warning";
+    case LogType::Exception:
+        return "exception";
+    case LogType::Log:
+        break;
+    }
+    return "log";
+}
+
+void WriteToStderr(const LogMessage& message)
+{
+    std::fprintf(stderr, "%s: %s\n", NameOf(message.type), message.text.c_str());
+}
+
+std::atomic<LogSink> s_LogSink{&WriteToStderr};
+
+/// With so many digits behind the point.
+std::string Fixed(double value, int digits)
+{
+    if (!std::isfinite(value))
+    {
+        return detail::LogTextOf(value);
+    }
+    char text[512];
+    std::snprintf(text, sizeof(text), "%.*f", digits, value);
+    return text;
+}
+
+template <typename Number>
+std::string Shortest(Number value)
+{
+    char text[64];
+    const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
+    static_cast<void>(error); // no number is that long
+    return {text, end};
+}
+
+template <typename Float>
+std::string FloatText(Float value)
+{
+    return std::isnan(value)   ? "NaN"
+           : std::isinf(value) ? (value > 0 ? std::string("Infinity") : std::string("-Infinity"))
+                               : Shortest(value);
+}
+
+template <typename Vector>
+std::string VectorText(const Vector& vector, const char* before, int digits)
+{
+    std::string text = before;
+    for (int i = 0; i < Vector::length(); ++i)
+    {
+        text += (i == 0 ? "" : ", ") + Fixed(double{vector[i]}, digits);
+    }
+    return text + ")";
+}
+
+/// @param place  what is between the braces: "0", "1:F2"
+std::string Placed(std::string_view format, std::string_view place,
+                   const std::vector<detail::LogArgument>& arguments)
+{
+    std::size_t index = 0;
+    const char* const end = place.data() + place.size();
+    const auto [rest, error] = std::from_chars(place.data(), end, index);
+    if (error != std::errc() || index >= arguments.size())
+    {
+        throw ContractError("LogFormat '" + std::string(format) + "': {" + std::string(place) +
+                            "} stands for none of its " + std::to_string(arguments.size()) +
+                            " values");
+    }
+    const detail::LogArgument& argument = arguments[index];
+    const std::size_t colon = place.find(':');
+    if (!argument.isNumber || colon == std::string_view::npos)
+    {
+        return argument.text;
+    }
+    const std::string_view wanted = place.substr(colon + 1);
+    const std::size_t point = wanted.find('.');
+    if (wanted.find_first_not_of("0#.") == std::string_view::npos) // "0.00"
+    {
+        return Fixed(argument.number, point == std::string_view::npos
+                                          ? 0
+                                          : static_cast<int>(wanted.size() - point - 1));
+    }
+    if (wanted.front() == 'F' || wanted.front() == 'f')
+    {
+        int digits = 2;
+        std::from_chars(wanted.data() + 1, wanted.data() + wanted.size(), digits);
+        return Fixed(argument.number, digits);
+    }
+    return argument.text;
+}
+
+} // namespace
+
+void SetLogSink(LogSink sink)
+{
+    s_LogSink = sink != nullptr ? sink : &WriteToStderr;
+}
+
+namespace detail
+{
+
+std::string LogTextOf(std::string_view text)
+{
+    return std::string(text);
+}
+std::string LogTextOf(bool value)
+{
+    return value ? "True" : "False";
+}
+std::string LogTextOf(double value)
+{
+    return FloatText(value);
+}
+std::string LogTextOf(float value)
+{
+    return FloatText(value);
+}
+std::string LogTextOf(long long value)
+{
+    return Shortest(value);
+}
+std::string LogTextOf(unsigned long long value)
+{
+    return Shortest(value);
+}
+std::string LogTextOf(const glm::vec2& value)
+{
+    return VectorText(value, "(", 2);
+}
+std::string LogTextOf(const glm::vec3& value)
+{
+    return VectorText(value, "(", 2);
+}
+std::string LogTextOf(const glm::vec4& value)
+{
+    return VectorText(value, "(", 2);
+}
+std::string LogTextOf(const Color& value)
+{
+    return VectorText(value.vector(), "RGBA(", 3);
+}
+std::string LogTextOf(const std::exception& value)
+{
+    return value.what();
+}
+
+void Log(LogType type, std::string text)
+{
+    const RenderingData* camera = CurrentCamera::renderingData();
+    const bool isNoted = camera != nullptr && camera->report != nullptr;
+    if (isNoted)
+    {
+        camera->report->notes.push_back(text);
+    }
+    s_LogSink.load()({type, std::move(text), isNoted});
+}
+
+std::string FormatLog(std::string_view format, const std::vector<LogArgument>& arguments)
+{
+    std::string text;
+    for (std::size_t i = 0; i < format.size(); ++i)
+    {
+        const bool isDoubled = i + 1 < format.size() && format[i + 1] == format[i];
+        if ((format[i] == '{' || format[i] == '}') && isDoubled)
+        {
+            text += format[i++];
+        }
+        else if (format[i] == '{')
+        {
+            const std::size_t end = format.find('}', i);
+            if (end == std::string_view::npos)
+            {
+                throw ContractError("LogFormat '" + std::string(format) +
+                                    "': a brace is not closed; a brace as it is is written twice");
+            }
+            text += Placed(format, format.substr(i + 1, end - i - 1), arguments);
+            i = end;
+        }
+        else
+        {
+            text += format[i];
+        }
+    }
+    return text;
+}
+
+} // namespace detail
+
+} // namespace limn
