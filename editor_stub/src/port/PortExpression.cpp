@@ -413,7 +413,7 @@ private:
             {
                 const bool isVariable = value.isVariable;
                 value = {value.cpp + dot + m_Model.CppName(field->name),
-                         m_Model.ValueType(*own, *field)};
+                         field->type};
                 value.isVariable = isVariable;
                 value.isPointer = m_Model.isShared(*own, *field);
             }

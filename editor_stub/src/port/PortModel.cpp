@@ -497,19 +497,6 @@ bool PortModel::isSerialized(const CSharpField& field) const
            !field.isStatic && !field.isReadonly && !field.Find("NonSerialized");
 }
 
-bool PortModel::isSetting(const CSharpClass& one, const CSharpField& field) const
-{
-    const CSharpClass* outer = OuterOf(one);
-    const bool isOfPass = RoleOf(one) == PortRole::Pass || RoleOf(one) == PortRole::Component ||
-                          (outer && RoleOf(*outer) == PortRole::Pass);
-    return !isOfPass && isSerialized(field) && isSetting(field.type);
-}
-
-std::string PortModel::ValueType(const CSharpClass& one, const CSharpField& field) const
-{
-    return field.type == "Material" && isSetting(one, field) ? "const Material" : field.type;
-}
-
 std::string PortModel::CppName(const std::string& name) const
 {
     const bool isType = IsSameType(name) || KnownTypes().contains(name) || Find(name);

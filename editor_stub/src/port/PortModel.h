@@ -61,10 +61,6 @@ public:
     /// Whether Unity stores the field.
     bool isSerialized(const CSharpField& field) const;
 
-    /// Whether it is a setting of a feature, itself or in its settings.
-    bool isSetting(const CSharpClass& one, const CSharpField& field) const;
-    /// The type of what stands in the field: a setting's Material does not change.
-    std::string ValueType(const CSharpClass& one, const CSharpField& field) const;
     /// Whether a pass or its data keep an object of somebody else's in the field: in C++ a pointer.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 

@@ -1,3 +1,4 @@
+#include "port/CSharpWords.h"
 #include "port/EnumValues.h"
 #include "port/PortedCode.h"
 #include "port/PropertyIds.h"
@@ -132,6 +133,13 @@ void DescribeField(PortedCode& code, const CSharpField& field)
         code.Line("inspector.Field" + start + ", " + field.type + "Entries()" + tooltip);
         return;
     }
+    // A tooltip of a shader with a slash in it would be taken for the shader's name.
+    if (IsIn(field.type, {"Shader", "Material"}) && tooltip.find('/') != std::string::npos)
+    {
+        code.Line("inspector.Field" + start + ", std::string_view(" +
+                  tooltip.substr(2, tooltip.size() - 4) + "));");
+        return;
+    }
     const std::string entries = own ? ", " + EntriesName(model, *own) : "";
     code.Line("inspector.Field" + start + entries + RangeText(model, field) + tooltip);
 }
@@ -209,7 +217,7 @@ void Declare(PortModel& model, const CSharpClass& one, const CSharpField& field,
 
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field)
 {
-    PortValue value{model.CppName(field.name), model.ValueType(one, field)};
+    PortValue value{model.CppName(field.name), field.type};
     value.isVariable = true;
     value.isPointer = model.isShared(one, field);
     return value;
@@ -251,11 +259,7 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
         Declare(code.model(), one, field, scope);
         return;
     }
-    auto type = model.CppType(field.type);
-    if (type && field.type == "Material" && model.isSetting(one, field))
-    {
-        type = "std::shared_ptr<const Material>"; // as an Inspector has it
-    }
+    const auto type = model.CppType(field.type);
     const auto value = Translate(model, scope, field.value, field.type);
     if (!type || (!value && (field.isConst || *type == "ProfilingSampler")))
     {

@@ -99,7 +99,7 @@ TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
          "m_Event = RenderPassEvent::BeforeRenderingPostProcessing;", "m_Strength = .5f;",
          "Field(\"m_Strength\", m_Strength, {0.0, 1.0}, \"\");",
          "std::vector<std::string> m_Tags = {\"UniversalForward\"};",
-         "std::shared_ptr<const Material> m_Material{};"});
+         "std::shared_ptr<Material> m_Material{};"});
     ExpectAll(ported.source,
               {"renderPassEvent = (renderPassEvent_ + 1);", "strength = (strength_ * 2.0f);",
                "profilingSampler = ProfilingSampler(\"HeightFogPass\");",
