@@ -99,7 +99,7 @@ protected:
 
 TEST_F(MultisampledCameraGpu, ShowsOfAPixelThePartOfItsSamplesThatIsCovered)
 {
-    constexpr double k_Turned = 20.0;
+    constexpr double k_Turned = -20.0;
     constexpr float k_HalfSide = 0.55f;
     AddSquare("", "1", k_Turned, 2.0f * k_HalfSide);
     const Field picture = Draw();

@@ -18,7 +18,7 @@ struct FlatTriangle
 };
 
 /// What the effect does to a picture, written down a second time, apart from Vulkan: a rasteriser
-/// with the top-left rule on corners rounded to 1/256 pixel, a depth buffer of distances, the
+/// with the bottom-left rule on corners rounded to 1/256 pixel, a depth buffer of distances, the
 /// stencil, and blending by alpha in doubles.
 class StencilModel
 {

@@ -25,13 +25,14 @@ GridPoint ToGrid(const glm::dvec2& point)
 }
 
 /// Whether a point is inside the edge from a to b of a triangle that is clockwise on the screen;
-/// points on it belong to top and left edges.
+/// points on it belong to left edges and, as the first row of a target is the bottom of the
+/// picture, to bottom ones.
 bool IsInside(const GridPoint& a, const GridPoint& b, const GridPoint& point)
 {
     const std::int64_t side = (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x);
-    const bool isTop = a.y == b.y && b.x > a.x;
+    const bool isBottom = a.y == b.y && b.x < a.x;
     const bool isLeft = b.y < a.y;
-    return side > 0 || (side == 0 && (isTop || isLeft));
+    return side > 0 || (side == 0 && (isBottom || isLeft));
 }
 
 } // namespace

@@ -428,11 +428,14 @@ TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
 
 TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
 {
-    EXPECT_EQ(ErrorOf(Blur([](auto& builder, const TextureHandle&)
-                           { builder.UseGlobalTexture("_Nobody"); },
-                           k_SampleMask)),
-              "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
-              "global under that name; SetGlobalTextureAfterPass does");
+    EXPECT_EQ(
+        ErrorOf(Blur([](auto& builder, const TextureHandle&)
+                     { builder.UseGlobalTexture("_Nobody"); },
+                     k_SampleMask)),
+        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
+        "global under that name; SetGlobalTextureAfterPass does\n"
+        "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
+        "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
 
 TEST_F(RenderGraphMismatch, NotesATextureThatIsReadBeforeAnythingWroteIt)

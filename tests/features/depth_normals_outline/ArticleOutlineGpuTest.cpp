@@ -58,7 +58,7 @@ bool IsArticleEdge(const ArticleTextures& textures, const ArticleLook& look, int
     const int low = static_cast<int>(std::floor(look.thickness * 0.5));
     const int high = static_cast<int>(std::ceil(look.thickness * 0.5));
     const int xs[] = {x - low, x + high, x + high, x - low};
-    const int ys[] = {y - low, y + high, y - low, y + high};
+    const int ys[] = {y + low, y - high, y + low, y - high}; // v rises where y falls
     double d[4];
     glm::dvec3 n[4];
     for (int i = 0; i < 4; ++i)
