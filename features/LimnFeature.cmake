@@ -30,8 +30,9 @@ std::span<const EmbeddedFile> @function@()
 endfunction()
 
 # limn_add_feature(name SOURCES ... [SHADERS ...])
-# A plug-in `<name>.so` for `limn --plugin`, which holds its shaders, and lies in the build folder. One
-# of SOURCES has LIMN_PLUGIN of <limn/features/Plugin.h>. Paths are relative to the current folder.
+# A plug-in `<name>.so` for `limn --plugin`, which holds its shaders and what they include (.shader,
+# .hlsl, .cginc, .compute), and lies in the build folder. One of SOURCES has LIMN_PLUGIN of
+# <limn/features/Plugin.h>. Paths are relative to the current folder, and so are those of #include.
 # <name>_objects is what it is made of, to link a test with as well.
 function(limn_add_feature name)
     cmake_parse_arguments(ARG "" "" "SOURCES;SHADERS" ${ARGN})
@@ -52,10 +53,30 @@ function(limn_add_feature name)
         $<TARGET_PROPERTY:limn::features,INTERFACE_INCLUDE_DIRECTORIES>)
     target_compile_definitions(${name}_objects PUBLIC
         $<TARGET_PROPERTY:limn::features,INTERFACE_COMPILE_DEFINITIONS>)
+    foreach(shader ${ARG_SHADERS})
+        if(NOT shader MATCHES "\\.(shader|hlsl|cginc|compute|glslinc)$")
+            message(FATAL_ERROR "limn_add_feature(${name}): SHADERS: ${shader} is none of .shader, "
+                ".hlsl, .cginc, .compute; a C++ file stands behind SOURCES")
+        endif()
+    endforeach()
     if(ARG_SHADERS)
         limn_embed(${name}_objects ${name}_shaders BASE ${CMAKE_CURRENT_SOURCE_DIR}
             FILES ${ARG_SHADERS})
-        target_compile_definitions(${name}_objects PRIVATE LIMN_PLUGIN_SHADERS=${name}_shaders)
+        # In a file of its own: only it is compiled again for another checkout.
+        file(CONFIGURE OUTPUT embedded_${name}_folder.cpp @ONLY CONTENT [[
+namespace limn::embedded
+{
+const char* @name@_shader_folder();
+const char* @name@_shader_folder()
+{
+    return R"limn_embed(@CMAKE_CURRENT_SOURCE_DIR@)limn_embed";
+}
+}
+]])
+        target_sources(${name}_objects PRIVATE
+            ${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}_folder.cpp)
+        target_compile_definitions(${name}_objects PRIVATE LIMN_PLUGIN_NAME="${name}.so"
+            LIMN_PLUGIN_SHADERS=${name}_shaders LIMN_PLUGIN_SHADER_FOLDER=${name}_shader_folder)
     endif()
     add_library(${name} MODULE $<TARGET_OBJECTS:${name}_objects>)
     set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so LINKER_LANGUAGE CXX)

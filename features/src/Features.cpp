@@ -1,6 +1,9 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
+#include <limn/features/ShippedComputeShaders.h>
+#include <limn/shaderlab/EmbeddedIncludes.h>
+#include <limn/shaderlab/ShaderLabParser.h>
 #include <map>
 
 namespace limn
@@ -38,13 +41,28 @@ Shipped& AllShaders()
     return shipped;
 }
 
+/// @throws AssetError if it does not parse
+std::shared_ptr<const ShaderLabDocument> Parsed(const EmbeddedFile& file, const std::string& name)
+{
+    ShaderLabParseResult result = ParseShaderLab(file.text, name);
+    if (result.hasErrors())
+    {
+        throw AssetError(std::move(result.diagnostics));
+    }
+    return std::make_shared<const ShaderLabDocument>(std::move(result.document));
+}
+
 /// What a plug-in brings along, which nobody else may have.
 ShaderDatabase ShadersOf(const Plugin& plugin, const Plugin* older)
 {
     ShaderDatabase shaders;
-    if (plugin.shaders)
+    for (const EmbeddedFile& file :
+         plugin.shaders ? plugin.shaders() : std::span<const EmbeddedFile>())
     {
-        shaders.Add(plugin.shaders());
+        if (file.path.ends_with(".shader"))
+        {
+            shaders.Add(Parsed(file, std::string(plugin.name) + "/" + std::string(file.path)));
+        }
     }
     const auto olderOnes = AllShaders().ofPlugins.find(older);
     for (const std::string_view name : shaders.names())
@@ -78,6 +96,10 @@ void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentR
     {
         return;
     }
+    if (plugin.shaders)
+    {
+        SetEmbeddedIncludes(plugin.name, plugin.shaders());
+    }
     shipped.ofPlugins.erase(older);
     shipped.ofPlugins.emplace(&plugin, std::move(shaders));
     shipped.all = shipped.own;
@@ -85,6 +107,26 @@ void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentR
     {
         shipped.all.Add(ofPlugin);
     }
+}
+
+std::shared_ptr<ComputeShader> FindShippedComputeShader(std::string_view fileName,
+                                                        std::shared_ptr<ShaderCompiler> compiler)
+{
+    for (const auto& [plugin, unused] : AllShaders().ofPlugins)
+    {
+        for (const EmbeddedFile& file :
+             plugin->shaders ? plugin->shaders() : std::span<const EmbeddedFile>())
+        {
+            if (file.path.ends_with(".compute") &&
+                file.path.substr(file.path.rfind('/') + 1) == fileName)
+            {
+                return ComputeShader::FromText(
+                    file.text, std::string(plugin->name) + "/" + std::string(file.path),
+                    std::move(compiler));
+            }
+        }
+    }
+    return nullptr;
 }
 
 } // namespace limn

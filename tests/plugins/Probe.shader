@@ -17,8 +17,7 @@ Shader "Hidden/Probe"
 
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
             #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/FullScreen.hlsl"
-
-            float _Strength;
+            #include "inc/ProbeColor.hlsl"
 
             float4 PaintVertex(uint id : SV_VertexID) : SV_POSITION
             {
@@ -27,7 +26,7 @@ Shader "Hidden/Probe"
 
             half4 PaintFragment() : SV_Target
             {
-                return half4(_Strength, 0, 0, 1);
+                return ProbeColor();
             }
             ENDHLSL
         }

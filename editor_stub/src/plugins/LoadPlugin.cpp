@@ -19,6 +19,7 @@ struct LoadedPlugins
 {
     std::mutex mutex;
     std::map<std::filesystem::path, const Plugin*> byFile;        ///< canonical
+    std::map<std::filesystem::path, std::string> names;           ///< what these were called
     std::map<std::filesystem::path, std::filesystem::path> files; ///< of paths that were asked for
 };
 
@@ -106,6 +107,7 @@ void LoadPlugin(const std::filesystem::path& path, FeatureRegistry& features,
     if (!plugin)
     {
         plugin = &Open(file, name, loading, nullptr);
+        Loaded().names[file] = name;
     }
     Add(*plugin, nullptr, name, features, components);
 }
@@ -130,6 +132,25 @@ void ReloadPlugin(const std::filesystem::path& path)
         all.push_back({Severity::Note, name, {}, "the plug-in loaded before stays in use"});
         throw AssetError(std::move(all));
     }
+}
+
+std::map<std::filesystem::path, std::string> EmbeddedShaderFiles()
+{
+    const std::lock_guard lock(Loaded().mutex);
+    std::map<std::filesystem::path, std::string> files;
+    for (const auto& [file, plugin] : Loaded().byFile)
+    {
+        if (!plugin || !plugin->shaders || !plugin->shaderFolder)
+        {
+            continue;
+        }
+        const std::filesystem::path folder = plugin->shaderFolder();
+        for (const EmbeddedFile& shader : plugin->shaders())
+        {
+            files.emplace((folder / shader.path).lexically_normal(), Loaded().names[file]);
+        }
+    }
+    return files;
 }
 
 } // namespace limn

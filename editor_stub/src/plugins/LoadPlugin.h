@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <limn/editor_stub/AssetContext.h>
+#include <map>
+#include <string>
 
 namespace limn
 {
@@ -20,5 +22,9 @@ void LoadPlugin(const std::filesystem::path& path, FeatureRegistry& features,
 /// a file that could not be loaded so far nothing is read.
 /// @throws AssetError as LoadPlugin; all then stays as it was
 void ReloadPlugin(const std::filesystem::path& path);
+
+/// The files on disk that the shaders of loaded plug-ins were embedded from, each with its
+/// plug-in's path: a change of one shows only once the plug-in is built again.
+std::map<std::filesystem::path, std::string> EmbeddedShaderFiles();
 
 } // namespace limn

@@ -26,6 +26,7 @@ std::vector<std::string> ArgumentTypes(const std::string& type)
          {std::pair("Int", "int"), std::pair("Bool", "bool"), std::pair("Color", "Color"),
           std::pair("Vector2", "Vector2"), std::pair("Vector3", "Vector3"),
           std::pair("Vector4", "Vector4"), std::pair("LayerMask", "LayerMask"),
+          std::pair("RenderingLayerMask", "RenderingLayerMask"),
           std::pair("FloatRange", "Vector2")})
     {
         if (type.ends_with(std::string(part) + "Parameter"))
@@ -78,8 +79,8 @@ std::optional<std::string> Arguments(const PortModel& model, const PortScope& sc
     {
         CSharpWords words = arguments[i];
         const bool isNamed = words.size() > 2 && words[0].isName() && words[1].Is(":");
-        const bool isMiddle = i < names.size() && names[i].empty() &&
-                              (words[0].Is("min") || words[0].Is("max"));
+        const bool isMiddle =
+            i < names.size() && names[i].empty() && (words[0].Is("min") || words[0].Is("max"));
         const bool isInPlace = i < names.size() && (isMiddle || words[0].Is(names[i]));
         words = isNamed ? words.subspan(2) : words;
         const auto value = i < types.size() && (!isNamed || isInPlace)
@@ -159,9 +160,8 @@ std::string NumberParameterText(const PortModel& model, const PortScope& scope,
 {
     const bool isMask = HeldType(model, field.type) == "RenderingLayerMask" ||
                         (field.type + field.name).find("ayer") != std::string::npos;
-    auto text =
-        Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "uint", "bool"},
-                  !TooltipText(field).empty());
+    auto text = Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "uint", "bool"},
+                          !TooltipText(field).empty());
     if (text && text->empty()) // new VolumeParameter<uint>()
     {
         text = isMask ? ", RenderingLayerMask::Nothing()" : ", 0u";

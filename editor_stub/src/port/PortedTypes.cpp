@@ -37,8 +37,11 @@ bool IsPlainEnumValue(CSharpWords words)
         {
             if (word.kind != CSharpTokenKind::Punctuation)
             {
-                return word.text.find_first_of("_bBuUlL") == std::string_view::npos ||
-                       word.isName() || word.text.starts_with("0x");
+                constexpr std::size_t k_MostDigits = 9; // of an int for sure
+                return word.isName() ||
+                       (word.text.size() <= k_MostDigits &&
+                        (word.text.starts_with("0x") ||
+                         word.text.find_first_of("_bBuUlL") == std::string_view::npos));
             }
             const bool isSame = only.empty() || only == word.text;
             only = word.text;
@@ -163,8 +166,8 @@ bool Needs(const PortModel& model, const CSharpClass& one, const CSharpClass& ot
     };
     const auto isNamed = [&](const CSharpField& field)
     {
-        return std::ranges::any_of(field.value, [&](const CSharpToken& word)
-                                   { return word.Is(other.name); });
+        return std::ranges::any_of(field.value,
+                                   [&](const CSharpToken& word) { return word.Is(other.name); });
     };
     return std::ranges::any_of(one.fields, [&](const auto& field)
                                { return isIn(field.type) || isNamed(field); }) ||
@@ -237,10 +240,10 @@ void WriteEnum(PortedCode& code, const CSharpClass& one)
         const std::string text(TextOf(model.FileOf(one), entry.value));
         const std::string name = model.CppName(entry.name);
         const bool isPlain = !isLarge && IsPlainEnumValue(entry.value);
-        code.Line(text.empty()  ? name + ","
-                  : !values[i]  ? name + ", // TODO: = " + OneLine(text)
-                  : isPlain     ? name + " = " + text + ","
-                                : name + " = " + std::to_string(*values[i]) + ", // " + OneLine(text));
+        code.Line(text.empty() ? name + ","
+                  : !values[i] ? name + ", // TODO: = " + OneLine(text)
+                  : isPlain    ? name + " = " + text + ","
+                            : name + " = " + std::to_string(*values[i]) + ", // " + OneLine(text));
     }
     code.Close("};");
     model.Declare(one);
@@ -362,8 +365,9 @@ void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     const PortModel& model = code.model();
     const std::string place = model.Place(one, method.location);
     const std::string_view body = BodyText(model.FileOf(one), method);
-    const auto signature =
-        method.isOverride || method.isConstructor() ? std::nullopt : SignatureOf(model, one, method);
+    const auto signature = method.isOverride || method.isConstructor()
+                               ? std::nullopt
+                               : SignatureOf(model, one, method);
     code.Line();
     if (!signature || !signatures.insert(signature->name + signature->parameters).second)
     {

@@ -1,6 +1,7 @@
 #include "view/Redrawer.h"
 
 #include "assets/OutputFiles.h"
+#include "plugins/LoadPlugin.h"
 #include "shaders/UsedShaders.h"
 
 #include <cmath>
@@ -77,6 +78,10 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
     bool isProfileNew = false;
     for (const std::filesystem::path& path : changes)
     {
+        if (NoteEmbedded(path))
+        {
+            continue;
+        }
         Guard([&] { (ReadAgain(path) ? isProfileNew : isSceneStale) = true; });
     }
     const bool isSceneNew = isSceneStale && Guard([&] { LoadScene(); });
@@ -85,10 +90,31 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
         Guard([&] { Draw(start); });
     }
     m_Watcher.Watch(m_Drawing->assets->reachedFiles(), readSince);
+    std::set<std::filesystem::path> embedded;
+    for (const auto& [file, plugin] : EmbeddedShaderFiles())
+    {
+        embedded.insert(file);
+    }
+    m_Watcher.Watch(embedded);
     if (m_Drawing->nextAssets)
     {
         m_Watcher.Watch(m_Drawing->nextAssets->reachedFiles(), readSince);
     }
+}
+
+/// Says so of a shader that a plug-in holds: the file itself is not read.
+/// @return whether it is one, and of no use to the scene besides
+bool Redrawer::NoteEmbedded(const std::filesystem::path& path)
+{
+    const auto embedded = EmbeddedShaderFiles();
+    const auto found = embedded.find(path);
+    if (found == embedded.end())
+    {
+        return false;
+    }
+    m_Console.Note(path.generic_string() + " is compiled into " + found->second +
+                   "; the picture shows the change once the plug-in is built again");
+    return m_Drawing->assets->reachedFiles().count(path) == 0;
 }
 
 /// Whether the work was done; an error is printed. The driver's failures go on.

@@ -55,6 +55,7 @@ private:
     void RedrawOnce(const std::set<std::filesystem::path>& changes);
     template <typename Work>
     bool Guard(Work&& work);
+    bool NoteEmbedded(const std::filesystem::path& path);
     bool ReadAgain(const std::filesystem::path& path);
     void LoadScene();
     void Draw(Clock::time_point start);

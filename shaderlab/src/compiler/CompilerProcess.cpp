@@ -244,6 +244,7 @@ public:
         ByteReader reader(request);
         Transfer(reader, m_Program);
         reader.List(m_Keywords, [&](std::string& keyword) { reader.Value(keyword); });
+        Transfer(reader, m_FilesBeside);
     }
 
     void Serve() const
@@ -255,6 +256,7 @@ public:
             LimitProcess(m_Options.timeLimit);
             AbortForTest(m_Program.file);
             IncludeResolver resolver(m_Options, m_Program.file);
+            resolver.SetFilesBeside(m_FilesBeside);
             const std::string answer = Compile(m_Program, m_Keywords, resolver);
             alarm(0); // half an answer is none
             _exit(SendAll(m_Socket, answer) ? 0 : 1);
@@ -273,6 +275,7 @@ private:
     const ShaderCompilerOptions& m_Options;
     PassProgram m_Program;
     std::vector<std::string> m_Keywords;
+    FilesBeside m_FilesBeside;
 };
 
 /// The whole life of the process: until the other side is gone.
@@ -329,6 +332,7 @@ ShaderProgram CompilerProcess::Compile(const PassProgram& program,
     Transfer(request, program);
     request.List(std::vector(keywords.begin(), keywords.end()),
                  [&](const std::string& keyword) { request.Value(keyword); });
+    Transfer(request, resolver.filesBeside());
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     {

@@ -126,6 +126,17 @@ void TransferDependencies(Stream& stream, Dependencies& dependencies)
                 });
 }
 
+template <typename Stream, typename Files>
+void TransferFiles(Stream& stream, Files& files)
+{
+    stream.List(files,
+                [&](auto& file)
+                {
+                    stream.Value(file.name);
+                    stream.Value(file.text);
+                });
+}
+
 template <typename Stream, typename Place>
 void TransferPlaced(Stream& stream, Place& place)
 {
@@ -202,6 +213,16 @@ void Transfer(ByteReader& stream, PassProgram& program)
 void Transfer(ByteReader& stream, std::vector<IncludeDependency>& dependencies)
 {
     TransferDependencies(stream, dependencies);
+}
+
+void Transfer(ByteWriter& stream, const FilesBeside& files)
+{
+    TransferFiles(stream, files);
+}
+
+void Transfer(ByteReader& stream, FilesBeside& files)
+{
+    TransferFiles(stream, files);
 }
 
 } // namespace limn

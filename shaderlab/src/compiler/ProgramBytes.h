@@ -23,4 +23,7 @@ void Transfer(ByteReader& stream, PassProgram& program);
 void Transfer(ByteWriter& stream, const std::vector<IncludeDependency>& dependencies);
 void Transfer(ByteReader& stream, std::vector<IncludeDependency>& dependencies);
 
+void Transfer(ByteWriter& stream, const FilesBeside& files);
+void Transfer(ByteReader& stream, FilesBeside& files);
+
 } // namespace limn

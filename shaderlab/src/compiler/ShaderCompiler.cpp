@@ -35,16 +35,18 @@ std::string HashName(const std::string& text)
 std::string CacheKey(const PassProgram& program, std::span<const std::string> keywords,
                      const ShaderCompilerOptions& options)
 {
-    std::vector<std::string> parts = {std::to_string(k_CompilerVersion),
-                                      std::to_string(HashLibrary()),
-                                      std::filesystem::absolute(program.file).string(),
-                                      options.projectRoot.string(),
-                                      program.language == ProgramLanguage::Cg ? "cg" : "hlsl",
-                                      program.vertex.name,
-                                      program.fragment.name,
-                                      program.geometry.name,
-                                      program.kernel.name,
-                                      std::to_string(program.target)};
+    std::vector<std::string> parts = {
+        std::to_string(k_CompilerVersion),
+        std::to_string(HashLibrary()),
+        std::filesystem::absolute(program.file).string(),
+        std::to_string(HashFilesBeside(FilesBesideShader(program.file))),
+        options.projectRoot.string(),
+        program.language == ProgramLanguage::Cg ? "cg" : "hlsl",
+        program.vertex.name,
+        program.fragment.name,
+        program.geometry.name,
+        program.kernel.name,
+        std::to_string(program.target)};
     for (const auto& [name, folder] : options.packages)
     {
         parts.push_back(name + "=" + folder.string());

@@ -136,6 +136,7 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                                                : options.projectRoot)
 {
     m_ShaderFolder = std::filesystem::path(shaderFile).parent_path();
+    m_FilesBeside = FilesBesideShader(shaderFile);
     const std::filesystem::path file = std::filesystem::absolute(shaderFile);
     for (const std::filesystem::path& folder : options.includeFolders)
     {
@@ -163,6 +164,10 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     {
         m_Refusal = "an absolute path; write it from this file or from the project's folder";
         return std::nullopt;
+    }
+    if (const FileBeside* file = FindBeside(path, includer))
+    {
+        return IncludedFile{file->name, file->text};
     }
     const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
     const std::string beside = (folder / path).lexically_normal().generic_string();
@@ -202,6 +207,21 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     return std::nullopt;
 }
 
+const FileBeside* IncludeResolver::FindBeside(const std::string& include,
+                                              std::string_view includer) const
+{
+    const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
+    for (const std::filesystem::path& from : {folder, m_ShaderFolder})
+    {
+        const std::string name = (from / include).lexically_normal().generic_string();
+        if (const FileBeside* file = FindFileBeside(m_FilesBeside, name))
+        {
+            return file;
+        }
+    }
+    return FindFileOfProject(m_FilesBeside, include);
+}
+
 /// `Packages/name/…` of a package that the project brings along. What the built-in library stands
 /// in for is taken from there only: limn feeds the values that its own files name.
 std::optional<IncludedFile> IncludeResolver::FindInPackage(std::string_view include)
@@ -237,6 +257,10 @@ void IncludeResolver::AddDependency(const IncludeDependency& dependency)
 
 std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
 {
+    if (const FileBeside* file = FindFileBeside(m_FilesBeside, name))
+    {
+        return IncludedFile{file->name, file->text};
+    }
     const EmbeddedFile* embedded = FindEmbedded(name);
     return embedded ? IncludedFile{name, std::string(embedded->text), true} : ReadFromDisk(name);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "program/FilesBeside.h"
 #include "program/PackageFolders.h"
 
 #include <limn/shaderlab/FileRoots.h>
@@ -39,7 +40,8 @@ std::uint64_t HashLibrary();
 /// Why a file is not included, for a message: what refusal() says, or that there is no such file.
 std::string ReasonNotIncluded(std::string_view name, std::string_view refusal);
 
-/// Finds what #include names, the way Unity does: beside the including file, beside the .shader
+/// Finds what #include names, the way Unity does: among the files that a program holds beside a
+/// shader of its own; beside the including file, beside the .shader
 /// file, from the project root and its packages, from the Unity project around the shader, and in
 /// the built-in library; names may differ in case. One resolver serves one compilation.
 class IncludeResolver
@@ -59,6 +61,10 @@ public:
 
     const std::vector<IncludeDependency>& dependencies() const { return m_Dependencies; }
 
+    const FilesBeside& filesBeside() const { return m_FilesBeside; }
+    /// In a process that does not know them.
+    void SetFilesBeside(FilesBeside files) { m_FilesBeside = std::move(files); }
+
     /// Takes over what another resolver looked for, for the same shader.
     void SetDependencies(std::vector<IncludeDependency> dependencies)
     {
@@ -70,10 +76,12 @@ private:
                                                   const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
     std::optional<IncludedFile> FindInPackage(std::string_view include);
+    const FileBeside* FindBeside(const std::string& include, std::string_view includer) const;
     void AddDependency(const IncludeDependency& dependency);
 
     const ShaderCompilerOptions& m_Options;
     std::filesystem::path m_ShaderFolder;
+    FilesBeside m_FilesBeside;
     FileRoots m_Roots;
     std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
     PackageFolders m_Packages;

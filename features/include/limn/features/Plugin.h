@@ -49,7 +49,9 @@ struct Plugin
     const char* standardLibrary; ///< LIMN_STANDARD_LIBRARY
     std::uint64_t layout;        ///< PluginLayout()
     void (*registerFeatures)(FeatureRegistry&, VolumeComponentRegistry&);
-    std::span<const EmbeddedFile> (*shaders)(); ///< null = none
+    std::span<const EmbeddedFile> (*shaders)(); ///< and what they include; null = none
+    const char* name;              ///< "Glow.so", by limn_add_feature; "" without shaders
+    const char* (*shaderFolder)(); ///< where the shaders were embedded from; null = nowhere
 };
 
 /// Why a plug-in cannot be used by this limn, "" if it can. Reads nothing behind the version if
@@ -57,7 +59,9 @@ struct Plugin
 std::string PluginProblem(const Plugin& plugin);
 
 /// Registers a plug-in's features and volume components, and adds its shaders to ShippedShaders()
-/// unless they are there from an earlier call. Before scenes are loaded, by one thread at a time.
+/// unless they are there from an earlier call. Messages call a shader "Glow.so/X.shader"; what it
+/// includes is looked for among the files of its plug-in first. Before scenes are loaded, by one
+/// thread at a time.
 /// @param older  of the same plug-in, whose shaders make way; null = none
 /// @throws ContractError if the name of a feature, a component or a shader is taken
 /// @throws AssetError if a shader does not parse
@@ -70,10 +74,13 @@ void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentR
 namespace limn::embedded
 {
 std::span<const EmbeddedFile> LIMN_PLUGIN_SHADERS();
-}
-#define LIMN_PLUGIN_SHADERS_OR_NULL &limn::embedded::LIMN_PLUGIN_SHADERS
+const char* LIMN_PLUGIN_SHADER_FOLDER();
+} // namespace limn::embedded
+#define LIMN_PLUGIN_SHADER_MEMBERS                                                                 \
+    &limn::embedded::LIMN_PLUGIN_SHADERS, LIMN_PLUGIN_NAME,                                        \
+        &limn::embedded::LIMN_PLUGIN_SHADER_FOLDER
 #else
-#define LIMN_PLUGIN_SHADERS_OR_NULL nullptr
+#define LIMN_PLUGIN_SHADER_MEMBERS nullptr, "", nullptr
 #endif
 
 extern "C"
@@ -93,6 +100,6 @@ extern "C"
     static void LimnRegisterPlugin(limn::FeatureRegistry&, limn::VolumeComponentRegistry&);        \
     const limn::Plugin limn_plugin = {LIMN_VERSION_TEXT, LIMN_STANDARD_LIBRARY,                    \
                                       limn::PluginLayout(), &LimnRegisterPlugin,                   \
-                                      LIMN_PLUGIN_SHADERS_OR_NULL};                                \
+                                      LIMN_PLUGIN_SHADER_MEMBERS};                                 \
     static void LimnRegisterPlugin([[maybe_unused]] limn::FeatureRegistry& features,               \
                                    [[maybe_unused]] limn::VolumeComponentRegistry& components)

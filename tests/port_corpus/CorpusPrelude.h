@@ -1,0 +1,15 @@
+#pragma once
+
+// What the skeletons include, outside of the namespaces that each of them is put in here.
+#include <limn/core/ComputeShader.h>
+#include <limn/core/Mathf.h>
+#include <limn/core/RenderGraph.h>
+#include <limn/core/ScriptableRenderer.h>
+#include <limn/features/Plugin.h>
+#include <limn/limn.h>
+
+// One program is no plug-in: what each registers is a function of its namespace.
+#undef LIMN_PLUGIN
+#define LIMN_PLUGIN(features, components)                                                          \
+    static void LimnRegisterPlugin([[maybe_unused]] limn::FeatureRegistry& features,               \
+                                   [[maybe_unused]] limn::VolumeComponentRegistry& components)
