@@ -204,7 +204,7 @@ TEST_F(OutlineGpu, MasksExactlyTheTexelsWhoseCentresAQuadCovers)
         for (int x = 0; x < 32; ++x)
         {
             const double worldX = -2.0 + (x + 0.5) / 8.0;
-            const double worldY = 2.0 - (y + 0.5) / 8.0;
+            const double worldY = -2.0 + (y + 0.5) / 8.0; // the bottom row first
             const bool inside = worldX > 0.5 && worldX < 1.5 && worldY > -1.0 && worldY < 0.0;
             EXPECT_EQ(mask.At(x, y), inside ? 1.0 : 0.0) << x << ", " << y;
         }

@@ -224,7 +224,8 @@ protected:
         camera.fieldOfView = 60.0f;
     }
 
-    /// The z of the view translation, and the vertical scale of the projection, draw by draw.
+    /// The z of the view translation, and the vertical scale of the projection, which is turned over
+    /// for a texture, draw by draw.
     std::vector<std::pair<float, float>> Seen()
     {
         const RenderResult result = Render();
@@ -281,9 +282,9 @@ TEST_F(RenderObjectsCamera, IsItsOwnForItsObjectsAndRestoredAfterwards)
     const auto values = Seen();
     ASSERT_EQ(values.size(), 2u);
     EXPECT_NEAR(values[0].first, 2.0f, 1e-6);
-    EXPECT_NEAR(values[0].second, 1.0f, 1e-6);
+    EXPECT_NEAR(values[0].second, -1.0f, 1e-6);
     EXPECT_NEAR(values[1].first, 0.0f, 1e-6);
-    EXPECT_NEAR(values[1].second, 1.7320508f, 1e-6);
+    EXPECT_NEAR(values[1].second, -1.7320508f, 1e-6);
 }
 
 TEST_F(RenderObjectsCamera, StaysWhereItIsNotRestored)
@@ -292,7 +293,7 @@ TEST_F(RenderObjectsCamera, StaysWhereItIsNotRestored)
     const auto values = Seen();
     ASSERT_EQ(values.size(), 2u);
     EXPECT_NEAR(values[1].first, 2.0f, 1e-6);
-    EXPECT_NEAR(values[1].second, 1.0f, 1e-6);
+    EXPECT_NEAR(values[1].second, -1.0f, 1e-6);
 }
 
 } // namespace
