@@ -41,6 +41,7 @@ std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sourc
     }
     std::vector<const CSharpClass*> types = TopLevel(model, PortRole::Enum);
     std::ranges::copy(TopLevel(model, PortRole::Data), std::back_inserter(types));
+    std::ranges::copy(TopLevel(model, PortRole::Context), std::back_inserter(types));
     WriteTypes(code, types);
     for (const CSharpClass* component : TopLevel(model, PortRole::Component))
     {

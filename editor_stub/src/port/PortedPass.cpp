@@ -204,6 +204,20 @@ bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
     return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
 }
 
+/// Whether C++ has one of the methods that limn runs.
+bool HasWork(const PortModel& model, const CSharpClass& one)
+{
+    return std::ranges::any_of(one.methods,
+                               [&](const CSharpMethod& method)
+                               {
+                                   const bool isWork = method.name == "Execute" ||
+                                                       method.name == "RecordRenderGraph";
+                                   return isWork && method.isOverride &&
+                                          !IsCompatibilityMethod(one, method) &&
+                                          SignatureOf(model, one, method);
+                               });
+}
+
 } // namespace
 
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
@@ -358,6 +372,13 @@ void WritePass(PortedCode& code, const CSharpClass& one)
         }
         method.isConstructor() && !method.isStatic ? WriteConstructor(code, one, method)
                                                    : WriteMethod(code, one, method);
+    }
+    if (!HasWork(model, one))
+    {
+        code.Line();
+        code.Open("void Execute(ScriptableRenderContext&, RenderingData&) override");
+        code.Line("// TODO " + place + ": the work; limn draws no pass without one of its own");
+        code.Close();
     }
     code.Close("};");
     code.Line();
