@@ -19,8 +19,9 @@ const std::shared_ptr<const Mesh>& BlitQuad()
     static const auto quad = []
     {
         MeshData data;
-        data.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}};
-        data.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+        // From the corner at which Blit.hlsl's triangle begins: devices round coordinates alike.
+        data.vertices = {{0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}};
+        data.uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
         data.triangles = {0, 1, 2, 0, 2, 3};
         return std::make_shared<const Mesh>("Blit Quad", std::move(data));
     }();

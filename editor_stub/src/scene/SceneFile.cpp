@@ -37,6 +37,12 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     const YamlNode* lights = map.Find("maxAdditionalLightsCount");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
+    if (const YamlNode* version = map.Find("pipelineVersion"))
+    {
+        asset.pipelineVersion =
+            ReadInt(*version, "pipelineVersion", diagnostics, scene_keys::k_PipelineVersions)
+                .value_or(asset.pipelineVersion);
+    }
     for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
                                      std::pair(scale, "renderScale: it comes"),
                                      std::pair(lights, "maxAdditionalLightsCount: it comes"),
@@ -60,12 +66,6 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         asset.maxAdditionalLightsCount =
             ReadInt(*lights, "maxAdditionalLightsCount", diagnostics, scene_keys::k_LightLimits)
                 .value_or(0);
-    }
-    if (const YamlNode* version = map.Find("pipelineVersion"))
-    {
-        asset.pipelineVersion =
-            ReadInt(*version, "pipelineVersion", diagnostics, scene_keys::k_PipelineVersions)
-                .value_or(asset.pipelineVersion);
     }
     if (shadows)
     {

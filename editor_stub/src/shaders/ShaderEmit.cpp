@@ -13,10 +13,19 @@ namespace limn
 namespace
 {
 
+/// Returns options with which the text has plain `min` and `max`, as a person would write them:
+/// what they give for NaN is left to the language that is emitted.
+spirv_cross::CompilerGLSL::Options PlainOptions()
+{
+    spirv_cross::CompilerGLSL::Options options;
+    options.relax_nan_checks = true;
+    return options;
+}
+
 std::string ToGlsl(std::vector<std::uint32_t> spirv)
 {
     spirv_cross::CompilerGLSL compiler(std::move(spirv));
-    spirv_cross::CompilerGLSL::Options options;
+    spirv_cross::CompilerGLSL::Options options = PlainOptions();
     options.version = 450;
     options.vulkan_semantics = true;
     compiler.set_common_options(options);
@@ -33,7 +42,7 @@ std::uint32_t EsVersion(const spirv_cross::CompilerGLSL& compiler)
 std::string ToGlslEs(std::vector<std::uint32_t> spirv)
 {
     spirv_cross::CompilerGLSL compiler(std::move(spirv));
-    spirv_cross::CompilerGLSL::Options options;
+    spirv_cross::CompilerGLSL::Options options = PlainOptions();
     options.es = true;
     options.version = EsVersion(compiler);
     options.emit_push_constant_as_uniform_buffer = true;
@@ -51,6 +60,7 @@ std::string ToHlsl(std::vector<std::uint32_t> spirv)
     spirv_cross::CompilerHLSL compiler(std::move(spirv));
     spirv_cross::CompilerHLSL::Options options;
     options.shader_model = 50;
+    compiler.set_common_options(PlainOptions());
     compiler.set_hlsl_options(options);
     return compiler.compile();
 }
@@ -58,6 +68,7 @@ std::string ToHlsl(std::vector<std::uint32_t> spirv)
 std::string ToMsl(std::vector<std::uint32_t> spirv)
 {
     spirv_cross::CompilerMSL compiler(std::move(spirv));
+    compiler.set_common_options(PlainOptions());
     spirv_cross::CompilerMSL::Options options;
     options.set_msl_version(2, 1);
     compiler.set_msl_options(options);

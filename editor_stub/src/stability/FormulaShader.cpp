@@ -71,7 +71,7 @@ float limn_Shown(float x) { return x > 0.0 ? min(x, 1.0) : 0.0; }
 )";
 
 constexpr const char* k_End = R"(
-    uint bits = asuint(input.positionCS.y < 1.0 ? first : second);
+    uint bits = asuint(input.positionCS.y < 1.0 ? second : first);
     return float4(bits >> 22, bits >> 11 & 2047, bits & 2047, 1);
 }
 ENDHLSL

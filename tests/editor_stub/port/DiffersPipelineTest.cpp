@@ -32,7 +32,7 @@ public:
         EXPECT_TRUE(renderer.cameraColorTargetHandle().rt());
         EXPECT_TRUE(renderer.cameraDepthTargetHandle().rt());
         EXPECT_EQ(renderer.cameraColorTarget(),
-                  RenderTargetIdentifier(BuiltinRenderTextureType::CameraTarget));
+                  RenderTargetIdentifier(BuiltinRenderTextureType::CameraColor));
         EXPECT_EQ(renderer.cameraDepthTarget(), renderer.cameraDepthTargetHandle().nameID());
         EXPECT_EQ(renderer.rendererFeatures().size(), 1u);
         EXPECT_EQ(data.cameraData.aspectRatio, 2.0f);

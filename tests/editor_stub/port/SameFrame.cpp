@@ -47,6 +47,11 @@ void SameLines::Frame()
     SAME("CameraData.GetProjectionMatrix", cameraData.GetProjectionMatrix());
     SAME("CameraData.GetProjectionMatrixNoJitter", cameraData.GetProjectionMatrixNoJitter());
     SAME("CameraData.GetViewMatrix", cameraData.GetViewMatrix());
+    SAME("CameraData.IsCameraProjectionMatrixFlipped",
+         cameraData.IsCameraProjectionMatrixFlipped());
+    SAME("CameraData.IsHandleYFlipped", cameraData.IsHandleYFlipped(RTHandle()));
+    SAME("CameraData.IsRenderTargetProjectionMatrixFlipped",
+         cameraData.IsRenderTargetProjectionMatrixFlipped(RTHandle(), RTHandle()));
     SAME("CameraData.aspectRatio", cameraData.aspectRatio);
     SAME("CameraData.backgroundColor", cameraData.backgroundColor);
     SAME("CameraData.camera", cameraData.camera);
@@ -360,6 +365,11 @@ void SameLines::Frame()
          universalCameraData.GetGPUProjectionMatrixNoJitter());
     SAME("UniversalCameraData.GetProjectionMatrix", universalCameraData.GetProjectionMatrix());
     SAME("UniversalCameraData.GetViewMatrix", universalCameraData.GetViewMatrix());
+    SAME("UniversalCameraData.IsCameraProjectionMatrixFlipped",
+         universalCameraData.IsCameraProjectionMatrixFlipped());
+    SAME("UniversalCameraData.IsHandleYFlipped", universalCameraData.IsHandleYFlipped(RTHandle()));
+    SAME("UniversalCameraData.IsRenderTargetProjectionMatrixFlipped",
+         universalCameraData.IsRenderTargetProjectionMatrixFlipped(RTHandle(), RTHandle()));
     SAME("UniversalCameraData.aspectRatio", universalCameraData.aspectRatio);
     SAME("UniversalCameraData.backgroundColor", universalCameraData.backgroundColor);
     SAME("UniversalCameraData.camera", universalCameraData.camera);
