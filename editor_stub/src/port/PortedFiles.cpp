@@ -94,13 +94,13 @@ std::string PortedSource(PortedCode& code)
     code.Open("LIMN_PLUGIN(features, components)");
     for (const CSharpClass* feature : features)
     {
-        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) + ">(\"" +
-                  RegisteredName(*feature) + "\");");
+        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) +
+                  ">(\"" + RegisteredName(*feature) + "\");");
     }
     for (const CSharpClass* component : TopLevel(model, PortRole::Component))
     {
-        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) + ">(\"" +
-                  RegisteredName(*component) + "\");");
+        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) +
+                  ">(\"" + RegisteredName(*component) + "\");");
     }
     code.Close();
     return std::move(code.text);
