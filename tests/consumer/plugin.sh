@@ -50,6 +50,11 @@ trap 'kill $watch 2>/dev/null || true' EXIT
 wait_for "watched.png 64x32" "$paint/lines"
 cmp "$paint/watched.png" "$paint.png"
 
+# A shader of the plug-in's is in it: what is said of a change, and no picture.
+echo '// a remark' >>"$paint/Paint.shader"
+wait_for "Paint.shader is compiled into $plugin; the picture shows the change once the plug-in is built again" "$paint/errors"
+[ "$(wc -l <"$paint/lines")" -eq 1 ] || fail "a picture was drawn of what did not change"
+
 echo '#error stop' >>"$paint/PaintRendererFeature.cpp"
 if cmake --build "$paint/build" >/dev/null 2>&1; then fail "what has an error was built"; fi
 rm -f "$plugin" # as some builds leave it

@@ -41,6 +41,7 @@ std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sourc
     }
     std::vector<const CSharpClass*> types = TopLevel(model, PortRole::Enum);
     std::ranges::copy(TopLevel(model, PortRole::Data), std::back_inserter(types));
+    std::ranges::copy(TopLevel(model, PortRole::Context), std::back_inserter(types));
     WriteTypes(code, types);
     for (const CSharpClass* component : TopLevel(model, PortRole::Component))
     {
@@ -93,13 +94,13 @@ std::string PortedSource(PortedCode& code)
     code.Open("LIMN_PLUGIN(features, components)");
     for (const CSharpClass* feature : features)
     {
-        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) + ">(\"" +
-                  RegisteredName(*feature) + "\");");
+        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) +
+                  ">(\"" + RegisteredName(*feature) + "\");");
     }
     for (const CSharpClass* component : TopLevel(model, PortRole::Component))
     {
-        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) + ">(\"" +
-                  RegisteredName(*component) + "\");");
+        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) +
+                  ">(\"" + RegisteredName(*component) + "\");");
     }
     code.Close();
     return std::move(code.text);

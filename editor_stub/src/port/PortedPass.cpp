@@ -204,12 +204,29 @@ bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
     return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
 }
 
+/// Whether C++ has one of the methods that limn runs.
+bool HasWork(const PortModel& model, const CSharpClass& one)
+{
+    return std::ranges::any_of(one.methods,
+                               [&](const CSharpMethod& method)
+                               {
+                                   const bool isWork = method.name == "Execute" ||
+                                                       method.name == "RecordRenderGraph";
+                                   return isWork && method.isOverride &&
+                                          !IsCompatibilityMethod(one, method) &&
+                                          SignatureOf(model, one, method);
+                               });
+}
+
 } // namespace
 
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
 {
-    const bool isHiding = one.FindField(name) || name == "renderPassEvent" ||
-                          name == "profilingSampler" || name == "name";
+    bool isHiding = name == "renderPassEvent" || name == "profilingSampler" || name == "name";
+    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    {
+        isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
+    }
     const std::string cpp = model.CppName(name);
     return isHiding && cpp == name ? name + "_" : cpp;
 }
@@ -247,8 +264,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         const auto& known = MethodsOf(model.RoleOf(one));
         const bool isHiding =
             std::ranges::any_of(known,
-                                [&](const KnownMethod& other)
-                                {
+                                [&](const KnownMethod& other) {
                                     return other.name == method.name &&
                                            other.parameters.size() == method.parameters.size();
                                 });
@@ -308,9 +324,12 @@ void WriteUsing(PortedCode& code, const CSharpClass& one)
     const bool isFeature = model.RoleOf(one) == PortRole::Feature;
     for (const KnownMethod& known : MethodsOf(model.RoleOf(one)))
     {
-        const bool isOverloaded = std::ranges::any_of(
-            one.methods, [&](const CSharpMethod& method)
-            { return method.name == known.name && SignatureOf(model, one, method) && !method.isOverride; });
+        const bool isOverloaded = std::ranges::any_of(one.methods,
+                                                      [&](const CSharpMethod& method) {
+                                                          return method.name == known.name &&
+                                                                 SignatureOf(model, one, method) &&
+                                                                 !method.isOverride;
+                                                      });
         if (isOverloaded)
         {
             code.Line(std::string("using ") +
@@ -358,6 +377,13 @@ void WritePass(PortedCode& code, const CSharpClass& one)
         }
         method.isConstructor() && !method.isStatic ? WriteConstructor(code, one, method)
                                                    : WriteMethod(code, one, method);
+    }
+    if (!HasWork(model, one))
+    {
+        code.Line();
+        code.Open("void Execute(ScriptableRenderContext&, RenderingData&) override");
+        code.Line("// TODO " + place + ": the work; limn draws no pass without one of its own");
+        code.Close();
     }
     code.Close("};");
     code.Line();

@@ -20,7 +20,7 @@ std::string FieldText(const PortModel& model, const CSharpClass& one, const CSha
 constexpr std::int64_t k_LargestInt = 2147483647;
 
 /// C# in a comment behind a line.
-std::string OneLine(std::string text)
+std::string InComment(std::string text)
 {
     std::ranges::replace_if(
         text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\\'; }, ' ');
@@ -241,9 +241,10 @@ void WriteEnum(PortedCode& code, const CSharpClass& one)
         const std::string name = model.CppName(entry.name);
         const bool isPlain = !isLarge && IsPlainEnumValue(entry.value);
         code.Line(text.empty() ? name + ","
-                  : !values[i] ? name + ", // TODO: = " + OneLine(text)
-                  : isPlain    ? name + " = " + text + ","
-                            : name + " = " + std::to_string(*values[i]) + ", // " + OneLine(text));
+                  : !values[i] ? name + ", // TODO: = " + InComment(text)
+                  : isPlain
+                      ? name + " = " + text + ","
+                      : name + " = " + std::to_string(*values[i]) + ", // " + InComment(text));
     }
     code.Close("};");
     model.Declare(one);

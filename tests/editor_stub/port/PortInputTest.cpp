@@ -227,8 +227,7 @@ TEST(PortInput, AColourWithHintsAndATooltipCompiles)
 {
     const Ported ported = PortMembers(
         "", "class V : VolumeComponent {\n"
-            "    [Tooltip(\"Why?"
-            "?!\")] public ColorParameter a = new ColorParameter(Color.red, "
+            "    [Tooltip(\"Why?\?!\")] public ColorParameter a = new ColorParameter(Color.red, "
             "true, true, true);\n"
             "    [Tooltip(\"T\")] public ColorParameter b = new ColorParameter(Color.red);\n"
             "    public ColorParameter c = new ColorParameter(Color.red, hdr: true, showAlpha: "
