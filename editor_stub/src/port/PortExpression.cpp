@@ -98,12 +98,12 @@ private:
             {
                 return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
             }
-            const bool isBits = wanted == "RenderingLayerMask" && value.cpp[0] != '-' &&
-                                value.cpp[0] != '~';
-            return isBits ? Result(PortValue{
-                                wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"),
-                                wanted})
-                          : std::nullopt;
+            const bool isBits =
+                wanted == "RenderingLayerMask" && value.cpp[0] != '-' && value.cpp[0] != '~';
+            return isBits
+                       ? Result(PortValue{
+                             wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted})
+                       : std::nullopt;
         }
         if (value.type == "null")
         {
@@ -306,7 +306,9 @@ private:
         }
         if (arguments.empty())
         {
-            return type == "ProfilingSampler" ? std::nullopt : Result(PortValue{*cpp + PortModel::CppDefault(*cpp), type});
+            return type == "ProfilingSampler"
+                       ? std::nullopt
+                       : Result(PortValue{*cpp + PortModel::CppDefault(*cpp), type});
         }
         const auto count = counts.find(type);
         const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
@@ -412,8 +414,7 @@ private:
                      m_Model.isDeclared(*field))
             {
                 const bool isVariable = value.isVariable;
-                value = {value.cpp + dot + m_Model.CppName(field->name),
-                         field->type};
+                value = {value.cpp + dot + m_Model.CppName(field->name), field->type};
                 value.isVariable = isVariable;
                 value.isPointer = m_Model.isShared(*own, *field);
             }

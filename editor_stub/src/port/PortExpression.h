@@ -13,10 +13,10 @@ namespace limn
 struct PortValue
 {
     std::string cpp;
-    std::string type;         ///< of C#
-    bool isLiteral = false;   ///< a number
-    bool isVariable = false;  ///< has an address
-    bool isPointer = false;   ///< to what the type says
+    std::string type;        ///< of C#
+    bool isLiteral = false;  ///< a number
+    bool isVariable = false; ///< has an address
+    bool isPointer = false;  ///< to what the type says
 };
 
 /// The names that stand for something where an expression stands.

@@ -197,8 +197,9 @@ std::string TargetName(const std::string& name)
         plain += byte < 0x80 ? std::string(1, c)
                              : std::string("x") + k_Digits[byte / 16] + k_Digits[byte % 16];
     }
-    const bool isTaken = IsIn(plain, {"all", "clean", "test", "install", "package", "help", "edit_cache",
-                                      "rebuild_cache", "package_source", "list_install_components"});
+    const bool isTaken =
+        IsIn(plain, {"all", "clean", "test", "install", "package", "help", "edit_cache",
+                     "rebuild_cache", "package_source", "list_install_components"});
     return isTaken ? plain + "_" : plain;
 }
 
@@ -251,9 +252,12 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
 void PortModel::Place(const CSharpFile& file, const CSharpClass& one)
 {
     const PortContext context(*this, one);
-    const bool isAgain = std::ranges::any_of(
-        m_Index.all(), [&](const CSharpClass* other)
-        { return other->name == one.name && OuterOf(*other) == OuterOf(one) && m_Places.contains(other); });
+    const bool isAgain = std::ranges::any_of(m_Index.all(),
+                                             [&](const CSharpClass* other) {
+                                                 return other->name == one.name &&
+                                                        OuterOf(*other) == OuterOf(one) &&
+                                                        m_Places.contains(other);
+                                             });
     m_Places[&one] = {&file, isAgain ? PortRole::Other : ChooseRole(one)};
     for (const CSharpClass& nested : one.classes)
     {
@@ -422,7 +426,8 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
     const auto cpp = CppType(type);
     const bool isSmall =
         cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own ||
+                *cpp == "RenderPassEvent" || *cpp == "LayerMask");
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
 }
 
