@@ -222,7 +222,7 @@ const std::shared_ptr<const Mesh>& RenderingUtils::fullscreenMesh()
     {
         MeshData data;
         data.vertices = {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}};
-        data.uv = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+        data.uv = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
         data.triangles = {0, 1, 2, 0, 2, 3};
         return std::make_shared<const Mesh>("Fullscreen Quad", std::move(data));
     }();

@@ -98,7 +98,7 @@ TEST_F(BlitGpu, IsTheSameWithTheFullscreenMesh)
 {
     cmd.Blit(other, source, BlitMaterial("float4(floor(i.pos.xy) * 20.0 / 255.0, 1, 0.4)"));
     cmd.SetRenderTarget(dest);
-    cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
+    cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::dmat4(1.0)); // as C# has it
     cmd.SetGlobalTexture("_MainTex", source);
     cmd.DrawMesh(RenderingUtils::fullscreenMesh(), glm::mat4(1.0f),
                  BlitMaterial("tex2D(_MainTex, i.uv)"));
