@@ -197,10 +197,10 @@ bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target)
     }
     if (IsOfUniversalPipeline(version.subject))
     {
-        return version.numbers.empty() ? version.subject.find("COMPATIBILITY") ==
-                                                 std::string_view::npos ||
-                                             target.urp() < 17
-                                       : version.isMetBy({target.urp()});
+        return version.numbers.empty()
+                   ? version.subject.find("COMPATIBILITY") == std::string_view::npos ||
+                         target.urp() < 17
+                   : version.isMetBy({target.urp()});
     }
     return symbol == "UNITY_STANDALONE" || symbol == "UNITY_64" ||
            (target.isUnknownDefined && !symbol.starts_with("UNITY_"));

@@ -36,8 +36,8 @@ public:
         {
             m_Types = std::max(m_Types - 1, 0);
         }
-        else if (!token.isName() && std::string_view(",.?[]()*::").find(token.text) ==
-                                        std::string_view::npos)
+        else if (!token.isName() &&
+                 std::string_view(",.?[]()*::").find(token.text) == std::string_view::npos)
         {
             m_Types = 0;
         }
@@ -95,7 +95,8 @@ void MakeUtf8(std::string& text)
     for (std::size_t at = 0; at < text.size();)
     {
         const std::size_t length = CharacterLength(std::string_view(text).substr(at));
-        const bool isMark = at == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
+        const bool isMark =
+            at == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
         if (length == 0 && isMark)
         {
             return; // UTF-16, which the tokenizer refuses

@@ -27,7 +27,7 @@ struct CSharpField
     bool isConst = false;
     bool isReadonly = false;
     bool isProperty = false; ///< { get; set; }
-    std::string type; ///< without spaces, '?' and namespaces: "List<ShaderTagId>"
+    std::string type;        ///< without spaces, '?' and namespaces: "List<ShaderTagId>"
     std::string name;
     SourceLocation location; ///< of the name
     CSharpWords value;       ///< what it begins with; empty where it is not said

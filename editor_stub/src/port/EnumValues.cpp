@@ -120,15 +120,16 @@ private:
         const CSharpToken& word = *m_At++;
         const auto member = m_Members.find(word.text);
         return word.isName() && member != m_Members.end() ? Number(member->second)
-               : word.kind == CSharpTokenKind::Number      ? Literal(word.text)
-                                                           : std::nullopt;
+               : word.kind == CSharpTokenKind::Number     ? Literal(word.text)
+                                                          : std::nullopt;
     }
 
     static Number Literal(std::string_view word)
     {
         std::string text(word);
         std::erase(text, '_');
-        while (!text.empty() && std::string_view("uUlL").find(text.back()) != std::string_view::npos)
+        while (!text.empty() &&
+               std::string_view("uUlL").find(text.back()) != std::string_view::npos)
         {
             text.pop_back();
         }

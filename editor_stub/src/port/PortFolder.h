@@ -19,8 +19,8 @@ struct PortFolder
 {
     std::vector<PortedFile> files;
     std::vector<UsedMember> uses; ///< what PORTING.md has in its table
-    int left = 0; ///< TODOs in the C++: bodies, members, settings and the like
-    int done = 0; ///< settings, parameters, passes and the like that are C++
+    int left = 0;                 ///< TODOs in the C++: bodies, members, settings and the like
+    int done = 0;                 ///< settings, parameters, passes and the like that are C++
 };
 
 /// Writes the C++ of the files' features: settings, parameters, passes, events; bodies as comments.

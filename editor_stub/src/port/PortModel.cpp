@@ -87,102 +87,23 @@ bool IsSameType(std::string_view type)
 
 bool IsCppWord(std::string_view word)
 {
-    static const std::set<std::string_view> words = {"alignas",
-                                                     "alignof",
-                                                     "and",
-                                                     "and_eq",
-                                                     "asm",
-                                                     "auto",
-                                                     "bitand",
-                                                     "bitor",
-                                                     "bool",
-                                                     "catch",
-                                                     "char",
-                                                     "char8_t",
-                                                     "char16_t",
-                                                     "char32_t",
-                                                     "class",
-                                                     "compl",
-                                                     "concept",
-                                                     "consteval",
-                                                     "constexpr",
-                                                     "constinit",
-                                                     "const_cast",
-                                                     "co_await",
-                                                     "co_return",
-                                                     "co_yield",
-                                                     "decltype",
-                                                     "default",
-                                                     "delete",
-                                                     "double",
-                                                     "dynamic_cast",
-                                                     "enum",
-                                                     "explicit",
-                                                     "export",
-                                                     "extern",
-                                                     "float",
-                                                     "friend",
-                                                     "inline",
-                                                     "int",
-                                                     "long",
-                                                     "mutable",
-                                                     "namespace",
-                                                     "new",
-                                                     "noexcept",
-                                                     "not",
-                                                     "not_eq",
-                                                     "nullptr",
-                                                     "operator",
-                                                     "or",
-                                                     "or_eq",
-                                                     "private",
-                                                     "protected",
-                                                     "public",
-                                                     "register",
-                                                     "reinterpret_cast",
-                                                     "requires",
-                                                     "short",
-                                                     "signed",
-                                                     "sizeof",
-                                                     "static",
-                                                     "static_assert",
-                                                     "static_cast",
-                                                     "struct",
-                                                     "switch",
-                                                     "template",
-                                                     "this",
-                                                     "thread_local",
-                                                     "throw",
-                                                     "try",
-                                                     "typedef",
-                                                     "typeid",
-                                                     "typename",
-                                                     "union",
-                                                     "unsigned",
-                                                     "using",
-                                                     "virtual",
-                                                     "void",
-                                                     "volatile",
-                                                     "wchar_t",
-                                                     "while",
-                                                     "xor",
-                                                     "xor_eq",
-                                                     "linux",
-                                                     "unix",
-                                                     "NULL",
-                                                     "EOF",
-                                                     "errno",
-                                                     "assert",
-                                                     "stdin",
-                                                     "stdout",
-                                                     "stderr",
-                                                     "major",
-                                                     "minor",
-                                                     "std",
-                                                     "glm",
-                                                     "limn",
-                                                     "Header",
-                                                     "Describe"};
+    // clang-format off
+    static const std::set<std::string_view> words = {
+        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "catch",
+        "char", "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "consteval",
+        "constexpr", "constinit", "const_cast", "co_await", "co_return", "co_yield", "decltype",
+        "default", "delete", "double", "dynamic_cast", "enum", "explicit", "export", "extern",
+        "float", "friend", "inline", "int", "long", "mutable", "namespace", "new", "noexcept",
+        "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public",
+        "register", "reinterpret_cast", "requires", "short", "signed", "sizeof", "static",
+        "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local",
+        "throw", "try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual",
+        "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix", "NULL", "EOF",
+        "errno", "assert", "stdin", "stdout", "stderr", "major", "minor", "std", "glm", "limn",
+        "Header", "Describe", "const", "break", "case", "continue", "do", "else", "false", "for",
+        "goto", "if", "return", "true", "INFINITY", "NAN", "HUGE_VAL", "OVERFLOW", "UNDERFLOW",
+        "DOMAIN", "BUFSIZ", "RAND_MAX", "TRUE", "FALSE"};
+    // clang-format on
     return words.contains(word);
 }
 
@@ -197,8 +118,9 @@ std::string TargetName(const std::string& name)
         plain += byte < 0x80 ? std::string(1, c)
                              : std::string("x") + k_Digits[byte / 16] + k_Digits[byte % 16];
     }
-    const bool isTaken = IsIn(plain, {"all", "clean", "test", "install", "package", "help", "edit_cache",
-                                      "rebuild_cache", "package_source", "list_install_components"});
+    const bool isTaken =
+        IsIn(plain, {"all", "clean", "test", "install", "package", "help", "edit_cache",
+                     "rebuild_cache", "package_source", "list_install_components"});
     return isTaken ? plain + "_" : plain;
 }
 
@@ -251,9 +173,12 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
 void PortModel::Place(const CSharpFile& file, const CSharpClass& one)
 {
     const PortContext context(*this, one);
-    const bool isAgain = std::ranges::any_of(
-        m_Index.all(), [&](const CSharpClass* other)
-        { return other->name == one.name && OuterOf(*other) == OuterOf(one) && m_Places.contains(other); });
+    const bool isAgain = std::ranges::any_of(m_Index.all(),
+                                             [&](const CSharpClass* other) {
+                                                 return other->name == one.name &&
+                                                        OuterOf(*other) == OuterOf(one) &&
+                                                        m_Places.contains(other);
+                                             });
     m_Places[&one] = {&file, isAgain ? PortRole::Other : ChooseRole(one)};
     for (const CSharpClass& nested : one.classes)
     {
@@ -422,7 +347,8 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
     const auto cpp = CppType(type);
     const bool isSmall =
         cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own || *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own ||
+                *cpp == "RenderPassEvent" || *cpp == "LayerMask");
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
 }
 

@@ -3,8 +3,8 @@
 #include "port/PortExpression.h"
 #include "port/PortModel.h"
 
-#include <string>
 #include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 

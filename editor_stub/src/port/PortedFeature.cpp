@@ -1,3 +1,4 @@
+#include "port/PlainText.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>
@@ -205,7 +206,8 @@ void WriteEnqueuing(PortedCode& code, const CSharpClass& one, const CSharpMethod
         const std::string name = code.model().CppName(field->name);
         const std::string renderer = LocalName(code.model(), one, method.parameters[0].name);
         const std::string data = LocalName(code.model(), one, method.parameters[1].name);
-        const std::string owner = one.FindField("name") ? "ScriptableRendererFeature::name" : "name";
+        const std::string owner =
+            one.FindField("name") ? "ScriptableRendererFeature::name" : "name";
         code.Open("if (" + name + ")");
         code.Line(renderer + ".EnqueuePass(*" + name + ");");
         code.Close();

@@ -2,7 +2,6 @@
 
 #include "port/CSharpWords.h"
 
-
 namespace limn
 {
 
@@ -14,11 +13,10 @@ constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
 /// Whether Unity's method takes a property's number first.
 bool TakesProperty(std::string_view method)
 {
-    constexpr std::string_view k_Beginnings[] = {"SetGlobal", "SetFloat",  "SetInt",
-                                                 "SetVector", "SetColor",  "SetTexture",
-                                                 "SetMatrix", "SetBuffer", "SetConstantBuffer",
-                                                 "GetFloat",  "GetInt",    "GetVector",
-                                                 "GetColor",  "GetMatrix", "GetTexture"};
+    constexpr std::string_view k_Beginnings[] = {
+        "SetGlobal",  "SetFloat",  "SetInt",    "SetVector",         "SetColor",
+        "SetTexture", "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat",
+        "GetInt",     "GetVector", "GetColor",  "GetMatrix",         "GetTexture"};
     return IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT",
                          "HasProperty", "RenderTargetIdentifier"}) ||
            std::ranges::any_of(k_Beginnings, [&](std::string_view beginning)
@@ -128,7 +126,8 @@ private:
         {
             return words[0].Is("Shader");
         }
-        const bool isAlone = words.size() == 1 || (words.size() > 1 && IsIn(words[1].text, {";", ",", ")"}));
+        const bool isAlone =
+            words.size() == 1 || (words.size() > 1 && IsIn(words[1].text, {";", ",", ")"}));
         const std::string* type =
             isAlone && words[0].isName() ? TypeOf(words[0].text, one, method) : nullptr;
         return type && *type == k_PropertyIdType;
@@ -152,8 +151,7 @@ private:
             Mark(*type);
         }
         const bool isFromName = words.size() > equals + 2 && words[equals + 2].Is(";");
-        std::string* from =
-            isFromName ? TypeOf(words[equals + 1].text, one, &method) : nullptr;
+        std::string* from = isFromName ? TypeOf(words[equals + 1].text, one, &method) : nullptr;
         if (type && from && *type == k_PropertyIdType)
         {
             Mark(*from);
@@ -170,8 +168,7 @@ private:
         }
         const auto arguments =
             SplitArguments(words.subspan(2, static_cast<std::size_t>(words[1].match) - 1));
-        if (TakesProperty(words[0].text) && arguments[0].size() == 1 &&
-            arguments[0][0].isName())
+        if (TakesProperty(words[0].text) && arguments[0].size() == 1 && arguments[0][0].isName())
         {
             if (std::string* type = TypeOf(arguments[0][0].text, one, &method))
             {
@@ -194,7 +191,8 @@ private:
         {
             for (CSharpMethod& method : one->methods)
             {
-                if (method.name == name && !method.isOverride && method.parameters.size() >= arguments)
+                if (method.name == name && !method.isOverride &&
+                    method.parameters.size() >= arguments)
                 {
                     Mark(method.parameters[index].type);
                 }

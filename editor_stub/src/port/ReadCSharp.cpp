@@ -36,8 +36,8 @@ bool HasFeature(const CSharpFiles& files)
 
 bool HasConditions(const CSharpFiles& files)
 {
-    return std::ranges::any_of(files, [](const auto& file)
-                               { return !file->tokens.conditions.empty(); });
+    return std::ranges::any_of(files,
+                               [](const auto& file) { return !file->tokens.conditions.empty(); });
 }
 
 } // namespace
@@ -49,8 +49,8 @@ ReadCSharpFiles ReadCSharp(const std::vector<std::pair<std::string, std::string>
     {
         return first;
     }
-    for (const CSharpTarget& target : {CSharpTarget{6000, 0, false}, CSharpTarget{2022, 3, true},
-                                       CSharpTarget{6000, 0, true}})
+    for (const CSharpTarget& target :
+         {CSharpTarget{6000, 0, false}, CSharpTarget{2022, 3, true}, CSharpTarget{6000, 0, true}})
     {
         ReadCSharpFiles read{ReadFor(texts, target), target};
         if (HasFeature(read.files))
