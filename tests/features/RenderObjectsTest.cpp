@@ -224,8 +224,8 @@ protected:
         camera.fieldOfView = 60.0f;
     }
 
-    /// The z of the view translation, and the vertical scale of the projection, which is turned over
-    /// for a texture, draw by draw.
+    /// The z of the view translation, and the vertical scale of the projection, which is turned
+    /// over for a texture, draw by draw.
     std::vector<std::pair<float, float>> Seen()
     {
         const RenderResult result = Render();

@@ -11,6 +11,7 @@
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/Features.h>
 #include <limn/features/RenderObjects.h>
+#include <limn/shaderlab/ReadFile.h>
 #include <map>
 
 namespace limn::test
@@ -42,7 +43,7 @@ inline EffectShaders LimnEffectShaders(const char* outline = "Limn/TranslucentOu
     return {shaders[outline], shaders["Limn/TranslucentSolid"]};
 }
 
-/// The article's own files; null where LIMN_CORPUS_DIR does not lead to them.
+/// The article's own files but for a sign; null where LIMN_CORPUS_DIR does not lead to them.
 inline EffectShaders ArticleShaders()
 {
     const char* corpus = std::getenv("LIMN_CORPUS_DIR");
@@ -52,7 +53,14 @@ inline EffectShaders ArticleShaders()
     {
         return {};
     }
-    return {Shader::Load(outline, EffectCompiler()),
+    // It takes the projection's vertical scale for positive, which Unity has negative in a texture.
+    std::string text = ReadFile(outline);
+    constexpr std::string_view k_Scale = "UNITY_MATRIX_P._m11";
+    for (std::size_t at = text.find(k_Scale); at != text.npos; at = text.find(k_Scale, at + 25))
+    {
+        text.replace(at, k_Scale.size(), "abs(" + std::string(k_Scale) + ")");
+    }
+    return {Shader::FromText(text, outline.string(), EffectCompiler()),
             Shader::Load(folder / "s1_GWMUnlitTransparentOutline.shader", EffectCompiler())};
 }
 

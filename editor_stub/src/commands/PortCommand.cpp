@@ -53,8 +53,8 @@ void NoteConditions(const ReadCSharpFiles& read, Console& console)
     {
         for (const CSharpCondition& condition : file->tokens.conditions)
         {
-            const std::string one = "'" + condition.text + "' is " +
-                                    (condition.isTrue ? "true" : "false");
+            const std::string one =
+                "'" + condition.text + "' is " + (condition.isTrue ? "true" : "false");
             if (std::ranges::find(said, one) == said.end())
             {
                 text += (said.empty() ? "" : ", ") + one;

@@ -33,6 +33,7 @@
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
+#include <limn/features/ShippedComputeShaders.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/features/Tonemapping.h>
 #include <limn/features/Vignette.h>

@@ -223,6 +223,7 @@ TEST_F(BuiltinFunctions, MovePositionsBetweenSpaces)
     grid.SetGlobal("_WorldSpaceCameraPos", {7, 8, 9});
     grid.SetGlobal("_MainLightPosition", {0, 0.6f, -0.8f, 0});
     grid.SetGlobal("_ScreenParams", {64, 32, 0, 0});
+    grid.SetGlobal("_ProjectionParams", {-1, 0.5f, 200, 0.005f}); // into a texture
     const glm::dmat4 v(view);
     const glm::dmat4 p(projection);
     const auto points = CombineVectors({{0, 0, 0}, {1, 2, 3}, {-10, 0.5, 1e-3}, {100, -70, 30}});

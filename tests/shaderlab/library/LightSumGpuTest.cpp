@@ -147,6 +147,7 @@ TEST_F(LightSum, LooksUpShadowsOfTheScreenForWhatIsOpaqueOnly)
     transparent.Run();
 
     FunctionGrid opaque(screen + LIMN_URP("Lighting"));
+    opaque.SetGlobal("_ProjectionParams", {-1, 0.5f, 200, 0.005f}); // into a texture
     opaque.SetGlobal("unity_MatrixVP", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
     opaque.Add("TransformWorldToShadowCoord(a.xyz)", CombineVectors({{0.5, -0.5, 0.25}}),
                [](auto&, auto&, auto&) { return glm::dvec4(0.75, 0.75, 0.25, 1.0); });

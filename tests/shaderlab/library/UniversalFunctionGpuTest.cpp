@@ -59,7 +59,7 @@ struct Stage
         grid.SetGlobal("glstate_matrix_projection", Floats(glm::mat4(projection)));
         grid.SetGlobal("unity_MatrixVP", Floats(glm::mat4(projection * view)));
         grid.SetGlobal("_WorldSpaceCameraPos", {1.0f, -0.5f, -5.0f});
-        grid.SetGlobal("_ProjectionParams", {1.0f, 0.5f, 100.0f, 0.01f});
+        grid.SetGlobal("_ProjectionParams", {-1.0f, 0.5f, 100.0f, 0.01f});
         grid.SetGlobal("_ScaledScreenParams",
                        {640.0f, 360.0f, 1.0f + 1 / 640.0f, 1.0f + 1 / 360.0f});
         grid.SetGlobal("_ScaleBiasRt", {-1.0f, 1.0f, -1.0f, 1.0f});

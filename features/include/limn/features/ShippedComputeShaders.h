@@ -10,7 +10,7 @@ namespace limn
 /// A compute shader that a loaded plug-in holds, by the name of its file: "Blur.compute"; null for
 /// any other name.
 /// @throws AssetError if it does not parse
-std::shared_ptr<ComputeShader>
-FindShippedComputeShader(std::string_view fileName, std::shared_ptr<ShaderCompiler> compiler);
+std::shared_ptr<ComputeShader> FindShippedComputeShader(std::string_view fileName,
+                                                        std::shared_ptr<ShaderCompiler> compiler);
 
 } // namespace limn
