@@ -53,7 +53,7 @@ echo 'cmake_minimum_required(VERSION 3.24)
 project(ported LANGUAGES C CXX)
 enable_testing()' > "$ported/CMakeLists.txt"
 for csharp in "$(dirname "$0")"/../editor_stub/data/port/*.cs \
-    "$(dirname "$0")"/../port_corpus/{MaskGlow,Silhouette}Feature.cs; do # with lines of a filter
+    "$(dirname "$0")"/../port_corpus/MaskGlowFeature.cs; do # with lines of a filter
     name=$(basename "$csharp" .cs)
     "$limn" port "$csharp" -o "$ported/$name" -q >/dev/null 2>&1
     echo "add_subdirectory($name)" >> "$ported/CMakeLists.txt"

@@ -30,10 +30,4 @@ std::optional<PortValue> Translate(const PortModel& model, const PortScope& scop
 /// The number of an attribute's argument; nothing for anything else.
 std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words);
 
-/// The text of a plain string word; nothing for any other.
-std::optional<std::string> PlainText(CSharpWords words);
-
-/// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.
-std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
-
 } // namespace limn

@@ -1,3 +1,4 @@
+#include "port/PlainText.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>

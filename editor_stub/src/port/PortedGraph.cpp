@@ -18,10 +18,10 @@ std::string ContextOf(const std::string& call)
 }
 
 /// One method with the passes that it adds.
-class GraphWriter
+class GraphMethodWriter
 {
 public:
-    GraphWriter(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+    GraphMethodWriter(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
         : m_Code(code),
           m_Model(code.model()),
           m_File(m_Model.FileOf(one)),
@@ -243,7 +243,7 @@ bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMeth
     {
         return false;
     }
-    GraphWriter(code, one, method).Write(std::move(passes));
+    GraphMethodWriter(code, one, method).Write(std::move(passes));
     return true;
 }
 

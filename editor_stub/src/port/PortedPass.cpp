@@ -242,6 +242,10 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
                                            const CSharpMethod& method)
 {
     const PortContext context(model, one);
+    if (one.FindField(method.name))
+    {
+        return std::nullopt; // no C#
+    }
     PortedSignature signature{"void", model.CppName(method.name), "(", false};
     std::vector<std::string> types;
     if (method.isOverride)

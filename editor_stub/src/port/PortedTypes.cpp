@@ -1,5 +1,6 @@
 #include "port/CSharpWords.h"
 #include "port/EnumValues.h"
+#include "port/PlainText.h"
 #include "port/PortedCode.h"
 #include "port/PropertyIds.h"
 
@@ -257,6 +258,11 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     const std::string name = model.CppName(field.name);
     const std::string place = model.Place(one, field.location);
     const std::string csharp = FieldText(model, one, field);
+    if (one.FindField(field.name) != &field)
+    {
+        code.Todo("a second member of this name", place, csharp + ";");
+        return;
+    }
     if (model.isShared(one, field) && model.CppType(field.type))
     {
         code.Line(*model.CppType(field.type) + "* " + name + " = nullptr;");

@@ -6,12 +6,7 @@
 #include <limn/core/ProfilingScope.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/ScriptableRendererFeature.h>
-#include <limn/shaderlab/EmbeddedFile.h>
-
-namespace limn::embedded
-{
-std::span<const EmbeddedFile> porting_compute();
-}
+#include <limn/features/ShippedComputeShaders.h>
 
 namespace porting
 {
@@ -21,8 +16,7 @@ using namespace limn;
 /// What Unity has as an asset of its own: the plug-in's .compute file.
 inline std::shared_ptr<ComputeShader> LoadDistanceOutline(const Shader& shader)
 {
-    const EmbeddedFile& file = limn::embedded::porting_compute().front();
-    return ComputeShader::FromText(file.text, std::string(file.path), shader.compiler());
+    return FindShippedComputeShader("DistanceOutline.compute", shader.compiler());
 }
 
 // DistanceOutlineFeature.cs, line by line.

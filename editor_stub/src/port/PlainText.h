@@ -1,0 +1,18 @@
+#pragma once
+
+#include "port/CSharpFile.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// The text of a plain string word; nothing for any other.
+std::optional<std::string> PlainText(CSharpWords words);
+
+/// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.
+std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
+
+} // namespace limn
