@@ -114,6 +114,7 @@ inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
 inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
 inline constexpr ValueRange k_RenderScales{0.1, 2.0};
 inline constexpr ValueRange k_LightLimits{0.0, 8.0};
+inline constexpr ValueRange k_PipelineVersions{7.0, 17.0};
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 
 inline constexpr SceneKey k_Position{"position", Vector};
@@ -131,6 +132,11 @@ inline constexpr SceneKey k_Scene[] = {
     {"renderPipelineAsset", Text,
      "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
      "place of these keys"},
+    {"pipelineVersion", Integer,
+     "The major version of URP that the features were written for; below 12 the camera's colour "
+     "brings its depth along. Unless it is set, that of the Unity project which "
+     "renderPipelineAsset or the renderer lies in; else 14",
+     k_PipelineVersions},
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),

@@ -26,6 +26,7 @@ StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, Graphic
     m_Pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     m_Pipeline.renderScale = m_Asset.renderScale;
     m_Pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
+    m_Pipeline.pipelineVersion = m_Asset.pipelineVersion;
     m_Pipeline.shadows = m_Asset.shadows;
 }
 

@@ -117,6 +117,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     pipeline.renderScale = m_Asset.renderScale;
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
+    pipeline.pipelineVersion = m_Asset.pipelineVersion;
     pipeline.shadows = m_Asset.shadows;
     return pipeline.RenderSingleCamera(m_Renderer, request);
 }
