@@ -136,6 +136,11 @@ inline constexpr SceneKey k_Scene[] = {
     {"renderPipelineAsset", Text,
      "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
      "place of these keys"},
+    {"pipelineVersion", Integer,
+     "The major version of URP that the features were written for; below 12 the camera's colour "
+     "brings its depth along. Unless it is set, that of the Unity project which "
+     "renderPipelineAsset or the renderer lies in; else 14",
+     k_PipelineVersions},
     {"layers", LayerNames},
     {"renderingLayers", LayerNames},
     Required({"camera", Camera}),

@@ -85,6 +85,7 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         asset.renderScale = loaded.renderScale;
         asset.maxAdditionalLightsCount = loaded.maxAdditionalLightsCount;
         asset.shadows = loaded.shadows;
+        asset.pipelineVersion = loaded.pipelineVersion.value_or(asset.pipelineVersion);
     }
 }
 
@@ -137,6 +138,16 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
         asset.scene.skybox = ReadMaterialName(*node, "skybox", loader);
     }
     ReadPart(map, "renderer", loader, ReadRenderer);
+    if (!map.Find("renderPipelineAsset"))
+    {
+        asset.pipelineVersion = asset.renderer.pipelineVersion.value_or(asset.pipelineVersion);
+    }
+    if (const YamlNode* node = map.Find("pipelineVersion"))
+    {
+        asset.pipelineVersion =
+            ReadInt(*node, "pipelineVersion", loader.diagnostics, scene_keys::k_PipelineVersions)
+                .value_or(asset.pipelineVersion);
+    }
     ReadPart(map, "volumes", loader, ReadVolumes);
     ReadPart(map, "objects", loader, ReadObjects);
     map.Finish();

@@ -3,6 +3,7 @@
 #include "scene/Keys.h"
 #include "scene/ReadEnum.h"
 #include "scene/ShadowKeys.h"
+#include "unity/PipelineVersion.h"
 
 #include <limn/volume/UnityAsset.h>
 
@@ -47,6 +48,11 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
         ReadEnum(*root->fields.Find("m_MSAA"), k_MsaaQualities, "m_MSAA", diagnostics);
     UnityRenderPipeline pipeline;
     pipeline.msaaSampleCount = count.value_or(1);
+    pipeline.pipelineVersion = ProjectPipelineVersion(path, assets);
+    if (!pipeline.pipelineVersion)
+    {
+        pipeline.pipelineVersion = PipelineVersionOf(root->fields);
+    }
     pipeline.shadows.softShadowsSupported = false; // Unity's defaults
     pipeline.shadows.additionalLightShadowsSupported = false;
     YamlMapReader fields(root->fields, "", diagnostics); // it has many more

@@ -15,6 +15,8 @@ struct UnityRenderPipeline
     /// m_AdditionalLightsPerObjectLimit, 0 ... 8; 0 where m_AdditionalLightsRenderingMode is
     /// Disabled
     int maxAdditionalLightsCount = 4;
+    /// The project's, by its Packages/manifest.json, or that which k_AssetVersion tells; else none
+    std::optional<int> pipelineVersion;
     ShadowSettings shadows; ///< m_ShadowDistance and its like; what it lacks is Unity's default
 };
 

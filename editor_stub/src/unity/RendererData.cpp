@@ -1,6 +1,7 @@
 #include "assets/References.h"
 #include "scene/ReadLayers.h"
 #include "scene/SettingsReader.h"
+#include "unity/PipelineVersion.h"
 #include "unity/UnityScript.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
@@ -210,6 +211,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
     }
     Loading loading{assets, diagnostics, {assets, {}, diagnostics}, UnityProject(path), {}};
     UnityRendererDataLoadResult result;
+    result.renderer.pipelineVersion = ProjectPipelineVersion(path, assets);
     ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);
     ReadPostProcessing(*root, result.renderer);
     ReadLayers(*root, "m_OpaqueLayerMask", result.renderer.opaqueLayerMask, loading);

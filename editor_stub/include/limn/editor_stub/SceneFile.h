@@ -9,6 +9,7 @@
 #include <limn/editor_stub/SelectController.h>
 #include <limn/volume/Volume.h>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limn
@@ -22,6 +23,7 @@ struct RendererAsset
     std::vector<std::string> featureTypes; ///< the type's name of each feature
     LayerMask opaqueLayerMask = LayerMask::Everything();
     LayerMask transparentLayerMask = LayerMask::Everything();
+    std::optional<int> pipelineVersion; ///< of the Unity project that it was read from
 };
 
 /// An object that turns by itself.
@@ -43,6 +45,7 @@ struct SceneAsset
     int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount
     int pipelineVersion = 14;         ///< UniversalRenderPipeline::pipelineVersion
     ShadowSettings shadows;           ///< UniversalRenderPipeline::shadows
+    int pipelineVersion = 14;         ///< UniversalRenderPipeline::pipelineVersion
     Scene scene;
     Camera camera;
     LayerNames layers;
