@@ -129,10 +129,6 @@ inline constexpr SceneKey k_Scene[] = {
      k_RenderScales},
     {"maxAdditionalLightsCount", Integer, "How many of `lights` light an object: the brightest",
      k_LightLimits},
-    {"pipelineVersion", Integer,
-     "The major version of URP that the project's features were written for; 14 where it is not "
-     "given. Below 12 the camera's colour brings its depth along where it is bound alone",
-     k_PipelineVersions},
     {"renderPipelineAsset", Text,
      "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
      "place of these keys"},

@@ -37,12 +37,6 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     const YamlNode* lights = map.Find("maxAdditionalLightsCount");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
-    if (const YamlNode* version = map.Find("pipelineVersion"))
-    {
-        asset.pipelineVersion =
-            ReadInt(*version, "pipelineVersion", diagnostics, scene_keys::k_PipelineVersions)
-                .value_or(asset.pipelineVersion);
-    }
     for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
                                      std::pair(scale, "renderScale: it comes"),
                                      std::pair(lights, "maxAdditionalLightsCount: it comes"),

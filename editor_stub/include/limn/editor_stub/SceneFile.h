@@ -43,7 +43,6 @@ struct SceneAsset
     int msaaSampleCount = 1;          ///< UniversalRenderPipeline::msaaSampleCount
     float renderScale = 1.0f;         ///< UniversalRenderPipeline::renderScale
     int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount
-    int pipelineVersion = 14;         ///< UniversalRenderPipeline::pipelineVersion
     ShadowSettings shadows;           ///< UniversalRenderPipeline::shadows
     int pipelineVersion = 14;         ///< UniversalRenderPipeline::pipelineVersion
     Scene scene;
