@@ -400,8 +400,12 @@ Image HandWrittenFrame::ReadBack()
                                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle.get(), 1,
                                    &copy);
         });
-    const std::byte* texels = buffer.memory.mapped();
-    result.texels.assign(texels, texels + size);
+    const auto rowSize = static_cast<std::ptrdiff_t>(result.width) * 4;
+    for (int row = result.height; row-- > 0;) // the picture's bottom row is stored first
+    {
+        const std::byte* texels = buffer.memory.mapped() + row * rowSize;
+        result.texels.insert(result.texels.end(), texels, texels + rowSize);
+    }
     return result;
 }
 

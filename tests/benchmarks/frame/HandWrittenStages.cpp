@@ -96,7 +96,7 @@ void DescribeVertices(FixedPipeline& parts, const PropertyLayout& layout)
     parts.assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
 }
 
-/// y points up, as in limn.
+/// y = 1 is the first row, as in limn.
 void DescribeArea(FixedPipeline& parts, VkExtent2D extent)
 {
     const auto height = static_cast<float>(extent.height);
@@ -109,12 +109,13 @@ void DescribeArea(FixedPipeline& parts, VkExtent2D extent)
     parts.viewportState.pScissors = &parts.scissor;
 }
 
-/// Meshes show their clockwise faces; a full-screen triangle has but one.
+/// Meshes show their clockwise faces, which the camera's flipped projection turns over; a
+/// full-screen triangle has but one.
 void DescribeRasterization(FixedPipeline& parts, bool hasMesh, bool testsDepth)
 {
     parts.rasterization.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
     parts.rasterization.cullMode = hasMesh ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
-    parts.rasterization.frontFace = VK_FRONT_FACE_CLOCKWISE;
+    parts.rasterization.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     parts.rasterization.lineWidth = 1.0f;
     parts.multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
     parts.multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
