@@ -17,13 +17,17 @@
 #include "distance_outline/DistanceOutlineUnity6Feature.h"
 #include "height_fog/HeightFogFeature.h"
 #include "height_fog/HeightFogUnity6Feature.h"
+#include "ink_lines/InkLinesFeature.h"
+#include "ink_lines/InkLinesUnity6Feature.h"
+#include "selection_glow/SelectionGlowFeature.h"
+#include "selection_glow/SelectionGlowUrp14Feature.h"
 #include "xray/XRayFeature.h"
 #include "xray/XRayUnity6Feature.h"
 
 namespace limn::test
 {
 
-/// A feature of samples/porting in the style of its time and in Unity 6's.
+/// A feature of samples/porting in the style of its time and in a newer one.
 struct PortedSample
 {
     const char* name;    ///< of its folder and scene
@@ -45,6 +49,10 @@ inline constexpr PortedSample k_PortedSamples[] = {
      &RegisterAs<porting::DistanceOutlineUnity6Feature>},
     {"height_fog", "HeightFogFeature", &RegisterAs<porting::HeightFogFeature>,
      &RegisterAs<porting::HeightFogUnity6Feature>},
+    {"ink_lines", "InkLinesFeature", &RegisterAs<porting::InkLinesFeature>,
+     &RegisterAs<porting::InkLinesUnity6Feature>},
+    {"selection_glow", "SelectionGlowFeature", &RegisterAs<porting::SelectionGlowFeature>,
+     &RegisterAs<porting::SelectionGlowUrp14Feature>},
     {"xray", "XRayFeature", &RegisterAs<porting::XRayFeature>,
      &RegisterAs<porting::XRayUnity6Feature>},
 };
