@@ -231,7 +231,9 @@ TEST_F(DepthOfTargetGpu, TheCamerasColourAloneHasNoDepthAndTheReportSaysSo)
               "Blit: pass 0 of shader 'Test/OldBlit' tests the stencil, but the target "
               "'_CameraColorAttachmentA' has none, so the test passes everywhere. Blit into "
               "BuiltinRenderTextureType::CameraTarget or into a texture made with "
-              "depthBufferBits, or bind colour and depth and blit to CurrentActive");
+              "depthBufferBits, or bind colour and depth and blit to CurrentActive. The camera's "
+              "colour has a depth in URP 7 to 11: where the feature is written for one of those, "
+              "set pipelineVersion to it");
 }
 
 /// Marks the stencil of a temporary texture by drawing a quad over its left half, then blits where

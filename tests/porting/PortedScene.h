@@ -74,6 +74,8 @@ public:
         const std::string folder = std::string("samples/porting/") + sample.name + "/";
         m_Scene = LoadScene(SourcePath(folder + sample.name + ".scene.yaml"), m_Assets);
         m_Renderer = std::make_unique<UniversalRenderer>(m_Assets.compiler());
+        m_Renderer->SetShaderSource(m_Assets.shaderSource());
+        m_Pipeline.pipelineVersion = m_Scene.pipelineVersion;
         for (auto& feature : m_Scene.renderer.features)
         {
             m_Renderer->AddFeature(std::move(feature));

@@ -462,7 +462,9 @@ void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& 
                        m_Target->name() +
                        "' has none, so the test passes everywhere. Blit into "
                        "BuiltinRenderTextureType::CameraTarget or into a texture made with "
-                       "depthBufferBits, or bind colour and depth and blit to CurrentActive";
+                       "depthBufferBits, or bind colour and depth and blit to CurrentActive. "
+                       "The camera's colour has a depth in URP 7 to 11: where the feature is "
+                       "written for one of those, set pipelineVersion to it";
     if (std::ranges::find(*m_Notes, note) == m_Notes->end())
     {
         m_Notes->push_back(std::move(note));

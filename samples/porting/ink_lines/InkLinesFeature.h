@@ -61,7 +61,7 @@ private:
             cmd.GetTemporaryRT(s_Normals, descriptor, FilterMode::Point);
             descriptor.graphicsFormat = GraphicsFormat::R8_UNorm;
             cmd.GetTemporaryRT(s_Ids, descriptor, FilterMode::Point);
-            descriptor.colorFormat = RenderTextureFormat::Depth;
+            descriptor.SetColorFormat(RenderTextureFormat::Depth);
             descriptor.depthBufferBits = 32;
             cmd.GetTemporaryRT(s_Depth, descriptor, FilterMode::Point);
 
@@ -91,7 +91,7 @@ private:
                 m_Properties.SetVector("_InkSize",
                                        Vector4(descriptor.width, descriptor.height, 0, 0));
                 m_Properties.SetColor("_InkColor", m_Settings->color);
-                m_Properties.SetFloat("_InkCosine", Mathf.Cos(m_Settings->angle * Mathf.Deg2Rad));
+                m_Properties.SetFloat("_InkCosine", Mathf::Cos(m_Settings->angle * Mathf::Deg2Rad));
                 cmd->SetRenderTarget(cameraData.renderer->cameraColorTarget());
                 cmd->SetViewProjectionMatrices(glm::mat4(1), glm::mat4(1));
                 cmd->DrawMesh(RenderingUtils::fullscreenMesh(), glm::mat4(1), m_Settings->material,

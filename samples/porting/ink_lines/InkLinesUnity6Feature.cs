@@ -62,7 +62,7 @@ public class InkLinesUnity6Feature : ScriptableRendererFeature
             descriptor.graphicsFormat = GraphicsFormat.R8_UNorm;
             TextureHandle ids = UniversalRenderer.CreateRenderGraphTexture(renderGraph, descriptor, "_InkIds", true);
             descriptor.graphicsFormat = GraphicsFormat.None;
-            descriptor.depthStencilFormat = GraphicsFormat.D32_SFloat;
+            descriptor.depthStencilFormat = GraphicsFormat.D32_SFloat_S8_UInt;
             TextureHandle depth = UniversalRenderer.CreateRenderGraphTexture(renderGraph, descriptor, "_InkDepth", true);
 
             using (var builder = renderGraph.AddRasterRenderPass<SurfaceData>("Ink Surfaces", out var passData))

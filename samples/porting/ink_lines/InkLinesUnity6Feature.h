@@ -72,7 +72,7 @@ private:
             TextureHandle ids = UniversalRenderer::CreateRenderGraphTexture(renderGraph, descriptor,
                                                                             "_InkIds", true);
             descriptor.graphicsFormat = GraphicsFormat::None;
-            descriptor.depthStencilFormat = GraphicsFormat::D32_SFloat;
+            descriptor.SetDepthStencilFormat(GraphicsFormat::D32_SFloat_S8_UInt);
             TextureHandle depth = UniversalRenderer::CreateRenderGraphTexture(
                 renderGraph, descriptor, "_InkDepth", true);
 
@@ -98,7 +98,7 @@ private:
 
             m_Properties.SetVector("_InkSize", Vector4(descriptor.width, descriptor.height, 0, 0));
             m_Properties.SetColor("_InkColor", m_Settings->color);
-            m_Properties.SetFloat("_InkCosine", Mathf.Cos(m_Settings->angle * Mathf.Deg2Rad));
+            m_Properties.SetFloat("_InkCosine", Mathf::Cos(m_Settings->angle * Mathf::Deg2Rad));
 
             {
                 InkData* passData = nullptr;

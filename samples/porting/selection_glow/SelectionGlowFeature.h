@@ -23,7 +23,7 @@ struct SelectionGlow
         std::shared_ptr<Material> material =
             CoreUtils::CreateEngineMaterial(Shader::Find("Hidden/Porting/SelectionGlow"));
         material->SetColor("_GlowColor", color);
-        material->SetFloat("_GlowDeviation", Mathf.Max(0.5f, radius / 2.5f));
+        material->SetFloat("_GlowDeviation", Mathf::Max(0.5f, radius / 2.5f));
         material->SetInt("_StencilReference", stencilReference);
         return material;
     }
@@ -78,9 +78,9 @@ private:
             RenderTextureDescriptor descriptor = cameraTextureDescriptor;
             descriptor.depthBufferBits = 0;
             descriptor.msaaSamples = 1;
-            descriptor.colorFormat = RenderTextureFormat::R8;
+            descriptor.SetColorFormat(RenderTextureFormat::R8);
             cmd.GetTemporaryRT(m_Mask.id, descriptor, FilterMode::Point);
-            descriptor.colorFormat = RenderTextureFormat::RHalf;
+            descriptor.SetColorFormat(RenderTextureFormat::RHalf);
             cmd.GetTemporaryRT(m_Blurred.id, descriptor, FilterMode::Point);
         }
 
