@@ -26,10 +26,13 @@ struct Rounding
 };
 // Strokes and distances: half floats. Screen space: half a step of 8 bits. Selection: that seven
 // times over, and three times as bright. Mask difference: where a pixel's centre lies on an edge,
-// five pixels go by it.
-constexpr Rounding k_Roundings[] = {{"Strokes", 1e-3, 0.005},  {"Separable", 1e-3, 0.0},
-                                    {"Jump flood", 1e-3, 0.0}, {"Screen space", 2e-3, 0.06},
-                                    {"Selection", 0.01, 0.6},  {"Mask difference", 0.01, 0.01}};
+// five pixels go by it. Jump flood: one pixel of 891 at width 5. The flood
+// passes a texel that has two edges at exactly one pixel: the twin keeps the first, and on the
+// device, where an offset of 0 comes out of 16 bits with a rounding error, the other is nearer. It
+// leads to the right one; the twin's is 0.1 pixels farther.
+constexpr Rounding k_Roundings[] = {{"Strokes", 1e-3, 0.005},     {"Separable", 1e-3, 0.0},
+                                    {"Jump flood", 1e-3, 0.0012}, {"Screen space", 2e-3, 0.06},
+                                    {"Selection", 0.01, 0.6},     {"Mask difference", 0.01, 0.01}};
 
 TEST(NumericalGpu, DrawsWhatTheTwinInDoubleDraws)
 {

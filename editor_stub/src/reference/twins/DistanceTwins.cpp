@@ -63,8 +63,7 @@ TwinSeed FindEdge(const std::array<double, 9>& mask)
 }
 
 /// The seeds of a picture and the textures in which the nearest ones are found. Places beyond the
-/// picture belong to it as far as the outline reaches. As in the targets of a camera the bottom row
-/// comes first: which of two places that are equally near is taken depends on it.
+/// picture belong to it as far as the outline reaches.
 class DistanceTwin
 {
 public:
@@ -72,7 +71,6 @@ public:
         : m_Width(std::max(width, 1e-3)),
           m_Reach(static_cast<int>(std::ceil(m_Width + 1.0))),
           m_Margin(m_Reach + 2),
-          m_PictureHeight(pictureHeight),
           m_Size(pictureWidth + 2 * m_Margin, pictureHeight + 2 * m_Margin),
           m_Seeds(static_cast<std::size_t>(m_Size.x * m_Size.y))
     {
@@ -88,7 +86,7 @@ public:
             for (int x = 0; x < pictureWidth; ++x)
             {
                 const glm::ivec2 texel(x + m_Margin, y + m_Margin);
-                alpha.At(x, pictureHeight - 1 - y) = AlphaAt(texel, nearest[IndexOf(texel)]);
+                alpha.At(x, y) = AlphaAt(texel, nearest[IndexOf(texel)]);
             }
         }
         return alpha;
@@ -114,8 +112,7 @@ private:
                 {
                     const glm::dvec2 at =
                         glm::dvec2(texel - m_Margin) + glm::dvec2(place[0], place[1]);
-                    const glm::dvec2 inPicture(at.x, m_PictureHeight - at.y);
-                    mask[IndexOf(texel)] += silhouette.Contains(inPicture) ? 0.25 : 0.0;
+                    mask[IndexOf(texel)] += silhouette.Contains(at) ? 0.25 : 0.0;
                 }
             });
         ForEach(
@@ -243,7 +240,6 @@ private:
     double m_Width;
     int m_Reach;
     int m_Margin;
-    int m_PictureHeight;
     glm::ivec2 m_Size;
     std::vector<TwinSeed> m_Seeds;
 };
