@@ -123,9 +123,9 @@ void AddUnsigned(std::vector<ArithmeticRow>& rows)
     AddWhole(rows, "mad(X, Y, X)", 'u', both,
              [](auto x, auto y)
              {
-                 return ToUint(static_cast<std::int64_t>(static_cast<std::uint64_t>(x) *
-                                                         static_cast<std::uint64_t>(y)) +
-                               x);
+                 const auto factor = static_cast<std::uint64_t>(x);
+                 return ToUint(static_cast<std::int64_t>(factor * static_cast<std::uint64_t>(y) +
+                                                         factor)); // modulo 2^64
              });
     AddWhole(rows, "(X < Y)", 'u', both, [](auto x, auto y) { return x < y; });
     AddWhole(rows, "-X", 'u', {Uints(k_Uints)}, [](auto x, auto) { return ToUint(-x); });
