@@ -158,6 +158,35 @@ TEST_F(RenderGraphFrame, BeginsATextureWithNothingWhereItsDescOrWriteAllSaysSo)
     EXPECT_EQ(PassInto(result, "_Covered").colors[0].load, LoadOp::DontCare);
 }
 
+/// So does what is made like it begin: features that blend into a mask count on it.
+TEST_F(RenderGraphFrame, SaysOfABaseCamerasTexturesThatTheyAreCleared)
+{
+    m_Camera.backgroundColor = Color(1, 0, 0, 0.5f);
+    Add(
+        [](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const auto& resources = frameData.Get<UniversalResourceData>();
+            TextureDesc desc = graph.GetTextureDesc(resources.cameraColor);
+            EXPECT_TRUE(desc.clearBuffer);
+            EXPECT_EQ(desc.clearColor, Color(1, 0, 0, 0.5f));
+            EXPECT_TRUE(graph.GetTextureDesc(resources.cameraDepth).clearBuffer);
+            desc.name = "_Like";
+            desc.clearColor = Color::clear;
+            DrawMaskAndComposite(graph, frameData, desc);
+        });
+    const RenderResult result = Render();
+    EXPECT_EQ(PassInto(result, "_Like").colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(PassInto(result, "_Like").colors[0].clearColor, Color::clear);
+    int clears = 0;
+    for (const CompiledRenderPass& pass : result.frame->passes)
+    {
+        const bool isCamera =
+            !pass.colors.empty() && pass.colors[0].texture->name() == "_CameraColorAttachmentA";
+        clears += isCamera && pass.colors[0].load == LoadOp::Clear ? 1 : 0;
+    }
+    EXPECT_EQ(clears, 1) << "the pipeline's own, before the objects";
+}
+
 TEST_F(RenderGraphFrame, MakesATextureLikeAnotherOneByAnotherName)
 {
     Add(
