@@ -33,7 +33,9 @@ void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTextur
 {
     if (source.get() == &dest)
     {
-        throw ContractError("Blit: '" + source->name() + "' is both source and destination");
+        throw ContractError(
+            "Blit: '" + source->name() +
+            "' is both source and destination; copy it first, and draw from the copy");
     }
     ExpectMaterial(material);
     if (pass != k_AllPasses)

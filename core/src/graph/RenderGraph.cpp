@@ -229,6 +229,15 @@ TextureHandle RenderGraph::CreateTexture(const TextureHandle& texture)
     return CreateTexture(GetTextureDesc(texture));
 }
 
+TextureHandle RenderGraph::CreateTexture(const TextureHandle& texture, std::string_view name,
+                                         bool clear)
+{
+    TextureDesc desc = GetTextureDesc(texture);
+    desc.name = name;
+    desc.clearBuffer = clear;
+    return CreateTexture(desc);
+}
+
 TextureHandle RenderGraph::ImportTexture(const RTHandle& rt,
                                          const ImportResourceParams& importParams)
 {

@@ -99,6 +99,10 @@ void RenderGraphCamera::FillFrameData(const ScriptableRenderContext& context,
     }
     resources.cameraColor = Import(targets.color, "resourceData.activeColorTexture()");
     resources.cameraDepth = Import(targets.depth, "resourceData.activeDepthTexture()");
+    const CameraData& camera = renderingData.cameraData;
+    const bool isBase = camera.renderType == CameraRenderType::Base;
+    SayCleared(targets.color, isBase, camera.backgroundColor);
+    SayCleared(targets.depth, isBase || camera.clearDepth, Color());
     const auto global = [&](ShaderPropertyId id, std::string_view handle)
     {
         return Import(RenderGraphRun::GlobalTexture(context, id), handle);
@@ -130,6 +134,17 @@ TextureHandle RenderGraphCamera::Import(const RTHandle& texture, std::string_vie
     TextureHandle imported = m_Graph.ImportTexture(texture);
     m_Graph.m_State->Find(*texture.rt())->handle = handle;
     return imported;
+}
+
+void RenderGraphCamera::SayCleared(const RTHandle& texture, bool isCleared, const Color& color)
+{
+    RenderGraphTexture* known = texture ? m_Graph.m_State->Find(*texture.rt()) : nullptr;
+    if (known != nullptr && !known->isMade && !known->isWritten)
+    {
+        known->clears = isCleared;
+        known->clearColor = color;
+        known->isWritten = true;
+    }
 }
 
 void RenderGraphCamera::End()

@@ -97,9 +97,9 @@ void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandl
     }
     if (source == destination)
     {
-        throw ContractError("BlitCameraTexture: '" +
-                            (source.rt() ? source.rt()->name() : "one identifier") +
-                            "' is both source and destination");
+        throw ContractError(
+            "BlitCameraTexture: '" + (source.rt() ? source.rt()->name() : "one identifier") +
+            "' is both source and destination; copy it first, and draw from the copy");
     }
     CoreUtils::SetRenderTarget(cmd, destination);
     BlitTexture(cmd, source, k_WholeTexture, std::move(material), passIndex);

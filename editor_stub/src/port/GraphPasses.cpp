@@ -19,20 +19,27 @@ Word Behind(Word word)
     return word->match > 0 ? word + word->match + 1 : word + 1;
 }
 
-/// The name behind `out var` or `out T`; "" for anything else.
-std::string OutName(CSharpWords argument)
+struct OutArgument
+{
+    std::string type; ///< "var"
+    std::string name; ///< "" = it is none
+};
+
+/// `out var data` or `out T data`.
+OutArgument ReadOut(CSharpWords argument)
 {
     if (argument.size() < 3 || !argument.front().Is("out"))
     {
-        return "";
+        return {};
     }
     Word at = &argument[1];
-    return !ReadCSharpType(at).empty() && at == &argument.back() && at->isName()
-               ? std::string(at->text)
-               : "";
+    std::string type = ReadCSharpType(at);
+    const bool isName = !type.empty() && at == &argument.back() && at->isName();
+    return isName ? OutArgument{std::move(type), std::string(at->text)} : OutArgument();
 }
 
-/// Reads `var builder = graph.AddX<T>(name, out var data)`.
+/// Reads `var builder = graph.AddX<T>(name, out var data, sampler)`, and without the <T> where a T
+/// stands behind `out`.
 /// @return behind its last bracket; null where it is none, which the pass's problem then says
 Word ReadCall(CSharpGraphPass& pass, Word at)
 {
@@ -45,25 +52,27 @@ Word ReadCall(CSharpGraphPass& pass, Word at)
     }
     pass.builder = at->text;
     at += 2;
-    if (!at->isName() || !at[1].Is(".") || !AddsGraphPass(at[2]) || !at[3].Is("<"))
+    if (!at->isName() || !at[1].Is(".") || !AddsGraphPass(at[2]))
     {
         return nullptr;
     }
     pass.graph = at->text;
     at += 3;
-    const std::string generics = ReadCSharpGenerics(at);
-    if (generics.size() < 3 || !at->Is("("))
+    const std::string generics = at->Is("<") ? ReadCSharpGenerics(at) : "";
+    if (!at->Is("("))
     {
         return nullptr;
     }
-    pass.data = generics.substr(1, generics.size() - 2);
     const auto arguments =
         SplitArguments({at + 1, static_cast<std::size_t>(at->match > 0 ? at->match - 1 : 0)});
-    pass.dataName = arguments.size() > 1 ? OutName(arguments[1]) : "";
-    if (pass.dataName.empty())
+    const OutArgument data = arguments.size() > 1 ? ReadOut(arguments[1]) : OutArgument();
+    pass.data = generics.size() > 2 ? generics.substr(1, generics.size() - 2) : data.type;
+    pass.dataName = data.name;
+    if (pass.dataName.empty() || pass.data == "var")
     {
         return nullptr;
     }
+    pass.sampler = arguments.size() > 2 ? arguments[2] : CSharpWords();
     pass.problem.clear();
     return Behind(at);
 }

@@ -20,6 +20,7 @@ struct CSharpGraphPass
     std::string graph;     ///< "renderGraph"
     std::string data;      ///< its type
     std::string dataName;  ///< "passData"
+    CSharpWords sampler;   ///< the third argument; empty where there is none
     std::string builder;   ///< its name
     CSharpWords body;      ///< behind the call, as far as the builder lives
     std::size_t begin = 0; ///< in the file's text, of its statement

@@ -3,6 +3,21 @@
 namespace limn
 {
 
+namespace
+{
+
+/// C++ once had characters that begin with ??.
+std::string WithoutTrigraphs(std::string text)
+{
+    for (std::size_t at = text.find("??"); at != std::string::npos; at = text.find("??", at))
+    {
+        text.insert(++at, "\\");
+    }
+    return text;
+}
+
+} // namespace
+
 std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
 {
     for (std::size_t i = 0; i < words.size() && words.front().Is("new"); ++i)
@@ -18,6 +33,12 @@ std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
 
 std::optional<std::string> PlainText(CSharpWords words)
 {
+    if (words.size() > 2 && words.size() % 2 == 1 && words[1].Is("+"))
+    {
+        const auto first = PlainText(words.first(1));
+        const auto rest = PlainText(words.subspan(2));
+        return first && rest ? std::optional(WithoutTrigraphs(*first + *rest)) : std::nullopt;
+    }
     if (words.size() != 1 || words[0].kind != CSharpTokenKind::String)
     {
         return std::nullopt;
@@ -33,12 +54,7 @@ std::optional<std::string> PlainText(CSharpWords words)
             return std::nullopt;
         }
     }
-    std::string plain(inner);
-    for (std::size_t at = plain.find("??"); at != std::string::npos; at = plain.find("??", at))
-    {
-        plain.insert(++at, "\\"); // C++ once had characters that begin with ??
-    }
-    return plain;
+    return WithoutTrigraphs(std::string(inner));
 }
 
 } // namespace limn

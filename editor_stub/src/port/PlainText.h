@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// The text of a plain string word; nothing for any other.
+/// The text of a plain string word, or of such ones with + between them; nothing for any other.
 std::optional<std::string> PlainText(CSharpWords words);
 
 /// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.

@@ -5,6 +5,7 @@
 #include "port/PropertyIds.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/core/Inspector.h>
 
 namespace limn
@@ -90,7 +91,8 @@ private:
         {
             return PortValue{value.cpp + "u", "uint", true};
         }
-        const bool isMask = wanted == "LayerMask" || wanted == "RenderingLayerMask";
+        const bool isRendering = wanted.ends_with("RenderingLayerMask");
+        const bool isMask = (wanted == "LayerMask" || isRendering) && !own;
         if (isMask && (value.type == "int" || value.type == "uint") && value.isLiteral)
         {
             const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
@@ -99,8 +101,7 @@ private:
             {
                 return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
             }
-            const bool isBits =
-                wanted == "RenderingLayerMask" && value.cpp[0] != '-' && value.cpp[0] != '~';
+            const bool isBits = isRendering && value.cpp[0] != '-' && value.cpp[0] != '~';
             return isBits
                        ? Result(PortValue{
                              wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted})
@@ -445,6 +446,32 @@ private:
         return open == std::string::npos ? "?" : base.substr(open + 1, base.size() - open - 2);
     }
 
+    /// Vector2.one; nothing for others.
+    static Result VectorValue(const std::string& type, const std::string& member)
+    {
+        static const std::map<std::string_view, std::array<int, 4>> values = {
+            {"zero", {0, 0, 0, 0}},  {"one", {1, 1, 1, 1}},    {"up", {0, 1, 0, 0}},
+            {"down", {0, -1, 0, 0}}, {"right", {1, 0, 0, 0}},  {"left", {-1, 0, 0, 0}},
+            {"back", {0, 0, -1, 0}}, {"forward", {0, 0, 1, 0}}};
+        const auto value = values.find(member);
+        const std::size_t size = type == "Vector2"   ? 2
+                                 : type == "Vector3" ? 3
+                                 : type == "Vector4" ? 4
+                                                     : 0;
+        const bool isAlong = member == "back" || member == "forward";
+        const bool isAny = member == "zero" || member == "one";
+        if (value == values.end() || size == 0 || (size == 4 && !isAny) || (size == 2 && isAlong))
+        {
+            return std::nullopt;
+        }
+        std::string text = type + "(";
+        for (std::size_t i = 0; i < size; ++i)
+        {
+            text += (i == 0 ? "" : ", ") + std::to_string(value->second[i]) + ".0f";
+        }
+        return PortValue{text + ")", type};
+    }
+
     /// Color.white, RenderPassEvent.AfterRendering, Settings.Mode.On
     Result StaticValue(const std::vector<std::string>& names) const
     {
@@ -468,6 +495,10 @@ private:
             const auto cpp = isMember ? m_Model.CppType(type) : std::nullopt;
             return cpp ? Result(PortValue{*cpp + "::" + m_Model.CppName(member), own->name})
                        : std::nullopt;
+        }
+        if (const Result vector = VectorValue(type, member))
+        {
+            return vector;
         }
         const PortEntry* entry = m_Model.table().Find(type, member);
         const bool isSame = entry && entry->verdict == PortVerdict::Same &&

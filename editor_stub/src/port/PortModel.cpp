@@ -72,6 +72,9 @@ bool IsSameType(std::string_view type)
                                                      "GraphicsFormat",
                                                      "RenderTextureFormat",
                                                      "CompareFunction",
+                                                     "ColorWriteMask",
+                                                     "RenderStateMask",
+                                                     "AccessFlags",
                                                      "StencilOp",
                                                      "ClearFlag",
                                                      "MaterialPropertyBlock",
@@ -294,6 +297,12 @@ std::optional<std::string> PortModel::CppType(const std::string& type) const
     return IsSameType(type) ? std::optional(type) : std::nullopt;
 }
 
+std::optional<std::string> PortModel::CppPointed(const std::string& type) const
+{
+    const CSharpClass* own = Find(type);
+    return own && RoleOf(*own) == PortRole::Component ? "const " + ClassName(*own) : CppType(type);
+}
+
 std::string PortModel::CppDefault(const std::string& cppType)
 {
     return cppType == "RenderQueueRange"   ? "{0, 0}"
@@ -321,6 +330,8 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
         {"UniversalCameraData", "UniversalCameraData&"},
         {"UniversalRenderingData", "UniversalRenderingData&"},
         {"UniversalLightData", "UniversalLightData&"},
+        {"CullingResults", "const CullingResults&"},
+        {"VolumeStack", "const VolumeStack&"},
         {"MaterialPropertyBlock", "MaterialPropertyBlock&"},
         {"Camera", "const Camera&"}};
     const auto reference = references.find(type);
@@ -366,8 +377,13 @@ std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parame
 bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
 {
     const CSharpClass* own = Find(field.type);
-    const bool isOne = own && RoleOf(*own) == PortRole::Data && own->keyword == "class" &&
-                       PlainTypeName(field.type).size() == field.type.size();
+    const bool isAlone = own && PlainTypeName(field.type).size() == field.type.size();
+    if (isAlone && RoleOf(*own) == PortRole::Component)
+    {
+        const bool isNull = field.value.empty() || field.value.front().Is("null");
+        return !OuterOf(*own) && isDeclared(*own) && !field.isStatic && isNull;
+    }
+    const bool isOne = isAlone && RoleOf(*own) == PortRole::Data && own->keyword == "class";
     const CSharpClass* pass = &one;
     while (pass && RoleOf(*pass) != PortRole::Pass)
     {

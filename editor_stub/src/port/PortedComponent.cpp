@@ -161,11 +161,14 @@ std::string NumberParameterText(const PortModel& model, const PortScope& scope,
 {
     const bool isMask = HeldType(model, field.type) == "RenderingLayerMask" ||
                         (field.type + field.name).find("ayer") != std::string::npos;
-    auto text = Arguments(model, scope, arguments, {isMask ? "RenderingLayerMask" : "uint", "bool"},
+    // The C# may have a type of that name for Unity before 6, which has none.
+    const std::string mask =
+        model.Find("RenderingLayerMask") ? "limn::RenderingLayerMask" : "RenderingLayerMask";
+    auto text = Arguments(model, scope, arguments, {isMask ? mask : "uint", "bool"},
                           !TooltipText(field).empty());
     if (text && text->empty()) // new VolumeParameter<uint>()
     {
-        text = isMask ? ", RenderingLayerMask::Nothing()" : ", 0u";
+        text = isMask ? ", " + mask + "::Nothing()" : ", 0u";
     }
     return !text ? ""
                  : std::string(isMask ? "RenderingLayerMaskParameter " : "UIntParameter ") +

@@ -87,8 +87,47 @@ private:
 
     std::optional<std::string> Name(const CSharpGraphPass& pass) const
     {
-        const auto name = Translate(m_Model, m_Scope, pass.name, "string");
+        const CSharpWords local = pass.name.size() == 1 ? Local(pass.name[0].text) : CSharpWords();
+        const auto name = Translate(m_Model, m_Scope, local.empty() ? pass.name : local, "string");
         return name ? std::optional(name->cpp) : std::nullopt;
+    }
+
+    /// What `string name = ...;` of the method says, where nothing else is assigned to the name.
+    CSharpWords Local(std::string_view name) const
+    {
+        const CSharpWords body = m_Method.body;
+        CSharpWords value;
+        for (std::size_t i = 1; i + 1 < body.size(); ++i)
+        {
+            if (!body[i].Is(name) || !(body[i + 1].Is("=") || body[i + 1].Is("+=")))
+            {
+                continue;
+            }
+            const bool isDeclared = body[i - 1].Is("string") || body[i - 1].Is("var");
+            if (!isDeclared || !value.empty())
+            {
+                return {};
+            }
+            std::size_t end = i + 2;
+            while (end < body.size() && !body[end].Is(";"))
+            {
+                ++end;
+            }
+            value = body.subspan(i + 2, end - i - 2);
+        }
+        return value;
+    }
+
+    /// ", profilingSampler"; "" where it is not known, as it changes nothing.
+    std::string SamplerText(const CSharpGraphPass& pass) const
+    {
+        const CSharpWords& words = pass.sampler;
+        const bool isBase = !words.empty() && words.back().Is("profilingSampler") &&
+                            (words.size() == 1 || (words.size() == 3 && words[0].Is("this")));
+        const auto value = isBase || words.empty()
+                               ? std::nullopt
+                               : Translate(m_Model, m_Scope, words, "ProfilingSampler");
+        return isBase ? ", profilingSampler" : value ? ", " + value->cpp : "";
     }
 
     /// Of the data, as the pass's class calls it.
@@ -127,7 +166,8 @@ private:
         m_Code.Open();
         m_Code.Line(TypeOf(pass) + "* " + data + " = nullptr;");
         m_Code.Line("auto " + builder + " = " + LocalName(m_Model, m_One, pass.graph) + "." +
-                    pass.call + "<" + TypeOf(pass) + ">(" + *Name(pass) + ", " + data + ");");
+                    pass.call + "<" + TypeOf(pass) + ">(" + *Name(pass) + ", " + data +
+                    SamplerText(pass) + ");");
         const auto functions = FindRenderFunctions(pass);
         m_Code.Todo("what it holds and declares", m_Model.Place(m_One, pass.location),
                     TextWithout(pass, functions));

@@ -1,3 +1,4 @@
+#include "port/CSharpWords.h"
 #include "port/GraphPasses.h"
 #include "port/PortedCode.h"
 
@@ -238,6 +239,31 @@ std::string PortedSignature::Text(const std::string& owner) const
     return isOverride && owner.empty() ? text + " override" : text;
 }
 
+namespace
+{
+
+/// Whether a body assigns to a parameter or to a member of it.
+bool IsChanged(CSharpWords body, std::string_view name)
+{
+    for (std::size_t i = 0; i + 1 < body.size(); ++i)
+    {
+        const bool isIt = body[i].Is(name) && (i == 0 || !body[i - 1].Is("."));
+        std::size_t behind = i + 1;
+        while (isIt && behind + 2 < body.size() && body[behind].Is(".") &&
+               body[behind + 1].isName())
+        {
+            behind += 2;
+        }
+        if (isIt && IsIn(body[behind].text, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"}))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method)
 {
@@ -285,7 +311,10 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
             {
                 return std::nullopt;
             }
-            types.push_back(*type);
+            const auto value = model.CppType(parameter.type);
+            const bool isCopy =
+                value && *type == "const " + *value + "&" && IsChanged(method.body, parameter.name);
+            types.push_back(isCopy ? *value : *type);
         }
     }
     for (std::size_t i = 0; i < types.size(); ++i)

@@ -263,9 +263,10 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
         code.Todo("a second member of this name", place, csharp + ";");
         return;
     }
-    if (model.isShared(one, field) && model.CppType(field.type))
+    const auto pointed = model.isShared(one, field) ? model.CppPointed(field.type) : std::nullopt;
+    if (pointed)
     {
-        code.Line(*model.CppType(field.type) + "* " + name + " = nullptr;");
+        code.Line(*pointed + "* " + name + " = nullptr;");
         Declare(code.model(), one, field, scope);
         return;
     }

@@ -120,8 +120,9 @@ TEST_F(Blits, RefuseWhatIsNotThere)
     };
     EXPECT_EQ(errorOf(RTHandle(), m_Dest, m_Copy, 0), "Blit: the source is an empty handle");
     EXPECT_EQ(errorOf(m_Source, RTHandle(), m_Copy, 0), "Blit: the destination is an empty handle");
-    EXPECT_EQ(errorOf(m_Source, m_Source, m_Copy, 0),
-              "Blit: 'Source' is both source and destination");
+    EXPECT_EQ(
+        errorOf(m_Source, m_Source, m_Copy, 0),
+        "Blit: 'Source' is both source and destination; copy it first, and draw from the copy");
     EXPECT_EQ(errorOf(m_Source, m_Dest, nullptr, -1), "a draw needs a material, but it is null");
     EXPECT_EQ(errorOf(m_Source, m_Dest, m_Copy, 1),
               "material 'Copy': shader 'Test/Copy' has no pass 1; it has 1");

@@ -301,7 +301,8 @@ TEST_F(CommandBuffers, BlitATriangleOverTheDestination)
 TEST_F(CommandBuffers, RefuseABlitIntoItsOwnSource)
 {
     EXPECT_EQ(ErrorOf([&] { Blitter::BlitCameraTexture(m_Cmd, m_Color, m_Color, m_Material, 0); }),
-              "BlitCameraTexture: 'Color' is both source and destination");
+              "BlitCameraTexture: 'Color' is both source and destination; copy it first, and draw "
+              "from the copy");
 }
 
 TEST_F(CommandBuffers, RefuseABlitFromOrToNothing)

@@ -144,6 +144,32 @@ TEST_F(ATextureOfNoHistory, IsDrawnAndKeptHoweverOftenItWasDrawnOverUnread)
     EXPECT_THAT(m_Last.notes, IsEmpty());
 }
 
+//   frame 1: scene ─▶ history     last frame: scene ─▶ mask ─▶ history, blended ─▶ camera
+TEST_F(ATextureOfNoHistory, IsReadInTheLastFrameThoughThatKeepsNothing)
+{
+    const RenderTexturePtr history = test::Target("History");
+    m_Frame.Bind(history).Clear(ClearFlag::Color).Draw(1);
+    const CompiledFrame frame = CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, {});
+    m_Frame.Bind(m_Mask).Clear(ClearFlag::Color).Draw(2).Bind(m_Edges).Draw(3, {m_Mask});
+    m_Frame.Bind(history).Blit(4, {m_Edges}, "True", FrameBuilder::Additive());
+    m_Frame.Bind(m_Camera).Draw(5, {history});
+    FrameCompilerOptions options;
+    options.isLast = true;
+    options.footprint = [](const RenderTexture&)
+    {
+        return TextureFootprint{64, 64, 0};
+    };
+    const CompiledFrame last =
+        CompileFrame(m_Frame.Take(), frame.states, std::vector{m_Camera}, options);
+    ASSERT_EQ(last.passes.size(), 4u);
+    EXPECT_EQ(last.passes.at(2).colors.at(0).load, LoadOp::Load);
+    EXPECT_EQ(last.passes.at(2).colors.at(0).store, StoreOp::Store);
+    for (const PlacedTexture& placed : last.placed)
+    {
+        EXPECT_NE(placed.texture, history);
+    }
+}
+
 /// What somebody has of a pool for longer than a frame.
 TEST_F(ATextureOfNoHistory, IsKeptThoughTransientWhereItIsHeld)
 {

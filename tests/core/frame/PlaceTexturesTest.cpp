@@ -84,12 +84,33 @@ TEST(PlaceTextures, KeepsWhatIsLookedAtAfterTheFrameApart)
     EXPECT_TRUE(frame.placed.empty());
 }
 
+/// As in the last of several frames, after which nothing is kept.
+TEST(PlaceTextures, LeavesWhatHoldsSomethingOfAFrameBeforeInMemoryOfItsOwn)
+{
+    const auto history = std::make_shared<const RenderTexture>(
+        "history", RenderTextureDescriptor(4, 1, GraphicsFormat::R32G32B32A32_SFloat));
+    const TransientPtr a = MakeTransient(4);
+    CompiledFrame frame;
+    frame.states.isLast = true;
+    TextureState& state = frame.states.textures[history->id()];
+    state.texture = history;
+    state.usage = TextureUsage::ShaderRead;
+    state.isFilled = true;
+    PlaceTextures({PlaceNode(a), PlaceNode(history)}, {}, SixteenBytes, frame);
+    EXPECT_EQ(nullptr, FindPlaced(frame, history));
+    EXPECT_TRUE(state.isFilled);
+
+    state.isFilled = false;
+    PlaceTextures({PlaceNode(a), PlaceNode(history)}, {}, SixteenBytes, frame);
+    EXPECT_NE(nullptr, FindPlaced(frame, history));
+}
+
 TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
 {
     const TransientPtr a = MakeTransient(4);
     const TransientPtr b = MakeTransient(4);
     CompiledFrame frame;
-    frame.states.textures[a->id()] = {a, TextureUsage::ShaderRead, true, false, {}, false, {}};
+    frame.states.textures[a->id()] = {a, TextureUsage::ShaderRead, false, false, {}, false, {}};
     PlaceTextures({PlaceNode(a), PlaceNode(b)}, {}, SixteenBytes, frame);
     EXPECT_EQ(2u, frame.placed.size());
     TextureState& state = frame.states.textures[a->id()];

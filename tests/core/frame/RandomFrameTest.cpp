@@ -353,6 +353,7 @@ void RunSequence(unsigned seed, Tally& tally)
         FrameCommands commands = recorded;
         FrameCompilerOptions options;
         options.footprint = FootprintOf;
+        options.isLast = i == 8;
         const std::uint64_t before = tally.structure;
         const CompiledFrame frame = *cache.Compile(commands, states, outputs, options);
         tally.structure = frame.structure;

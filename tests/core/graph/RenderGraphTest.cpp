@@ -158,6 +158,97 @@ TEST_F(RenderGraphFrame, BeginsATextureWithNothingWhereItsDescOrWriteAllSaysSo)
     EXPECT_EQ(PassInto(result, "_Covered").colors[0].load, LoadOp::DontCare);
 }
 
+/// So does what is made like it begin: features that blend into a mask count on it.
+TEST_F(RenderGraphFrame, SaysOfABaseCamerasTexturesThatTheyAreCleared)
+{
+    m_Camera.backgroundColor = Color(1, 0, 0, 0.5f);
+    Add(
+        [](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const auto& resources = frameData.Get<UniversalResourceData>();
+            TextureDesc desc = graph.GetTextureDesc(resources.cameraColor);
+            EXPECT_TRUE(desc.clearBuffer);
+            EXPECT_EQ(desc.clearColor, Color(1, 0, 0, 0.5f));
+            EXPECT_TRUE(graph.GetTextureDesc(resources.cameraDepth).clearBuffer);
+            desc.name = "_Like";
+            desc.clearColor = Color::clear;
+            DrawMaskAndComposite(graph, frameData, desc);
+        });
+    const RenderResult result = Render();
+    EXPECT_EQ(PassInto(result, "_Like").colors[0].load, LoadOp::Clear);
+    EXPECT_EQ(PassInto(result, "_Like").colors[0].clearColor, Color::clear);
+    int clears = 0;
+    for (const CompiledRenderPass& pass : result.frame->passes)
+    {
+        const bool isCamera =
+            !pass.colors.empty() && pass.colors[0].texture->name() == "_CameraColorAttachmentA";
+        clears += isCamera && pass.colors[0].load == LoadOp::Clear ? 1 : 0;
+    }
+    EXPECT_EQ(clears, 1) << "the pipeline's own, before the objects";
+}
+
+TEST_F(RenderGraphFrame, MakesATextureLikeAnotherOneByAnotherName)
+{
+    Add(
+        [](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const auto& resources = frameData.Get<UniversalResourceData>();
+            const TextureHandle kept = graph.CreateTexture(resources.cameraColor, "_Kept");
+            TextureDesc desc = graph.GetTextureDesc(resources.cameraColor);
+            EXPECT_EQ(graph.GetTextureDesc(kept).format, desc.format);
+            EXPECT_EQ(graph.GetTextureDesc(kept).width, 8);
+            EXPECT_FALSE(graph.GetTextureDesc(kept).clearBuffer);
+            const TextureHandle cleared = graph.CreateTexture(kept, "_Cleared", true);
+            EXPECT_TRUE(graph.GetTextureDesc(cleared).clearBuffer);
+            for (const TextureHandle& texture : {kept, cleared})
+            {
+                AddRaster(
+                    graph, "Draw", [&](auto& builder) { builder.SetRenderAttachment(texture, 0); },
+                    [](RasterCommandBuffer& cmd) { Draw(cmd); });
+            }
+        });
+    const RenderResult result = Render();
+    EXPECT_THAT(Targets(result), testing::IsSupersetOf({"_Kept", "_Cleared"}));
+}
+
+TEST_F(RenderGraphFrame, TakesASamplerAndShowsAPassByItsName)
+{
+    Add(
+        [](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const TextureHandle color = frameData.Get<UniversalResourceData>().activeColorTexture();
+            const ProfilingSampler sampler("Sampler");
+            test::NoData* data = nullptr;
+            {
+                auto builder = graph.AddRasterRenderPass("Raster", data, sampler);
+                builder.SetRenderAttachment(color, 0);
+                builder.SetRenderFunc([](test::NoData&, RasterGraphContext& context)
+                                      { Draw(context.cmd); });
+            }
+            {
+                auto builder = graph.AddUnsafePass("Unsafe", data, sampler);
+                const TextureHandle other = graph.CreateTexture(Desc("_Other"));
+                builder.UseTexture(other, AccessFlags::Write);
+                builder.SetRenderFunc(
+                    [other](test::NoData&, UnsafeGraphContext& context)
+                    {
+                        context.cmd.SetRenderTarget(other);
+                        Draw(context.cmd);
+                    });
+            }
+            auto builder = graph.AddComputePass("Compute", data, sampler);
+            builder.SetRenderFunc([](test::NoData&, ComputeGraphContext&) {});
+        });
+    const RenderResult result = Render();
+    std::vector<std::string> names;
+    for (const CompiledRenderPass& pass : result.frame->passes)
+    {
+        names.push_back(pass.name);
+    }
+    EXPECT_THAT(names, testing::IsSupersetOf({"Raster", "Unsafe"}));
+    EXPECT_THAT(names, testing::Not(testing::Contains("Sampler")));
+}
+
 TEST_F(RenderGraphFrame, GivesEachHandleATextureAndTheNextFrameTheSameOnes)
 {
     std::vector<RTHandle> textures;

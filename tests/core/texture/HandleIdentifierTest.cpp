@@ -104,7 +104,8 @@ TEST_F(HandlesOfIdentifiers, CannotBeSourceAndDestination)
 {
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { Blitter::BlitCameraTexture(m_Cmd, m_Temp, m_Temp, m_Reads, 0); }),
-              "BlitCameraTexture: 'one identifier' is both source and destination");
+              "BlitCameraTexture: 'one identifier' is both source and destination; copy it first, "
+              "and draw from the copy");
 }
 
 } // namespace

@@ -43,6 +43,18 @@ TEST(RTHandle, LetsGoOfTheTextureOnRelease)
     EXPECT_TRUE(texture.expired());
 }
 
+TEST(RTHandle, LetsGoOfTheTextureWhereItIsSetToNull)
+{
+    RTHandle handle = MaskHandle();
+    const std::weak_ptr<const RenderTexture> texture = handle.rt();
+    handle = nullptr;
+    EXPECT_TRUE(handle == nullptr);
+    EXPECT_TRUE(texture.expired());
+    handle = MaskHandle();
+    handle = {};
+    EXPECT_TRUE(handle == nullptr);
+}
+
 TEST(RTHandle, KeepsTheTextureAsLongAsACopyRefersToIt)
 {
     RTHandle handle = MaskHandle();

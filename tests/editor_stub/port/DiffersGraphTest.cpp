@@ -144,7 +144,8 @@ void ExpectABuilderAndDataThatIsAPointer()
                         k_DrawAll(context.cmd);
                     });
             }
-            auto builder = graph.AddUnsafePass<PassData>("Unsafe", passData);
+            auto builder =
+                graph.AddUnsafePass<PassData>("Unsafe", passData, ProfilingSampler("Unsafe"));
             builder.AllowPassCulling(false);
             builder.SetRenderFunc([&ran](PassData&, UnsafeGraphContext&) { ran += 10; });
         });

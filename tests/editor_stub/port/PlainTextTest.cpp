@@ -25,7 +25,9 @@ TEST(PlainText, IsThatOfOneStringWhichCppWritesAlike)
                                 "?\"")); // two in a row began a character of old C++
     EXPECT_EQ(std::nullopt, TextIn(R"("\u0041")"));
     EXPECT_EQ(std::nullopt, TextIn(R"(@"a")"));
-    EXPECT_EQ(std::nullopt, TextIn(R"("a" + "b")"));
+    EXPECT_EQ("ab?\\?c", TextIn("\"a\" + \"b?\" + \"?c\""));
+    EXPECT_EQ(std::nullopt, TextIn(R"("a" + b)"));
+    EXPECT_EQ(std::nullopt, TextIn(R"("a" + )"));
     EXPECT_EQ(std::nullopt, TextIn("1"));
 }
 

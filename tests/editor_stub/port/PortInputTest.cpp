@@ -192,6 +192,119 @@ TEST(PortInput, AFunctionOfAGraphPassStandsOnce)
     ExpectAll(ported.source, {"// OnlyHere(d);", "//     data.material = null;\n"});
 }
 
+TEST(PortInput, AGraphPassMaySayItsDatasTypeBehindOutAndItsNameInAVariable)
+{
+    const Ported ported = PortMembers(
+        "    class P : ScriptableRenderPass {\n"
+        "        class Data { public Material material; }\n"
+        "        ProfilingSampler mine = new ProfilingSampler(\"Mine\");\n"
+        "        public override void RecordRenderGraph(RenderGraph graph, ContextContainer frame) "
+        "{\n"
+        "            string title = \"Titled\";\n"
+        "            using (IRasterRenderGraphBuilder b = graph.AddRasterRenderPass(\"Typed\", out "
+        "Data data, this.profilingSampler)) {\n"
+        "                b.SetRenderFunc((Data d, RasterGraphContext c) => { });\n"
+        "            }\n"
+        "            using (var b = graph.AddUnsafePass<Data>(title, out var data, mine)) {\n"
+        "                b.SetRenderFunc((Data d, UnsafeGraphContext c) => { });\n"
+        "            }\n"
+        "            string twice = \"A\";\n"
+        "            twice = \"B\";\n"
+        "            using (var b = graph.AddUnsafePass<Data>(twice, out var data)) { }\n"
+        "            using (var b = graph.AddUnsafePass(\"No type\", out var data)) { }\n"
+        "        }\n"
+        "    }\n");
+    ExpectAll(ported.source,
+              {"auto b = graph.AddRasterRenderPass<Data>(\"Typed\", data, profilingSampler);",
+               "auto b = graph.AddUnsafePass<Data>(\"Titled\", data, mine);",
+               "its name, 'twice', is not known before it runs",
+               "'var builder = renderGraph.AddUnsafePass<PassData>(name, out var passData)' is "
+               "expected"});
+}
+
+TEST(PortInput, AComponentThatAClassKeepsIsAPointer)
+{
+    const Ported ported = PortMembers(
+        "    class P : ScriptableRenderPass {\n"
+        "        Mist mist;\n"
+        "        Mist other = null;\n"
+        "        public P(Mist mist) { this.mist = mist; }\n"
+        "        public override void Execute(ScriptableRenderContext c, ref RenderingData d) { }\n"
+        "    }\n"
+        "    private Mist last;\n",
+        "class Mist : VolumeComponent { public FloatParameter x = new FloatParameter(1f); }\n");
+    ExpectAll(ported.source, {"    const Mist* mist = nullptr;\n",
+                              "    const Mist* other = nullptr;\n", "        mist = &mist_;\n"});
+    EXPECT_THAT(ported.header, HasSubstr("    const Mist* last = nullptr;\n"));
+    EXPECT_THAT(ported.header + ported.source, Not(HasSubstr("a member")));
+}
+
+TEST(PortInput, VectorsOfUnitysNamesAreNumbers)
+{
+    const Ported ported =
+        PortMembers("    public Vector4 all = Vector4.one;\n    Vector3 ahead = Vector3.forward;\n"
+                    "    Vector3 under = Vector3.down;\n    Vector4 none = Vector4.up;\n",
+                    "class V : VolumeComponent {\n"
+                    "    public Vector2Parameter a = new Vector2Parameter(Vector2.one);\n"
+                    "    public Vector3Parameter b = new Vector3Parameter(Vector3.zero, true);\n"
+                    "}\n");
+    ExpectAll(ported.header,
+              {"Vector2Parameter a{this, \"a\", Vector2(1.0f, 1.0f)};",
+               "Vector3Parameter b{this, \"b\", Vector3(0.0f, 0.0f, 0.0f), true};",
+               "Vector4 all = Vector4(1.0f, 1.0f, 1.0f, 1.0f);",
+               "Vector3 ahead = Vector3(0.0f, 0.0f, 1.0f);",
+               "Vector3 under = Vector3(0.0f, -1.0f, 0.0f);", "// Vector4 none = Vector4.up;"});
+}
+
+TEST(PortInput, AMaskOfItsOwnIsNoneOfLimns)
+{
+    const Ported ported =
+        PortMembers("    public RenderingLayerMask mine = 2u;\n",
+                    "public struct RenderingLayerMask { public uint bits;\n"
+                    "    public RenderingLayerMask(uint value) { bits = value; } }\n"
+                    "public class BitsParameter : VolumeParameter<uint> { }\n"
+                    "class V : VolumeComponent {\n"
+                    "    public BitsParameter layers = new BitsParameter(2);\n"
+                    "    public BitsParameter noLayers = new BitsParameter();\n"
+                    "}\n");
+    ExpectAll(
+        ported.header,
+        {"RenderingLayerMaskParameter layers{this, \"layers\", limn::RenderingLayerMask(2u)};",
+         "RenderingLayerMaskParameter noLayers{this, \"noLayers\", "
+         "limn::RenderingLayerMask::Nothing()};",
+         "// RenderingLayerMask mine = 2u;", "    RenderingLayerMask mine;\n"});
+}
+
+TEST(PortInput, HelpersOfColourMasksAndTheFramesResultsGoOver)
+{
+    const Ported ported = PortMembers("    RenderStateBlock Block(ColorWriteMask mask, "
+                                      "CullingResults results, VolumeStack stack) "
+                                      "{ return new RenderStateBlock(RenderStateMask.Blend); }\n");
+    EXPECT_THAT(ported.header,
+                HasSubstr("RenderStateBlock Block([[maybe_unused]] const ColorWriteMask& mask, "
+                          "[[maybe_unused]] const CullingResults& results, [[maybe_unused]] const "
+                          "VolumeStack& stack);"));
+}
+
+TEST(PortInput, AParameterThatIsChangedIsACopy)
+{
+    const Ported ported = PortMembers(
+        "    void A(RenderTextureDescriptor desc) { desc.msaaSamples = 1; }\n"
+        "    void B(RenderTextureDescriptor desc) { other.desc.msaaSamples = desc.msaaSamples; }\n"
+        "    void C(Color color) { color *= 2f; }\n");
+    ExpectAll(ported.header, {"void A([[maybe_unused]] RenderTextureDescriptor desc);",
+                              "void B([[maybe_unused]] const RenderTextureDescriptor& desc);",
+                              "void C([[maybe_unused]] Color color);"});
+}
+
+TEST(PortInput, ATooltipInPiecesIsOne)
+{
+    EXPECT_THAT(
+        PortMembers("    [Tooltip(\"How wide, \" +\n        \"in pixels.\")] public int w;\n")
+            .header,
+        HasSubstr("inspector.Field(\"w\", w, \"How wide, in pixels.\");"));
+}
+
 TEST(PortInput, OneBranchOfAConditionIsPorted)
 {
     const std::string members =

@@ -128,7 +128,8 @@ TEST(PortToolbox, BeginsThePassesOfARenderGraph)
          "std::shared_ptr<ComputeShader> compute{};",
          "// AnimationCurve falloff;",
          "DrawData* passData = nullptr;\n",
-         "auto builder = renderGraph.AddRasterRenderPass<DrawData>(\"Toolbox Draw\", passData);",
+         "auto builder = renderGraph.AddRasterRenderPass<DrawData>(\"Toolbox Draw\", passData, "
+         "profilingSampler);",
          "builder.AllowPassCulling(false);",
          "builder.AllowGlobalStateModification(true);",
          "//     builder.SetRenderAttachment(target, 0);",

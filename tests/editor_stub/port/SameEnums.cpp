@@ -41,6 +41,9 @@ void SameLines::Enums()
     SAME("ClearFlag.None", ClearFlag::None);
     SAME("ClearFlag.Stencil", ClearFlag::Stencil);
     SAME("ColorWriteMask", ColorWriteMask::All);
+    ColorWriteMask colorMask = ColorWriteMask::Red;
+    SAME("ColorWriteMask", colorMask |= ColorWriteMask::Green);
+    SAME("ColorWriteMask", (colorMask & ColorWriteMask::Red) != ColorWriteMask::Red);
     SAME("CompareFunction", CompareFunction());
     SAME("CompareFunction.Always", CompareFunction::Always);
     SAME("CompareFunction.Disabled", CompareFunction::Disabled);

@@ -198,6 +198,8 @@ void SameLines::Frame()
     SAME("RenderGraph.CreateRendererList", renderGraph.CreateRendererList(listDesc));
     SAME("RenderGraph.CreateTexture", renderGraph.CreateTexture(textureDesc));
     SAME("RenderGraph.CreateTexture", renderGraph.CreateTexture(textureHandle));
+    SAME("RenderGraph.CreateTexture", renderGraph.CreateTexture(textureHandle, "_Copy"));
+    SAME("RenderGraph.CreateTexture", renderGraph.CreateTexture(textureHandle, "_Copy", true));
     SAME("RenderGraph.CreateTextureIfInvalid",
          renderGraph.CreateTextureIfInvalid(textureDesc, textureHandle));
     SAME("RenderGraph.GetBufferDesc", renderGraph.GetBufferDesc(bufferHandle));

@@ -74,6 +74,12 @@ public:
 
     /// Lets go of the texture or identifier now.
     void Release() { *this = RTHandle(); }
+    /// The same, for `m_Handle = nullptr`.
+    RTHandle& operator=(std::same_as<std::nullptr_t> auto)
+    {
+        Release();
+        return *this;
+    }
 
     bool operator==(const RTHandle&) const = default;
     bool operator==(std::nullptr_t) const { return !*this; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/ContextContainer.h>
+#include <limn/core/ProfilingScope.h>
 #include <limn/core/RenderGraphBuilder.h>
 
 namespace limn
@@ -61,6 +62,9 @@ public:
     /// @throws ContractError as RenderTexture does
     TextureHandle CreateTexture(const TextureDesc& desc);
     TextureHandle CreateTexture(const TextureHandle& texture); ///< one like it
+    /// One like it of another name; `clear`: a pass that draws into it first clears it.
+    TextureHandle CreateTexture(const TextureHandle& texture, std::string_view name,
+                                bool clear = false);
     /// A texture of the pass's own; once more gives the same handle.
     /// @throws ContractError if there is no texture
     TextureHandle ImportTexture(const RTHandle& rt, const ImportResourceParams& importParams = {});
@@ -104,6 +108,26 @@ public:
         auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
         return {*this, AddPass(passName), std::move(data)};
+    }
+
+    // The same with a sampler, which changes nothing: a pass is shown by its name.
+    template <typename PassData>
+    RasterRenderGraphBuilder<PassData>
+    AddRasterRenderPass(std::string_view passName, PassData*& passData, const ProfilingSampler&)
+    {
+        return AddRasterRenderPass<PassData>(passName, passData);
+    }
+    template <typename PassData>
+    UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData,
+                                                     const ProfilingSampler&)
+    {
+        return AddUnsafePass<PassData>(passName, passData);
+    }
+    template <typename PassData>
+    ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
+                                                       PassData*& passData, const ProfilingSampler&)
+    {
+        return AddComputePass<PassData>(passName, passData);
     }
 
     /// Draws the source through the material over the whole destination, whose contents stay where

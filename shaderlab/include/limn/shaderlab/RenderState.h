@@ -103,14 +103,23 @@ enum class CullMode
 };
 
 /// Bits of ColorMask: red is the high bit, as in Unity.
-namespace ColorWriteMask
+/// Unity: UnityEngine.Rendering.ColorWriteMask (2022.3).
+struct ColorWriteMask
 {
-inline constexpr int Alpha = 1;
-inline constexpr int Blue = 2;
-inline constexpr int Green = 4;
-inline constexpr int Red = 8;
-inline constexpr int All = 15;
-} // namespace ColorWriteMask
+    static constexpr int Alpha = 1;
+    static constexpr int Blue = 2;
+    static constexpr int Green = 4;
+    static constexpr int Red = 8;
+    static constexpr int All = 15;
+
+    int bits = 0;
+
+    constexpr ColorWriteMask() = default;
+    constexpr ColorWriteMask(int value) : bits(value) {}
+    constexpr operator int() const { return bits; }
+    constexpr ColorWriteMask& operator|=(ColorWriteMask other) { return *this = bits | other.bits; }
+    constexpr ColorWriteMask& operator&=(ColorWriteMask other) { return *this = bits & other.bits; }
+};
 
 /// A value of a fixed-function command: written out, or taken from a material property at draw
 /// time (`Cull [_Cull]`; Unity's enum integers, rounded).
