@@ -7,9 +7,10 @@ C# files and the C++ behind them are one port; further C# begins the next. Wheth
 header or a header with sources makes no difference: a method counts where its class is, and of a method
 that is declared and defined the definition. -v prints the lines that changed; one port alone does, too.
 
-A line of C# counts where it holds code, more than a bracket, and no using directive. It goes over as
+A line of C# counts where it holds code, more than a bracket, and no using directive, namespace or
+region, and where Unity 2022.3 outside of the editor compiles it. It goes over as
 it is if each of its statements is found in the C++, in their order, with the same names, numbers and
-operators, after what is spelled otherwise in all C++: `.` for `->` and `::`, `new T(` for
+operators, after what is spelled otherwise in all C++: `.` (and `?.`) for `->` and `::`, `new T(` for
 make_unique<T>( and make_shared<T>(, `T x = new(` for `T x(`, references and pointers (`ref`, `in`,
 `out`; `&`, `*`), words that say who may see or change something, types of variables that are
 `var` or `auto`, `null`, the f behind numbers, `()` behind a property, and brackets around a body.
@@ -132,6 +133,9 @@ def statement(words):
 CLASS = re.compile(r"\b(?:class|struct)\s+(\w+)[^;{}()]*\{")
 
 
+NESTED = re.compile(r"\b(class|struct)\s+((?:\w+::)+)(\w+)([^;{}()]*)\{")
+
+
 def closing(text, at):
     """Where the bracket closes that opens at `at`; strings and comments are gone or harmless here."""
     pairs = {"{": "}", "(": ")"}
@@ -164,10 +168,48 @@ def definitions(text):
         yield match.start(), end, owner, match.group("name"), shown
 
 
+def classes_home(text):
+    """The C++ with `class Outer::Inner {...};` where Outer says `class Inner;`."""
+    while match := NESTED.search(text):
+        end = closing(text, match.end() - 1)
+        last = end + 1 + (text[end + 1:end + 2] == ";")
+        shown = f"{match[1]} {match[3]}{match[4]}{text[match.end() - 1:last]}"
+        text = text[:match.start()] + text[last:]
+        outer = match[2].split("::")[-2]
+        place = next((m for m in CLASS.finditer(text) if m.group(1) == outer), None)
+        if place is None:
+            text += "\n" + shown
+            continue
+        close = closing(text, place.end() - 1)
+        declared = re.compile(r"\b(?:class|struct)\s+" + match[3] + r"\s*;").search(text, place.end(), close)
+        begin, rest = (declared.start(), declared.end()) if declared else (close, close)
+        text = text[:begin] + "\n" + shown + "\n" + text[rest:]
+    return text
+
+
+def csharp_text(path):
+    """Line by line, without those that are no line of the feature."""
+    lines = []
+    taken = []  # by #if that is open: whether this branch is compiled, and whether one was before
+    for line in path.read_text(encoding="utf-8-sig").split("\n"):
+        word = line.strip()
+        if word.startswith("#if"):
+            is_taken = not re.search(r"(?<!!)(?:UNITY_EDITOR|UNITY_6000_\d+_OR_NEWER)", word)
+            taken.append((is_taken, is_taken))
+        elif word.startswith("#el") and taken:
+            taken[-1] = (not taken[-1][1], True)
+        elif word.startswith("#endif") and taken:
+            taken.pop()
+        is_out = word.startswith(("#", "namespace ")) or not all(branch for branch, _ in taken)
+        lines.append("" if is_out else line.replace("?.", "."))
+    return "\n".join(lines)
+
+
 def brought_home(text):
     """The C++ with each method where its class declares it, as in one header: the order of the C#."""
     text = without_comments(text)
     text = re.sub(r"^[ \t]*#.*$", "", text, flags=re.M)
+    text = classes_home(text)
     found = list(definitions(text))
     for first, last, owner, name, shown in reversed(found):
         text = text[:first] + "\n" + text[last:]
@@ -215,7 +257,7 @@ def counted_lines(text):
 
 
 def measure(csharp, cpp):
-    text = "\n".join(path.read_text() for path in csharp)
+    text = "\n".join(csharp_text(path) for path in csharp)
     theirs = list(statements(text))
     ours = list(statements(brought_home("\n".join(path.read_text() for path in cpp))))
     matcher = difflib.SequenceMatcher(None, [s for s, _ in theirs], [s for s, _ in ours], autojunk=False)
@@ -254,7 +296,7 @@ def main():
         total_changed += len(changed)
         print(f"{csharp[0].stem:28} {len(counted):4} lines, {100 * (1 - len(changed) / len(counted)):5.1f} % as they are")
         if "-v" in sys.argv or len(pairs) == 1:
-            lines = "\n".join(path.read_text() for path in csharp).split("\n")
+            lines = "\n".join(csharp_text(path) for path in csharp).split("\n")
             for number in sorted(changed):
                 print(f"    {number:4}: {lines[number - 1].strip()}")
     print(f"{'all':28} {total:4} lines, {100 * (1 - total_changed / total):5.1f} % as they are")

@@ -21,6 +21,13 @@ for header in */*Feature.h $each.h; do
     parts=$(./share.py "${header%.h}.cs" "$split/$name.h" "$split/$name.cpp")
     [ "$whole" = "$parts" ] || { printf '%s as one header:\n%s\nsplit:\n%s\n' "$name" "$whole" "$parts" >&2; exit 1; }
 done
+# So it is of a pass whose class stands in the source, and of C# with a byte-order mark, a namespace,
+# a region and lines for the editor.
+printf '\xef\xbb\xbfusing UnityEngine;\nnamespace Own\n{\n#region Passes\nclass A : Feature\n{\n    class P : Pass\n    {\n        void Run()\n        {\n            m_Copy?.Release();\n        }\n    }\n#if UNITY_EDITOR\n    int m_Shown;\n#endif\n    P m_P;\n}\n#endregion\n}\n' >"$split/A.cs"
+printf 'namespace Own\n{\nclass A : public Feature\n{\n    class P;\n    P m_P;\n};\n}\n' >"$split/A.h"
+printf 'namespace Own\n{\nclass A::P final : public Pass\n{\n    void Run() { m_Copy.Release(); }\n};\n}\n' >"$split/A.cpp"
+nested=$(./share.py "$split/A.cs" "$split/A.h" "$split/A.cpp" | sed -n '$p')
+[ "$nested" = "all                             5 lines, 100.0 % as they are" ] || { echo "a pass in the source counts as '$nested'" >&2; exit 1; }
 # Several files of C# and of C++ are one port, and what is missing is said.
 cat blurred_glass/BlurredGlassFeature.cs xray/XRayFeature.cs >"$split/Both.cs"
 cat blurred_glass/BlurredGlassFeature.h xray/XRayFeature.h >"$split/Both.h"
