@@ -7,6 +7,7 @@
 #include "compiler/PlatformMacros.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
+#include "program/PassMacro.h"
 #include "program/PragmaScanner.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 14;
+constexpr int k_CompilerVersion = 15;
 
 std::string HashName(const std::string& text)
 {
@@ -81,11 +82,16 @@ std::string PlacedKey(const std::string& key, const PassProgram& program)
     return HashName(placed);
 }
 
-/// What the library is to know of the platform, as macros.
-std::vector<std::string> WithPlatform(std::span<const std::string> keywords,
+/// What the library is to know of the platform and the pass, as macros.
+std::vector<std::string> WithPlatform(const PassProgram& program,
+                                      std::span<const std::string> keywords,
                                       const ShaderCompilerOptions& options)
 {
     std::vector<std::string> all(keywords.begin(), keywords.end());
+    if (const std::string_view macro = PassMacro(program.lightMode); !macro.empty())
+    {
+        all.emplace_back(macro);
+    }
     if (!options.usesReversedZBuffer)
     {
         all.emplace_back(k_StandardZMacro);
@@ -193,7 +199,7 @@ PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& written,
                                                              std::span<const std::string> chosen)
 {
-    const std::vector<std::string> keywords = WithPlatform(chosen, m_State->options);
+    const std::vector<std::string> keywords = WithPlatform(written, chosen, m_State->options);
     const PassProgram program = ReadPragmas(written);
     if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
     {

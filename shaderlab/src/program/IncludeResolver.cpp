@@ -160,6 +160,13 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     m_Refusal.clear();
     std::string path(include.substr(0, include.find('\0')));
     std::replace(path.begin(), path.end(), '\\', '/');
+    if (path.size() > 1 && path[0] == '/' && path[1] != '/')
+    {
+        if (auto file = Find(path.substr(1), {})) // from the project's folder
+        {
+            return file;
+        }
+    }
     if (isAbsolute(path))
     {
         m_Refusal = "an absolute path; write it from this file or from the project's folder";

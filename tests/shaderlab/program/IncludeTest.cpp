@@ -139,6 +139,19 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
 }
 
+TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)
+{
+    folder.Write("project/Inc/a.hlsl", "#include \"/Inc/b.hlsl\"\n");
+    folder.Write("project/Inc/b.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"/Inc/a.hlsl\""), ElementsAre());
+    EXPECT_THAT(Compile("#include \"/Inc/c.hlsl\"").at(0), HasSubstr("is an absolute path"));
+    // Outside of a Unity project it is the folder that is given.
+    ShaderCompilerOptions options;
+    options.projectRoot = Path("root");
+    folder.Write("root/Inc/d.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"/Inc/d.hlsl\"", options), ElementsAre());
+}
+
 TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"b.hlsl\"\n#include \"b.hlsl\"\n");

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 #define UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 
 // Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
@@ -198,3 +199,4 @@ void TransformScreenUV(inout float2 uv) {}
 float2 TransformStereoScreenSpaceTex(float2 uv, float w) { return uv; }
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/ShaderVariablesFunctions.deprecated.hlsl"
+#endif
