@@ -146,8 +146,8 @@ TEST_F(UnseenLibraryValues, LeavesTurnAboutTheirAnchorToTheCamera)
     // The object and the camera stand as the world does, one unit is one unit.
     const std::vector<float> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     grid.SetGlobal("unity_MatrixInvV", identity);
-    grid.perDraw.objectToWorld = glm::mat4(1.0f);
-    grid.perDraw.worldToObject = glm::mat4(1.0f);
+    std::ranges::copy(identity, grid.perDraw.objectToWorld);
+    std::ranges::copy(identity, grid.perDraw.worldToObject);
     grid.Add("Kind(a.x)", Combine({0, 1, 2, 3, 4, 5}),
              [](const glm::dvec4& a, auto&, auto&) { return a.x > 3.0 ? a.x - 2.0 + 10.0 : a.x; });
     grid.Add(
