@@ -180,6 +180,15 @@ TEST(UnseenLibrary, LeavesTheKeywordsOf2DLightsOffByThemselves)
     }
 }
 
+TEST(UnseenLibrary, TakesTheBuiltinSupportBeforeOrBehindUrp)
+{
+    const std::string support = "#include \"HLSLSupport.cginc\"\n";
+    for (const std::string& text : {support + k_Core, k_Core + support, std::string(k_Core)})
+    {
+        EXPECT_NO_THROW(CompileUrp(Pass(text, "TransformStereoScreenSpaceTex(p.xy, 1).xyxy")));
+    }
+}
+
 TEST(UnseenLibrary, HasFilesBesideThePipelines)
 {
     EXPECT_NO_THROW(CompileUrp(Pass(Include("universal-config/Runtime/ShaderConfig.cs"),

@@ -44,7 +44,7 @@ void HlslLowering::LowerCall(HlslNode& node)
 /// that it is called from where that is not declared yet.
 void HlslLowering::LowerHidden(const HlslNode& node)
 {
-    if (!node.isIntrinsic || !node.type.isNumber())
+    if (!node.isIntrinsic || !node.type.isNumber() || m_IsInitial)
     {
         return;
     }

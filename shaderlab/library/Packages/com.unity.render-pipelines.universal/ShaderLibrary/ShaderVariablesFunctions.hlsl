@@ -196,7 +196,9 @@ float InitializeInputDataFog(float4 positionWS, float vertFogFactor)
 
 void TransformScreenUV(inout float2 uv, float screenHeight) {}
 void TransformScreenUV(inout float2 uv) {}
+#ifndef TransformStereoScreenSpaceTex // a macro in HLSLSupport.cginc
 float2 TransformStereoScreenSpaceTex(float2 uv, float w) { return uv; }
+#endif
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/ShaderVariablesFunctions.deprecated.hlsl"
 #endif
