@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limn/shaderlab/Case.h>
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/FindPackages.h>
 
 namespace limn
 {
@@ -20,14 +21,29 @@ constexpr double k_MaxTime = 1e38;
 
 } // namespace
 
+std::map<std::string, std::string> ReadPackages(const std::string& text)
+{
+    std::map<std::string, std::string> packages;
+    for (const auto& [name, folder] : FindPackages(text))
+    {
+        packages[name] = folder.string();
+    }
+    const std::size_t equals = text.find('=');
+    const bool isPair = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+    if (packages.empty() && isPair)
+    {
+        packages[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return packages;
+}
+
 std::string CheckPackage(const std::string& text)
 {
-    const std::size_t equals = text.find('=');
-    const bool isGood = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-    return isGood ? std::string()
-                  : "'" + text +
-                        "' is no package; NAME=DIR is expected: "
-                        "com.unity.render-pipelines.core=DIR";
+    return !ReadPackages(text).empty()
+               ? std::string()
+               : "'" + text +
+                     "' is no package; a folder with a package.json is expected, or NAME=DIR: "
+                     "com.unity.render-pipelines.core=DIR";
 }
 
 std::string CheckTime(const std::string& text)

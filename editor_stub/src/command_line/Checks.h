@@ -1,10 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace limn
 {
+
+/// The folders of packages by their names that the text of --package means: `NAME=DIR`, or a folder
+/// that is a package or holds some. Empty if it is none of these.
+std::map<std::string, std::string> ReadPackages(const std::string& text);
 
 // What is wrong with the text of an option; "" if nothing.
 

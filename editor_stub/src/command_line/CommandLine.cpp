@@ -61,8 +61,7 @@ std::map<std::string, std::string> ToPackages(const std::vector<std::string>& te
     std::map<std::string, std::string> packages;
     for (const std::string& text : texts)
     {
-        const std::size_t equals = text.find('=');
-        packages[text.substr(0, equals)] = text.substr(equals + 1);
+        packages.merge(ReadPackages(text));
     }
     return packages;
 }
@@ -79,8 +78,9 @@ void AddRootOption(CLI::App& verb, CommandLine& line)
 void AddPackageOption(CLI::App& verb, CommandLine& line)
 {
     verb.add_option("--package", line.packages,
-                    "Take a package's shader includes from a folder of your own")
-        ->type_name("NAME=DIR")
+                    "Take a package's shader includes from a folder of your own; without NAME, "
+                    "what its package.json says")
+        ->type_name("[NAME=]DIR")
         ->allow_extra_args(false)
         ->check(CheckPackage);
 }

@@ -1,9 +1,12 @@
+#include "command_line/Checks.h"
 #include "command_line/CommandLine.h"
 #include "command_line/Help.h"
 #include "command_line/OptionText.h"
 #include "command_line/UsageProblem.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <limn/core/Debug.h>
 #include <limn/core/DrawError.h>
 #include <limn/editor_stub/RunLimn.h>
@@ -58,6 +61,37 @@ int WrongUsage(const std::string& problem, const CLI::App& app, Console& console
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
+/// Whether the text is a file or a folder that is there.
+bool isThere(const std::string& text)
+{
+    std::error_code ignored;
+    return std::filesystem::exists(text, ignored);
+}
+
+/// Gives each of several packages behind one --package a flag of its own. CLI11 would take files
+/// for packages as well: a folder counts as one only behind a file.
+std::vector<std::string> SplitPackages(std::span<const std::string> args)
+{
+    std::vector<std::string> split;
+    bool isPackages = false; // the words before are a flag and its packages
+    bool hasFile = false;
+    for (const std::string& arg : args)
+    {
+        const bool isMore = isPackages && split.back() != "--package" &&
+                            (arg.find('=') != arg.npos || (hasFile && isThere(arg))) &&
+                            !arg.starts_with("-") && !ReadPackages(arg).empty();
+        if (isMore)
+        {
+            split.emplace_back("--package");
+        }
+        isPackages = arg == "--package" || isMore ||
+                     (isPackages && !split.empty() && split.back() == "--package");
+        hasFile = hasFile || (!isPackages && isThere(arg));
+        split.push_back(arg);
+    }
+    return split;
+}
+
 /// Reads the arguments into the command line that was made with the app.
 /// @return what is wrong with them; "" if nothing is
 /// @throws CLI::Success where only help or the version is asked for
@@ -70,7 +104,9 @@ std::string ParseArguments(std::span<const std::string> args, CLI::App& app)
     }
     try
     {
-        app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+        std::vector<std::string> split = SplitPackages(args);
+        std::ranges::reverse(split); // as CLI11 has it
+        app.parse(std::move(split));
     }
     catch (const CLI::Success&)
     {

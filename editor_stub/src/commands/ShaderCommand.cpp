@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> FindFiles(const std::vector<std::string>& pat
     return files;
 }
 
-/// The folders to look for other shaders in, each once.
+/// The folders to look for other shaders in, each once; those of files that are not there are none.
 std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& paths)
 {
     std::vector<std::filesystem::path> folders;
@@ -61,7 +61,7 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
     {
         std::filesystem::path folder(path);
         folder = isFolder(folder) ? folder : FolderOfShaders(folder);
-        if (std::find(folders.begin(), folders.end(), folder) == folders.end())
+        if (isFolder(folder) && std::find(folders.begin(), folders.end(), folder) == folders.end())
         {
             folders.push_back(std::move(folder));
         }
@@ -158,11 +158,16 @@ private:
 };
 
 /// Writes the files of one shader; what cannot be written is told and counts as the shader's error.
-void Emit(ShaderCheck& check, const ShaderOptions& options, Console& console)
+void Emit(ShaderCheck& check, const ShaderOptions& options, EmittedStems& stems, Console& console)
 {
+    if (!check.document)
+    {
+        return; // it was not read
+    }
     try
     {
-        for (const auto& written : EmitShader(check, options.emit, options.outputFolder))
+        const std::string stem = stems.Take(check.document->name);
+        for (const auto& written : EmitShader(check, options.emit, options.outputFolder, stem))
         {
             console.Result(written.string());
         }
@@ -219,6 +224,7 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
 {
     std::vector<ShaderCheck> checks;
     FindingsPrinter findings(console);
+    EmittedStems stems;
     for (std::size_t i = 0; i < running.size(); ++i)
     {
         console.Progress(std::to_string(i + 1) + " of " + std::to_string(running.size()) + ": " +
@@ -227,7 +233,7 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
         findings.Print(check.diagnostics);
         if (!options.emit.empty())
         {
-            Emit(check, options, console);
+            Emit(check, options, stems, console);
         }
         checks.push_back(std::move(check));
     }

@@ -1,6 +1,7 @@
 #include "shaders/ShaderEmit.h"
 
 #include "console/CacheFolder.h"
+#include <limn/shaderlab/Case.h>
 #include <limn/shaderlab/WriteFile.h>
 
 #include <cctype>
@@ -140,8 +141,20 @@ void Translate(const CheckedPass& checked, const ShaderCheck& check, const std::
 
 } // namespace
 
+std::string EmittedStems::Take(const std::string& shaderName)
+{
+    const std::string stem = FileStem(shaderName);
+    std::string free = stem;
+    for (int i = 2; !m_Taken.insert(ToLower(free)).second; ++i)
+    {
+        free = stem + "-" + std::to_string(i);
+    }
+    return free;
+}
+
 std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const std::string& language,
-                                              const std::filesystem::path& folder)
+                                              const std::filesystem::path& folder,
+                                              const std::string& stem)
 {
     // Everything is translated before the first file is written: all of them or none.
     std::vector<EmittedFile> files;
@@ -152,8 +165,7 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
             if (subShader.passes[i].compiled)
             {
                 Translate(subShader.passes[i], check, language,
-                          folder / (FileStem(check.document->name) + "." + std::to_string(i)),
-                          files);
+                          folder / (stem + "." + std::to_string(i)), files);
             }
         }
     }

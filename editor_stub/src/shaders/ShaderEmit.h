@@ -2,6 +2,8 @@
 
 #include "shaders/ShaderCheck.h"
 
+#include <set>
+
 namespace limn
 {
 
@@ -9,9 +11,22 @@ namespace limn
 /// if it is not there: <shader>.<pass>.vert.glsl and the like.
 /// @param language  "spirv", "glsl" (4.5, Vulkan's), "glsles" (ES 3.0), "msl" or "hlsl" (shader
 ///                  model 5.0)
+/// @param stem  what the files' names begin with
 /// @return the files written
 /// @throws AssetError if a file cannot be written, or the language cannot express a program
 std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const std::string& language,
-                                              const std::filesystem::path& folder);
+                                              const std::filesystem::path& folder,
+                                              const std::string& stem);
+
+/// What the files of shaders begin with: their names, without what file names cannot have. Of
+/// several that come to the same, the second has "-2" behind it, and so on.
+class EmittedStems
+{
+public:
+    std::string Take(const std::string& shaderName);
+
+private:
+    std::set<std::string> m_Taken; ///< lower case: some disks tell no case
+};
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // What arrives of the light of a pass. The main light is directional and throws no shadows; POINT,
 // SPOT and the cookie keywords read the textures that Unity names for them.
 #pragma once
+#ifndef AUTOLIGHT_INCLUDED
 #define AUTOLIGHT_INCLUDED
 #include "HLSLSupport.cginc"
 #include "UnityShadowLibrary.cginc"
@@ -110,3 +111,4 @@ fixed limn_LightFalloff(float3 worldPos) { return 1.0; }
 // Declares destName.
 #define UNITY_LIGHT_ATTENUATION(destName, input, worldPos) \
     fixed destName = limn_LightFalloff(worldPos) * UNITY_SHADOW_ATTENUATION(input, worldPos);
+#endif

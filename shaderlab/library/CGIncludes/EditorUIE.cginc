@@ -1,5 +1,6 @@
 // The UI Toolkit in the editor, whose pictures are always sRGB.
 #pragma once
+#ifndef UNITY_EDITOR_UIE_INCLUDED
 #define UNITY_EDITOR_UIE_INCLUDED
 #include "HLSLSupport.cginc"
 
@@ -18,3 +19,4 @@ fixed4 uie_editor_frag(v2f IN)
     fixed isLinear = IN.typeTexSettings.x == limn_UIE_TEXTURED ? _EditorColorSpace : 0;
     return fixed4(lerp(color.rgb, uie_linear_to_gamma(color.rgb), isLinear), color.a) * tint;
 }
+#endif

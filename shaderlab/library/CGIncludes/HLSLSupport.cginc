@@ -1,6 +1,7 @@
 // Spellings of the old shading language, and the texture macros of the built-in pipeline. A texture
 // t that is declared with its sampler has the sampler samplert.
 #pragma once
+#ifndef HLSL_SUPPORT_INCLUDED
 #define HLSL_SUPPORT_INCLUDED
 #include "limn/OldSampling.hlsl"
 #include "limn/Platform.hlsl"
@@ -109,3 +110,4 @@
 #define UnityStereoScreenSpaceUVAdjust(uv, scaleAndOffset) uv
 #define TransformStereoScreenSpaceTex(uv, w) uv
 #define UnityStereoClamp(uv, scaleAndOffset) uv
+#endif

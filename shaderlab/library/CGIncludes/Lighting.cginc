@@ -1,4 +1,5 @@
 #pragma once
+#ifndef LIGHTING_INCLUDED
 #define LIGHTING_INCLUDED
 #include "UnityLightingCommon.cginc"
 #include "UnityGBuffer.cginc"
@@ -84,3 +85,4 @@ void LightingBlinnPhong_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi)
 {
     gi = UnityGlobalIllumination(data, 1.0, s.Normal);
 }
+#endif

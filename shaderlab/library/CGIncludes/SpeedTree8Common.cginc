@@ -1,5 +1,6 @@
 // SpeedTree 8 in the built-in pipeline: vertices, surfaces and the light that shines through leaves.
 #pragma once
+#ifndef SPEEDTREE8_COMMON_INCLUDED
 #define SPEEDTREE8_COMMON_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityPBSLighting.cginc"
@@ -128,3 +129,4 @@ void SpeedTreeSurf(Input IN, inout SurfaceOutputStandard OUT)
     OUT.Emission = (tex2D(_SubsurfaceTex, IN.uv_MainTex) * _SubsurfaceColor).rgb;
 #endif
 }
+#endif

@@ -1,6 +1,7 @@
 // Far SpeedTrees: a quad that turns about its height, with the picture from the side it is seen from.
 // Scripts set its globals: limn has no billboard renderer.
 #pragma once
+#ifndef SPEEDTREE_BILLBOARD_COMMON_INCLUDED
 #define SPEEDTREE_BILLBOARD_COMMON_INCLUDED
 #include "UnityCG.cginc"
 #define SPEEDTREE_ALPHATEST
@@ -42,3 +43,4 @@ void SpeedTreeBillboardVert(inout SpeedTreeBillboardData IN, out Input OUT)
     OUT.HueVariationAmount = saturate(frac(dot(worldPos, 1.0)) * _HueVariation.a);
 #endif
 }
+#endif

@@ -1,5 +1,6 @@
 // Surfaces of SpeedTree 6 and 7 for surface functions and passes of the author's.
 #pragma once
+#ifndef SPEEDTREE_COMMON_INCLUDED
 #define SPEEDTREE_COMMON_INCLUDED
 #include "UnityCG.cginc"
 #define SPEEDTREE_Y_UP
@@ -97,3 +98,4 @@ void SpeedTreeFrag(Input IN, out SpeedTreeFragOut OUT)
 #endif
 #endif
 }
+#endif

@@ -1,5 +1,6 @@
 // Vertices of SpeedTree 6 and 7: levels of detail that blend, leaves that face the camera.
 #pragma once
+#ifndef SPEEDTREE_VERTEX_INCLUDED
 #define SPEEDTREE_VERTEX_INCLUDED
 #include "UnityCG.cginc"
 
@@ -37,3 +38,4 @@ void OffsetSpeedTreeVertex(inout SpeedTreeVB data, float lodValue)
         limn_OffsetTree7(wind, data.vertex.xyz, data.texcoord, data.texcoord1, data.texcoord2,
                          data.texcoord3, data.color.a, lodValue, data.normal);
 }
+#endif

@@ -1,6 +1,7 @@
 // The wind of SpeedTrees: how far it moves the vertices of trunk, branches, leaves and fronds. What
 // feeds it is the script's: limn has no wind zones, and where nothing is set, nothing moves.
 #pragma once
+#ifndef SPEEDTREE_WIND_INCLUDED
 #define SPEEDTREE_WIND_INCLUDED
 
 cbuffer SpeedTreeWind
@@ -301,3 +302,4 @@ float3 RippleFrond(float3 vPos, inout float3 vDirection, float fU, float fV, flo
 {
     return RippleFrondOneSided(vPos, vDirection, fU, fV, fRippleScale limn_ST_FROND_ARGS);
 }
+#endif

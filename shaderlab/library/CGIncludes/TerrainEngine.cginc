@@ -1,6 +1,7 @@
 // How the grass and the trees of a terrain move. Scripts set the globals that the editor's terrain
 // sets: limn has no terrain of its own.
 #pragma once
+#ifndef TERRAIN_ENGINE_INCLUDED
 #define TERRAIN_ENGINE_INCLUDED
 #include "UnityCG.cginc"
 
@@ -118,3 +119,4 @@ float4 AnimateVertex(float4 pos, float3 normal, float4 animParams)
     pos.xyz += animParams.z * _Wind.xyz;
     return pos;
 }
+#endif

@@ -1,5 +1,6 @@
 // The grid that shows a brush over a terrain, built out of vertex numbers. Scripts set the globals.
 #pragma once
+#ifndef TERRAIN_PREVIEW_INCLUDED
 #define TERRAIN_PREVIEW_INCLUDED
 
 sampler2D _Heightmap;
@@ -45,3 +46,4 @@ float Stripe(in float x, in float stripeX, in float pixelWidth)
     float perPixel = max(length(float2(ddx(x), ddy(x))), 0.00001);
     return saturate(0.5 + 0.5 * (0.5 * pixelWidth - abs(x - stripeX) / perPixel));
 }
+#endif

@@ -1,6 +1,7 @@
 // Terrains: up to four layers a pass, mixed by the channels of _Control. limn draws terrains as
 // meshes: nothing is instanced out of height maps.
 #pragma once
+#ifndef TERRAIN_SPLATMAP_COMMON_CGINC_INCLUDED
 #define TERRAIN_SPLATMAP_COMMON_CGINC_INCLUDED
 #ifdef _NORMALMAP
 #define _TERRAIN_NORMAL_MAP // as it was called before Unity 2018.3
@@ -118,4 +119,5 @@ void SplatmapFinalGBuffer(Input IN, TERRAIN_SURFACE_OUTPUT o, inout half4 outGBu
     UnityStandardDataApplyWeightToGbuffer(outGBuffer0, outGBuffer1, outGBuffer2, o.Alpha);
     emission *= o.Alpha;
 }
+#endif
 #endif

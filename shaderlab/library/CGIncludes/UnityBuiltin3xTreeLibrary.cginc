@@ -1,5 +1,6 @@
 // Trees of the Tree Creator: bark and leaves that wind moves, light that shines through leaves.
 #pragma once
+#ifndef UNITY_BUILTIN_3X_TREE_LIBRARY_INCLUDED
 #define UNITY_BUILTIN_3X_TREE_LIBRARY_INCLUDED
 #include "UnityCG.cginc"
 #include "Lighting.cginc"
@@ -113,3 +114,4 @@ float ComputeAlphaCoverage(float4 screenPos, float fadeAmount)
     float2 pixel = screenPos.xy / (screenPos.w + 0.00001) * _ScreenParams.xy;
     return ScreenDitherToAlpha(pixel.x, pixel.y, fadeAmount);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_CG_INCLUDED
 #define UNITY_CG_INCLUDED
 #include "UnityShaderVariables.cginc"
 #include "UnityShaderUtilities.cginc"
@@ -120,3 +121,4 @@ float4 UnityPixelSnap(float4 pos)
 #define UNITY_TRANSFER_DITHER_CROSSFADE_HPOS(o, hpos)
 #define UNITY_APPLY_DITHER_CROSSFADE(i)
 #define UnityApplyDitherCrossFade(pos)
+#endif

@@ -1,5 +1,6 @@
 // What displays are sent in the built-in pipeline: from linear Rec. 709 and back.
 #pragma once
+#ifndef UNITY_COLOR_GAMUT_INCLUDED
 #define UNITY_COLOR_GAMUT_INCLUDED
 #include "UnityCG.cginc"
 
@@ -86,3 +87,4 @@ float3 InverseSimpleHDRDisplayToneMapAndOETF(float3 result, int colorGamut, bool
     float3 color = limn_LinearFromDisplay(result, colorGamut, nitsForPaperWhite, maxDisplayNits);
     return forceGammaToLinear ? LinearToSRGB(color) : color;
 }
+#endif

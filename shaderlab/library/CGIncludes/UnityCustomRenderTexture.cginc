@@ -2,6 +2,7 @@
 // by zone. limn has no such texture, so that nothing sets these values; a caller that sets them and
 // draws 6 vertices per zone gets what Unity draws.
 #pragma once
+#ifndef UNITY_CUSTOM_TEXTURE_INCLUDED
 #define UNITY_CUSTOM_TEXTURE_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
@@ -126,3 +127,4 @@ v2f_init_customrendertexture InitCustomRenderTextureVertexShader(
     o.direction = CustomRenderTextureComputeCubeDirection(v.texcoord);
     return o;
 }
+#endif

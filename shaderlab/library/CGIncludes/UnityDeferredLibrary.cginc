@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_DEFERRED_LIBRARY_INCLUDED
 #define UNITY_DEFERRED_LIBRARY_INCLUDED
 #include "UnityShadowLibrary.cginc"
 
@@ -90,3 +91,4 @@ void UnityDeferredCalculateLightParams(unity_v2f_deferred i, out float3 outWorld
     limn_DeferredLightAt(outWorldPos, outLightDir, outAtten);
     outAtten *= UnityDeferredComputeShadow(outWorldPos, outFadeDist, outUV);
 }
+#endif

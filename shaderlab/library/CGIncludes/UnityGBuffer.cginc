@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_GBUFFER_INCLUDED
 #define UNITY_GBUFFER_INCLUDED
 
 struct UnityStandardData
@@ -48,3 +49,4 @@ void UnityStandardDataApplyWeightToGbuffer(inout half4 inOutGBuffer0, inout half
     inOutGBuffer1 *= alpha;
     inOutGBuffer2.rgb *= alpha;
 }
+#endif

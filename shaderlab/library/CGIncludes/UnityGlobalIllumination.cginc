@@ -1,6 +1,7 @@
 // Light that does not come straight from a lamp. Without reflection probes and light maps it is the
 // ambient light, from all sides alike.
 #pragma once
+#ifndef UNITY_GLOBAL_ILLUMINATION_INCLUDED
 #define UNITY_GLOBAL_ILLUMINATION_INCLUDED
 #include "UnityImageBasedLighting.cginc"
 #include "UnityStandardUtils.cginc"
@@ -93,3 +94,4 @@ UnityGI UnityGlobalIllumination(UnityGIInput data, half occlusion, half smoothne
 {
     return UnityGlobalIllumination(data, occlusion, smoothness, normalWorld, true);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_IMAGE_BASED_LIGHTING_INCLUDED
 #define UNITY_IMAGE_BASED_LIGHTING_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
@@ -36,3 +37,4 @@ half3 Unity_GlossyEnvironment(UNITY_ARGS_TEXCUBE(tex), half4 hdr,
     half mip = perceptualRoughnessToMipmapLevel(roughness);
     return DecodeHDR(UNITY_SAMPLE_TEXCUBE_LOD(tex, glossIn.reflUVW, mip), hdr);
 }
+#endif

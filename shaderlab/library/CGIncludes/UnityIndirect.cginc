@@ -1,6 +1,7 @@
 // The arguments of indirect draws. Those in a buffer of the shader's own are read from there; limn does
 // not hand a draw's own to its shader.
 #pragma once
+#ifndef UNITY_INDIRECT_INCLUDED
 #define UNITY_INDIRECT_INCLUDED
 
 uint GetCommandID(uint svDrawID) { return svDrawID; }
@@ -93,4 +94,5 @@ uint GetIndirectVertexID_Base(uint svVertexID)
 {
     return GetIndirectVertexID_Base(globalIndirectDrawArgs, svVertexID);
 }
+#endif
 #endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_LIGHTING_COMMON_INCLUDED
 #define UNITY_LIGHTING_COMMON_INCLUDED
 #include "UnityShaderVariables.cginc"
 
@@ -38,3 +39,4 @@ struct UnityGIInput
     float4 probePosition[2];
     float4 probeHDR[2];
 };
+#endif

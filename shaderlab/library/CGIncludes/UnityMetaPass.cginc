@@ -1,6 +1,7 @@
 // Passes with LightMode Meta tell a light baker what a surface gives off. limn bakes nothing: they
 // compile, and are not drawn.
 #pragma once
+#ifndef UNITY_META_PASS_INCLUDED
 #define UNITY_META_PASS_INCLUDED
 #include "UnityCG.cginc"
 
@@ -57,3 +58,4 @@ half4 UnityMetaFragment(UnityMetaInput IN)
     }
     return result;
 }
+#endif

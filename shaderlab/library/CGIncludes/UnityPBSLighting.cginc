@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_PBS_LIGHTING_INCLUDED
 #define UNITY_PBS_LIGHTING_INCLUDED
 #include "UnityShaderVariables.cginc"
 #include "UnityStandardConfig.cginc"
@@ -116,3 +117,4 @@ void LightingStandardSpecular_GI(SurfaceOutputStandardSpecular s, UnityGIInput d
 {
     gi = UnityGlobalIllumination(data, s.Occlusion, s.Smoothness, s.Normal);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_SHADER_UTILITIES_INCLUDED
 #define UNITY_SHADER_UTILITIES_INCLUDED
 #include "UnityShaderVariables.cginc"
 
@@ -12,3 +13,4 @@ float4 UnityObjectToClipPos(float4 pos) { return UnityObjectToClipPos(pos.xyz); 
 float4 UnityObjectToClipPosInstanced(float3 pos) { return UnityObjectToClipPos(pos); }
 float4 UnityObjectToClipPosInstanced(float4 pos) { return UnityObjectToClipPos(pos.xyz); }
 float4 UnityObjectToClipPosODS(float3 pos) { return UnityObjectToClipPos(pos); }
+#endif

@@ -1,6 +1,7 @@
 // The built-in pipeline's names of the values that limn feeds, and those that shaders name although
 // limn has no such thing: lights besides the main one, light maps, reflection probes, two eyes.
 #pragma once
+#ifndef UNITY_SHADER_VARIABLES_INCLUDED
 #define UNITY_SHADER_VARIABLES_INCLUDED
 #include "HLSLSupport.cginc"
 #include "limn/PerDraw.hlsl"
@@ -26,7 +27,6 @@
 #endif
 
 #define _WorldSpaceLightPos0 _MainLightPosition
-#define UNITY_LIGHTMODEL_AMBIENT unity_AmbientSky
 #define unity_IndirectSpecColor unity_AmbientSky
 #define glstate_lightmodel_ambient unity_AmbientSky
 #define _Object2World unity_ObjectToWorld
@@ -53,6 +53,15 @@ cbuffer UnityLighting
     float4 unity_LightPosition[8]; // view space; w: 0 for a direction
     float4 unity_LightAtten[8];    // x: cos(spot / 2), y: 1 / cos(spot / 4), z: quadratic falloff
     float4 unity_SpotDirection[8];
+};
+
+// The same colours by the names of Unity 4.
+cbuffer UnityLightingOld
+{
+    half3 unity_LightColor0;
+    half3 unity_LightColor1;
+    half3 unity_LightColor2;
+    half3 unity_LightColor3;
 };
 
 cbuffer UnityShadows
@@ -103,3 +112,4 @@ UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicNormal);
 #define unity_ColorSpaceDouble float4(4.59479380, 4.59479380, 4.59479380, 2.0)
 #define unity_ColorSpaceDielectricSpec half4(0.04, 0.04, 0.04, 1.0 - 0.04)
 #define unity_ColorSpaceLuminance half4(0.0396819152, 0.458021790, 0.00609653955, 1.0)
+#endif

@@ -1,5 +1,6 @@
 // There are no shadow maps and no light maps: everything is lit.
 #pragma once
+#ifndef UNITY_BUILTIN_SHADOW_LIBRARY_INCLUDED
 #define UNITY_BUILTIN_SHADOW_LIBRARY_INCLUDED
 #include "UnityCG.cginc"
 
@@ -39,3 +40,4 @@ half UnityMixRealtimeAndBakedShadows(half realtimeShadowAttenuation, half bakedS
     return saturate(realtimeShadowAttenuation + fade);
 #endif
 }
+#endif

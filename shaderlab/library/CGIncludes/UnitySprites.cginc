@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_SPRITES_INCLUDED
 #define UNITY_SPRITES_INCLUDED
 #include "UnityCG.cginc"
 
@@ -58,3 +59,4 @@ fixed4 SpriteFrag(v2f IN) : SV_Target
     c.rgb *= c.a;
     return c;
 }
+#endif

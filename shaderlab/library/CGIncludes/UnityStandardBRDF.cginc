@@ -2,6 +2,7 @@
 // term fitted for mobile devices (BRDF2), Phong (BRDF3). Unity reads BRDF3's highlight from a texture
 // (unity_NHxRoughness) that limn does not have: here it is normalised Phong.
 #pragma once
+#ifndef UNITY_STANDARD_BRDF_INCLUDED
 #define UNITY_STANDARD_BRDF_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
@@ -165,3 +166,4 @@ half4 BRDF3_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivit
                   BRDF3_Indirect(diffColor, specColor, gi, grazingTerm, pow4.y);
     return half4(color, 1.0);
 }
+#endif

@@ -1,6 +1,7 @@
 // The Standard shader's forward passes: main light, ambient light, emission, fog; one pass per
 // further light; and its deferred pass.
 #pragma once
+#ifndef UNITY_STANDARD_CORE_INCLUDED
 #define UNITY_STANDARD_CORE_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityShaderVariables.cginc"
@@ -294,3 +295,4 @@ void fragDeferred(VertexOutputForwardBase i, out half4 outGBuffer0 : SV_Target0,
         outGBuffer0, outGBuffer1, outGBuffer2);
     outEmission = half4(color, 1.0);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_STANDARD_CORE_FORWARD_INCLUDED
 #define UNITY_STANDARD_CORE_FORWARD_INCLUDED
 #include "UnityStandardConfig.cginc"
 
@@ -17,4 +18,5 @@ VertexOutputForwardBase vertBase(VertexInput v) { return vertForwardBase(v); }
 VertexOutputForwardBase vertAdd(VertexInput v) { return vertForwardAdd(v); }
 half4 fragBase(VertexOutputForwardBase i) : SV_Target { return fragForwardBaseInternal(i); }
 half4 fragAdd(VertexOutputForwardBase i) : SV_Target { return fragForwardAddInternal(i); }
+#endif
 #endif

@@ -1,6 +1,7 @@
 // The Standard shader on weak devices: its cheapest reflection model, of which the vertices have what
 // changes slowly: the mirrored view, Fresnel's term, the light's direction in tangent space.
 #pragma once
+#ifndef UNITY_STANDARD_CORE_FORWARD_SIMPLE_INCLUDED
 #define UNITY_STANDARD_CORE_FORWARD_SIMPLE_INCLUDED
 #include "UnityStandardCore.cginc"
 
@@ -213,3 +214,4 @@ half4 fragForwardAddSimple(VertexOutputForwardAddSimple i) : SV_Target
 {
     return fragForwardAddSimpleInternal(i);
 }
+#endif

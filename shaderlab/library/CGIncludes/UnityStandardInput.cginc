@@ -1,5 +1,6 @@
 // Properties and textures of the Standard shader, for shaders that vary it.
 #pragma once
+#ifndef UNITY_STANDARD_INPUT_INCLUDED
 #define UNITY_STANDARD_INPUT_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
@@ -165,3 +166,4 @@ float4 Parallax(float4 texcoords, half3 viewDir)
     return texcoords;
 #endif
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_STANDARD_META_INCLUDED
 #define UNITY_STANDARD_META_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardInput.cginc"
@@ -40,3 +41,4 @@ float4 frag_meta(v2f_meta i) : SV_Target
     o.Emission = Emission(i.uv.xy);
     return UnityMetaFragment(o);
 }
+#endif

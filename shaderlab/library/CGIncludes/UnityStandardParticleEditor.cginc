@@ -1,6 +1,7 @@
 // How the editor draws particles that are chosen or clicked on: in the colour that stands for them,
 // where the particle is.
 #pragma once
+#ifndef UNITY_STANDARD_PARTICLE_EDITOR_INCLUDED
 #define UNITY_STANDARD_PARTICLE_EDITOR_INCLUDED
 #if defined(_REQUIRE_UV2) && !defined(_FLIPBOOK_BLENDING)
 #define _FLIPBOOK_BLENDING 1
@@ -46,3 +47,4 @@ half4 fragScenePickingPass(VertexOutput i) : SV_Target
     fragSceneClip(i);
     return _SelectionID;
 }
+#endif

@@ -1,6 +1,7 @@
 // Particles that one draw multiplies out of a buffer. limn draws no particles: as in Unity where
 // procedural instancing is off, each vertex is what the mesh says.
 #pragma once
+#ifndef UNITY_STANDARD_PARTICLE_INSTANCING_INCLUDED
 #define UNITY_STANDARD_PARTICLE_INSTANCING_INCLUDED
 #include "UnityCG.cginc"
 
@@ -12,3 +13,4 @@ void vertInstancingUVs(in float2 uv, out float2 texcoord, out float3 texcoord2An
     texcoord = uv;
     texcoord2AndBlend = float3(0, 0, 0);
 }
+#endif

@@ -1,6 +1,7 @@
 // Shadows of particles: what is cut out throws none; what is transparent throws one where it is at
 // least half opaque.
 #pragma once
+#ifndef UNITY_STANDARD_PARTICLE_SHADOW_INCLUDED
 #define UNITY_STANDARD_PARTICLE_SHADOW_INCLUDED
 #if defined(_REQUIRE_UV2) && !defined(_FLIPBOOK_BLENDING)
 #define _FLIPBOOK_BLENDING 1
@@ -56,3 +57,4 @@ half4 fragParticleShadowCaster(VertexOutputShadowCaster i) : SV_Target
 #endif
     SHADOW_CASTER_FRAGMENT(i)
 }
+#endif

@@ -1,6 +1,7 @@
 // The vertex and fragment functions of Particles/Standard Unlit, and the parts that shaders which
 // vary it use. Each macro works on `albedo`, as Unity's do; the keywords are those of Unity's material.
 #pragma once
+#ifndef UNITY_STANDARD_PARTICLES_INCLUDED
 #define UNITY_STANDARD_PARTICLES_INCLUDED
 #include "UnityPBSLighting.cginc"
 #include "UnityStandardParticleInstancing.cginc"
@@ -241,3 +242,4 @@ half4 fragParticleUnlit(VertexOutput IN) : SV_Target
     UNITY_APPLY_FOG_COLOR(IN.fogCoord, result, fixed4(0, 0, 0, 0));
     return result;
 }
+#endif

@@ -1,6 +1,7 @@
 // The Standard shader's shadow caster. What is cut out throws no shadow; what is transparent throws
 // one where it is at least half opaque.
 #pragma once
+#ifndef UNITY_STANDARD_SHADOW_INCLUDED
 #define UNITY_STANDARD_SHADOW_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityShaderVariables.cginc"
@@ -49,3 +50,4 @@ half4 fragShadowCaster(limn_ShadowVaryings i) : SV_Target
 #endif
     SHADOW_CASTER_FRAGMENT(i)
 }
+#endif

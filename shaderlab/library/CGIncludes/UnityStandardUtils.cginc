@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_STANDARD_UTILS_INCLUDED
 #define UNITY_STANDARD_UTILS_INCLUDED
 #include "UnityCG.cginc"
 #include "UnityStandardConfig.cginc"
@@ -112,3 +113,4 @@ half3 BoxProjectedCubemapDirection(half3 worldRefl, float3 worldPos, float4 cube
     }
     return worldRefl;
 }
+#endif

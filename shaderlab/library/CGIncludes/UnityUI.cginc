@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_UI_INCLUDED
 #define UNITY_UI_INCLUDED
 #include "UnityCG.cginc"
 
@@ -28,3 +29,4 @@ half3 UIGammaToLinear(half3 value)
     return half3(limn_UIGammaToLinear(value.r), limn_UIGammaToLinear(value.g),
                  limn_UIGammaToLinear(value.b));
 }
+#endif

@@ -1,6 +1,7 @@
 // Shapes, text and pictures of the UI Toolkit, as of Unity 2021 and 2022. Scripts feed it: limn has no
 // UI of its own.
 #pragma once
+#ifndef UNITY_UIE_INCLUDED
 #define UNITY_UIE_INCLUDED
 
 #define UIE_SHADER_INFO_IN_VS 1
@@ -381,4 +382,5 @@ UIE_FRAG_T uie_std_frag(v2f IN)
 #ifndef UIE_CUSTOM_SHADER
 v2f vert(appdata_t v) { return uie_std_vert(v); }
 UIE_FRAG_T frag(v2f IN) : SV_Target { return uie_std_frag(IN); }
+#endif
 #endif

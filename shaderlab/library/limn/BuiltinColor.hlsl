@@ -47,6 +47,12 @@ half3 DecodeHDR(half4 data, half4 decodeInstructions)
     half factor = decodeInstructions.y == 1.0 ? alpha : pow(max(alpha, 0.0), decodeInstructions.y);
     return decodeInstructions.x * factor * data.rgb;
 }
+// Colours of gamma space are multiplied by alpha itself.
+half3 DecodeHDR(half4 data, half4 decodeInstructions, int colorspaceIsGamma)
+{
+    half exponent = colorspaceIsGamma != 0 ? 1.0 : decodeInstructions.y;
+    return DecodeHDR(data, half4(decodeInstructions.x, exponent, decodeInstructions.zw));
+}
 
 half3 DecodeLightmapDoubleLDR(fixed4 color, half4 decodeInstructions)
 {

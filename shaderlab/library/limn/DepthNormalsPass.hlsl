@@ -5,6 +5,10 @@
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/LODCrossFade.hlsl"
 
+#if defined(LIMN_NORMAL_SCALE) && (defined(_NORMALMAP) || defined(_DETAIL))
+#define limn_BendsNormals
+#endif
+
 struct Attributes
 {
     float4 positionOS : POSITION;
@@ -29,7 +33,9 @@ Varyings DepthNormalsVertex(Attributes input)
     Varyings output = (Varyings)0;
     VertexNormalInputs frame = GetVertexNormalInputs(input.normal, input.tangentOS);
     output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
+#if defined(_ALPHATEST_ON) || defined(limn_BendsNormals)
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
+#endif
     output.normalWS = frame.normalWS;
     output.tangentWS = float4(frame.tangentWS, input.tangentOS.w * GetOddNegativeScale());
     return output;
@@ -42,7 +48,7 @@ void DepthNormalsFragment(Varyings input, out float4 outNormalWS : SV_Target0)
           _Cutoff);
 #endif
     LODFadeCrossFade(input.positionCS);
-#if defined(LIMN_NORMAL_SCALE) && (defined(_NORMALMAP) || defined(_DETAIL))
+#ifdef limn_BendsNormals
     float3 bitangent = cross(input.normalWS, input.tangentWS.xyz) * input.tangentWS.w;
     float3 normalTS = SampleNormal(input.uv, TEXTURE2D_ARGS(_BumpMap, sampler_BumpMap), LIMN_NORMAL_SCALE);
     float3 normalWS = TransformTangentToWorld(

@@ -5,6 +5,8 @@
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/LODCrossFade.hlsl"
 
+#define lightmapUV staticLightmapUV // the name until URP 11
+
 struct Attributes
 {
     float4 positionOS : POSITION;
@@ -22,10 +24,14 @@ struct Varyings
     float3 positionWS : TEXCOORD1;
     float3 normalWS : TEXCOORD2;
     float4 tangentWS : TEXCOORD3; // w: sign of the bitangent
+    // The two names of the fog factor: vertex functions of authors write one of them.
+    float fogFactor : TEXCOORD4;
     float4 fogFactorAndVertexLight : TEXCOORD5;
     float4 shadowCoord : TEXCOORD6;
     float3 viewDirTS : TEXCOORD7;
     DECLARE_LIGHTMAP_OR_SH(staticLightmapUV, vertexSH, 8);
+    float3 viewDirWS : TEXCOORD9;   // until URP 11
+    float2 staticLightmapUV : TEXCOORD10;
     float4 positionCS : SV_POSITION;
     UNITY_VERTEX_INPUT_INSTANCE_ID
     UNITY_VERTEX_OUTPUT_STEREO
@@ -50,8 +56,8 @@ void InitializeInputData(Varyings input, float3 normalTS, out InputData inputDat
 #elif defined(MAIN_LIGHT_CALCULATE_SHADOWS)
     inputData.shadowCoord = TransformWorldToShadowCoord(input.positionWS);
 #endif
-    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0),
-                                                input.fogFactorAndVertexLight.x);
+    float fogFactor = max(input.fogFactor, input.fogFactorAndVertexLight.x); // one may be 0
+    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0), fogFactor);
     inputData.vertexLighting = input.fogFactorAndVertexLight.yzw;
     inputData.bakedGI = SAMPLE_GI(input.staticLightmapUV, input.vertexSH, inputData.normalWS);
     inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
@@ -68,8 +74,10 @@ Varyings ForwardPassVertex(Attributes input)
     output.positionCS = position.positionCS;
     output.normalWS = NormalizeNormalPerVertex(normal.normalWS);
     output.tangentWS = float4(normal.tangentWS, input.tangentOS.w * GetOddNegativeScale());
-    output.fogFactorAndVertexLight = float4(ComputeFogFactor(position.positionCS.z),
-                                            VertexLighting(position.positionWS, normal.normalWS));
+    output.viewDirWS = GetWorldSpaceViewDir(position.positionWS);
+    output.fogFactor = ComputeFogFactor(position.positionCS.z);
+    output.fogFactorAndVertexLight =
+        float4(output.fogFactor, VertexLighting(position.positionWS, normal.normalWS));
 #if defined(REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR)
     output.shadowCoord = GetShadowCoord(position);
 #endif

@@ -55,6 +55,8 @@ cbuffer limn_PerFrameLighting
     float4 unity_FogColor;
 };
 
+#define UNITY_LIGHTMODEL_AMBIENT unity_AmbientSky
+
 #define UNITY_MATRIX_M unity_ObjectToWorld
 #define UNITY_MATRIX_I_M unity_WorldToObject
 #define UNITY_MATRIX_V unity_MatrixV

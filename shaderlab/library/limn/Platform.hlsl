@@ -43,7 +43,12 @@ static uint unity_InstanceID;
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
 #define UNITY_TRANSFER_VERTEX_OUTPUT_STEREO(input, output)
 #define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
-#define unity_StereoEyeIndex 0
+#define UNITY_VERTEX_OUTPUT_STEREO_EYE_INDEX
+// A uniform that nobody sets, rather than a macro: authors declare it as well.
+cbuffer UnityStereoEyeIndex
+{
+    int unity_StereoEyeIndex;
+};
 
 // Loose uniforms rather than a buffer: many authors write a semicolon after each property, which
 // cannot stand in a buffer by itself.

@@ -7,7 +7,9 @@
 #include "compiler/PlatformMacros.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
+#include "program/PassMacro.h"
 #include "program/PragmaScanner.h"
+#include "spirv/ScalarLayout.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,7 +24,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 14;
+constexpr int k_CompilerVersion = 15;
 
 std::string HashName(const std::string& text)
 {
@@ -41,6 +43,7 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
         std::filesystem::absolute(program.file).string(),
         std::to_string(HashFilesBeside(FilesBesideShader(program.file))),
         options.projectRoot.string(),
+        PackagesAround(options, program.file),
         program.language == ProgramLanguage::Cg ? "cg" : "hlsl",
         program.vertex.name,
         program.fragment.name,
@@ -81,11 +84,16 @@ std::string PlacedKey(const std::string& key, const PassProgram& program)
     return HashName(placed);
 }
 
-/// What the library is to know of the platform, as macros.
-std::vector<std::string> WithPlatform(std::span<const std::string> keywords,
+/// What the library is to know of the platform and the pass, as macros.
+std::vector<std::string> WithPlatform(const PassProgram& program,
+                                      std::span<const std::string> keywords,
                                       const ShaderCompilerOptions& options)
 {
     std::vector<std::string> all(keywords.begin(), keywords.end());
+    if (const std::string_view macro = PassMacro(program.lightMode); !macro.empty())
+    {
+        all.emplace_back(macro);
+    }
     if (!options.usesReversedZBuffer)
     {
         all.emplace_back(k_StandardZMacro);
@@ -95,6 +103,32 @@ std::vector<std::string> WithPlatform(std::span<const std::string> keywords,
         all.emplace_back(k_RealHalfMacro);
     }
     return all;
+}
+
+/// @throws UnsupportedProgramError  the program has structured buffers that the device cannot read
+///                                  as they lie
+void RefuseScalarLayout(const PassProgram& program, const ShaderProgram& compiled,
+                        const std::vector<std::string>& missingFeatures)
+{
+    if (compiled.layout.storageBuffers.empty() ||
+        std::ranges::count(missingFeatures, k_ScalarLayoutFeature) == 0)
+    {
+        return;
+    }
+    for (const auto* spirv : {&compiled.vertexSpirv, &compiled.geometrySpirv,
+                              &compiled.fragmentSpirv, &compiled.computeSpirv})
+    {
+        if (const std::string names = ScalarBuffers(*spirv); !names.empty())
+        {
+            throw UnsupportedProgramError(
+                {Severity::Error, program.file, program.location,
+                 "program: the device lacks scalarBlockLayout, without which it cannot read the "
+                 "elements of " +
+                     names +
+                     " as HLSL packs them; let no vector straddle 16 bytes and pad the struct to a "
+                     "multiple of 16"});
+        }
+    }
 }
 
 void ExpectOwnLibrary(const ShaderCompilerOptions& options)
@@ -193,7 +227,7 @@ PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& written,
                                                              std::span<const std::string> chosen)
 {
-    const std::vector<std::string> keywords = WithPlatform(chosen, m_State->options);
+    const std::vector<std::string> keywords = WithPlatform(written, chosen, m_State->options);
     const PassProgram program = ReadPragmas(written);
     if (auto reason = ReasonNotSupported(program, m_State->options.missingFeatures))
     {
@@ -211,6 +245,7 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
     {
         ++m_State->loadedFromCache;
         m_State->Remember(cachedDependencies);
+        RefuseScalarLayout(program, *cached, m_State->options.missingFeatures);
         return std::make_shared<const ShaderProgram>(std::move(*cached));
     }
     IncludeResolver resolver(m_State->options, program.file);
@@ -223,6 +258,7 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
         m_State->Remember(resolver.dependencies());
         m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,
                              resolver.dependencies());
+        RefuseScalarLayout(program, *pass, m_State->options.missingFeatures);
         return pass;
     }
     catch (...)

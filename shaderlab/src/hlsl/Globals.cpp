@@ -60,6 +60,28 @@ bool takes(const HlslFunction& function, std::size_t arguments)
                        [](const HlslVariable& parameter) { return parameter.valueToken > 0; });
 }
 
+/// Of all arguments; nothing where one cannot be converted. Types that are not known are no
+/// hindrance.
+std::optional<int> DistanceOf(const HlslDeclarations& declarations, const HlslFunction& function,
+                              std::span<const HlslType> arguments)
+{
+    int sum = 0;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        const HlslType wanted = TypeOf(declarations, function.parameters[i]);
+        const bool isKnown =
+            arguments[i].kind != HlslType::Kind::Unknown && wanted.kind != HlslType::Kind::Unknown;
+        const std::optional<int> distance =
+            isKnown ? Distance(arguments[i], wanted) : std::optional(0);
+        if (!distance)
+        {
+            return std::nullopt;
+        }
+        sum += *distance;
+    }
+    return sum;
+}
+
 } // namespace
 
 HlslGlobals::HlslGlobals(const HlslDeclarations& declarations) : m_Declarations(declarations)
@@ -184,16 +206,7 @@ const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
         {
             continue;
         }
-        std::optional<int> sum = 0;
-        for (std::size_t i = 0; i < arguments.size() && sum; ++i)
-        {
-            const HlslType wanted = TypeOf(declarations, function->parameters[i]);
-            const bool isKnown = arguments[i].kind != HlslType::Kind::Unknown &&
-                                 wanted.kind != HlslType::Kind::Unknown;
-            const std::optional<int> distance =
-                isKnown ? Distance(arguments[i], wanted) : std::optional(0);
-            sum = distance ? std::optional(*sum + *distance) : std::nullopt;
-        }
+        const std::optional<int> sum = DistanceOf(declarations, *function, arguments);
         const bool isSame = best && sum && *sum == least;
         isTie = isSame ? isTie || best->hasBody == function->hasBody : isTie;
         if (sum && (!best || *sum < least || (isSame && function->hasBody)))
@@ -204,6 +217,18 @@ const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
         }
     }
     return isTie ? nullptr : best;
+}
+
+bool TakesNone(const HlslDeclarations& declarations, std::span<const HlslFunction* const> overloads,
+               std::span<const HlslType> arguments)
+{
+    return std::ranges::none_of(arguments, [](const HlslType& type)
+                                { return type.kind == HlslType::Kind::Unknown; }) &&
+           std::ranges::none_of(overloads,
+                                [&](const HlslFunction* function) {
+                                    return takes(*function, arguments.size()) &&
+                                           DistanceOf(declarations, *function, arguments);
+                                });
 }
 
 } // namespace limn

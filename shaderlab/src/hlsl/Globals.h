@@ -51,4 +51,8 @@ const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
                                    std::span<const HlslFunction* const> overloads,
                                    std::span<const HlslType> arguments);
 
+/// Whether none of them takes arguments of these types, all of which are known.
+bool TakesNone(const HlslDeclarations& declarations, std::span<const HlslFunction* const> overloads,
+               std::span<const HlslType> arguments);
+
 } // namespace limn

@@ -8,6 +8,7 @@
 #include "hlsl/rewrites/Rewrites.h"
 #include "program/DirectiveConditions.h"
 #include "program/DynamicKeywords.h"
+#include "program/PassMacro.h"
 #include "spirv/GlslangIncluder.h"
 #include "spirv/GlslangLog.h"
 #include "spirv/GlslangSession.h"
@@ -118,7 +119,14 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
 /// there on, and numbers of more than 32 bits, which are cut; see RespellForGlslang.
 bool AllowWhatUnityAllows(std::vector<Diagnostic>& diagnostics)
 {
-    bool hasAny = false;
+    // Authors write what kind of pass theirs is too.
+    bool hasAny =
+        std::erase_if(diagnostics,
+                      [](const Diagnostic& diagnostic)
+                      {
+                          return diagnostic.message.starts_with("'#define': Macro redefined;") &&
+                                 diagnostic.message.find(k_PassMacroStart) != std::string::npos;
+                      }) > 0;
     for (Diagnostic& diagnostic : diagnostics)
     {
         if (diagnostic.message.starts_with("'#define': Macro redefined;"))

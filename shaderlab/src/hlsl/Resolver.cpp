@@ -212,6 +212,12 @@ HlslType HlslResolver::CallType(HlslNode& node)
         }
         return IntrinsicType(name, arguments);
     }
+    node.isIntrinsic =
+        !isMethod && isIntrinsic(name) && TakesNone(m_Globals.declarations(), functions, arguments);
+    if (node.isIntrinsic)
+    {
+        return IntrinsicType(name, arguments);
+    }
     node.function = ChooseOverload(m_Globals.declarations(), functions, arguments);
     return node.function ? TypeOf(m_Globals.declarations(), node.function->returnType,
                                   node.function->returnArgument)

@@ -30,6 +30,13 @@ std::string Unquoted(std::string_view text)
     return std::string(text.size() > 1 ? text.substr(1, text.size() - 2) : text);
 }
 
+/// `1.5h`
+bool isHalfNumber(std::string_view text)
+{
+    return text.size() > 1 && (isDigit(text[0]) || text[0] == '.') && ToLower(text.back()) == 'h' &&
+           !text.starts_with("0x") && !text.starts_with("0X");
+}
+
 class Rewriter
 {
 public:
@@ -43,9 +50,16 @@ public:
     {
         for (std::size_t i = 0; i < m_Tokens.size(); ++i)
         {
-            if (m_Tokens.Text(i) == k_TakenName && !m_Reach.isLeftOut()[i])
+            const std::string_view text = m_Tokens.Text(i);
+            if (text == k_TakenName && !m_Reach.isLeftOut()[i])
             {
                 m_Code.Spelling(i) = AuthorFunctionName(k_TakenName);
+            }
+            else if (isHalfNumber(text))
+            {
+                // glslang cannot multiply it by an integer; without the letter it becomes what it
+                // meets.
+                m_Code.Spelling(i) = text.substr(0, text.size() - 1);
             }
         }
         ReadTrees();

@@ -63,6 +63,7 @@ struct HlslNode
     HlslNode* local = nullptr;              ///< Declarator
     const HlslVariable* variable = nullptr; ///< a parameter, member or global
     const HlslFunction* function = nullptr; ///< of a Call or Method: the author's that it means
+    bool isIntrinsic = false; ///< a Call of the language's function, though the author has others
 
     HlslNode* Child(std::size_t index) const;
     void Add(HlslNode* added);

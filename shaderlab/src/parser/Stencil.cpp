@@ -1,5 +1,7 @@
 #include "parser/Parser.h"
 
+#include <algorithm>
+
 namespace limn
 {
 
@@ -65,12 +67,11 @@ void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
     }
     if (*number < 0.0f || *number > 255.0f)
     {
-        Report(Severity::Error, token.location,
+        Report(Severity::Warning, token.location,
                std::string(subject) + ": " + std::string(token.text) +
-                   " does not fit into 8 bits; write 0...255");
-        return;
+                   " does not fit into 8 bits, of which the lowest count; write 0...255");
     }
-    target = static_cast<int>(*number);
+    target = static_cast<int>(std::clamp(*number, -65536.0f, 65536.0f)) & 0xFF;
 }
 
 template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>

@@ -114,6 +114,11 @@ void Parser::ParsePass()
     pass.tags = std::move(m_Scope.tags);
     pass.legacyCommands = std::move(m_Scope.legacyCommands);
     m_Scope = std::move(outer);
+    const std::string* const lightMode = pass.tags.Find("LightMode");
+    if (pass.program && lightMode)
+    {
+        pass.program->lightMode = *lightMode;
+    }
     AddPass(std::move(pass));
 }
 

@@ -75,7 +75,8 @@ std::optional<std::filesystem::path> FindIgnoringCase(const std::filesystem::pat
     return found;
 }
 
-/// The folder that holds the `Assets` or `Packages` folder the file lies in.
+/// The folder that holds the `Assets` or `Packages` folder, or the `Library/PackageCache`, that the
+/// file lies in.
 std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path& file)
 {
     std::filesystem::path folder;
@@ -85,9 +86,20 @@ std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path&
         {
             return folder;
         }
+        if (part == "PackageCache" && folder.filename() == "Library")
+        {
+            return folder.parent_path();
+        }
         folder /= part;
     }
     return std::nullopt;
+}
+
+std::optional<std::filesystem::path> ProjectOf(const ShaderCompilerOptions& options,
+                                               const std::string& shaderFile)
+{
+    const auto project = UnityProjectOf(std::filesystem::absolute(shaderFile));
+    return project || options.projectRoot.empty() ? project : options.projectRoot;
 }
 
 bool isAbsolute(std::string_view path)
@@ -102,6 +114,12 @@ std::uint64_t HashFile(const std::string& path)
 {
     const FileContent content = TryReadFile(path);
     return content.isRead() ? HashContent(content.bytes) : 0;
+}
+
+std::string PackagesAround(const ShaderCompilerOptions& options, const std::string& shaderFile)
+{
+    const auto project = ProjectOf(options, shaderFile);
+    return project ? OwnPackageNames(*project) : std::string();
 }
 
 std::uint64_t HashLibrary()
@@ -131,9 +149,7 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                  const std::string& shaderFile)
     : m_Options(options),
       m_UnityProject(UnityProjectOf(std::filesystem::absolute(shaderFile))),
-      m_Packages(std::filesystem::absolute(shaderFile),
-                 m_UnityProject || options.projectRoot.empty() ? m_UnityProject
-                                                               : options.projectRoot)
+      m_Packages(std::filesystem::absolute(shaderFile), ProjectOf(options, shaderFile))
 {
     m_ShaderFolder = std::filesystem::path(shaderFile).parent_path();
     m_FilesBeside = FilesBesideShader(shaderFile);
@@ -160,6 +176,13 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     m_Refusal.clear();
     std::string path(include.substr(0, include.find('\0')));
     std::replace(path.begin(), path.end(), '\\', '/');
+    if (path.size() > 1 && path[0] == '/' && path[1] != '/')
+    {
+        if (auto file = Find(path.substr(1), {})) // from the project's folder
+        {
+            return file;
+        }
+    }
     if (isAbsolute(path))
     {
         m_Refusal = "an absolute path; write it from this file or from the project's folder";
@@ -184,16 +207,16 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
             return file;
         }
     }
+    if (auto file = FindInPackage(path))
+    {
+        return file;
+    }
     for (const std::string& name : {path, "CGIncludes/" + path})
     {
         if (const EmbeddedFile* file = FindEmbedded(name))
         {
             return IncludedFile{std::string(file->path), std::string(file->text), true};
         }
-    }
-    if (auto file = FindInPackage(path))
-    {
-        return file;
     }
     // Last, because it lists folders.
     for (const std::filesystem::path& candidate : candidates)
@@ -223,20 +246,23 @@ const FileBeside* IncludeResolver::FindBeside(const std::string& include,
 }
 
 /// `Packages/name/…` of a package that the project brings along. What the built-in library stands
-/// in for is taken from there only: limn feeds the values that its own files name.
+/// in for is not taken from the project's cache, unless the project has pipelines of its own: limn
+/// feeds the values that its own files name.
 std::optional<IncludedFile> IncludeResolver::FindInPackage(std::string_view include)
 {
     constexpr std::string_view k_Packages = "Packages/";
     const std::size_t end = std::min(include.find('/', k_Packages.size()), include.size());
-    if (!include.starts_with(k_Packages) || end == include.size() ||
-        isInLibrary(include.substr(0, end + 1)))
+    if (!include.starts_with(k_Packages) || end == include.size())
     {
         return std::nullopt;
     }
     const std::string name(include.substr(k_Packages.size(), end - k_Packages.size()));
-    const std::filesystem::path* folder = m_Packages.Find(name);
-    for (const std::filesystem::path& manifest : m_Packages.manifests())
+    const bool isOwnOnly = isInLibrary(include.substr(0, end + 1)) && !m_Packages.hasOwnPipeline();
+    const std::filesystem::path* folder =
+        isOwnOnly ? m_Packages.FindOwn(name) : m_Packages.Find(name);
+    for (; m_ManifestsTaken < m_Packages.manifests().size(); ++m_ManifestsTaken)
     {
+        const std::filesystem::path& manifest = m_Packages.manifests()[m_ManifestsTaken];
         AddDependency({manifest.generic_string(), HashFile(manifest.string())});
     }
     if (!folder)

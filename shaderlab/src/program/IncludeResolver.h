@@ -34,6 +34,10 @@ struct IncludeDependency
 /// Content hash of the file at `path` as it is now, 0 where there is none.
 std::uint64_t HashFile(const std::string& path);
 
+/// The names of the folders in the `Packages` of the project that a shader lies in: where there are
+/// others, includes may be found elsewhere.
+std::string PackagesAround(const ShaderCompilerOptions& options, const std::string& shaderFile);
+
 /// Content hash of the whole built-in ShaderLibrary.
 std::uint64_t HashLibrary();
 
@@ -42,8 +46,9 @@ std::string ReasonNotIncluded(std::string_view name, std::string_view refusal);
 
 /// Finds what #include names, the way Unity does: among the files that a program holds beside a
 /// shader of its own; beside the including file, beside the .shader
-/// file, from the project root and its packages, from the Unity project around the shader, and in
-/// the built-in library; names may differ in case. One resolver serves one compilation.
+/// file, from the project root and its packages, from the Unity project around the shader and the
+/// packages in it, and in the built-in library; names may differ in case. One resolver serves one
+/// compilation.
 class IncludeResolver
 {
 public:
@@ -85,6 +90,7 @@ private:
     FileRoots m_Roots;
     std::optional<std::filesystem::path> m_UnityProject; ///< the folder that holds `Assets`
     PackageFolders m_Packages;
+    std::size_t m_ManifestsTaken = 0; ///< of m_Packages, as dependencies
     std::vector<IncludeDependency> m_Dependencies;
     std::string m_Refusal;
 };

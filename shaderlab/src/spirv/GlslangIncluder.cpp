@@ -78,6 +78,21 @@ std::string WriteWarningPragma(std::string_view message)
     return line;
 }
 
+/// `#define NAME\`, the body in the lines that follow: glslang reads over it unless a blank stands
+/// before the backslash.
+std::string PartFromBody(std::string_view line)
+{
+    std::string text(line);
+    const auto definition = BehindDirective(line, "define");
+    const std::string_view name = definition ? Trim(*definition) : std::string_view();
+    if (name.size() > 1 && name.back() == '\\' &&
+        std::all_of(name.begin(), name.end() - 1, [](char c) { return isLetter(c) || isDigit(c); }))
+    {
+        text.insert(text.rfind('\\'), 1, ' ');
+    }
+    return text;
+}
+
 /// A line as glslang is to see it; "" drops it and what continues it.
 std::string TranslateLine(std::string_view line)
 {
@@ -99,7 +114,26 @@ std::string TranslateLine(std::string_view line)
                : glued != pragma->npos ? std::string(pragma->substr(glued))
                                        : "";
     }
-    return std::string(line);
+    return PartFromBody(line);
+}
+
+/// `o. ## name` as `o. name`: a dot and a name are no one token, and glslang says so, where Unity's
+/// compilers leave both as they are.
+std::string PasteNoDots(std::string line)
+{
+    for (std::size_t at = line.find("##"); at != line.npos; at = line.find("##", at))
+    {
+        const std::size_t before = line.find_last_not_of(" \t", at - 1);
+        const std::size_t behind = line.find_first_not_of(" \t", at + 2);
+        const bool isBehindDot = at > 0 && before != line.npos && line[before] == '.';
+        const bool isBeforeDot = behind != line.npos && line[behind] == '.';
+        if (isBehindDot || isBeforeDot)
+        {
+            line.replace(at, 2, "  ");
+        }
+        at += 2;
+    }
+    return line;
 }
 
 /// `1.#INF`, `1.#IND` and `1.#QNAN` are numbers of the C runtime that Unity's compilers read; here
@@ -129,6 +163,23 @@ std::string SpellNonFinite(std::string line)
     return line;
 }
 
+/// `'A'` by its number: glslang reads over the quotes.
+std::string SpellCharacters(std::string line)
+{
+    constexpr std::size_t k_Size = 3;
+    for (std::size_t at = line.find('\''); at != line.npos; at = line.find('\'', at + 1))
+    {
+        const bool isCharacter = at + k_Size <= line.size() && line[at + 2] == '\'' &&
+                                 line[at + 1] != '\\' && line[at + 1] != '\'' &&
+                                 (at == 0 || (!isLetter(line[at - 1]) && !isDigit(line[at - 1])));
+        if (isCharacter)
+        {
+            line.replace(at, k_Size, std::to_string(static_cast<unsigned char>(line[at + 1])));
+        }
+    }
+    return line;
+}
+
 /// A line without what glslang would read over letter by letter: blanks at its begin, and what it
 /// says if it is a comment.
 std::string_view Shorten(std::string_view line)
@@ -152,9 +203,13 @@ std::string TranslateDirectives(std::string_view text)
         const std::size_t size = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, size);
         const bool isDirective = line.find('#') != line.npos;
-        const std::string translated = isDropped     ? ""
-                                       : isDirective ? SpellNonFinite(TranslateLine(line))
-                                                     : std::string(Shorten(line));
+        std::string translated = isDropped     ? ""
+                                 : isDirective ? PasteNoDots(SpellNonFinite(TranslateLine(line)))
+                                               : std::string(Shorten(line));
+        if (!isDirective || BehindDirective(line, "define"))
+        {
+            translated = SpellCharacters(std::move(translated));
+        }
         isDropped = translated.empty() && Continues(line);
         result.append(translated);
         result += '\n';

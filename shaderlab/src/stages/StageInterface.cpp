@@ -190,10 +190,7 @@ public:
                                    "' holds too much to cross the border of a stage");
             }
             ++m_Depth;
-            for (const HlslVariable& member : type->members)
-            {
-                Expand(member, expression + "." + std::string(member.name), isOutput, values);
-            }
+            ExpandMembers(variable, *type, expression, isOutput, values);
             --m_Depth;
             return;
         }
@@ -211,6 +208,25 @@ public:
     }
 
 private:
+    /// A semantic of the struct itself is that of its first member without one; the next ones have
+    /// the numbers that follow.
+    void ExpandMembers(const HlslVariable& variable, const HlslStruct& type,
+                       const std::string& expression, bool isOutput,
+                       std::vector<StageValue>& values)
+    {
+        const Semantic given = SplitSemantic(variable.semantic);
+        int next = given.index;
+        for (HlslVariable member : type.members)
+        {
+            const bool isNamed = given.name.empty() || !member.semantic.empty();
+            const std::string semantic = given.name + std::to_string(next);
+            member.semantic = isNamed ? member.semantic : semantic;
+            const std::size_t first = values.size();
+            Expand(member, expression + "." + std::string(member.name), isOutput, values);
+            next += isNamed ? 0 : static_cast<int>(values.size() - first);
+        }
+    }
+
     struct Primitive
     {
         std::string_view name;

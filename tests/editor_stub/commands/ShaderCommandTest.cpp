@@ -312,6 +312,70 @@ TEST_F(ShaderCommand, NamesAFileThatIsNotThere)
     EXPECT_EQ(path + ": error: there is no such file\n", run.err);
 }
 
+TEST_F(ShaderCommand, LosesNoOtherFileToOneThatIsNotThere)
+{
+    std::string text = k_Good;
+    text.insert(text.rfind('}'), "Fallback \"My/Other\"\n"); // which is looked for in all folders
+    const CommandRun run = RunCommand(
+        {"shader", "--json", Write("good.shader", text), (folder / "none" / "no.shader").string()});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("no.shader: error: there is no such file"));
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_EQ(2u, json["files"].size());
+    EXPECT_EQ(1, json["summary"]["passesCompiled"]);
+}
+
+TEST_F(ShaderCommand, WritesTwoShadersOfOneNameSideBySide)
+{
+    std::string other = k_Good;
+    other.replace(other.find("return _Tint;"), 13, "return _Tint * 2;");
+    std::string alike = k_Good;
+    alike.replace(alike.find("My/Good"), 7, "my_good");
+    const CommandRun run =
+        RunCommand({"shader", Write("a.shader", k_Good), Write("b.shader", other),
+                    Write("c.shader", alike), "--emit", "glsl", "-o", (folder / "out").string()});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    const std::string first = ReadText((folder / "out/My_Good.0.frag.glsl").string());
+    const std::string second = ReadText((folder / "out/My_Good-2.0.frag.glsl").string());
+    EXPECT_FALSE(first.empty());
+    EXPECT_FALSE(second.empty());
+    EXPECT_NE(first, second);
+    EXPECT_FALSE(ReadText((folder / "out/my_good-3.0.frag.glsl").string()).empty());
+}
+
+TEST_F(ShaderCommand, TakesPackagesByTheNamesTheyHaveThemselves)
+{
+    const auto write = [&](const std::string& name, const std::string& macro)
+    {
+        folder.Write("given/" + name + "@1/package.json", "{\"name\": \"com.me." + name + "\"}");
+        folder.Write("given/" + name + "@1/a.hlsl", "#define " + macro + " 1\n");
+        return (folder / ("given/" + name + "@1")).string();
+    };
+    const std::string one = write("one", "ONE");
+    const std::string two = write("two", "TWO");
+    std::string text = k_Good;
+    text.insert(text.find("float4 _Tint;"), "#include \"Packages/com.me.one/a.hlsl\"\n"
+                                            "#include \"Packages/com.me.two/a.hlsl\"\n"
+                                            "#if !ONE || !TWO\n#error none\n#endif\n");
+    const std::string file = Write("t.shader", text);
+    const std::vector<std::vector<std::string>> ways = {
+        {"shader", file, "--package", one, "--package", two},
+        {"shader", file, "--package", one, two},
+        {"shader", file, "--package", "com.me.one=" + one, "com.me.two=" + two},
+        {"shader", "--package", "com.me.one=" + one, "com.me.two=" + two, file},
+        {"shader", "--package", one, "com.me.two=" + two, file},
+        {"shader", "--package", (folder / "given").string(), file}};
+    for (const Arguments& way : ways)
+    {
+        const CommandRun run = RunCommand(way);
+        EXPECT_EQ(0, run.exitCode) << run.err << testing::PrintToString(way);
+    }
+    EXPECT_EQ(1, RunCommand({"shader", file, "--package", one}).exitCode);
+    // A folder that is a package may be what is to be checked.
+    folder.Write("given/one@1/Own.shader", k_Good);
+    EXPECT_EQ(0, RunCommand({"shader", "--package", "com.me.two=" + two, one}).exitCode);
+}
+
 TEST_F(ShaderCommand, NamesAFolderWithoutShaders)
 {
     const std::string path = (folder / "").string();

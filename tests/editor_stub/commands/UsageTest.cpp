@@ -193,7 +193,7 @@ TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
         {{"--frames", "0"}, "--frames: '0' is no number from 1 to 100000"},
         {{"--frames", "3x"}, "--frames: '3x' is no number from 1 to 100000"},
         {{"--package", "core"},
-         "--package: 'core' is no package; NAME=DIR is expected: "
+         "--package: 'core' is no package; a folder with a package.json is expected, or NAME=DIR: "
          "com.unity.render-pipelines.core=DIR"},
         {{"--set", "foo"},
          "--set: 'foo': NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4"},

@@ -309,6 +309,12 @@ constexpr std::pair<const char*, const char*> k_Guards[] = {
      "UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED"},
     {"Packages/com.unity.shadergraph/ShaderGraphLibrary/Functions.hlsl",
      "UNITY_GRAPHFUNCTIONS_INCLUDED"},
+    {"Packages/com.unity.shadergraph/ShaderGraphLibrary/Nature/SpeedTreeCommon.hlsl",
+     "SPEEDTREE_COMMON_INCLUDED"},
+    {"Packages/com.unity.render-pipelines.universal-config/Runtime/ShaderConfig.cs.hlsl",
+     "SHADERCONFIG_CS_HLSL"},
+    {"Packages/com.unity.render-pipelines.universal/ShaderLibrary/ObjectMotionVectors.hlsl",
+     "UNIVERSAL_OBJECT_MOTION_VECTORS_INCLUDED"},
 };
 
 } // namespace
@@ -333,6 +339,26 @@ TEST(ShaderLibrary, DefinesTheGuardsOfUnitysFiles)
         }
         EXPECT_TRUE(isThere) << file << ": " << guard;
     }
+}
+
+// An author who has written what a file declares, and says so by its guard, is left alone.
+TEST(ShaderLibrary, LeavesOutWhatAnAuthorsGuardSaysIsThere)
+{
+    for (const auto& [file, guard] : k_Guards)
+    {
+        SCOPED_TRACE(file);
+        const std::string text = std::string("#define ") + guard + "\n#include \"" + file +
+                                 "\"\n"
+                                 "float4 vert() : SV_Position { return 0; }\n"
+                                 "float4 frag() : SV_Target { return 0; }\n";
+        EXPECT_NO_THROW(CompileHlsl(text));
+    }
+    EXPECT_NO_THROW(CompileHlsl(R"(
+        #define UNIVERSAL_SURFACE_DATA_INCLUDED
+        struct SurfaceData { float own; };
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"
+        float4 vert() : SV_Position { return 0; }
+        float4 frag() : SV_Target { SurfaceData s = (SurfaceData)0; s.own = 1; return s.own; })"));
 }
 
 } // namespace limn::test

@@ -41,7 +41,8 @@ TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
                             StartsWith("5:7: error: ZTest: unknown value 'Foo'"),
                             "7:1: error: Blend: value is missing before 'ZWrite'; write a name or "
                             "[_Property]",
-                            "8:15: error: Ref: 300 does not fit into 8 bits; write 0...255",
+                            "8:15: warning: Ref: 300 does not fit into 8 bits, of which the lowest "
+                            "count; write 0...255",
                             StartsWith("8:19: error: Stencil: unknown command 'Pas'")));
 }
 

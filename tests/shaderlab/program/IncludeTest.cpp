@@ -1,6 +1,7 @@
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
+#include <limn/shaderlab/FindPackages.h>
 
 namespace limn
 {
@@ -80,6 +81,80 @@ TEST_F(Include, FindsThePackageThatTheShaderItselfIsPartOf)
     EXPECT_NO_THROW(compiler.Compile(program));
 }
 
+TEST_F(Include, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
+{
+    const std::string universal = "com.unity.render-pipelines.universal";
+    const std::string core = "com.unity.render-pipelines.core";
+    const auto write = [&](const std::string& at, const std::string& name, const std::string& file,
+                           const std::string& text)
+    {
+        folder.Write(at + "/package.json", "{\"name\": \"" + name + "\"}");
+        folder.Write(at + "/" + file, text);
+    };
+    const std::string include = "#include \"Packages/" + universal + "/ShaderLibrary/Core.hlsl\"\n";
+    const std::string coreInclude =
+        "#include \"Packages/" + core + "/ShaderLibrary/Common.hlsl\"\n";
+    // Unity's own copy in the cache: the library stands in for it.
+    write("project/Library/PackageCache/" + core + "@12.1.6", core, "ShaderLibrary/Common.hlsl",
+          "#define VALUE 1\n");
+    EXPECT_THAT(Compile(coreInclude).size(), testing::Gt(0u));
+    // One that the author has taken into the project brings all of them along.
+    write("project/Packages/" + universal + "@12.1.6", universal, "ShaderLibrary/Core.hlsl",
+          "#define OWN 1\n");
+    EXPECT_THAT(Compile(include + "#ifdef OWN\n#define VALUE 1\n#endif\n"), ElementsAre());
+    EXPECT_THAT(Compile(coreInclude), ElementsAre());
+    // What it lacks is the library's.
+    EXPECT_THAT(Compile("#define VALUE 1\n#include \"Packages/" + universal +
+                        "/ShaderLibrary/SurfaceData.hlsl\"\n"),
+                ElementsAre());
+}
+
+TEST_F(Include, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
+{
+    folder.Write("repositories/urp/package.json",
+                 "{\"name\": \"com.unity.render-pipelines.universal\"}");
+    folder.Write(
+        "repositories/urp/ShaderLibrary/Core.hlsl",
+        "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n");
+    folder.Write("repositories/srp-core/package.json",
+                 "{\"name\": \"com.unity.render-pipelines.core\"}");
+    folder.Write("repositories/srp-core/ShaderLibrary/Common.hlsl", "#define VALUE 1\n");
+    PassProgram program = test::Program(
+        "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"" +
+        k_Functions);
+    program.file = Path("repositories/urp/Shaders/t.shader");
+    ShaderCompiler compiler;
+    EXPECT_NO_THROW(compiler.Compile(program));
+}
+
+TEST_F(Include, SeesAPackageThatComesIntoTheProject)
+{
+    ShaderCompilerOptions options;
+    options.cacheFolder = Path("cache");
+    const std::string text =
+        "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n"
+        "#ifdef OWN\n#error own\n#endif\n#define VALUE 1\n";
+    EXPECT_THAT(Compile(text, options), ElementsAre());
+    folder.Write("project/Packages/srp/package.json",
+                 "{\"name\": \"com.unity.render-pipelines.core\"}");
+    folder.Write("project/Packages/srp/ShaderLibrary/Common.hlsl", "#define OWN 1\n");
+    EXPECT_THAT(Compile(text, options).size(), 1u);
+}
+
+TEST_F(Include, FindsPackagesInAFolderByTheirNames)
+{
+    folder.Write("one/package.json", "{\"name\": \"com.me.one\"}");
+    folder.Write("one/inner/package.json", "{\"name\": \"com.me.inner\"}");
+    folder.Write("many/a@1/package.json", "{\"name\": \"com.me.a\"}");
+    folder.Write("many/b/package.json", "{\"name\": \"com.me.b\"}");
+    folder.Write("many/c/package.json", "{\"version\": \"1.0.0\"}");
+    using testing::Pair;
+    EXPECT_THAT(FindPackages(Path("one")), ElementsAre(Pair("com.me.one", Path("one"))));
+    EXPECT_THAT(FindPackages(Path("many")),
+                ElementsAre(Pair("com.me.a", Path("many/a@1")), Pair("com.me.b", Path("many/b"))));
+    EXPECT_THAT(FindPackages(Path("none")), ElementsAre());
+}
+
 TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"sub/b.hlsl\"\n");
@@ -137,6 +212,19 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
     options.includeFolders = {folder.path()};
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\"", options), ElementsAre());
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
+}
+
+TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)
+{
+    folder.Write("project/Inc/a.hlsl", "#include \"/Inc/b.hlsl\"\n");
+    folder.Write("project/Inc/b.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"/Inc/a.hlsl\""), ElementsAre());
+    EXPECT_THAT(Compile("#include \"/Inc/c.hlsl\"").at(0), HasSubstr("is an absolute path"));
+    // Outside of a Unity project it is the folder that is given.
+    ShaderCompilerOptions options;
+    options.projectRoot = Path("root");
+    folder.Write("root/Inc/d.hlsl", "#define VALUE 1\n");
+    EXPECT_THAT(Compile("#include \"/Inc/d.hlsl\"", options), ElementsAre());
 }
 
 TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)

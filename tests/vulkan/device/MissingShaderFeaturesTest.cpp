@@ -67,9 +67,9 @@ TEST(MissingShaderFeatures, AreAllOfABareDevice)
     EXPECT_THAT(Missing(chain, least, 0),
                 ElementsAre("compute", "cubearray", "geometry", "int64bufferatomics",
                             "int64groupsharedatomics", "interpolators32", "mrt8", "native16bit",
-                            "quadshuffle", "randomwrite", "setrtarrayindexfromanyshader", "tesshw",
-                            "tessellation", "uav", "waveballot", "wavebasic", "wavemath",
-                            "wavemultiprefix", "wavevote"));
+                            "quadshuffle", "randomwrite", "scalarblocklayout",
+                            "setrtarrayindexfromanyshader", "tesshw", "tessellation", "uav",
+                            "waveballot", "wavebasic", "wavemath", "wavemultiprefix", "wavevote"));
 }
 
 TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
@@ -92,7 +92,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
     }
     using V12 = VkPhysicalDeviceVulkan12Features;
     const std::pair<VkBool32 V12::*, std::vector<std::string>> cases12[] = {
-        {&V12::scalarBlockLayout, {"compute"}},
+        {&V12::scalarBlockLayout, {"compute", "scalarblocklayout"}},
         {&V12::shaderFloat16, {"native16bit"}},
         {&V12::shaderOutputLayer, {"setrtarrayindexfromanyshader"}},
         {&V12::shaderBufferInt64Atomics, {"int64bufferatomics"}},

@@ -79,6 +79,9 @@ struct PassProgram
     EntryPoint geometry;
     EntryPoint kernel; ///< of a compute shader (ComputeDocument.h): it has this function alone
     int target = 25;   ///< `#pragma target` times ten
+    /// The LightMode tag of its pass, "" without one. Those of the built-in pipeline define a
+    /// macro: "ShadowCaster" UNITY_PASS_SHADOWCASTER.
+    std::string lightMode;
     std::vector<KeywordSet> keywordSets;
     std::vector<ProgramPragma> pragmas;
 

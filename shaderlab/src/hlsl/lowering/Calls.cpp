@@ -24,8 +24,9 @@ void HlslLowering::LowerCall(HlslNode& node)
     {
         LowerGather(node);
     }
-    else if (m_Globals.FindCalled(node, name).empty())
+    else if (node.isIntrinsic || m_Globals.FindCalled(node, name).empty())
     {
+        LowerHidden(node);
         if ((name == "any" || name == "all") && node.child)
         {
             LowerTruth(node);
@@ -37,6 +38,36 @@ void HlslLowering::LowerCall(HlslNode& node)
         LowerMatrixFunction(node);
         LowerFolding(node);
     }
+}
+
+/// A function of the language that the author has another of: to glslang the author's hides all, so
+/// that it is called from where that is not declared yet.
+void HlslLowering::LowerHidden(const HlslNode& node)
+{
+    if (!node.isIntrinsic || !node.type.isNumber() || m_IsInitial)
+    {
+        return;
+    }
+    const std::string name(Text(node.token));
+    std::string parameters;
+    std::string arguments;
+    for (const HlslNode* argument = node.child; argument; argument = argument->next)
+    {
+        const bool isNumber = argument->type.isNumber();
+        if (!isNumber && argument->type.kind != HlslType::Kind::Object)
+        {
+            return;
+        }
+        const std::string comma = arguments.empty() ? "" : ", ";
+        const std::string own = "v" + std::to_string(parameters.size());
+        parameters += comma +
+                      (isNumber ? argument->type.Spelling() : std::string(argument->type.name)) +
+                      " " + own;
+        arguments += comma + own;
+    }
+    Need(node.type.Spelling() + " limn_" + name + "_(" + parameters + ") { return " + name + "(" +
+         arguments + "); } ");
+    m_Code.Spelling(node.token) = "limn_" + name + "_";
 }
 
 /// Without an offset glslang makes invalid SPIR-V of it.

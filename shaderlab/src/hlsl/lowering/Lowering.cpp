@@ -98,6 +98,12 @@ void HlslLowering::LowerNode(HlslNode& node)
             Wrap(*node.child, "(int)(", ")");
         }
         break;
+    case HlslNodeKind::Label:
+        if (node.child && node.child->type.isFloating())
+        {
+            Wrap(*node.child, "(int)(", ")");
+        }
+        break;
     case HlslNodeKind::Declarator:
         LowerConstantCast(node);
         LowerDeclarator(node);

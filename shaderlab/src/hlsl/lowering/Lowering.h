@@ -59,6 +59,7 @@ private:
     // Calls.cpp
     void LowerCall(HlslNode& node);
     void LowerGather(const HlslNode& node);
+    void LowerHidden(const HlslNode& node);
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);

@@ -6,6 +6,7 @@
 #include "text/WordList.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -25,10 +26,13 @@ const WordList k_TypeNames("sampler texture matrix vector string layout");
 
 const WordList k_ObjectModifiers("static uniform extern in");
 
+// What brackets follow that hold no parameters.
+const WordList k_Statements("for if while switch return");
+
 class Speller
 {
 public:
-    explicit Speller(HlslEditor& code) : m_Code(code) {}
+    explicit Speller(HlslEditor& code) : m_Code(code) { FindLookedUp(); }
 
     void Spell()
     {
@@ -70,6 +74,10 @@ private:
         {
             m_Code.Spelling(index) = "SamplerState";
         }
+        else if (word == "SamplerState" && !LookedUpAs(index).empty())
+        {
+            m_Code.Spelling(index) = LookedUpAs(index);
+        }
         else if (word == "Buffer" && (isWord(index + 1) || Text(index + 1) == "<"))
         {
             // A device reads both kinds alike; limn binds the structured one.
@@ -86,9 +94,21 @@ private:
             m_Code.Spelling(index).insert(0, "(");
             m_Code.Spelling(m_Code.AfterBracket(index + 3) - 1) += ")";
         }
-        else if (word == "const" && isObject(index + 1))
+        else if (word == "const" && (isObject(index + 1) || isParameter(index)))
         {
-            m_Code.Spelling(index).clear(); // it says nothing; glslang crashes on it
+            // It says nothing; on objects glslang crashes on it, and of a function that is declared
+            // with it and without it makes two.
+            m_Code.Spelling(index).clear();
+        }
+        else if (word == "const" && Text(index + 1) == "static")
+        {
+            // The other way round glslang takes no size of an array from it.
+            m_Code.Spelling(index) = "static";
+            m_Code.Spelling(index + 1) = "const";
+        }
+        else if (word.starts_with("min1") && NumberType(word) && NumberType(word)->isMatrix())
+        {
+            m_Code.Spelling(index) = NumberType(word)->Spelling(); // glslang has vectors of it only
         }
         else if ((word == "vector" || word == "matrix") && Text(index + 1) == "<")
         {
@@ -106,6 +126,24 @@ private:
         {
             m_Code.Spelling(index) = "0x" + std::string(text.substr(size - 8));
         }
+    }
+
+    /// Whether the word stands among the modifiers of a function's parameter.
+    bool isParameter(std::size_t index) const
+    {
+        std::size_t open = std::max<std::size_t>(index, 1) - 1;
+        for (; open > 2 && Text(open) != "("; --open)
+        {
+            const std::size_t partner = m_Code.tokens().MatchingOpen(open);
+            if (Text(open) == ";" || Text(open) == "{" || (Text(open) == "}" && partner == open))
+            {
+                return false;
+            }
+            open = partner;
+        }
+        // `type name(`
+        return open > 2 && isWord(open - 1) && !k_Statements.Has(Text(open - 1)) &&
+               (isWord(open - 2) || Text(open - 2) == ">");
     }
 
     /// Whether a statement begins with the word.
@@ -174,7 +212,45 @@ private:
         return false;
     }
 
+    /// The type of Direct3D 9 that a global SamplerState is used as, `tex2D(name, …)`; "" of
+    /// others.
+    std::string_view LookedUpAs(std::size_t index) const
+    {
+        const std::string_view before = Text(index - 1);
+        const std::string_view behind = Text(index + 2);
+        if (before == "(" || before == "," || (behind != ";" && behind != ":"))
+        {
+            return "";
+        }
+        const auto found = m_LookedUp.find(Text(index + 1));
+        return found == m_LookedUp.end() || isSampledBy(found->first) ? "" : found->second;
+    }
+
+    void FindLookedUp()
+    {
+        static constexpr std::pair<std::string_view, std::string_view> k_Types[] = {
+            {"tex1D", "sampler1D"},
+            {"tex2D", "sampler2D"},
+            {"tex3D", "sampler3D"},
+            {"texCUBE", "samplerCUBE"}};
+        for (std::size_t i = 2; i < m_Code.size(); ++i)
+        {
+            if (Text(i - 1) != "(" || !Text(i - 2).starts_with("tex") || Text(i + 1) != ",")
+            {
+                continue;
+            }
+            for (const auto& [start, type] : k_Types)
+            {
+                if (Text(i - 2).starts_with(start))
+                {
+                    m_LookedUp.try_emplace(Text(i), type);
+                }
+            }
+        }
+    }
+
     HlslEditor& m_Code;
+    std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };
 
 } // namespace

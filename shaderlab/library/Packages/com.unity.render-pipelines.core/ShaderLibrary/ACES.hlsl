@@ -2,6 +2,7 @@
 // transform (version 1.0.3) that AcesTonemap in Color.hlsl is made of. Names are the Academy's.
 // "unity" is linear Rec. 709, ACES is ACES2065-1 with primaries AP0, ACEScg has primaries AP1.
 #pragma once
+#ifndef __ACES__
 #define __ACES__
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -139,3 +140,4 @@ float3 darkSurround_to_dimSurround(float3 linearCV)
     xyY.z = pow(clamp(xyY.z, 0.0, HALF_MAX), DIM_SURROUND_GAMMA);
     return mul(XYZ_2_AP1_MAT, xyY_2_XYZ(xyY));
 }
+#endif

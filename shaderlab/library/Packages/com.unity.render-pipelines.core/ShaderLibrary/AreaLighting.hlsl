@@ -1,6 +1,7 @@
 // Diffuse light of spheres and polygons (Baum et al. 1989; Heitz et al. 2016). limn has no area
 // lights; the functions take any.
 #pragma once
+#ifndef UNITY_AREA_LIGHTING_INCLUDED
 #define UNITY_AREA_LIGHTING_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
 
@@ -52,3 +53,4 @@ float PolygonIrradiance(float4x3 L)
     float3 F;
     return PolygonIrradiance(L, F);
 }
+#endif

@@ -1,5 +1,6 @@
 // Terms of reflection. Roughness is the square of perceptual roughness.
 #pragma once
+#ifndef UNITY_BSDF_INCLUDED
 #define UNITY_BSDF_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
@@ -341,3 +342,4 @@ float D_KajiyaKay(float3 T, float3 H, float specularExponent)
     float norm = (specularExponent + 2.0) * 0.5 * INV_PI;
     return saturate(along + 1.0) * norm * PositivePow(across2, 0.5 * specularExponent);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_COLOR_INCLUDED
 #define UNITY_COLOR_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ACES.hlsl"
@@ -38,6 +39,12 @@ float Luminance(float4 linearRgba) { return Luminance(linearRgba.rgb); }
 // The weights of ACEScg
 float AcesLuminance(float3 linearRgb) { return dot(linearRgb, AP1_RGB2Y); }
 float AcesLuminance(float4 linearRgba) { return AcesLuminance(linearRgba.rgb); }
+
+// Moves a colour towards the grey that is the mean of its channels: 1 leaves it as it is.
+float3 Desaturate(float3 value, float saturation)
+{
+    return lerp(((value.r + value.g + value.b) / 3.0).xxx, value, saturation);
+}
 
 float3 HsvToRgb(float3 c)
 {
@@ -207,3 +214,4 @@ float3 GetLutStripValue(float2 uv, float4 params)
     float slice = floor(corner.x * params.x);
     return float3(frac(corner.x * params.x), corner.y, slice / params.x) * params.w;
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_COMMON_INCLUDED
 #define UNITY_COMMON_INCLUDED
 
 // float on every platform limn draws on.
@@ -32,3 +33,4 @@
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Depth.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/FullScreen.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonTexture.hlsl"
+#endif

@@ -1,5 +1,6 @@
 // Geometry of lights and of directions about a surface.
 #pragma once
+#ifndef UNITY_COMMON_LIGHTING_INCLUDED
 #define UNITY_COMMON_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -83,3 +84,4 @@ float ComputeWrappedDiffuseLighting(float NdotL, float w)
 {
     return saturate((NdotL + w) / Sq(1.0 + w));
 }
+#endif

@@ -1,5 +1,6 @@
 // Roughness, smoothness, and normals from several sources.
 #pragma once
+#ifndef UNITY_COMMON_MATERIAL_INCLUDED
 #define UNITY_COMMON_MATERIAL_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -122,4 +123,4 @@ void GetTriplanarCoordinate(float3 position, out float2 uvXZ, out float2 uvXY, o
     uvXY = position.xy;
     uvZY = position.zy;
 }
-
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_COMMON_SHADOW_INCLUDED
 #define UNITY_COMMON_SHADOW_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -7,3 +8,4 @@ float3 GetShadowPosOffset(float NdotL, float3 normalWS, float2 invShadowMapSize)
 {
     return normalWS * (saturate(1.0 - NdotL) * 2.0 * invShadowMapSize.x);
 }
+#endif

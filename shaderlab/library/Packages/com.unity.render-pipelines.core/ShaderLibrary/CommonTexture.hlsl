@@ -1,4 +1,4 @@
-// Levels of detail, directions of cube maps, texture coordinates.
+// Levels of detail, cut-outs, directions of cube maps, texture coordinates.
 #pragma once
 
 // Which level of a texture of so many texels fits derivatives in texels.
@@ -16,6 +16,15 @@ float ComputeTextureLOD(float2 uv, float2 texelSize, float bias = 0.0)
 {
     return ComputeTextureLOD(uv * texelSize, bias);
 }
+
+// How much of a pixel a cut-out covers, for alpha to coverage: alpha runs from 0 to 1 within the one
+// pixel where it crosses the threshold.
+float SharpenAlpha(float alpha, float alphaClipTreshold)
+{
+    float pixels = (alpha - alphaClipTreshold) / max(1e-4, fwidth(alpha));
+    return saturate(0.5 + pixels);
+}
+
 uint GetMipCount(Texture2D tex, SamplerState smp)
 {
     uint width, height, levels;

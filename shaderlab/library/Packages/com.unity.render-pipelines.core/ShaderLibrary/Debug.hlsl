@@ -1,5 +1,6 @@
 // Colours that tell numbers apart.
 #pragma once
+#ifndef UNITY_DEBUG_INCLUDED
 #define UNITY_DEBUG_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
 
@@ -38,3 +39,4 @@ float3 GetIndexColor(int index)
         float3(0.75, 0.25, 0.25)};
     return index >= 0 && index < 16 ? colors[clamp(index, 0, 15)] : float3(1.0, 0.0, 0.0);
 }
+#endif

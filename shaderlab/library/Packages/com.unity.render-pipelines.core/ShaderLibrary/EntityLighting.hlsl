@@ -1,5 +1,6 @@
 // Light that was computed beforehand: harmonics, light maps, reflection probes.
 #pragma once
+#ifndef UNITY_ENTITY_LIGHTING_INCLUDED
 #define UNITY_ENTITY_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -60,3 +61,4 @@ float4 PackEmissiveRGBM(float3 rgb)
     return float4(scaled / alpha, alpha);
 }
 float3 UnpackEmissiveRGBM(float4 rgbm) { return rgbm.rgb * rgbm.a * EMISSIVE_RGBM_SCALE; }
+#endif

@@ -1,5 +1,6 @@
 // Smoother reading of textures than one bilinear sample gives.
 #pragma once
+#ifndef UNITY_FILTERING_INCLUDED
 #define UNITY_FILTERING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -34,3 +35,4 @@ float4 SampleTexture2DBicubic(Texture2D tex, SamplerState smp, float2 coord, flo
                  high.x * tex.SampleLevel(smp, p1, 0);
     return low.y * bottom + high.y * top;
 }
+#endif

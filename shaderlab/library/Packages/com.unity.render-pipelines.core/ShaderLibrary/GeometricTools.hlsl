@@ -1,5 +1,6 @@
 // Rays against simple bodies, distances, and triangles against frusta.
 #pragma once
+#ifndef UNITY_GEOMETRICTOOLS_INCLUDED
 #define UNITY_GEOMETRICTOOLS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -131,3 +132,4 @@ bool CullTriangleBackFace(float3 p0, float3 p1, float3 p2, float epsilon, float3
 {
     return CullTriangleBackFaceView(p0, p1, p2, epsilon, viewPos - p0, winding);
 }
+#endif

@@ -1,5 +1,6 @@
 // Samplers whose name says what they do.
 #pragma once
+#ifndef UNITY_CORE_SAMPLERS_INCLUDED
 #define UNITY_CORE_SAMPLERS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -13,4 +14,5 @@ SAMPLER(sampler_TrilinearRepeat);
 #ifndef limn_LinearClampCompare
 #define limn_LinearClampCompare
 SAMPLER_CMP(sampler_LinearClampCompare);
+#endif
 #endif

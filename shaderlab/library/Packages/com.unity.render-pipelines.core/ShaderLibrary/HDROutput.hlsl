@@ -1,6 +1,7 @@
 // Pictures for displays that are brighter than 80 nits. limn writes no such pictures; scripts that do
 // set the two uniforms.
 #pragma once
+#ifndef HDROUTPUT_INCLUDED
 #define HDROUTPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/ACES.hlsl"
@@ -283,3 +284,4 @@ float3 SceneUIComposition(float4 uiSample, float3 sceneColor, float paperWhite, 
     float3 color = uiSample.rgb / (uiSample.a == 0.0 ? 1.0 : uiSample.a);
     return lerp(sceneColor, ProcessUIForHDR(color, paperWhite, maxNits), uiSample.a);
 }
+#endif

@@ -1,5 +1,6 @@
 // Light from pictures of the surroundings.
 #pragma once
+#ifndef UNITY_IMAGE_BASED_LIGHTING_HLSL_INCLUDED
 #define UNITY_IMAGE_BASED_LIGHTING_HLSL_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -165,3 +166,4 @@ float InfluenceFadeNormalWeight(float3 normal, float3 centerToPos)
 {
     return saturate(1.5 - 2.5 * dot(normal, centerToPos));
 }
+#endif

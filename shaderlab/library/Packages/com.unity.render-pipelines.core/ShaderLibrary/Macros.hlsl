@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_MACROS_INCLUDED
 #define UNITY_MACROS_INCLUDED
 
 #define PI 3.14159265358979323846
@@ -43,3 +44,4 @@
 #define CALL_MERGE_NAME(a, b) MERGE_NAME(a, b)
 #define SAFE_DIVIDE(a, b) ((b) != 0 ? (a) / (b) : 0)
 #define GET_TEXELSIZE_NAME(name) (name##_TexelSize)
+#endif

@@ -1,6 +1,7 @@
 // The pass that bakes light: it writes a surface's colour into its light map. limn bakes nothing;
 // the names are there for shaders that have such a pass. The including file has the pipeline's spaces.
 #pragma once
+#ifndef UNITY_META_PASS_INCLUDED
 #define UNITY_META_PASS_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -50,3 +51,4 @@ float4 UnityMetaFragment(UnityMetaInput IN)
     }
     return result;
 }
+#endif

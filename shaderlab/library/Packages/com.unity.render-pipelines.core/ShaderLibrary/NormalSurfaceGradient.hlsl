@@ -1,5 +1,6 @@
 // Morten Mikkelsen's surface gradients: bumps from several sources add up, then bend a normal.
 #pragma once
+#ifndef UNITY_NORMAL_SURFACE_GRADIENT_INCLUDED
 #define UNITY_NORMAL_SURFACE_GRADIENT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -74,3 +75,4 @@ float2 UnpackDerivativeNormalRGorAG(float4 packedNormal, float scale = 1.0)
     packedNormal.a *= packedNormal.r;
     return UnpackDerivativeNormalAG(packedNormal, scale);
 }
+#endif

@@ -1,5 +1,6 @@
 // Vectors and numbers in the few bits of a texture.
 #pragma once
+#ifndef UNITY_PACKING_INCLUDED
 #define UNITY_PACKING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -47,6 +48,21 @@ float3 UnpackNormalOctQuadEncode(float2 f)
     n.xy += float2(n.x >= 0.0 ? -fold : fold, n.y >= 0.0 ? -fold : fold);
     return normalize(n);
 }
+// The octahedron cut into its two halves, lower and upper, side by side in a rectangle: x is 0...1
+// above and -1...0 below, y is -1...1.
+float2 PackNormalOctRectEncode(float3 n)
+{
+    float2 p = n.xy / dot(abs(n), float3(1, 1, 1));
+    float side = saturate((p.y - p.x) * 0.5 + 0.5);
+    return float2(n.z < 0.0 ? -side : side, p.x + p.y);
+}
+float3 UnpackNormalOctRectEncode(float2 f)
+{
+    float x = 0.5 * f.y - abs(f.x) + 0.5;
+    float2 p = float2(x, f.y - x);
+    float height = max(1.0 - abs(p.x) - abs(p.y), FLT_EPS);
+    return normalize(float3(p, f.x < 0.0 ? -height : height));
+}
 // The upper half of the octahedron (z >= 0), turned by 45 degrees so that it fills the square.
 float2 PackNormalHemiOctEncode(float3 n)
 {
@@ -68,6 +84,14 @@ float PackShort(uint i) { return PackInt(i, 16); }
 uint UnpackShort(float f) { return UnpackInt(f, 16); }
 float PackShortLo(uint i) { return PackByte(i & 0xFFu); }
 float PackShortHi(uint i) { return PackByte(i >> 8); }
+
+// A number in 0...1 in two bytes, the low one first.
+float2 PackFloatToR8G8(float f)
+{
+    uint bits = UnpackShort(f);
+    return float2(PackShortLo(bits), PackShortHi(bits));
+}
+float UnpackFloatFromR8G8(float2 f) { return PackShort(UnpackByte(f.x) | (UnpackByte(f.y) << 8)); }
 
 // Two numbers in 0...1 in three bytes: 12 bits each.
 float3 PackFloat2To888(float2 f)
@@ -106,3 +130,4 @@ float3 UnpackFromR11G11B10f(uint rgb)
     return float3(f16tof32((rgb >> 17) & 0x7FF0u), f16tof32((rgb >> 6) & 0x7FF0u),
                   f16tof32((rgb << 5) & 0x7FE0u));
 }
+#endif

@@ -1,5 +1,6 @@
 // Numbers that look random and are the same on every run.
 #pragma once
+#ifndef UNITY_RANDOM_INCLUDED
 #define UNITY_RANDOM_INCLUDED
 
 // Bob Jenkins' one-at-a-time hash over the bits of a number, and of several in turn.
@@ -45,3 +46,4 @@ uint XorShift(inout uint rngState)
     rngState ^= rngState << 5;
     return rngState;
 }
+#endif

@@ -1,5 +1,6 @@
 // Light that goes through an object: what lies behind is seen from rayWS at positionWS.
 #pragma once
+#ifndef UNITY_REFRACTION_INCLUDED
 #define UNITY_REFRACTION_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -33,3 +34,4 @@ RefractionModelResult RefractionModelBox(float3 V, float3 positionWS, float3 nor
     result.rayWS = -V;
     return result;
 }
+#endif

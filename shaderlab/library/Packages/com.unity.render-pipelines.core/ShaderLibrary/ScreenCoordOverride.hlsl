@@ -1,5 +1,6 @@
 // Screen coordinates of a part of a larger picture, where scripts render it in parts.
 #pragma once
+#ifndef UNITY_SCREEN_COORD_OVERRIDE_INCLUDED
 #define UNITY_SCREEN_COORD_OVERRIDE_INCLUDED
 
 float2 ScreenCoordApplyScaleBias(float2 xy, float4 screenCoordScaleBias)
@@ -19,4 +20,5 @@ float2 ScreenCoordRemoveScaleBias(float2 xy, float4 screenCoordScaleBias)
 #define SCREEN_COORD_APPLY_SCALEBIAS(xy) xy
 #define SCREEN_COORD_REMOVE_SCALEBIAS(xy) xy
 #define SCREEN_SIZE_OVERRIDE _ScreenSize
+#endif
 #endif

@@ -1,5 +1,6 @@
 // Morton's curve: the bits of coordinates, one of each in turn.
 #pragma once
+#ifndef UNITY_SPACE_FILLING_CURVES_INCLUDED
 #define UNITY_SPACE_FILLING_CURVES_INCLUDED
 
 // The lower 16 bits with one bit free between two of them, and back.
@@ -47,3 +48,4 @@ uint3 DecodeMorton3D(uint code)
 {
     return uint3(Compact1By2(code), Compact1By2(code >> 1), Compact1By2(code >> 2));
 }
+#endif

@@ -1,5 +1,6 @@
 // OS, WS, VS, CS: object, world, view and clip space. View space looks down -z.
 #pragma once
+#ifndef UNITY_SPACE_TRANSFORMS_INCLUDED
 #define UNITY_SPACE_TRANSFORMS_INCLUDED
 // Forks of the universal package come without limn's UnityInput.hlsl.
 #include "limn/PerDraw.hlsl"
@@ -144,3 +145,4 @@ float3 TransformObjectToTangent(float3 v, float3x3 tangentToWorld)
 {
     return TransformWorldToTangent(TransformObjectToWorldDir(v), tangentToWorld);
 }
+#endif

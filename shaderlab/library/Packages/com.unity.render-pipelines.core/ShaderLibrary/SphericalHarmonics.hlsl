@@ -1,5 +1,6 @@
 // Light by direction as spherical harmonics of orders 0 to 2 (Ramamoorthi and Hanrahan 2001).
 #pragma once
+#ifndef UNITY_SPHERICAL_HARMONICS_INCLUDED
 #define UNITY_SPHERICAL_HARMONICS_INCLUDED
 
 #include "limn/SphericalHarmonics.hlsl"
@@ -23,3 +24,4 @@ float3 SampleSH9(float4 SHCoefficients[7], float3 N)
            SHEvalLinearL2(N, SHCoefficients[3], SHCoefficients[4], SHCoefficients[5],
                           SHCoefficients[6]);
 }
+#endif

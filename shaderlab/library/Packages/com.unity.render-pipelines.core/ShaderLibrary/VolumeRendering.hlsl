@@ -1,6 +1,7 @@
 // Light in fog. Optical depth is the integral of the extinction along a way; the transmittance is
 // e to the power of minus that.
 #pragma once
+#ifndef UNITY_VOLUME_RENDERING_INCLUDED
 #define UNITY_VOLUME_RENDERING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
@@ -127,3 +128,4 @@ float3 TransmittanceColorAtDistanceToAbsorption(float3 transmittanceColor, float
 {
     return -log(transmittanceColor + REAL_EPS) / max(atDistance, REAL_EPS);
 }
+#endif

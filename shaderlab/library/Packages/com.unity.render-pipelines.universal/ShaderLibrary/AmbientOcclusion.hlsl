@@ -1,5 +1,6 @@
 // How much ambient light reaches a point, by a texture of the screen.
 #pragma once
+#ifndef AMBIENT_OCCLUSION_INCLUDED
 #define AMBIENT_OCCLUSION_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -45,3 +46,4 @@ AmbientOcclusionFactor CreateAmbientOcclusionFactor(InputData inputData, Surface
 {
     return CreateAmbientOcclusionFactor(inputData.normalizedScreenSpaceUV, surfaceData.occlusion);
 }
+#endif

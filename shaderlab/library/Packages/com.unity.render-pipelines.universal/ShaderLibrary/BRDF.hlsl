@@ -1,5 +1,6 @@
 // How a surface reflects: a diffuse part, a highlight of facets (GGX), and surroundings.
 #pragma once
+#ifndef UNIVERSAL_BRDF_INCLUDED
 #define UNIVERSAL_BRDF_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl"
@@ -163,3 +164,4 @@ float3 DirectBDRF(BRDFData brdfData, float3 normalWS, float3 lightDirectionWS,
 {
     return DirectBRDF(brdfData, normalWS, lightDirectionWS, viewDirectionWS);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNIVERSAL_PIPELINE_CORE_INCLUDED
 #define UNIVERSAL_PIPELINE_CORE_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -26,3 +27,4 @@
 #define SAMPLE_TEXTURECUBE(name, smp, direction) name.SampleBias(smp, direction, _GlobalMipBias.x)
 #define SAMPLE_TEXTURECUBE_BIAS(name, smp, direction, bias) \
     name.SampleBias(smp, direction, (bias) + _GlobalMipBias.x)
+#endif

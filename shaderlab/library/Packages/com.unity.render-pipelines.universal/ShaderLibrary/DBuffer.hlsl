@@ -1,5 +1,6 @@
 // There are no decals: surfaces stay as they are.
 #pragma once
+#ifndef UNIVERSAL_DBUFFER_INCLUDED
 #define UNIVERSAL_DBUFFER_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceData.hlsl"
@@ -29,3 +30,4 @@ void ApplyDecalToSurfaceData(float4 positionCS, inout SurfaceData surfaceData,
                              inout InputData inputData)
 {
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_DECLARE_DEPTH_TEXTURE_INCLUDED
 #define UNITY_DECLARE_DEPTH_TEXTURE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
@@ -12,3 +13,4 @@ float SampleSceneDepth(float2 uv)
     return SAMPLE_TEXTURE2D_X(_CameraDepthTexture, sampler_CameraDepthTexture, uv).r;
 }
 float LoadSceneDepth(uint2 uv) { return LOAD_TEXTURE2D_X(_CameraDepthTexture, uv).r; }
+#endif

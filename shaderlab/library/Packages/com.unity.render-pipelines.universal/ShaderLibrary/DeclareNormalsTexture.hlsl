@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_DECLARE_NORMALS_TEXTURE_INCLUDED
 #define UNITY_DECLARE_NORMALS_TEXTURE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
@@ -16,3 +17,4 @@ float3 SampleSceneNormals(float2 uv)
     return SAMPLE_TEXTURE2D_X(_CameraNormalsTexture, sampler_CameraNormalsTexture, uv).xyz;
 }
 float3 LoadSceneNormals(uint2 uv) { return LOAD_TEXTURE2D_X(_CameraNormalsTexture, uv).xyz; }
+#endif

@@ -1,6 +1,7 @@
 // What deferred passes store, by Unity 6's names. limn draws forward; the names are there for shaders
 // that have such a pass.
 #pragma once
+#ifndef UNIVERSAL_GBUFFERCOMMON_INCLUDED
 #define UNIVERSAL_GBUFFERCOMMON_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
 
@@ -25,3 +26,4 @@ float PackGBufferMaterialFlags(uint materialFlags) { return PackMaterialFlags(ma
 uint UnpackGBufferMaterialFlags(float packed) { return UnpackMaterialFlags(packed); }
 half3 PackGBufferNormal(half3 normalWS) { return PackNormal(normalWS); }
 half3 UnpackGBufferNormal(half3 packed) { return UnpackNormal(packed); }
+#endif

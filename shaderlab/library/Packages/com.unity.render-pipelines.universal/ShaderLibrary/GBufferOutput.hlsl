@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNIVERSAL_GBUFFEROUTPUT_INCLUDED
 #define UNIVERSAL_GBUFFEROUTPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/GBufferCommon.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -32,3 +33,4 @@ GBufferFragOutput PackGBuffersBRDFData(BRDFData brdfData, InputData inputData, h
     return limn_GBufferFragOutput(
         BRDFDataToGbuffer(brdfData, inputData, smoothness, globalIllumination, occlusion));
 }
+#endif

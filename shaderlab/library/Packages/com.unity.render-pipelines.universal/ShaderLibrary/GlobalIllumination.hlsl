@@ -1,6 +1,7 @@
 // Ambient light. There are no light maps and no reflection probes: what is reflected is the ambient
 // light from that side.
 #pragma once
+#ifndef UNIVERSAL_GLOBAL_ILLUMINATION_INCLUDED
 #define UNIVERSAL_GLOBAL_ILLUMINATION_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/EntityLighting.hlsl"
@@ -41,7 +42,8 @@ float3 SampleSHPixel(float3 L2Term, float3 normalWS)
 #define DECLARE_LIGHTMAP_OR_SH(lmName, shName, index) float3 shName : TEXCOORD##index
 #define OUTPUT_LIGHTMAP_UV(lightmapUV, lightmapScaleOffset, OUT)
 #define OUTPUT_SH(normalWS, OUT) OUT.xyz = SampleSHVertex(normalWS)
-#define OUTPUT_SH4(absolutePositionWS, normalWS, viewDir, OUT) OUTPUT_SH(normalWS, OUT)
+// Unity 6's; limn has no probe volumes, whose occlusion the last would be.
+#define OUTPUT_SH4(absolutePositionWS, normalWS, viewDir, OUT, OUT_OCCLUSION) OUTPUT_SH(normalWS, OUT)
 #if defined(LIGHTMAP_ON) || defined(DYNAMICLIGHTMAP_ON)
 [limn_Lacks("light maps", "the ambient light stands in for them")]
 float3 limn_AmbientForLightmap(float3 ambient) { return ambient; }
@@ -149,3 +151,4 @@ float3 GlobalIllumination(BRDFData brdfData, float3 bakedGI, float occlusion, fl
     return GlobalIllumination(brdfData, (BRDFData)0, 0.0, bakedGI, occlusion, float3(0, 0, 0),
                               normalWS, viewDirectionWS, float2(0, 0));
 }
+#endif

@@ -1,5 +1,6 @@
 // Objects change their level of detail at once.
 #pragma once
+#ifndef UNIVERSAL_PIPELINE_LODCROSSFADE_INCLUDED
 #define UNIVERSAL_PIPELINE_LODCROSSFADE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
@@ -9,3 +10,4 @@ void LODFadeCrossFade(float4 positionCS)
     LODDitheringTransition((uint2)positionCS.xy, unity_LODFade.x);
 #endif
 }
+#endif

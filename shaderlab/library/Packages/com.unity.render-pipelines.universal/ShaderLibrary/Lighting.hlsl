@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNIVERSAL_LIGHTING_INCLUDED
 #define UNIVERSAL_LIGHTING_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonMaterial.hlsl"
@@ -137,3 +138,4 @@ float3 CalculateBlinnPhong(Light light, InputData inputData, SurfaceData surface
 }
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/FragmentLighting.hlsl"
+#endif

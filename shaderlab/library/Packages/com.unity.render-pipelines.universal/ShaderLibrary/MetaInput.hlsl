@@ -1,5 +1,6 @@
 // URP's names of what the pass that bakes light does.
 #pragma once
+#ifndef UNIVERSAL_META_INPUT_INCLUDED
 #define UNIVERSAL_META_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -13,3 +14,4 @@ float4 MetaVertexPosition(float4 positionOS, float2 uv1, float2 uv2, float4 uv1S
     return UnityMetaVertexPosition(positionOS.xyz, uv1, uv2, uv1ST, uv2ST);
 }
 float4 MetaFragment(UnityMetaInput IN) { return UnityMetaFragment(IN); }
+#endif

@@ -1,6 +1,7 @@
 // What particle shaders do with their colours and coordinates. A shader that calls
 // InitParticleParams declares VaryingsParticle and _BaseColor before.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_INCLUDED
 #define UNIVERSAL_PARTICLES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
@@ -153,3 +154,4 @@ void GetParticleTexcoords(out float2 outputTexcoord, float2 inputTexcoord)
 {
     outputTexcoord = inputTexcoord;
 }
+#endif

@@ -1,5 +1,6 @@
 // The main light, and lights besides it.
 #pragma once
+#ifndef UNIVERSAL_REALTIME_LIGHTS_INCLUDED
 #define UNIVERSAL_REALTIME_LIGHTS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
@@ -152,3 +153,4 @@ bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers)
 {
     return (lightLayers & renderingLayers) != 0;
 }
+#endif

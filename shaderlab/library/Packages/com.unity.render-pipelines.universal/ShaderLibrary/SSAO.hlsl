@@ -1,6 +1,7 @@
 // Ambient occlusion from the depth texture (McGuire 2011, the Alchemy estimator), and the blurs behind
 // it. A pass includes core's Blit.hlsl before; its script sets the parameters.
 #pragma once
+#ifndef UNIVERSAL_SSAO_INCLUDED
 #define UNIVERSAL_SSAO_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -275,3 +276,4 @@ half KawaseBlur(Varyings input) : SV_Target
     half blurred = KawaseBlurFilter(input.texcoord, limn_SSAO_TEXEL, _KawaseBlurIteration);
     return _LastKawasePass ? 1.0 - blurred : blurred;
 }
+#endif

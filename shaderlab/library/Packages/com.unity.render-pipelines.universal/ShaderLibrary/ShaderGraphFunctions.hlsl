@@ -1,5 +1,6 @@
 // What the nodes of shader graphs call.
 #pragma once
+#ifndef UNITY_GRAPHFUNCTIONS_LW_INCLUDED
 #define UNITY_GRAPHFUNCTIONS_LW_INCLUDED
 
 #define SHADERGRAPH_SAMPLE_SCENE_DEPTH(uv) shadergraph_LWSampleSceneDepth(uv)
@@ -101,3 +102,4 @@ float3 shadergraph_RendererBoundsWS_Max()
 {
     return GetCameraRelativePositionWS(unity_RendererBounds_Max.xyz);
 }
+#endif

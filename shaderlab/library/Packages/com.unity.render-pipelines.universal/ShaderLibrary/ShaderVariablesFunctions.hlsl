@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 #define UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 
 // Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
@@ -195,6 +196,9 @@ float InitializeInputDataFog(float4 positionWS, float vertFogFactor)
 
 void TransformScreenUV(inout float2 uv, float screenHeight) {}
 void TransformScreenUV(inout float2 uv) {}
+#ifndef TransformStereoScreenSpaceTex // a macro in HLSLSupport.cginc
 float2 TransformStereoScreenSpaceTex(float2 uv, float w) { return uv; }
+#endif
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/ShaderVariablesFunctions.deprecated.hlsl"
+#endif

@@ -1,5 +1,6 @@
 // Shadows of lights. All is lit unless a shadow map and its strength are set.
 #pragma once
+#ifndef UNIVERSAL_SHADOWS_INCLUDED
 #define UNIVERSAL_SHADOWS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -21,6 +22,9 @@
 #if defined(_ADDITIONAL_LIGHT_SHADOWS)
 #define ADDITIONAL_LIGHT_CALCULATE_SHADOWS
 #endif
+#endif
+#if defined(_ADDITIONAL_LIGHTS) || defined(MAIN_LIGHT_CALCULATE_SHADOWS)
+#define REQUIRES_WORLD_SPACE_POS_INTERPOLATOR
 #endif
 
 // What is transparent is not in the picture of shadows that the screen has: it looks into the map.
@@ -420,3 +424,4 @@ float4 ApplyShadowClamping(float4 positionCS)
 #endif
     return positionCS;
 }
+#endif

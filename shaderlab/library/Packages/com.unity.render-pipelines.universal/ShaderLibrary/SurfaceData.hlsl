@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNIVERSAL_SURFACE_DATA_INCLUDED
 #define UNIVERSAL_SURFACE_DATA_INCLUDED
 
 // What a surface is like at one point.
@@ -15,3 +16,4 @@ struct SurfaceData
     float clearCoatMask;
     float clearCoatSmoothness;
 };
+#endif

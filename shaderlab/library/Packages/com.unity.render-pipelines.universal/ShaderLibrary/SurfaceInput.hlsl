@@ -1,5 +1,6 @@
 // The textures that most lit shaders have, and how they are read.
 #pragma once
+#ifndef UNIVERSAL_INPUT_SURFACE_INCLUDED
 #define UNIVERSAL_INPUT_SURFACE_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -47,3 +48,4 @@ float3 SampleEmission(float2 uv, float3 emissionColor,
     return float3(0, 0, 0);
 #endif
 }
+#endif

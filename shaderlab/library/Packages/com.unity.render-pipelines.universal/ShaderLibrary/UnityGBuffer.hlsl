@@ -1,6 +1,7 @@
 // The targets of a deferred pass. limn draws forward; the names are there for shaders that have
 // such a pass.
 #pragma once
+#ifndef UNIVERSAL_GBUFFERUTIL_INCLUDED
 #define UNIVERSAL_GBUFFERUTIL_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -53,3 +54,4 @@ FragmentOutput BRDFDataToGbuffer(BRDFData brdfData, InputData inputData, float s
     output.GBuffer3 = float4(globalIllumination, 1.0);
     return output;
 }
+#endif

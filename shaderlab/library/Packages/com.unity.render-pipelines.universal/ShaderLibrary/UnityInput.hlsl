@@ -1,6 +1,7 @@
 // Names that Unity feeds: those that limn feeds too, and constants for what it does not have (light
 // maps, probes besides the ambient light, motion, a second eye).
 #pragma once
+#ifndef UNIVERSAL_SHADER_VARIABLES_INCLUDED
 #define UNIVERSAL_SHADER_VARIABLES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -62,3 +63,4 @@ cbuffer limn_PerCameraExtra
     float4 _DrawObjectPassData; // w: 1 for opaque objects
     float _AlphaToMaskAvailable;
 };
+#endif

@@ -1,5 +1,6 @@
 // The vertex function of passes that bake light.
 #pragma once
+#ifndef UNIVERSAL_META_PASS_INCLUDED
 #define UNIVERSAL_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/MetaInput.hlsl"
@@ -31,3 +32,4 @@ float4 UniversalFragmentMeta(Varyings fragIn, MetaInput metaInput)
 {
     return UnityMetaFragment(metaInput);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef UNIVERSAL_UNLIT_INCLUDED
 #define UNIVERSAL_UNLIT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 
@@ -21,3 +22,4 @@ float4 UniversalFragmentUnlit(InputData inputData, float3 color, float alpha)
     surfaceData.clearCoatSmoothness = 1.0;
     return UniversalFragmentUnlit(inputData, surfaceData);
 }
+#endif

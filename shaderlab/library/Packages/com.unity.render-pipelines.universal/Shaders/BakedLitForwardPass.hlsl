@@ -1,5 +1,6 @@
 // Ambient light alone.
 #pragma once
+#ifndef UNIVERSAL_BAKEDLIT_FORWARD_PASS_INCLUDED
 #define UNIVERSAL_BAKEDLIT_FORWARD_PASS_INCLUDED
 
 #include "limn/ForwardPass.hlsl"
@@ -37,3 +38,4 @@ void BakedLitForwardPassFragment(Varyings input, out float4 outColor : SV_Target
     outColor = float4(MixFog(color.rgb, inputData.fogCoord),
                       OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
 }
+#endif

@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Baked Lit.
 #pragma once
+#ifndef UNIVERSAL_BAKEDLIT_INPUT_INCLUDED
 #define UNIVERSAL_BAKEDLIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
@@ -12,3 +13,4 @@ float _Glossiness;
 float _Metallic;
 float _Surface;
 CBUFFER_END
+#endif

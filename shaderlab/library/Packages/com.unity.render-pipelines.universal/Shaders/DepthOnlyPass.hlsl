@@ -1,5 +1,6 @@
 // Depth alone.
 #pragma once
+#ifndef UNIVERSAL_DEPTH_ONLY_PASS_INCLUDED
 #define UNIVERSAL_DEPTH_ONLY_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -23,7 +24,9 @@ struct Varyings
 Varyings DepthOnlyVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
+#ifdef _ALPHATEST_ON
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
+#endif
     output.positionCS = TransformObjectToHClip(input.position.xyz);
     return output;
 }
@@ -37,3 +40,4 @@ float DepthOnlyFragment(Varyings input) : SV_TARGET
     LODFadeCrossFade(input.positionCS);
     return input.positionCS.z;
 }
+#endif

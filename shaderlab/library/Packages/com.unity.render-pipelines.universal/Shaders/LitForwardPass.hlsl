@@ -1,5 +1,6 @@
 // Physically based lighting of LitInput.hlsl.
 #pragma once
+#ifndef UNIVERSAL_FORWARD_LIT_PASS_INCLUDED
 #define UNIVERSAL_FORWARD_LIT_PASS_INCLUDED
 
 #if defined(_PARALLAXMAP)
@@ -33,3 +34,4 @@ void LitPassFragment(Varyings input, out float4 outColor : SV_Target0)
     outColor = float4(MixFog(color.rgb, inputData.fogCoord),
                       OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
 }
+#endif

@@ -1,5 +1,6 @@
 // The deferred pass of LitInput.hlsl.
 #pragma once
+#ifndef UNIVERSAL_LIT_GBUFFER_PASS_INCLUDED
 #define UNIVERSAL_LIT_GBUFFER_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
@@ -26,3 +27,4 @@ FragmentOutput LitGBufferPassFragment(Varyings input)
     return BRDFDataToGbuffer(brdfData, inputData, surfaceData.smoothness,
                              surfaceData.emission + light, surfaceData.occlusion);
 }
+#endif

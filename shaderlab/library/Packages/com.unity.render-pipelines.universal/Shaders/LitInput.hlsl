@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Lit, and the surface they make.
 #pragma once
+#ifndef UNIVERSAL_LIT_INPUT_INCLUDED
 #define UNIVERSAL_LIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -169,3 +170,4 @@ void InitializeStandardLitSurfaceData(float2 uv, out SurfaceData outSurfaceData)
     outSurfaceData.normalTS = ApplyDetailNormal(detailUv, outSurfaceData.normalTS, mask);
 #endif
 }
+#endif

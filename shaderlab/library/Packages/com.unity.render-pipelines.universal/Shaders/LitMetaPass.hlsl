@@ -1,5 +1,6 @@
 // What LitInput.hlsl gives to baked light.
 #pragma once
+#ifndef UNIVERSAL_LIT_META_PASS_INCLUDED
 #define UNIVERSAL_LIT_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
@@ -15,3 +16,4 @@ float4 UniversalFragmentMetaLit(Varyings input) : SV_Target
     metaInput.Emission = surfaceData.emission;
     return UniversalFragmentMeta(input, metaInput);
 }
+#endif

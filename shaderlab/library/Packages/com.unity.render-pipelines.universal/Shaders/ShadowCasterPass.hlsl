@@ -1,5 +1,6 @@
 // Depth seen from a light.
 #pragma once
+#ifndef UNIVERSAL_SHADOW_CASTER_PASS_INCLUDED
 #define UNIVERSAL_SHADOW_CASTER_PASS_INCLUDED
 
 #include "limn/ShadowCaster.hlsl"
@@ -28,7 +29,9 @@ float4 GetShadowPositionHClip(Attributes input)
 Varyings ShadowPassVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
+#ifdef _ALPHATEST_ON
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
+#endif
     output.positionCS = GetShadowPositionHClip(input);
     return output;
 }
@@ -42,3 +45,4 @@ float4 ShadowPassFragment(Varyings input) : SV_TARGET
     LODFadeCrossFade(input.positionCS);
     return 0;
 }
+#endif

@@ -1,5 +1,6 @@
 // Lambert and Blinn-Phong lighting of SimpleLitInput.hlsl.
 #pragma once
+#ifndef UNIVERSAL_SIMPLE_LIT_PASS_INCLUDED
 #define UNIVERSAL_SIMPLE_LIT_PASS_INCLUDED
 
 #include "limn/ForwardPass.hlsl"
@@ -26,3 +27,4 @@ void LitPassFragmentSimple(Varyings input, out float4 outColor : SV_Target0)
     outColor = float4(MixFog(color.rgb, inputData.fogCoord),
                       OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
 }
+#endif

@@ -1,5 +1,6 @@
 // The deferred pass of SimpleLitInput.hlsl.
 #pragma once
+#ifndef UNIVERSAL_SIMPLE_LIT_GBUFFER_PASS_INCLUDED
 #define UNIVERSAL_SIMPLE_LIT_GBUFFER_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
@@ -20,3 +21,4 @@ FragmentOutput LitPassFragmentSimple(Varyings input)
                                 surfaceData.emission + inputData.bakedGI * surfaceData.albedo,
                                 kLightingSimpleLit);
 }
+#endif

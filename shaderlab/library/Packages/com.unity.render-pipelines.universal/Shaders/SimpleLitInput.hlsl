@@ -1,5 +1,6 @@
 // Properties of Universal Render Pipeline/Simple Lit, and the surface they make.
 #pragma once
+#ifndef UNIVERSAL_SIMPLE_LIT_INPUT_INCLUDED
 #define UNIVERSAL_SIMPLE_LIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/SurfaceInput.hlsl"
@@ -48,3 +49,4 @@ void InitializeSimpleLitSurfaceData(float2 uv, out SurfaceData outSurfaceData)
     outSurfaceData.emission = SampleEmission(uv, _EmissionColor.rgb,
                                              TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap));
 }
+#endif

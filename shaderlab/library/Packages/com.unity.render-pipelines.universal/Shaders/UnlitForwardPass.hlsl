@@ -1,5 +1,6 @@
 // Unlit: texture times colour, and fog.
 #pragma once
+#ifndef URP_UNLIT_FORWARD_PASS_INCLUDED
 #define URP_UNLIT_FORWARD_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Unlit.hlsl"
@@ -43,3 +44,4 @@ void UnlitPassFragment(Varyings input, out float4 outColor : SV_Target0)
     outColor = float4(MixFog(result.rgb, input.fogCoord),
                       OutputAlpha(result.a, IsSurfaceTypeTransparent(_Surface)));
 }
+#endif

@@ -1,5 +1,6 @@
 // The deferred pass of UnlitInput.hlsl: a surface without light of its own.
 #pragma once
+#ifndef URP_UNLIT_GBUFFER_PASS_INCLUDED
 #define URP_UNLIT_GBUFFER_PASS_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Unlit.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UnityGBuffer.hlsl"
@@ -61,3 +62,4 @@ FragmentOutput UnlitPassFragment(Varyings input)
 #endif
     return SurfaceDataToGbuffer(surface, data, half3(0, 0, 0), kLightingInvalid);
 }
+#endif

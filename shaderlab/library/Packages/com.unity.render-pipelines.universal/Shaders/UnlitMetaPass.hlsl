@@ -1,5 +1,6 @@
 // What a surface of one colour gives to baked light.
 #pragma once
+#ifndef UNIVERSAL_UNLIT_META_PASS_INCLUDED
 #define UNIVERSAL_UNLIT_META_PASS_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/UniversalMetaPass.hlsl"
@@ -11,3 +12,4 @@ float4 UniversalFragmentMetaUnlit(Varyings input) : SV_Target
         _BaseColor.rgb * SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).rgb;
     return UniversalFragmentMeta(input, metaInput);
 }
+#endif

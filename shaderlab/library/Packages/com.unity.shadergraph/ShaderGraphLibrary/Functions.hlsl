@@ -1,5 +1,6 @@
 // What generated shaders call in every pipeline.
 #pragma once
+#ifndef UNITY_GRAPHFUNCTIONS_INCLUDED
 #define UNITY_GRAPHFUNCTIONS_INCLUDED
 
 struct Gradient
@@ -120,4 +121,5 @@ float3 shadergraph_BakedGI(float3 positionWS, float3 normalWS, uint2 positionSS,
 #endif
 #ifndef SHADERGRAPH_RENDERER_BOUNDS_MAX
 #define SHADERGRAPH_RENDERER_BOUNDS_MAX float3(0, 0, 0)
+#endif
 #endif

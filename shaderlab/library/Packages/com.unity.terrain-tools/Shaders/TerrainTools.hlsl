@@ -1,5 +1,6 @@
 // Brushes of the Terrain Tools package: where a texel lies in the height map, and whether on a terrain.
 #pragma once
+#ifndef TERRAIN_TOOLS_INC
 #define TERRAIN_TOOLS_INC
 #include "TerrainTool.cginc"
 
@@ -36,3 +37,4 @@ float RemapFilterValue(float4 n, float o, float p, float a, float b)
     return lerp(a, b, (n.x - o) / (p - o));
 }
 float pow_keep_sign(float4 f, float p) { return sign(f.x) * pow(abs(f.x), p); }
+#endif

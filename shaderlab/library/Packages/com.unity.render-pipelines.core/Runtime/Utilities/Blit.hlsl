@@ -1,5 +1,6 @@
 // Full-screen passes over a source texture.
 #pragma once
+#ifndef UNITY_CORE_BLIT_INCLUDED
 #define UNITY_CORE_BLIT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
@@ -72,3 +73,4 @@ float4 FragBilinearRepeat(Varyings input) : SV_Target
     return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearRepeat, input.texcoord,
                                   _BlitMipLevel);
 }
+#endif

@@ -1,5 +1,6 @@
 // Blit.hlsl for colour and depth at once.
 #pragma once
+#ifndef UNITY_CORE_BLIT_COLOR_AND_DEPTH_INCLUDED
 #define UNITY_CORE_BLIT_COLOR_AND_DEPTH_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
@@ -26,3 +27,4 @@ PixelData FragColorAndDepth(Varyings input)
                       .x;
     return pixel;
 }
+#endif

@@ -1,5 +1,6 @@
 // Points that fill a square evenly, by Fibonacci's numbers or the golden ratio.
 #pragma once
+#ifndef UNITY_FIBONACCI_INCLUDED
 #define UNITY_FIBONACCI_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -49,3 +50,4 @@ float2 SampleSphereFibonacci(uint i, uint sampleCount)
     float2 f = Fibonacci2d(i, sampleCount);
     return float2(1.0 - 2.0 * f.x, TWO_PI * f.y);
 }
+#endif

@@ -1,5 +1,6 @@
 // Points that fill a square evenly: the second number is the first one's bits the other way round.
 #pragma once
+#ifndef UNITY_HAMMERSLEY_INCLUDED
 #define UNITY_HAMMERSLEY_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -10,3 +11,4 @@ float2 Hammersley2dSeq(uint i, uint sequenceLength)
     return float2((float)i / (float)sequenceLength, VanDerCorputBase2(i));
 }
 float2 Hammersley2d(uint i, uint sampleCount) { return Hammersley2dSeq(i, sampleCount); }
+#endif

@@ -1,5 +1,6 @@
 // Textures by texture coordinates, from above, or from three sides at once.
 #pragma once
+#ifndef __SAMPLEUVMAPPING_HLSL__
 #define __SAMPLEUVMAPPING_HLSL__
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Packing.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/NormalSurfaceGradient.hlsl"
@@ -68,3 +69,4 @@ struct UVMapping
     SampleUVMappingNormalRGBLod(TEXTURE2D_ARGS(textureName, samplerName), uvMapping, scale, lod)
 #define SAMPLE_UVMAPPING_NORMALMAP_RGB_BIAS(textureName, samplerName, uvMapping, scale, bias) \
     SampleUVMappingNormalRGBBias(TEXTURE2D_ARGS(textureName, samplerName), uvMapping, scale, bias)
+#endif

@@ -1,5 +1,6 @@
 // Even spreads of random numbers (0...1) over discs, spheres and lights.
 #pragma once
+#ifndef UNITY_SAMPLING_INCLUDED
 #define UNITY_SAMPLING_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl"
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Sampling/Fibonacci.hlsl"
@@ -108,3 +109,4 @@ float3 SampleConeStrata(uint sampleIdx, float rcpSampleCount, float cosHalfApexA
     float z = 1.0 - (1.0 - cosHalfApexAngle) * sampleIdx * rcpSampleCount;
     return SphericalToCartesian(sampleIdx * GOLDEN_ANGLE, z);
 }
+#endif

@@ -2,6 +2,7 @@
 // stand for them two by two. A tent of half width h has height h; offset: of its middle from the
 // edge between the two middle texels, -0.5...0.5.
 #pragma once
+#ifndef SHADOW_SAMPLING_TENT_INCLUDED
 #define SHADOW_SAMPLING_TENT_INCLUDED
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl"
 
@@ -83,3 +84,4 @@ void SampleShadow_ComputeSamples_Tent_7x7(float4 shadowMapTexture_TexelSize, flo
 {
     limn_TENT_SAMPLES(4, 3.5)
 }
+#endif

@@ -1,5 +1,6 @@
 // Numbers of the debug views, of which limn has none.
 #pragma once
+#ifndef DEBUGVIEWENUMS_CS_HLSL
 #define DEBUGVIEWENUMS_CS_HLSL
 
 #define DEBUGFULLSCREENMODE_NONE (0)
@@ -70,3 +71,4 @@
 #define PIXELVALIDATIONCHANNELS_G (2)
 #define PIXELVALIDATIONCHANNELS_B (3)
 #define PIXELVALIDATIONCHANNELS_A (4)
+#endif

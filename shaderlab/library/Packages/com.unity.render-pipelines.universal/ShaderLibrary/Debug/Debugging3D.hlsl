@@ -1,5 +1,6 @@
 // There are no debug views: these names do nothing.
 #pragma once
+#ifndef UNIVERSAL_DEBUGGING3D_INCLUDED
 #define UNIVERSAL_DEBUGGING3D_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Debug/DebuggingCommon.hlsl"
@@ -16,3 +17,4 @@ bool CanDebugOverrideOutputColor(InputData inputData, SurfaceData surfaceData, B
 {
     return false;
 }
+#endif

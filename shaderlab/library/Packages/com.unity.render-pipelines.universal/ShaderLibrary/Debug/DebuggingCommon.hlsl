@@ -1,5 +1,6 @@
 // There are no debug views: these names do nothing.
 #pragma once
+#ifndef UNIVERSAL_DEBUGGING_COMMON_INCLUDED
 #define UNIVERSAL_DEBUGGING_COMMON_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Debug/DebugViewEnums.cs.hlsl"
@@ -11,3 +12,4 @@ bool IsOnlyAOLightingFeatureEnabled() { return false; }
 #define SETUP_DEBUG_TEXTURE_DATA_FOR_TEX(inputData, uv, texture)
 #define SETUP_DEBUG_TEXTURE_DATA_TERRAIN(inputData, uv)
 #define SETUP_DEBUG_TEXTURE_DATA_NO_UV(inputData)
+#endif

@@ -1,5 +1,6 @@
 // Lights have no cookies: they shine white through.
 #pragma once
+#ifndef UNIVERSAL_LIGHT_COOKIE_INCLUDED
 #define UNIVERSAL_LIGHT_COOKIE_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/LightCookie/LightCookieInput.hlsl"
 
@@ -10,3 +11,4 @@ float3 SampleAdditionalLightCookie(int perObjectLightIndex, float3 samplePositio
 {
     return float3(1, 1, 1);
 }
+#endif

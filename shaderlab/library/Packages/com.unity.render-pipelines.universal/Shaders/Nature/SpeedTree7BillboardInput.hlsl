@@ -1,5 +1,6 @@
 // Properties of the billboards of SpeedTree 7. Scripts set the globals: limn has no billboard renderer.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7BILLBOARD_INPUT_INCLUDED
 #define UNIVERSAL_SPEEDTREE7BILLBOARD_INPUT_INCLUDED
 
 #define SPEEDTREE_PI 3.14159265359
@@ -9,3 +10,4 @@ half _Cutoff;
 #include "limn/SpeedTreeBillboard.hlsl"
 
 #define _Surface 0.0 // opaque
+#endif

@@ -1,5 +1,6 @@
 // Passes of the billboards of SpeedTree 7.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7BILLBOARD_PASSES_INCLUDED
 #define UNIVERSAL_SPEEDTREE7BILLBOARD_PASSES_INCLUDED
 #include "SpeedTree7CommonPasses.hlsl"
 
@@ -65,3 +66,4 @@ half4 SpeedTree7FragDepthNormalBillboard(SpeedTreeVertexDepthNormalOutput input)
 {
     return SpeedTree7FragDepthNormal(input);
 }
+#endif

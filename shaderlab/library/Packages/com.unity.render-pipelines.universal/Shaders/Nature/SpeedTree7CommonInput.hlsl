@@ -1,5 +1,6 @@
 // Properties of SpeedTree 7 and of its billboards.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7COMMON_INPUT_INCLUDED
 #define UNIVERSAL_SPEEDTREE7COMMON_INPUT_INCLUDED
 
 #ifdef SPEEDTREE_ALPHATEST
@@ -31,4 +32,5 @@ half4 _HueVariation;
 #ifdef SCENESELECTIONPASS
 int _ObjectId;
 int _PassValue;
+#endif
 #endif

@@ -1,5 +1,6 @@
 // Passes of SpeedTree 7 and of its billboards: all but where the vertices are.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7COMMON_PASSES_INCLUDED
 #define UNIVERSAL_SPEEDTREE7COMMON_PASSES_INCLUDED
 #include "limn/SpeedTreePass.hlsl"
 #include "SpeedTreeUtility.hlsl"
@@ -139,3 +140,4 @@ half4 SpeedTree7FragDepthNormal(SpeedTreeVertexDepthNormalOutput input) : SV_Tar
 #endif
     return half4(limn_TreeNormal(normalTS, input.normalWS, input.tangentWS), 0.0);
 }
+#endif

@@ -1,5 +1,6 @@
 // Properties of SpeedTree 7.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7_INPUT_INCLUDED
 #define UNIVERSAL_SPEEDTREE7_INPUT_INCLUDED
 
 #ifdef GEOM_TYPE_BRANCH_DETAIL
@@ -14,4 +15,5 @@ half _Cutoff;
 #define _Surface 0.0 // opaque
 #ifdef GEOM_TYPE_BRANCH_DETAIL
 sampler2D _DetailTex;
+#endif
 #endif

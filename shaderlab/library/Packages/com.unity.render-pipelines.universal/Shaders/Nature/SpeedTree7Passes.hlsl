@@ -1,5 +1,6 @@
 // Passes of SpeedTree 7.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE7_PASSES_INCLUDED
 #define UNIVERSAL_SPEEDTREE7_PASSES_INCLUDED
 #include "SpeedTree7CommonPasses.hlsl"
 #include "limn/SpeedTree7Offset.hlsl"
@@ -70,3 +71,4 @@ SpeedTreeVertexDepthNormalOutput SpeedTree7VertDepthNormal(SpeedTreeVertexInput 
     limn_TREE_TRANSFER_DEPTH_NORMAL(input, output)
     return output;
 }
+#endif

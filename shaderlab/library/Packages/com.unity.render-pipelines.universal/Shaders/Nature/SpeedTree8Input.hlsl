@@ -1,5 +1,6 @@
 // Properties of SpeedTree 8.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE8_INPUT_INCLUDED
 #define UNIVERSAL_SPEEDTREE8_INPUT_INCLUDED
 
 #ifdef EFFECT_BUMP
@@ -40,4 +41,5 @@ half _SubsurfaceIndirect;
 #ifdef SCENESELECTIONPASS
 int _ObjectId;
 int _PassValue;
+#endif
 #endif

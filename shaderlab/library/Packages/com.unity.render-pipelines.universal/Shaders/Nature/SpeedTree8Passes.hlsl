@@ -1,5 +1,6 @@
 // Passes of SpeedTree 8.
 #pragma once
+#ifndef UNIVERSAL_SPEEDTREE8_PASSES_INCLUDED
 #define UNIVERSAL_SPEEDTREE8_PASSES_INCLUDED
 #include "limn/SpeedTreePass.hlsl"
 #include "SpeedTreeUtility.hlsl"
@@ -206,3 +207,4 @@ half4 SpeedTree8FragDepthNormal(SpeedTreeDepthNormalFragmentInput input) : SV_Ta
     return half4(limn_TreeNormal(normalTS, input.interpolated.normalWS,
                                  input.interpolated.tangentWS), 0.0);
 }
+#endif

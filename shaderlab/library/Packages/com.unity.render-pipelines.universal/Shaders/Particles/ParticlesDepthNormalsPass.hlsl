@@ -1,5 +1,6 @@
 // Depth and normals of particles that are cut out.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_LIT_DEPTH_NORMALS_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_LIT_DEPTH_NORMALS_PASS_INCLUDED
 #include "limn/ParticleDepth.hlsl"
 
@@ -28,3 +29,4 @@ half4 DepthNormalsFragment(VaryingsDepthNormalsParticle input) : SV_Target
 #endif
     return half4(NormalizeNormalPerPixel(normal), 0.0);
 }
+#endif

@@ -1,5 +1,6 @@
 // Depth of particles that are cut out.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_LIT_DEPTH_ONLY_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_LIT_DEPTH_ONLY_PASS_INCLUDED
 #include "limn/ParticleDepth.hlsl"
 
@@ -14,3 +15,4 @@ half DepthOnlyFragment(VaryingsDepthOnlyParticle input) : SV_Target
     limn_CLIP_PARTICLE(input)
     return input.clipPos.z;
 }
+#endif

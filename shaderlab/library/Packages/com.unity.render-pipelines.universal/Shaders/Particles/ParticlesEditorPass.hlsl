@@ -1,5 +1,6 @@
 // How the editor draws particles that are chosen or clicked on.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_EDITOR_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_EDITOR_PASS_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/Shaders/Particles/ParticlesInput.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Particles.hlsl"
@@ -41,3 +42,4 @@ half4 fragParticleScenePicking(VaryingsParticle input) : SV_Target
     fragParticleSceneClip(input);
     return _SelectionID;
 }
+#endif

@@ -1,5 +1,6 @@
 // What particles' vertices hold, and what crosses to their fragments.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_INPUT_INCLUDED
 #define UNIVERSAL_PARTICLES_INPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 
@@ -99,3 +100,4 @@ struct VaryingsDepthNormalsParticle
     UNITY_VERTEX_INPUT_INSTANCE_ID
     UNITY_VERTEX_OUTPUT_STEREO
 };
+#endif

@@ -1,5 +1,6 @@
 // Physically based lighting of particles.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_FORWARD_LIT_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_FORWARD_LIT_PASS_INCLUDED
 #include "limn/ParticlePass.hlsl"
 
@@ -14,3 +15,4 @@ half4 ParticlesLitFragment(VaryingsParticle input) : SV_Target
     InitializeInputData(input, surfaceData.normalTS, inputData);
     return limn_ParticleFogged(UniversalFragmentPBR(inputData, surfaceData), inputData);
 }
+#endif

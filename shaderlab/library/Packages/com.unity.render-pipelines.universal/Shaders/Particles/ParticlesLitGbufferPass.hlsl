@@ -1,5 +1,6 @@
 // The deferred pass of ParticlesLitInput.hlsl.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_GBUFFER_LIT_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_GBUFFER_LIT_PASS_INCLUDED
 #include "limn/ParticlePass.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -24,3 +25,4 @@ FragmentOutput ParticlesGBufferFragment(VaryingsParticle input)
     return BRDFDataToGbuffer(brdf, data, surface.smoothness, surface.emission + light,
                              surface.occlusion);
 }
+#endif

@@ -1,5 +1,6 @@
 // Properties of Particles/Lit, and the surface they make.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_LIT_INPUT_INCLUDED
 #define UNIVERSAL_PARTICLES_LIT_INPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/Shaders/Particles/ParticlesInput.hlsl"
@@ -44,3 +45,4 @@ void InitializeParticleLitSurfaceData(ParticleParams params, out SurfaceData out
     outSurfaceData.occlusion = 1.0;
     outSurfaceData.clearCoatSmoothness = 1.0;
 }
+#endif

@@ -1,5 +1,6 @@
 // Blinn-Phong lighting of particles.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_FORWARD_SIMPLE_LIT_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_FORWARD_SIMPLE_LIT_PASS_INCLUDED
 #include "limn/ParticlePass.hlsl"
 
@@ -22,3 +23,4 @@ half4 ParticlesLitFragment(VaryingsParticle input) : SV_Target
         limn_ParticleEmission(params), albedo.a, normalTS);
     return limn_ParticleFogged(color, inputData);
 }
+#endif

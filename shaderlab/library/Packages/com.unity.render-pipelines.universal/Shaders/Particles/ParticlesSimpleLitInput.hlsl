@@ -1,5 +1,6 @@
 // Properties of Particles/Simple Lit, and the surface they make.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_SIMPLE_LIT_INPUT_INCLUDED
 #define UNIVERSAL_PARTICLES_SIMPLE_LIT_INPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/Shaders/Particles/ParticlesInput.hlsl"
@@ -39,3 +40,4 @@ half4 SampleSpecularSmoothness(float2 uv, float3 blendUv, half alpha, half4 spec
 #endif
     return gloss;
 }
+#endif

@@ -1,5 +1,6 @@
 // Particles as bright as they are.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_UNLIT_FORWARD_PASS_INCLUDED
 #define UNIVERSAL_PARTICLES_UNLIT_FORWARD_PASS_INCLUDED
 #include "limn/ParticlePass.hlsl"
 
@@ -32,3 +33,4 @@ half4 fragParticleUnlit(VaryingsParticle input) : SV_Target
     InitializeInputData(input, surfaceData, inputData);
     return limn_ParticleFogged(UniversalFragmentUnlit(inputData, surfaceData), inputData);
 }
+#endif

@@ -1,5 +1,6 @@
 // Properties of Particles/Unlit, and the surface they make.
 #pragma once
+#ifndef UNIVERSAL_PARTICLES_UNLIT_INPUT_INCLUDED
 #define UNIVERSAL_PARTICLES_UNLIT_INPUT_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/Shaders/Particles/ParticlesInput.hlsl"
@@ -19,3 +20,4 @@ CBUFFER_END
 #define _BumpScale 1.0
 #define limn_ParticleIsUnlit
 #include "limn/ParticleSurface.hlsl"
+#endif

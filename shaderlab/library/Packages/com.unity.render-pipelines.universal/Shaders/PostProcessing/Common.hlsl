@@ -1,6 +1,7 @@
 // What the passes after the scene share: Blit.hlsl's vertex functions, and the steps of grading, each
 // from the colour of one pixel. The keywords are those of URP's own passes.
 #pragma once
+#ifndef UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 #define UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
@@ -92,3 +93,4 @@ float3 ApplyDithering(float3 input, float2 uv, TEXTURE2D_PARAM(BlueNoiseTexture,
     float noise = FastSign(even) * (1.0 - sqrt(1.0 - abs(even)));
     return GetSRGBToLinear(GetLinearToSRGB(input) + noise / 255.0);
 }
+#endif

@@ -1,6 +1,7 @@
 // Properties of URP's terrain: four layers, mixed by a control texture. Scripts and materials set them:
 // limn has no terrain of its own, and no instances of its patches.
 #pragma once
+#ifndef UNIVERSAL_TERRAIN_LIT_INPUT_INCLUDED
 #define UNIVERSAL_TERRAIN_LIT_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -95,3 +96,4 @@ void InitializeStandardLitSurfaceData(float2 uv, out SurfaceData outSurfaceData)
 void TerrainInstancing(inout float4 positionOS, inout float3 normal, inout float2 uv) {}
 void TerrainInstancing(inout float4 positionOS, inout float3 normal) {}
 void TerrainInstancing(inout float4 positionOS) {}
+#endif

@@ -1,5 +1,6 @@
 // Passes of URP's terrain.
 #pragma once
+#ifndef UNIVERSAL_TERRAIN_LIT_PASSES_INCLUDED
 #define UNIVERSAL_TERRAIN_LIT_PASSES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -237,3 +238,4 @@ half4 DepthOnlyFragment(VaryingsLean IN) : SV_TARGET
     return IN.clipPos.z;
 #endif
 }
+#endif

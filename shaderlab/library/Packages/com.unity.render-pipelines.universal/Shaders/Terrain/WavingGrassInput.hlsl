@@ -1,5 +1,6 @@
 // Properties of the grass of URP's terrain. Scripts set them: limn has no terrain of its own.
 #pragma once
+#ifndef UNIVERSAL_WAVING_GRASS_INPUT_INCLUDED
 #define UNIVERSAL_WAVING_GRASS_INPUT_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -36,3 +37,4 @@ void TerrainBillboardGrass(inout float4 pos, float2 offset)
     offset = dot(away, away) > _WaveAndDistance.w ? 0.0 : offset;
     pos.xyz += _CameraRight * offset.x + float3(0, offset.y, 0);
 }
+#endif

@@ -1,5 +1,6 @@
 // Passes of the grass of URP's terrain.
 #pragma once
+#ifndef UNIVERSAL_WAVING_GRASS_PASSES_INCLUDED
 #define UNIVERSAL_WAVING_GRASS_PASSES_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
@@ -159,3 +160,4 @@ half4 DepthOnlyFragment(GrassVertexDepthOnlyOutput input) : SV_TARGET
           _Cutoff);
     return input.clipPos.z;
 }
+#endif

@@ -1,5 +1,6 @@
 // Copies depth, of the farthest sample where there are several.
 #pragma once
+#ifndef UNIVERSAL_COPY_DEPTH_PASS_INCLUDED
 #define UNIVERSAL_COPY_DEPTH_PASS_INCLUDED
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
@@ -41,4 +42,5 @@ float SampleDepth(float2 pixelCoords)
 float frag(Varyings input) : SV_Depth { return SampleDepth(input.positionCS.xy); }
 #else
 float frag(Varyings input) : SV_Target { return SampleDepth(input.positionCS.xy); }
+#endif
 #endif

@@ -1,5 +1,6 @@
 // The colour of a sprite under 2D lights.
 #pragma once
+#ifndef COMBINED_SHAPE_LIGHT_PASS
 #define COMBINED_SHAPE_LIGHT_PASS
 #include "Packages/com.unity.render-pipelines.universal/Shaders/2D/Include/SurfaceData2D.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Debug/Debugging2D.hlsl"
@@ -26,3 +27,4 @@ half4 CombinedShapeLightShared(half4 color, half4 mask, half2 lightingUV)
     InitializeInputData(lightingUV, lightingUV, inputData);
     return CombinedShapeLightShared(surfaceData, inputData);
 }
+#endif

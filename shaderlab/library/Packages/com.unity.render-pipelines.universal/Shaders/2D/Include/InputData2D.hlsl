@@ -1,4 +1,5 @@
 #pragma once
+#ifndef INPUT_DATA_2D_INCLUDED
 #define INPUT_DATA_2D_INCLUDED
 
 struct InputData2D
@@ -16,3 +17,4 @@ void InitializeInputData(float2 uv, out InputData2D inputData)
 {
     InitializeInputData(uv, half2(0, 0), inputData);
 }
+#endif

@@ -1,5 +1,6 @@
 // The pass that draws sprites' normals for 2D lights, from -1...1 to 0...1.
 #pragma once
+#ifndef NORMALS_RENDERING_PASS
 #define NORMALS_RENDERING_PASS
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/Shaders/2D/Include/Core2D.hlsl"
@@ -10,3 +11,4 @@ half4 NormalsRenderingShared(half4 color, half3 normalTS, half3 tangent, half3 b
     float3 normalWS = TransformTangentToWorld(normalTS, half3x3(tangent, bitangent, normal));
     return half4(normalWS * 0.5 + 0.5, color.a);
 }
+#endif

@@ -1,4 +1,5 @@
 #pragma once
+#ifndef SURFACE_DATA_2D_INCLUDED
 #define SURFACE_DATA_2D_INCLUDED
 
 struct SurfaceData2D
@@ -25,3 +26,4 @@ void InitializeSurfaceData(half3 albedo, half alpha, out SurfaceData2D surfaceDa
 {
     InitializeSurfaceData(albedo, alpha, half4(1, 1, 1, 1), surfaceData);
 }
+#endif

@@ -1,0 +1,14 @@
+Shader "T"
+{
+    SubShader
+    {
+        Pass
+        {
+            Stencil
+            {
+                ReadMask 44
+                WriteMask 231
+            }
+        }
+    }
+}
