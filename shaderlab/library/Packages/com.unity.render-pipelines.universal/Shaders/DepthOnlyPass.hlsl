@@ -23,8 +23,8 @@ struct Varyings
 Varyings DepthOnlyVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
-    output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
     output.positionCS = TransformObjectToHClip(input.position.xyz);
+    output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
     return output;
 }
 

@@ -28,8 +28,8 @@ float4 GetShadowPositionHClip(Attributes input)
 Varyings ShadowPassVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
-    output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
     output.positionCS = GetShadowPositionHClip(input);
+    output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
     return output;
 }
 
