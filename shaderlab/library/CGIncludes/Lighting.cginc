@@ -20,21 +20,23 @@ fixed4 UnityLambertLight(SurfaceOutput s, UnityLight light)
     fixed diff = max(0, dot(s.Normal, light.dir));
     return fixed4(s.Albedo * light.color * diff, s.Alpha);
 }
+// What the surface scatters of the light around it.
+half3 limn_ReflectedAmbient(SurfaceOutput s, UnityGI gi)
+{
+#if UNITY_SHOULD_SAMPLE_SH
+    return s.Albedo * gi.indirect.diffuse;
+#else
+    return half3(0, 0, 0);
+#endif
+}
 fixed4 LightingLambert(SurfaceOutput s, UnityGI gi)
 {
-    fixed4 c = UnityLambertLight(s, gi.light);
-#if UNITY_SHOULD_SAMPLE_SH
-    c.rgb += s.Albedo * gi.indirect.diffuse;
-#endif
-    return c;
+    fixed4 direct = UnityLambertLight(s, gi.light);
+    return fixed4(direct.rgb + limn_ReflectedAmbient(s, gi), direct.a);
 }
 half3 limn_EmittedAndAmbient(SurfaceOutput s, UnityGI gi)
 {
-#if UNITY_SHOULD_SAMPLE_SH
-    return s.Emission + s.Albedo * gi.indirect.diffuse;
-#else
-    return s.Emission;
-#endif
+    return s.Emission + limn_ReflectedAmbient(s, gi);
 }
 half4 LightingLambert_Deferred(SurfaceOutput s, UnityGI gi, out half4 outGBuffer0,
                                out half4 outGBuffer1, out half4 outGBuffer2)
@@ -54,18 +56,15 @@ void LightingLambert_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi)
 
 fixed4 UnityBlinnPhongLight(SurfaceOutput s, half3 viewDir, UnityLight light)
 {
-    half3 h = normalize(light.dir + viewDir);
-    fixed diff = max(0, dot(s.Normal, light.dir));
-    float spec = pow(max(0, dot(s.Normal, h)), s.Specular * 128.0) * s.Gloss;
-    return fixed4(s.Albedo * light.color * diff + light.color * _SpecColor.rgb * spec, s.Alpha);
+    float cosine = max(0, dot(normalize(viewDir + light.dir), s.Normal));
+    half3 highlight = _SpecColor.rgb * (s.Gloss * pow(cosine, 128.0 * s.Specular));
+    half3 matte = s.Albedo * max(0, dot(light.dir, s.Normal));
+    return fixed4((matte + highlight) * light.color, s.Alpha);
 }
 fixed4 LightingBlinnPhong(SurfaceOutput s, half3 viewDir, UnityGI gi)
 {
-    fixed4 c = UnityBlinnPhongLight(s, viewDir, gi.light);
-#if UNITY_SHOULD_SAMPLE_SH
-    c.rgb += s.Albedo * gi.indirect.diffuse;
-#endif
-    return c;
+    fixed4 direct = UnityBlinnPhongLight(s, viewDir, gi.light);
+    return fixed4(direct.rgb + limn_ReflectedAmbient(s, gi), direct.a);
 }
 half4 LightingBlinnPhong_Deferred(SurfaceOutput s, half3 viewDir, UnityGI gi,
                                   out half4 outGBuffer0, out half4 outGBuffer1,

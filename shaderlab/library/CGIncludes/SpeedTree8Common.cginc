@@ -79,7 +79,7 @@ void LightingSpeedTreeSubsurface_GI(inout SurfaceOutputStandard s, UnityGIInput 
                                     inout UnityGI gi)
 {
 #ifdef EFFECT_BILLBOARD
-    data.atten = lerp(data.atten, 1.0, _BillboardShadowFade);
+    data.atten += (1.0 - data.atten) * _BillboardShadowFade; // far away there is no shadow
 #endif
     LightingStandard_GI(s, data, gi);
 }
@@ -117,16 +117,18 @@ void SpeedTreeSurf(Input IN, inout SurfaceOutputStandard OUT)
 #endif
     OUT.Albedo = color.rgb;
     OUT.Normal = limn_SpeedTree8Normal(IN, OUT.Normal);
-#ifdef EFFECT_EXTRA_TEX
-    half3 extra = tex2D(_ExtraTex, IN.uv_MainTex).rgb;
-#else
-    half3 extra = half3(_Glossiness, _Metallic, 1.0);
-#endif
-    OUT.Smoothness = extra.r;
-    OUT.Metallic = extra.g;
-    OUT.Occlusion = extra.b * IN.color.r;
 #ifdef EFFECT_SUBSURFACE
-    OUT.Emission = (tex2D(_SubsurfaceTex, IN.uv_MainTex) * _SubsurfaceColor).rgb;
+    OUT.Emission = _SubsurfaceColor.rgb * tex2D(_SubsurfaceTex, IN.uv_MainTex).rgb;
+#endif
+#ifndef EFFECT_EXTRA_TEX
+    OUT.Occlusion = IN.color.r;
+    OUT.Metallic = _Metallic;
+    OUT.Smoothness = _Glossiness;
+#else
+    half3 maps = tex2D(_ExtraTex, IN.uv_MainTex).rgb;
+    OUT.Occlusion = maps.z * IN.color.r;
+    OUT.Metallic = maps.y;
+    OUT.Smoothness = maps.x;
 #endif
 }
 #endif

@@ -57,9 +57,10 @@ void SpeedTreeVert(inout SpeedTreeVB IN, out Input OUT)
     OUT.mainTexUV = IN.texcoord.xy;
     OUT.color = fixed4(_Color.rgb * IN.color.r, _Color.a); // r: ambient occlusion
 #ifdef EFFECT_HUE_VARIATION
-    float place = frac(dot(unity_ObjectToWorld._14_24_34, 1.0));
-    place += frac(IN.vertex.x + IN.normal.y + IN.normal.x) * 0.5 - 0.3;
-    OUT.HueVariationAmount = saturate(place * _HueVariation.a);
+    // Trees differ by where they stand, and their parts by where these lie and look.
+    float ofTree = frac(dot(unity_ObjectToWorld._14_24_34, 1.0));
+    float ofPart = frac(IN.normal.x + (IN.normal.y + IN.vertex.x));
+    OUT.HueVariationAmount = saturate((ofTree + (0.5 * ofPart - 0.3)) * _HueVariation.a);
 #endif
 #ifdef GEOM_TYPE_BRANCH_DETAIL
     OUT.Detail = half3(IN.texcoord2.xy, IN.color.a == 0 ? IN.texcoord2.z : 2.5);

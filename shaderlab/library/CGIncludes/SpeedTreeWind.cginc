@@ -193,16 +193,19 @@ float3 BranchWind(bool isPalmWind, float3 vPos, float3 vInstancePos, float4 vWin
                   float3 vRotatedWindVector, float3 vRotatedBranchAnchor)
 {
     float2 twitch = _ST_WindBranchTwitch.xy;
-    if (!isPalmWind)
+    float time = _ST_WindBranch.x;
+    float reach = _ST_WindBranch.y;
+    float whip = _ST_WindBranchWhip.x;
+    if (isPalmWind)
     {
-        return SimpleBranchWind(vPos, vInstancePos, vWindData.x, vWindData.y, _ST_WindBranch.x,
-                                _ST_WindBranch.y, twitch.x, twitch.y, _ST_WindBranchWhip.x, false,
-                                false, true, vRotatedWindVector);
+        float adherence = _ST_WindBranchAdherences.y;
+        return DirectionalBranchWindFrondStyle(
+            vPos, vInstancePos, vWindData.x, vWindData.y, time, reach, _ST_WindTurbulences.x,
+            adherence, twitch.x, twitch.y, whip, true, false, true, true, vRotatedWindVector,
+            vRotatedBranchAnchor);
     }
-    return DirectionalBranchWindFrondStyle(
-        vPos, vInstancePos, vWindData.x, vWindData.y, _ST_WindBranch.x, _ST_WindBranch.y,
-        _ST_WindTurbulences.x, _ST_WindBranchAdherences.y, twitch.x, twitch.y,
-        _ST_WindBranchWhip.x, true, false, true, true, vRotatedWindVector, vRotatedBranchAnchor);
+    return SimpleBranchWind(vPos, vInstancePos, vWindData.x, vWindData.y, time, reach, twitch.x,
+                            twitch.y, whip, false, false, true, vRotatedWindVector);
 }
 
 float3 LeafRipple(float3 vPos, inout float3 vDirection, float fScale, float fPackedRippleDir,

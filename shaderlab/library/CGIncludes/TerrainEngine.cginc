@@ -71,9 +71,10 @@ float4 Squash(in float4 pos)
 // A vertex of a tree that bends as a whole. alpha: how much the vertex follows.
 void TerrainAnimateTree(inout float4 pos, float alpha)
 {
-    pos.xyz *= _TreeInstanceScale.xyz;
-    float3 bent = mul(_TerrainEngineBendTree, float4(pos.xyz, 0.0)).xyz;
-    pos = Squash(float4(lerp(pos.xyz, bent, alpha), pos.w));
+    float3 upright = _TreeInstanceScale.xyz * pos.xyz;
+    float3 bent = mul((float3x3)_TerrainEngineBendTree, upright);
+    pos.xyz = lerp(upright, bent, alpha);
+    pos = Squash(pos);
 }
 
 // Spreads a quad towards the camera; beyond the largest distance it stays a point. offsetz: its

@@ -59,12 +59,12 @@ void limn_SplatmapMix(Input IN, half4 defaultAlpha, out half4 splat_control, out
 #endif
     // The edges of the terrain lie on centres of texels.
     float2 controlUV = (IN.tc.xy * (_Control_TexelSize.zw - 1.0) + 0.5) * _Control_TexelSize.xy;
-    splat_control = tex2D(_Control, controlUV);
-    weight = dot(splat_control, half4(1, 1, 1, 1));
+    half4 density = tex2D(_Control, controlUV);
+    weight = density.r + density.g + density.b + density.a;
 #ifdef TERRAIN_SPLAT_ADDPASS
     clip(weight == 0.0 ? -1.0 : 1.0);
 #endif
-    splat_control /= weight + 0.001;
+    splat_control = density / (weight + 0.001);
 
     float2 uv0 = TRANSFORM_TEX(IN.tc.xy, _Splat0);
     float2 uv1 = TRANSFORM_TEX(IN.tc.xy, _Splat1);
@@ -102,12 +102,14 @@ void SplatmapMix(Input IN, out half4 splat_control, out half weight, out fixed4 
 // Alpha is the weight of the pass's layers: passes add up.
 void SplatmapFinalColor(Input IN, TERRAIN_SURFACE_OUTPUT o, inout fixed4 color)
 {
-    color *= o.Alpha;
-#ifdef TERRAIN_SPLAT_ADDPASS
-    UNITY_APPLY_FOG_COLOR(IN.fogCoord, color, fixed4(0, 0, 0, 0));
+    fixed4 weighted = color * o.Alpha;
+#ifndef TERRAIN_SPLAT_ADDPASS
+    UNITY_APPLY_FOG(IN.fogCoord, weighted);
 #else
-    UNITY_APPLY_FOG(IN.fogCoord, color);
+    // The first pass has brought the fog's own light.
+    UNITY_APPLY_FOG_COLOR(IN.fogCoord, weighted, fixed4(0, 0, 0, 0));
 #endif
+    color = weighted;
 }
 void SplatmapFinalPrepass(Input IN, TERRAIN_SURFACE_OUTPUT o, inout fixed4 normalSpec)
 {

@@ -44,11 +44,11 @@ float3 limn_TreeLight(int i, float3 viewPos, out float3 direction)
 
 v2f limn_TreeVertex(inout appdata_tree v)
 {
+    TerrainAnimateTree(v.vertex, v.color.w);
     v2f o;
     UNITY_INITIALIZE_OUTPUT(v2f, o);
-    TerrainAnimateTree(v.vertex, v.color.w);
-    o.pos = UnityObjectToClipPos(v.vertex);
     o.uv = v.texcoord;
+    o.pos = UnityObjectToClipPos(v.vertex);
     UNITY_TRANSFER_FOG(o, o.pos);
     return o;
 }

@@ -57,10 +57,7 @@ float3 limn_LeafAmbient(float3 worldPos, float3 normal)
 {
     float3 light = ShadeSH9(float4(normal, 1.0));
 #ifdef VERTEXLIGHT_ON
-    light += Shade4PointLights(unity_4LightPosX0, unity_4LightPosY0, unity_4LightPosZ0,
-                               unity_LightColor[0].rgb, unity_LightColor[1].rgb,
-                               unity_LightColor[2].rgb, unity_LightColor[3].rgb,
-                               unity_4LightAtten0, worldPos, normal);
+    light += limn_FourVertexLights(worldPos, normal);
 #endif
     return light;
 }
@@ -78,12 +75,12 @@ fixed3 ShadeTranslucentLights(float4 vertex, float3 normal)
 // color.xy, texcoord1.xy: what AnimateVertex takes
 void TreeVertBark(inout appdata_full v)
 {
-    v.vertex.xyz *= _TreeInstanceScale.xyz;
-    v.vertex = AnimateVertex(v.vertex, v.normal, float4(v.color.xy, v.texcoord1.xy));
-    v.vertex = Squash(v.vertex);
-    v.color.rgb = _TreeInstanceColor.rgb * _Color.rgb;
-    v.normal = normalize(v.normal);
+    float4 animation = float4(v.color.xy, v.texcoord1.xy);
+    float4 grown = float4(_TreeInstanceScale.xyz * v.vertex.xyz, v.vertex.w);
+    v.vertex = Squash(AnimateVertex(grown, v.normal, animation));
     v.tangent.xyz = normalize(v.tangent.xyz);
+    v.normal = normalize(v.normal);
+    v.color.rgb = _Color.rgb * _TreeInstanceColor.rgb; // a is kept: the ambient occlusion
 }
 void TreeVertLeaf(inout appdata_full v)
 {

@@ -87,8 +87,8 @@ v2f_img vert_img(appdata_img v)
 {
     v2f_img o;
     UNITY_INITIALIZE_OUTPUT(v2f_img, o);
-    o.pos = UnityObjectToClipPos(v.vertex);
     o.uv = v.texcoord;
+    o.pos = UnityObjectToClipPos(v.vertex);
     return o;
 }
 

@@ -38,11 +38,13 @@ struct unity_v2f_deferred_instanced
 
 unity_v2f_deferred vert_deferred(float4 vertex : POSITION, float3 normal : NORMAL)
 {
-    unity_v2f_deferred o;
-    o.pos = UnityObjectToClipPos(vertex);
-    o.uv = ComputeScreenPos(o.pos);
     // A rectangle carries the corners of the far plane as its normals.
-    o.ray = lerp(UnityObjectToViewPos(vertex) * float3(-1, -1, 1), normal, _LightAsQuad);
+    float3 toSurface = UnityObjectToViewPos(vertex) * float3(-1, -1, 1);
+    float4 clipPos = UnityObjectToClipPos(vertex);
+    unity_v2f_deferred o;
+    o.ray = lerp(toSurface, normal, _LightAsQuad);
+    o.uv = ComputeScreenPos(clipPos);
+    o.pos = clipPos;
     return o;
 }
 

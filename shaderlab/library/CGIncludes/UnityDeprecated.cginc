@@ -54,9 +54,9 @@ half RoughnessToSpecPower(half roughness) { return PerceptualRoughnessToSpecPowe
 half3 Unity_GlossyEnvironment(UNITY_ARGS_TEXCUBE(tex), half4 hdr, half3 worldNormal,
                               half perceptualRoughness)
 {
-    Unity_GlossyEnvironmentData g;
-    g.roughness = perceptualRoughness;
-    g.reflUVW = worldNormal;
-    return Unity_GlossyEnvironment(UNITY_PASS_TEXCUBE(tex), hdr, g);
+    Unity_GlossyEnvironmentData reflection;
+    reflection.reflUVW = worldNormal;
+    reflection.roughness = perceptualRoughness;
+    return Unity_GlossyEnvironment(UNITY_PASS_TEXCUBE(tex), hdr, reflection);
 }
 #endif

@@ -26,20 +26,16 @@ UnityStandardData limn_StandardData(half3 diffuse, half occlusion, half3 specula
 void UnityStandardDataToGbuffer(UnityStandardData data, out half4 outGBuffer0,
                                 out half4 outGBuffer1, out half4 outGBuffer2)
 {
-    outGBuffer0 = half4(data.diffuseColor, data.occlusion);
+    half3 storedNormal = 0.5 * data.normalWorld + 0.5;
+    outGBuffer2 = half4(storedNormal, 1.0);
     outGBuffer1 = half4(data.specularColor, data.smoothness);
-    outGBuffer2 = half4(data.normalWorld * 0.5 + 0.5, 1.0);
+    outGBuffer0 = half4(data.diffuseColor, data.occlusion);
 }
 UnityStandardData UnityStandardDataFromGbuffer(half4 inGBuffer0, half4 inGBuffer1,
                                                half4 inGBuffer2)
 {
-    UnityStandardData data;
-    data.diffuseColor = inGBuffer0.rgb;
-    data.occlusion = inGBuffer0.a;
-    data.specularColor = inGBuffer1.rgb;
-    data.smoothness = inGBuffer1.a;
-    data.normalWorld = normalize((float3)inGBuffer2.rgb * 2.0 - 1.0);
-    return data;
+    float3 normal = normalize(2.0 * (float3)inGBuffer2.rgb - 1.0);
+    return limn_StandardData(inGBuffer0.rgb, inGBuffer0.a, inGBuffer1.rgb, inGBuffer1.a, normal);
 }
 // Terrains blend their layers in G-buffers: weight times what each holds.
 void UnityStandardDataApplyWeightToGbuffer(inout half4 inOutGBuffer0, inout half4 inOutGBuffer1,

@@ -16,8 +16,8 @@
 
 void ResetUnityLight(out UnityLight outLight)
 {
-    outLight.color = half3(0, 0, 0);
-    outLight.dir = half3(0, 1, 0);
+    outLight.dir = half3(0, 1, 0); // of unit length, though nothing shines
+    outLight.color = 0;
     outLight.ndotl = 0;
 }
 void ResetUnityGI(out UnityGI outGI)

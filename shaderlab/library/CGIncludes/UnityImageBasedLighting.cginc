@@ -14,10 +14,10 @@ struct Unity_GlossyEnvironmentData
 Unity_GlossyEnvironmentData UnityGlossyEnvironmentSetup(half Smoothness, half3 worldViewDir,
                                                         half3 Normal, half3 fresnel0)
 {
-    Unity_GlossyEnvironmentData g;
-    g.roughness = SmoothnessToPerceptualRoughness(Smoothness);
-    g.reflUVW = reflect(-worldViewDir, Normal);
-    return g;
+    Unity_GlossyEnvironmentData reflection;
+    reflection.reflUVW = reflect(-worldViewDir, Normal);
+    reflection.roughness = SmoothnessToPerceptualRoughness(Smoothness);
+    return reflection;
 }
 
 half perceptualRoughnessToMipmapLevel(half perceptualRoughness)

@@ -25,17 +25,16 @@ struct UnityMetaInput
 float4 UnityMetaVertexPosition(float4 vertex, float2 uv1, float2 uv2, float4 lightmapST,
                                float4 dynlightmapST)
 {
-    if (unity_MetaVertexControl.x != 0.0)
+    // x asks for the static light map, y for the dynamic one, which comes first.
+    bool2 wanted = unity_MetaVertexControl.xy != 0.0;
+    float2 onMap = wanted.y ? uv2 * dynlightmapST.xy + dynlightmapST.zw
+                            : uv1 * lightmapST.xy + lightmapST.zw;
+    float3 place = vertex.xyz;
+    if (wanted.x || wanted.y)
     {
-        vertex.xy = uv1 * lightmapST.xy + lightmapST.zw;
-        vertex.z = vertex.z > 0 ? 1.0e-4 : 0.0;
+        place = float3(onMap, place.z > 0 ? 1.0e-4 : 0.0);
     }
-    if (unity_MetaVertexControl.y != 0.0)
-    {
-        vertex.xy = uv2 * dynlightmapST.xy + dynlightmapST.zw;
-        vertex.z = vertex.z > 0 ? 1.0e-4 : 0.0;
-    }
-    return UnityWorldToClipPos(vertex.xyz);
+    return UnityWorldToClipPos(place);
 }
 
 float2 UnityMetaVizUV(int uvIndex, float2 uv0, float2 uv1, float2 uv2, float4 st)

@@ -64,12 +64,12 @@ half4 LightingStandard_Deferred(SurfaceOutputStandard s, float3 viewDir, UnityGI
     half3 specColor;
     half3 diffuse =
         DiffuseAndSpecularFromMetallic(s.Albedo, s.Metallic, specColor, oneMinusReflectivity);
+    half3 shaded = UNITY_BRDF_PBS(diffuse, specColor, oneMinusReflectivity, s.Smoothness, s.Normal,
+                                  viewDir, gi.light, gi.indirect).rgb;
     UnityStandardDataToGbuffer(
         limn_StandardData(diffuse, s.Occlusion, specColor, s.Smoothness, s.Normal), outGBuffer0,
         outGBuffer1, outGBuffer2);
-    half4 c = UNITY_BRDF_PBS(diffuse, specColor, oneMinusReflectivity, s.Smoothness, s.Normal,
-                             viewDir, gi.light, gi.indirect);
-    return half4(c.rgb + s.Emission, 1);
+    return half4(shaded + s.Emission, 1);
 }
 void LightingStandard_GI(SurfaceOutputStandard s, UnityGIInput data, inout UnityGI gi)
 {
@@ -105,12 +105,12 @@ half4 LightingStandardSpecular_Deferred(SurfaceOutputStandardSpecular s, float3 
     half oneMinusReflectivity;
     half3 diffuse =
         EnergyConservationBetweenDiffuseAndSpecular(s.Albedo, s.Specular, oneMinusReflectivity);
+    half3 shaded = UNITY_BRDF_PBS(diffuse, s.Specular, oneMinusReflectivity, s.Smoothness,
+                                  s.Normal, viewDir, gi.light, gi.indirect).rgb;
     UnityStandardDataToGbuffer(
         limn_StandardData(diffuse, s.Occlusion, s.Specular, s.Smoothness, s.Normal), outGBuffer0,
         outGBuffer1, outGBuffer2);
-    half4 c = UNITY_BRDF_PBS(diffuse, s.Specular, oneMinusReflectivity, s.Smoothness, s.Normal,
-                             viewDir, gi.light, gi.indirect);
-    return half4(c.rgb + s.Emission, 1);
+    return half4(shaded + s.Emission, 1);
 }
 void LightingStandardSpecular_GI(SurfaceOutputStandardSpecular s, UnityGIInput data,
                                  inout UnityGI gi)

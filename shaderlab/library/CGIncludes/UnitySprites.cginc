@@ -33,14 +33,15 @@ float4 UnityFlipSprite(float3 pos, fixed2 flip) { return float4(pos.xy * flip, p
 
 v2f SpriteVert(appdata_t IN)
 {
+    float4 clipPos = UnityObjectToClipPos(UnityFlipSprite(IN.vertex.xyz, _Flip));
+#ifdef PIXELSNAP_ON
+    clipPos = UnityPixelSnap(clipPos);
+#endif
     v2f OUT;
     UNITY_INITIALIZE_OUTPUT(v2f, OUT);
-    OUT.vertex = UnityObjectToClipPos(UnityFlipSprite(IN.vertex.xyz, _Flip));
+    OUT.vertex = clipPos;
+    OUT.color = _RendererColor * _Color * IN.color;
     OUT.texcoord = IN.texcoord;
-    OUT.color = IN.color * _Color * _RendererColor;
-#ifdef PIXELSNAP_ON
-    OUT.vertex = UnityPixelSnap(OUT.vertex);
-#endif
     return OUT;
 }
 
@@ -55,8 +56,7 @@ fixed4 SampleSpriteTexture(float2 uv)
 
 fixed4 SpriteFrag(v2f IN) : SV_Target
 {
-    fixed4 c = SampleSpriteTexture(IN.texcoord) * IN.color;
-    c.rgb *= c.a;
-    return c;
+    fixed4 tinted = IN.color * SampleSpriteTexture(IN.texcoord);
+    return fixed4(tinted.rgb * tinted.a, tinted.a);
 }
 #endif

@@ -82,60 +82,60 @@ half NDFBlinnPhongNormalizedTerm(half NdotH, half n)
     return (n + 2.0) * (0.5 / UNITY_PI) * pow(NdotH, n);
 }
 
+// The cosines between normal and light, normal and half vector, light and half vector.
+float3 limn_LightCosines(float3 normal, float3 viewDir, float3 lightDir)
+{
+    float3 between = Unity_SafeNormalize(lightDir + viewDir);
+    return saturate(float3(dot(normal, lightDir), dot(normal, between), dot(lightDir, between)));
+}
+
 half4 BRDF1_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivity, half smoothness,
                       float3 normal, float3 viewDir, UnityLight light, UnityIndirect gi)
 {
+    float3 cosines = limn_LightCosines(normal, viewDir, light.dir);
+    half nv = abs(dot(viewDir, normal));
     float perceptualRoughness = SmoothnessToPerceptualRoughness(smoothness);
-    float3 halfDir = Unity_SafeNormalize(light.dir + viewDir);
-    half nv = abs(dot(normal, viewDir));
-    float nl = saturate(dot(normal, light.dir));
-    float nh = saturate(dot(normal, halfDir));
-    half lh = saturate(dot(light.dir, halfDir));
-
-    half diffuseTerm = DisneyDiffuse(nv, nl, lh, perceptualRoughness) * nl;
-
-    // Diffuse light is not divided by pi here, so specular light is multiplied by it.
     float roughness = max(PerceptualRoughnessToRoughness(perceptualRoughness), 0.002);
-    float specularTerm =
-        SmithJointGGXVisibilityTerm(nl, nv, roughness) * GGXTerm(nh, roughness) * UNITY_PI;
-    specularTerm = max(0.0, specularTerm * nl);
-#if defined(_SPECULARHIGHLIGHTS_OFF)
-    specularTerm = 0.0;
-#endif
-    specularTerm *= any(specColor) ? 1.0 : 0.0;
 
-    half surfaceReduction = 1.0 / (roughness * roughness + 1.0);
-    half grazingTerm = saturate(smoothness + (1.0 - oneMinusReflectivity));
-    half3 color = diffColor * (gi.diffuse + light.color * diffuseTerm) +
-                  specularTerm * light.color * FresnelTerm(specColor, lh) +
-                  surfaceReduction * gi.specular * FresnelLerp(specColor, grazingTerm.xxx, nv);
-    return half4(color, 1.0);
+    // Diffuse light is not divided by pi here, so the highlight is multiplied by it.
+    half3 highlight = half3(0, 0, 0);
+#if !defined(_SPECULARHIGHLIGHTS_OFF)
+    float scale = any(specColor) ? UNITY_PI : 0.0; // a surface without any has none at its rim
+    float facets =
+        GGXTerm(cosines.y, roughness) * SmithJointGGXVisibilityTerm(cosines.x, nv, roughness);
+    highlight = max(0.0, scale * facets * cosines.x) * FresnelTerm(specColor, cosines.z);
+#endif
+    half matte = cosines.x * DisneyDiffuse(nv, cosines.x, cosines.z, perceptualRoughness);
+    half3 direct = light.color * (diffColor * matte + highlight);
+
+    half3 grazing = saturate(smoothness + (1.0 - oneMinusReflectivity));
+    half3 mirrored = gi.specular * FresnelLerp(specColor, grazing, nv);
+    half3 around = gi.diffuse * diffColor + mirrored / (1.0 + roughness * roughness);
+    return half4(direct + around, 1.0);
 }
 
 half4 BRDF2_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivity, half smoothness,
                       float3 normal, float3 viewDir, UnityLight light, UnityIndirect gi)
 {
-    float3 halfDir = Unity_SafeNormalize(light.dir + viewDir);
-    half nl = saturate(dot(normal, light.dir));
-    float nh = saturate(dot(normal, halfDir));
-    half nv = saturate(dot(normal, viewDir));
-    float lh = saturate(dot(light.dir, halfDir));
-
     half perceptualRoughness = SmoothnessToPerceptualRoughness(smoothness);
     half roughness = PerceptualRoughnessToRoughness(perceptualRoughness);
+    float3 cosines = limn_LightCosines(normal, viewDir, light.dir);
+
+    half3 scattered = diffColor;
+#if !defined(_SPECULARHIGHLIGHTS_OFF)
+    // GGX, and a fit of visibility and Fresnel together.
     float a2 = roughness * roughness;
-    float d = nh * nh * (a2 - 1.0) + 1.00001;
-    float specularTerm = a2 / (max(0.1, lh * lh) * (roughness + 0.5) * (d * d) * 4.0);
-#if defined(_SPECULARHIGHLIGHTS_OFF)
-    specularTerm = 0.0;
+    float d = cosines.y * cosines.y * (a2 - 1.0) + 1.00001;
+    float fit = max(0.1, cosines.z * cosines.z) * (4.0 * roughness + 2.0);
+    scattered += a2 / (d * d * fit) * specColor;
 #endif
 
-    half surfaceReduction = 1.0 - roughness * perceptualRoughness * 0.28;
-    half grazingTerm = saturate(smoothness + (1.0 - oneMinusReflectivity));
-    half3 color = (diffColor + specularTerm * specColor) * light.color * nl +
-                  gi.diffuse * diffColor +
-                  surfaceReduction * gi.specular * FresnelLerpFast(specColor, grazingTerm.xxx, nv);
-    return half4(color, 1.0);
+    half3 grazing = saturate(smoothness + (1.0 - oneMinusReflectivity));
+    half nv = saturate(dot(viewDir, normal));
+    half3 mirrored = gi.specular * FresnelLerpFast(specColor, grazing, nv);
+    half3 around =
+        gi.diffuse * diffColor + mirrored * (1.0 - 0.28 * roughness * perceptualRoughness);
+    return half4(scattered * light.color * cosines.x + around, 1.0);
 }
 
 // rlPow4: the fourth power of the cosine between the mirrored view direction and the light.
@@ -158,12 +158,11 @@ half3 BRDF3_Indirect(half3 diffColor, half3 specColor, UnityIndirect indirect, h
 half4 BRDF3_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivity, half smoothness,
                       float3 normal, float3 viewDir, UnityLight light, UnityIndirect gi)
 {
-    half nl = saturate(dot(normal, light.dir));
-    half nv = saturate(dot(normal, viewDir));
-    half2 pow4 = Pow4(float2(dot(reflect(viewDir, normal), light.dir), 1.0 - nv));
-    half grazingTerm = saturate(smoothness + (1.0 - oneMinusReflectivity));
-    half3 color = BRDF3_Direct(diffColor, specColor, pow4.x, smoothness) * light.color * nl +
-                  BRDF3_Indirect(diffColor, specColor, gi, grazingTerm, pow4.y);
-    return half4(color, 1.0);
+    half mirrored = dot(light.dir, reflect(viewDir, normal));
+    half3 direct = BRDF3_Direct(diffColor, specColor, Pow4(mirrored), smoothness);
+    half grazing = saturate(smoothness + (1.0 - oneMinusReflectivity));
+    half fresnel = Pow4(1.0 - saturate(dot(viewDir, normal)));
+    half3 around = BRDF3_Indirect(diffColor, specColor, gi, grazing, fresnel);
+    return half4(direct * light.color * saturate(dot(light.dir, normal)) + around, 1.0);
 }
 #endif

@@ -116,10 +116,7 @@ half4 VertexGIForward(VertexInput v, float3 posWorld, half3 normalWorld)
     result.xy = v.uv1.xy * unity_LightmapST.xy + unity_LightmapST.zw;
 #elif UNITY_SHOULD_SAMPLE_SH
 #ifdef VERTEXLIGHT_ON
-    result.rgb = Shade4PointLights(unity_4LightPosX0, unity_4LightPosY0, unity_4LightPosZ0,
-                                   unity_LightColor[0].rgb, unity_LightColor[1].rgb,
-                                   unity_LightColor[2].rgb, unity_LightColor[3].rgb,
-                                   unity_4LightAtten0, posWorld, normalWorld);
+    result.rgb = limn_FourVertexLights(posWorld, normalWorld);
 #endif
     result.rgb = ShadeSHPerVertex(normalWorld, result.rgb);
 #endif
@@ -131,11 +128,11 @@ VertexOutputForwardBase vertForwardBase(VertexInput v)
     UNITY_SETUP_INSTANCE_ID(v);
     VertexOutputForwardBase o;
     UNITY_INITIALIZE_OUTPUT(VertexOutputForwardBase, o);
-    float3 posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
-    o.posWorld = posWorld;
-    o.pos = UnityObjectToClipPos(v.vertex);
     o.tex = TexCoords(v);
     o.eyeVec.xyz = -limn_ObjectToCamera(v.vertex.xyz);
+    float3 posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
+    o.pos = UnityObjectToClipPos(v.vertex);
+    o.posWorld = posWorld;
     float3 normalWorld = UnityObjectToWorldNormal(v.normal);
     o.tangentToWorldAndPackedData[2].xyz = normalWorld;
 #ifdef _TANGENT_TO_WORLD
@@ -176,12 +173,13 @@ FragmentCommonData FragmentSetup(inout float4 tex, float3 eyeVec, half3 viewDirT
 #if defined(_ALPHATEST_ON)
     clip(alpha - _Cutoff);
 #endif
-    FragmentCommonData o = UNITY_SETUP_BRDF_INPUT(tex);
-    o.normalWorld = PerPixelWorldNormal(tex, tangentToWorld);
-    o.eyeVec = normalize(eyeVec);
-    o.posWorld = posWorld;
-    o.diffColor = PreMultiplyAlpha(o.diffColor, alpha, o.oneMinusReflectivity, o.alpha);
-    return o;
+    FragmentCommonData surface = UNITY_SETUP_BRDF_INPUT(tex);
+    surface.diffColor = PreMultiplyAlpha(surface.diffColor, alpha, surface.oneMinusReflectivity,
+                                         surface.alpha);
+    surface.posWorld = posWorld;
+    surface.eyeVec = normalize(eyeVec);
+    surface.normalWorld = PerPixelWorldNormal(tex, tangentToWorld);
+    return surface;
 }
 
 FragmentCommonData limn_FragmentSetup(VertexOutputForwardBase i)
@@ -197,17 +195,17 @@ FragmentCommonData limn_FragmentSetup(VertexOutputForwardBase i)
 UnityGI FragmentGI(FragmentCommonData s, half occlusion, half4 i_ambientOrLightmapUV, half atten,
                    UnityLight light, bool reflections)
 {
-    UnityGIInput d = (UnityGIInput)0;
-    d.light = light;
-    d.worldPos = s.posWorld;
-    d.worldViewDir = -s.eyeVec;
-    d.atten = atten;
-#if defined(LIGHTMAP_ON)
-    d.lightmapUV = i_ambientOrLightmapUV;
+    UnityGIInput at = (UnityGIInput)0;
+#if !defined(LIGHTMAP_ON)
+    at.ambient = i_ambientOrLightmapUV.rgb;
 #else
-    d.ambient = i_ambientOrLightmapUV.rgb;
+    at.lightmapUV = i_ambientOrLightmapUV;
 #endif
-    return UnityGlobalIllumination(d, occlusion, s.smoothness, s.normalWorld, reflections);
+    at.atten = atten;
+    at.light = light;
+    at.worldViewDir = -s.eyeVec;
+    at.worldPos = s.posWorld;
+    return UnityGlobalIllumination(at, occlusion, s.smoothness, s.normalWorld, reflections);
 }
 UnityGI FragmentGI(FragmentCommonData s, half occlusion, half4 i_ambientOrLightmapUV, half atten,
                    UnityLight light)
@@ -219,12 +217,12 @@ UnityGI FragmentGI(float3 posWorld, half occlusion, half4 i_ambientOrLightmapUV,
                    half smoothness, half3 normalWorld, half3 eyeVec, UnityLight light,
                    bool reflections)
 {
-    FragmentCommonData s = (FragmentCommonData)0;
-    s.smoothness = smoothness;
-    s.normalWorld = normalWorld;
-    s.eyeVec = eyeVec;
-    s.posWorld = posWorld;
-    return FragmentGI(s, occlusion, i_ambientOrLightmapUV, atten, light, reflections);
+    FragmentCommonData surface = (FragmentCommonData)0;
+    surface.posWorld = posWorld;
+    surface.eyeVec = eyeVec;
+    surface.normalWorld = normalWorld;
+    surface.smoothness = smoothness;
+    return FragmentGI(surface, occlusion, i_ambientOrLightmapUV, atten, light, reflections);
 }
 UnityGI FragmentGI(float3 posWorld, half occlusion, half4 i_ambientOrLightmapUV, half atten,
                    half smoothness, half3 normalWorld, half3 eyeVec, UnityLight light)
@@ -243,18 +241,23 @@ half4 OutputForward(half4 output, half alphaFromSurface)
     return output;
 }
 
+half4 limn_Shaded(FragmentCommonData s, UnityLight light, UnityIndirect indirect)
+{
+    return UNITY_BRDF_PBS(s.diffColor, s.specColor, s.oneMinusReflectivity, s.smoothness,
+                          s.normalWorld, -s.eyeVec, light, indirect);
+}
+
 half4 fragForwardBaseInternal(VertexOutputForwardBase i)
 {
     FRAGMENT_SETUP(s)
-    UNITY_LIGHT_ATTENUATION(atten, i, s.posWorld);
-    half occlusion = Occlusion(i.tex.xy);
-    UnityGI gi = FragmentGI(s, occlusion, i.ambientOrLightmapUV, atten, MainLight());
-    half4 c = UNITY_BRDF_PBS(s.diffColor, s.specColor, s.oneMinusReflectivity, s.smoothness,
-                             s.normalWorld, -s.eyeVec, gi.light, gi.indirect);
-    c.rgb += Emission(i.tex.xy);
+    UNITY_LIGHT_ATTENUATION(reaching, i, s.posWorld);
+    UnityGI gi =
+        FragmentGI(s, Occlusion(i.tex.xy), i.ambientOrLightmapUV, reaching, MainLight());
+    half4 color = limn_Shaded(s, gi.light, gi.indirect);
+    color.rgb += Emission(i.tex.xy);
     UNITY_EXTRACT_FOG_FROM_EYE_VEC(i);
-    UNITY_APPLY_FOG(_unity_fogCoord, c);
-    return OutputForward(c, s.alpha);
+    UNITY_APPLY_FOG(_unity_fogCoord, color);
+    return OutputForward(color, s.alpha);
 }
 half4 fragForwardBase(VertexOutputForwardBase i) : SV_Target { return fragForwardBaseInternal(i); }
 
@@ -264,13 +267,12 @@ VertexOutputForwardBase vertForwardAdd(VertexInput v) { return vertForwardBase(v
 half4 fragForwardAddInternal(VertexOutputForwardBase i)
 {
     FRAGMENT_SETUP(s)
-    UNITY_LIGHT_ATTENUATION(atten, i, s.posWorld);
-    UnityLight light = AdditiveLight(UnityWorldSpaceLightDir(s.posWorld), atten);
-    half4 c = UNITY_BRDF_PBS(s.diffColor, s.specColor, s.oneMinusReflectivity, s.smoothness,
-                             s.normalWorld, -s.eyeVec, light, ZeroIndirect());
+    float3 toLight = UnityWorldSpaceLightDir(s.posWorld);
+    UNITY_LIGHT_ATTENUATION(reaching, i, s.posWorld);
+    half4 color = limn_Shaded(s, AdditiveLight(toLight, reaching), ZeroIndirect());
     UNITY_EXTRACT_FOG_FROM_EYE_VEC(i);
-    UNITY_APPLY_FOG_COLOR(_unity_fogCoord, c, half4(0, 0, 0, 0));
-    return OutputForward(c, s.alpha);
+    UNITY_APPLY_FOG_COLOR(_unity_fogCoord, color, half4(0, 0, 0, 0));
+    return OutputForward(color, s.alpha);
 }
 half4 fragForwardAdd(VertexOutputForwardBase i) : SV_Target { return fragForwardAddInternal(i); }
 
@@ -282,17 +284,16 @@ void fragDeferred(VertexOutputForwardBase i, out half4 outGBuffer0 : SV_Target0,
                   out half4 outEmission : SV_Target3)
 {
     FRAGMENT_SETUP(s)
-    half occlusion = Occlusion(i.tex.xy);
-    UnityGI gi = FragmentGI(s, occlusion, i.ambientOrLightmapUV, 1.0, DummyLight(), true);
-    half3 color = UNITY_BRDF_PBS(s.diffColor, s.specColor, s.oneMinusReflectivity, s.smoothness,
-                                 s.normalWorld, -s.eyeVec, gi.light, gi.indirect).rgb;
-    color += Emission(i.tex.xy);
-#ifndef UNITY_HDR_ON
-    color = exp2(-color);
-#endif
+    half open = Occlusion(i.tex.xy);
     UnityStandardDataToGbuffer(
-        limn_StandardData(s.diffColor, occlusion, s.specColor, s.smoothness, s.normalWorld),
+        limn_StandardData(s.diffColor, open, s.specColor, s.smoothness, s.normalWorld),
         outGBuffer0, outGBuffer1, outGBuffer2);
-    outEmission = half4(color, 1.0);
+    UnityGI gi = FragmentGI(s, open, i.ambientOrLightmapUV, 1.0, DummyLight(), true);
+    half3 glow = Emission(i.tex.xy) + limn_Shaded(s, gi.light, gi.indirect).rgb;
+#ifdef UNITY_HDR_ON
+    outEmission = half4(glow, 1.0);
+#else
+    outEmission = half4(exp2(-glow), 1.0);
+#endif
 }
 #endif

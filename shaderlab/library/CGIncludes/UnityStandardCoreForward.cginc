@@ -6,8 +6,8 @@
 #if UNITY_STANDARD_SIMPLE
 #include "UnityStandardCoreForwardSimple.cginc"
 VertexOutputBaseSimple vertBase(VertexInput v) { return vertForwardBaseSimple(v); }
-VertexOutputForwardAddSimple vertAdd(VertexInput v) { return vertForwardAddSimple(v); }
 half4 fragBase(VertexOutputBaseSimple i) : SV_Target { return fragForwardBaseSimpleInternal(i); }
+VertexOutputForwardAddSimple vertAdd(VertexInput v) { return vertForwardAddSimple(v); }
 half4 fragAdd(VertexOutputForwardAddSimple i) : SV_Target
 {
     return fragForwardAddSimpleInternal(i);
@@ -15,8 +15,8 @@ half4 fragAdd(VertexOutputForwardAddSimple i) : SV_Target
 #else
 #include "UnityStandardCore.cginc"
 VertexOutputForwardBase vertBase(VertexInput v) { return vertForwardBase(v); }
-VertexOutputForwardBase vertAdd(VertexInput v) { return vertForwardAdd(v); }
 half4 fragBase(VertexOutputForwardBase i) : SV_Target { return fragForwardBaseInternal(i); }
+VertexOutputForwardBase vertAdd(VertexInput v) { return vertForwardAdd(v); }
 half4 fragAdd(VertexOutputForwardBase i) : SV_Target { return fragForwardAddInternal(i); }
 #endif
 #endif

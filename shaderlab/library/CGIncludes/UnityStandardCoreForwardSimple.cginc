@@ -68,9 +68,9 @@ VertexOutputBaseSimple vertForwardBaseSimple(VertexInput v)
     UNITY_SETUP_INSTANCE_ID(v);
     VertexOutputBaseSimple o;
     UNITY_INITIALIZE_OUTPUT(VertexOutputBaseSimple, o);
+    o.posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.pos = UnityObjectToClipPos(v.vertex);
     o.tex = TexCoords(v);
-    o.posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
     half3 eye = -normalize(limn_ObjectToCamera(v.vertex.xyz));
     half3 normal = UnityObjectToWorldNormal(v.normal);
     o.eyeVec = half4(eye, saturate(_Glossiness + UNIFORM_REFLECTIVITY()));
@@ -91,9 +91,9 @@ VertexOutputForwardAddSimple vertForwardAddSimple(VertexInput v)
     UNITY_SETUP_INSTANCE_ID(v);
     VertexOutputForwardAddSimple o;
     UNITY_INITIALIZE_OUTPUT(VertexOutputForwardAddSimple, o);
+    o.posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.pos = UnityObjectToClipPos(v.vertex);
     o.tex = TexCoords(v);
-    o.posWorld = mul(unity_ObjectToWorld, v.vertex).xyz;
     half3 eye = -normalize(limn_ObjectToCamera(v.vertex.xyz));
     half3 normal = UnityObjectToWorldNormal(v.normal);
     half3 light = _WorldSpaceLightPos0.xyz - o.posWorld * _WorldSpaceLightPos0.w;
@@ -119,17 +119,18 @@ FragmentCommonData limn_SimpleSurface(float4 tex)
 #ifdef _ALPHATEST_ON
     clip(alpha - _Cutoff);
 #endif
-    FragmentCommonData s = UNITY_SETUP_BRDF_INPUT(tex);
-    s.diffColor = PreMultiplyAlpha(s.diffColor, alpha, s.oneMinusReflectivity, s.alpha);
-    return s;
+    FragmentCommonData surface = UNITY_SETUP_BRDF_INPUT(tex);
+    surface.diffColor = PreMultiplyAlpha(surface.diffColor, alpha, surface.oneMinusReflectivity,
+                                         surface.alpha);
+    return surface;
 }
 FragmentCommonData FragmentSetupSimple(VertexOutputBaseSimple i)
 {
-    FragmentCommonData s = limn_SimpleSurface(i.tex);
-    s.normalWorld = i.normalWorld.xyz;
-    s.eyeVec = i.eyeVec.xyz;
-    s.posWorld = i.posWorld;
-    return s;
+    FragmentCommonData surface = limn_SimpleSurface(i.tex);
+    surface.posWorld = i.posWorld;
+    surface.eyeVec = i.eyeVec.xyz;
+    surface.normalWorld = i.normalWorld.xyz;
+    return surface;
 }
 FragmentCommonData FragmentSetupSimpleAdd(VertexOutputForwardAddSimple i)
 {
@@ -174,13 +175,15 @@ half4 fragForwardBaseSimpleInternal(VertexOutputBaseSimple i)
 #endif
     UnityGI gi = FragmentGI(s, Occlusion(i.tex.xy), i.ambientOrLightmapUV, SHADOW_ATTENUATION(i),
                             light);
-    half3 direct =
-        BRDF3DirectSimple(s.diffColor, s.specColor, s.smoothness, dot(mirrored, lightDir));
-    half3 c = BRDF3_Indirect(s.diffColor, s.specColor, gi.indirect, PerVertexGrazingTerm(i, s),
-                             PerVertexFresnelTerm(i));
-    c += direct * gi.light.color * saturate(dot(normal, lightDir)) + Emission(i.tex.xy);
-    UNITY_APPLY_FOG(i.fogCoord, c);
-    return OutputForward(half4(c, 1), s.alpha);
+    half3 scattered =
+        BRDF3DirectSimple(s.diffColor, s.specColor, s.smoothness, dot(lightDir, mirrored));
+    half grazing = PerVertexGrazingTerm(i, s);
+    half fresnel = PerVertexFresnelTerm(i);
+    half4 color = half4(Emission(i.tex.xy), 1);
+    color.rgb += BRDF3_Indirect(s.diffColor, s.specColor, gi.indirect, grazing, fresnel);
+    color.rgb += saturate(dot(lightDir, normal)) * gi.light.color * scattered;
+    UNITY_APPLY_FOG(i.fogCoord, color);
+    return OutputForward(color, s.alpha);
 }
 half4 fragForwardBaseSimple(VertexOutputBaseSimple i) : SV_Target
 {
@@ -205,10 +208,12 @@ half4 fragForwardAddSimpleInternal(VertexOutputForwardAddSimple i)
     half3 mirrored = i.fogCoord.yzw;
 #endif
     UNITY_LIGHT_ATTENUATION(atten, i, s.posWorld);
-    half3 c = BRDF3DirectSimple(s.diffColor, s.specColor, s.smoothness, dot(mirrored, i.lightDir));
-    c *= _LightColor0.rgb * (atten * saturate(dot(normal, i.lightDir)));
-    UNITY_APPLY_FOG_COLOR(i.fogCoord, c, half4(0, 0, 0, 0));
-    return OutputForward(half4(c, 1), s.alpha);
+    half3 arriving = _LightColor0.rgb * (atten * saturate(dot(i.lightDir, normal)));
+    half cosine = dot(i.lightDir, mirrored);
+    half3 scattered = BRDF3DirectSimple(s.diffColor, s.specColor, s.smoothness, cosine);
+    half4 color = half4(arriving * scattered, 1);
+    UNITY_APPLY_FOG_COLOR(i.fogCoord, color, half4(0, 0, 0, 0));
+    return OutputForward(color, s.alpha);
 }
 half4 fragForwardAddSimple(VertexOutputForwardAddSimple i) : SV_Target
 {

@@ -159,9 +159,8 @@ half3 NormalInTangentSpace(float4 texcoords)
 float4 Parallax(float4 texcoords, half3 viewDir)
 {
 #if defined(_PARALLAXMAP)
-    half h = tex2D(_ParallaxMap, texcoords.xy).g;
-    float2 offset = ParallaxOffset(h, _Parallax, viewDir);
-    return float4(texcoords.xy + offset, texcoords.zw + offset);
+    half height = tex2D(_ParallaxMap, texcoords.xy).g;
+    return texcoords + ParallaxOffset(height, _Parallax, viewDir).xyxy;
 #else
     return texcoords;
 #endif

@@ -33,12 +33,13 @@ half3 UnityLightmappingAlbedo(half3 diffuse, half3 specular, half smoothness)
 
 float4 frag_meta(v2f_meta i) : SV_Target
 {
-    FragmentCommonData data = UNITY_SETUP_BRDF_INPUT(i.uv);
-    UnityMetaInput o;
-    UNITY_INITIALIZE_OUTPUT(UnityMetaInput, o);
-    o.Albedo = UnityLightmappingAlbedo(data.diffColor, data.specColor, data.smoothness);
-    o.SpecularColor = data.specColor;
-    o.Emission = Emission(i.uv.xy);
-    return UnityMetaFragment(o);
+    FragmentCommonData surface = UNITY_SETUP_BRDF_INPUT(i.uv);
+    UnityMetaInput light;
+    UNITY_INITIALIZE_OUTPUT(UnityMetaInput, light);
+    light.Emission = Emission(i.uv.xy);
+    light.SpecularColor = surface.specColor;
+    light.Albedo =
+        UnityLightmappingAlbedo(surface.diffColor, surface.specColor, surface.smoothness);
+    return UnityMetaFragment(light);
 }
 #endif

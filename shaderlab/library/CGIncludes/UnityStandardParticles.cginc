@@ -203,10 +203,10 @@ half3 limn_ParticleGrab(float4 position, half2 normal, half alpha)
 
 void vertParticleUnlit(appdata_particles v, out VertexOutput o)
 {
+    float4 clipPosition = UnityObjectToClipPos(v.vertex); // the macros below read it
     UNITY_INITIALIZE_OUTPUT(VertexOutput, o);
-    float4 clipPosition = UnityObjectToClipPos(v.vertex);
-    o.vertex = clipPosition;
     o.color = v.color;
+    o.vertex = clipPosition;
     vertTexcoord(v, o)
     vertFading(o)
     vertDistortion(o)
@@ -226,20 +226,21 @@ half4 fragParticleUnlit(VertexOutput IN) : SV_Target
 #endif
     fragDistortion(IN)
 
+#if defined(_ALPHABLEND_ON) || defined(_ALPHAPREMULTIPLY_ON) || defined(_ALPHAOVERLAY_ON)
     half4 result = albedo;
+#else
+    half4 result = half4(albedo.rgb, 1.0);
+#endif
 #ifdef _ALPHAMODULATE_ON
     result.rgb = lerp(half3(1, 1, 1), albedo.rgb, albedo.a);
 #endif
 #ifdef _EMISSION
     result.rgb += readTexture(_EmissionMap, IN).rgb * _EmissionColor;
 #endif
-#if !defined(_ALPHABLEND_ON) && !defined(_ALPHAPREMULTIPLY_ON) && !defined(_ALPHAOVERLAY_ON)
-    result.a = 1.0;
-#endif
+    UNITY_APPLY_FOG_COLOR(IN.fogCoord, result, fixed4(0, 0, 0, 0));
 #ifdef _ALPHATEST_ON
     clip(albedo.a - _Cutoff + 0.0001);
 #endif
-    UNITY_APPLY_FOG_COLOR(IN.fogCoord, result, fixed4(0, 0, 0, 0));
     return result;
 }
 #endif

@@ -27,9 +27,10 @@ half OneMinusReflectivityFromMetallic(half metallic)
 half3 DiffuseAndSpecularFromMetallic(half3 albedo, half metallic, out half3 specColor,
                                      out half oneMinusReflectivity)
 {
+    half scattered = OneMinusReflectivityFromMetallic(metallic);
+    oneMinusReflectivity = scattered;
     specColor = lerp(unity_ColorSpaceDielectricSpec.rgb, albedo, metallic);
-    oneMinusReflectivity = OneMinusReflectivityFromMetallic(metallic);
-    return albedo * oneMinusReflectivity;
+    return scattered * albedo;
 }
 
 // For blending One, OneMinusSrcAlpha: reflections stay on what is transparent.

@@ -13,8 +13,8 @@ float UnityGet2DClipping(float2 position, float4 clipRect)
 fixed4 UnityGetUIDiffuseColor(float2 position, sampler2D mainTexture, sampler2D alphaTexture,
                               fixed4 textureSampleAdd)
 {
-    return fixed4(tex2D(mainTexture, position).rgb + textureSampleAdd.rgb,
-                  tex2D(alphaTexture, position).r + textureSampleAdd.a);
+    fixed opacity = tex2D(alphaTexture, position).r;
+    return textureSampleAdd + fixed4(tex2D(mainTexture, position).rgb, opacity);
 }
 
 // Vertex colours of the UI are sRGB: a line for the values up to 18 of 255, a cubic above.

@@ -38,6 +38,15 @@ float3 Shade4PointLights(float4 lightPosX, float4 lightPosY, float4 lightPosZ, f
            lightColor3 * weight.w;
 }
 
+// The four lights that vertices of forward passes are lit by.
+float3 limn_FourVertexLights(float3 worldPos, float3 normal)
+{
+    return Shade4PointLights(unity_4LightPosX0, unity_4LightPosY0, unity_4LightPosZ0,
+                             unity_LightColor[0].rgb, unity_LightColor[1].rgb,
+                             unity_LightColor[2].rgb, unity_LightColor[3].rgb,
+                             unity_4LightAtten0, worldPos, normal);
+}
+
 // Ambient light and the first lightCount of the lights of vertex-lit passes, in view space.
 float3 ShadeVertexLightsFull(float4 vertex, float3 normal, int lightCount, bool spotLight)
 {

@@ -75,6 +75,7 @@ half3 DecodeRealtimeLightmap(fixed4 color)
 // dirTex: main direction of the light, from 0...1; w: what is in all directions on average.
 half3 DecodeDirectionalLightmap(half3 color, fixed4 dirTex, half3 normalWorld)
 {
-    half halfLambert = dot(normalWorld, dirTex.xyz - 0.5) + 0.5;
-    return color * halfLambert / max(1e-4, dirTex.w);
+    half3 mainDirection = dirTex.xyz - 0.5; // half as long as the light is of one direction
+    half share = 0.5 + dot(mainDirection, normalWorld);
+    return color * share / max(dirTex.w, 1e-4);
 }

@@ -6,14 +6,16 @@
 float4 UnityApplyLinearShadowBias(float4 clipPos)
 {
 #if !defined(SHADOWS_CUBE) || defined(SHADOWS_CUBE_IN_DEPTH_TEX)
+    float nearest = UNITY_NEAR_CLIP_VALUE * clipPos.w;
+    float bias = unity_LightShadowBias.x / clipPos.w;
 #if defined(UNITY_REVERSED_Z)
-    clipPos.z += max(-1.0, min(unity_LightShadowBias.x / clipPos.w, 0.0));
-    float clamped = min(clipPos.z, clipPos.w * UNITY_NEAR_CLIP_VALUE);
+    float moved = clipPos.z + clamp(bias, -1.0, 0.0);
+    float kept = min(moved, nearest);
 #else
-    clipPos.z += saturate(unity_LightShadowBias.x / clipPos.w);
-    float clamped = max(clipPos.z, clipPos.w * UNITY_NEAR_CLIP_VALUE);
+    float moved = clipPos.z + saturate(bias);
+    float kept = max(moved, nearest);
 #endif
-    clipPos.z = lerp(clipPos.z, clamped, unity_LightShadowBias.y);
+    clipPos.z = lerp(moved, kept, unity_LightShadowBias.y);
 #endif
     return clipPos;
 }

@@ -39,39 +39,41 @@ struct Varyings
 
 void InitializeInputData(Varyings input, float3 normalTS, out InputData inputData)
 {
+    float3 place = input.positionWS;
+    float4 fogAndLight = input.fogFactorAndVertexLight;
     inputData = (InputData)0;
-    inputData.positionWS = input.positionWS;
     inputData.positionCS = input.positionCS;
-    inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(input.positionWS);
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
+    inputData.positionWS = place;
+    inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(place);
+    inputData.vertexLighting = fogAndLight.yzw;
+    float fogFactor = max(input.fogFactor, fogAndLight.x); // authors fill one of them
+    inputData.fogCoord = InitializeInputDataFog(float4(place, 1.0), fogFactor);
+    float3 normal = input.normalWS;
 #if defined(_NORMALMAP) || defined(_DETAIL)
-    float3 bitangent = cross(input.normalWS, input.tangentWS.xyz) * input.tangentWS.w;
-    inputData.tangentToWorld = float3x3(input.tangentWS.xyz, bitangent, input.normalWS);
-    inputData.normalWS = TransformTangentToWorld(normalTS, inputData.tangentToWorld);
-#else
-    inputData.normalWS = input.normalWS;
+    float3 tangent = input.tangentWS.xyz;
+    float3x3 frame = float3x3(tangent, cross(normal, tangent) * input.tangentWS.w, normal);
+    normal = TransformTangentToWorld(normalTS, frame);
+    inputData.tangentToWorld = frame;
 #endif
-    inputData.normalWS = NormalizeNormalPerPixel(inputData.normalWS);
+    inputData.normalWS = NormalizeNormalPerPixel(normal);
+    inputData.shadowMask = SAMPLE_SHADOWMASK(input.staticLightmapUV);
+    inputData.bakedGI = SAMPLE_GI(input.staticLightmapUV, input.vertexSH, inputData.normalWS);
 #if defined(REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR)
     inputData.shadowCoord = input.shadowCoord;
 #elif defined(MAIN_LIGHT_CALCULATE_SHADOWS)
-    inputData.shadowCoord = TransformWorldToShadowCoord(input.positionWS);
+    inputData.shadowCoord = TransformWorldToShadowCoord(place);
 #endif
-    float fogFactor = max(input.fogFactor, input.fogFactorAndVertexLight.x); // one may be 0
-    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0), fogFactor);
-    inputData.vertexLighting = input.fogFactorAndVertexLight.yzw;
-    inputData.bakedGI = SAMPLE_GI(input.staticLightmapUV, input.vertexSH, inputData.normalWS);
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
-    inputData.shadowMask = SAMPLE_SHADOWMASK(input.staticLightmapUV);
 }
 
 Varyings ForwardPassVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
-    VertexPositionInputs position = GetVertexPositionInputs(input.positionOS.xyz);
-    VertexNormalInputs normal = GetVertexNormalInputs(input.normalOS, input.tangentOS);
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
-    output.positionWS = position.positionWS;
+    VertexNormalInputs normal = GetVertexNormalInputs(input.normalOS, input.tangentOS);
+    VertexPositionInputs position = GetVertexPositionInputs(input.positionOS.xyz);
     output.positionCS = position.positionCS;
+    output.positionWS = position.positionWS;
     output.normalWS = NormalizeNormalPerVertex(normal.normalWS);
     output.tangentWS = float4(normal.tangentWS, input.tangentOS.w * GetOddNegativeScale());
     output.viewDirWS = GetWorldSpaceViewDir(position.positionWS);

@@ -14,15 +14,15 @@ InputData limn_GraphInputData(Varyings input, SurfaceDescription surface)
     inputData.tangentToWorld = float3x3(input.tangentWS.xyz, bitangent, input.normalWS);
 #endif
     inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(input.positionWS);
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
+    inputData.shadowMask = 1.0;
     inputData.shadowCoord = TransformWorldToShadowCoord(input.positionWS);
-    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0),
-                                                input.fogFactorAndVertexLight.x);
-    inputData.vertexLighting = input.fogFactorAndVertexLight.yzw;
 #if !defined(LIGHTMAP_ON)
     inputData.bakedGI = SampleSHPixel(input.sh, inputData.normalWS);
 #endif
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.positionCS);
-    inputData.shadowMask = float4(1, 1, 1, 1);
+    float4 fogAndLight = input.fogFactorAndVertexLight;
+    inputData.vertexLighting = fogAndLight.yzw;
+    inputData.fogCoord = InitializeInputDataFog(float4(input.positionWS, 1.0), fogAndLight.x);
     return inputData;
 }
 

@@ -5,30 +5,33 @@
 
 void InitializeInputData(VaryingsParticle input, half3 normalTS, out InputData inputData)
 {
-    inputData = (InputData)0;
-    inputData.positionWS = input.positionWS.xyz;
-    inputData.positionCS = input.clipPos;
+    float3 place = input.positionWS.xyz;
 #ifdef _NORMALMAP
-    inputData.viewDirectionWS =
-        SafeNormalize(float3(input.normalWS.w, input.tangentWS.w, input.bitangentWS.w));
-    inputData.tangentToWorld =
-        float3x3(input.tangentWS.xyz, input.bitangentWS.xyz, input.normalWS.xyz);
-    inputData.normalWS = TransformTangentToWorld(normalTS, inputData.tangentToWorld);
+    float4 x = input.tangentWS, y = input.bitangentWS, z = input.normalWS;
+    float3 viewDir = float3(z.w, x.w, y.w);
+    float3x3 frame = float3x3(x.xyz, y.xyz, z.xyz);
+    float3 normal = TransformTangentToWorld(normalTS, frame);
 #else
-    inputData.viewDirectionWS = SafeNormalize(input.viewDirWS);
-    inputData.normalWS = input.normalWS;
+    float3 viewDir = input.viewDirWS;
+    float3 normal = input.normalWS;
 #endif
-    inputData.normalWS = NormalizeNormalPerPixel(inputData.normalWS);
+    inputData = (InputData)0;
+    inputData.shadowMask = 1.0;
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.clipPos);
+    inputData.positionCS = input.clipPos;
+    inputData.positionWS = place;
+    inputData.fogCoord = InitializeInputDataFog(float4(place, 1.0), input.positionWS.w);
+    inputData.viewDirectionWS = SafeNormalize(viewDir);
+    inputData.normalWS = NormalizeNormalPerPixel(normal);
+    inputData.bakedGI = SampleSHPixel(input.vertexSH, inputData.normalWS);
+#ifdef _NORMALMAP
+    inputData.tangentToWorld = frame;
+#endif
 #if defined(REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR)
     inputData.shadowCoord = input.shadowCoord;
 #elif defined(MAIN_LIGHT_CALCULATE_SHADOWS)
-    inputData.shadowCoord = TransformWorldToShadowCoord(inputData.positionWS);
+    inputData.shadowCoord = TransformWorldToShadowCoord(place);
 #endif
-    inputData.fogCoord =
-        InitializeInputDataFog(float4(input.positionWS.xyz, 1.0), input.positionWS.w);
-    inputData.bakedGI = SampleSHPixel(input.vertexSH, inputData.normalWS);
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.clipPos);
-    inputData.shadowMask = float4(1, 1, 1, 1);
 }
 
 VaryingsParticle limn_ParticleVertex(AttributesParticle input)
@@ -48,14 +51,14 @@ VaryingsParticle limn_ParticleVertex(AttributesParticle input)
     output.normalWS = normal.normalWS;
     output.viewDirWS = viewDir;
 #endif
-#ifdef _FLIPBOOKBLENDING_ON
-    GetParticleTexcoords(output.texcoord, output.texcoord2AndBlend, input.texcoords,
-                         input.texcoordBlend);
-#else
-    GetParticleTexcoords(output.texcoord, input.texcoords.xy);
-#endif
 #if defined(_SOFTPARTICLES_ON) || defined(_FADING_ON) || defined(_DISTORTION_ON)
     output.projectedPosition = position.positionNDC;
+#endif
+#ifndef _FLIPBOOKBLENDING_ON
+    GetParticleTexcoords(output.texcoord, input.texcoords.xy);
+#else
+    GetParticleTexcoords(output.texcoord, output.texcoord2AndBlend, input.texcoords,
+                         input.texcoordBlend);
 #endif
 #ifdef REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR
     output.shadowCoord = GetShadowCoord(position);

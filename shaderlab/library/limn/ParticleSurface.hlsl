@@ -65,8 +65,10 @@ half4 SampleAlbedo(TEXTURE2D_PARAM(albedoMap, sampler_albedoMap), ParticleParams
 float3 limn_ParticleEmission(ParticleParams params)
 {
 #ifdef _EMISSION
-    return BlendTexture(TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap), params.uv,
-                        params.blendUv).rgb * _EmissionColor.rgb;
+    float2 uv = params.uv;
+    float3 blendUv = params.blendUv;
+    float4 glow = BlendTexture(TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap), uv, blendUv);
+    return _EmissionColor.rgb * glow.rgb;
 #else
     return float3(0, 0, 0);
 #endif

@@ -15,14 +15,15 @@ void limn_TerrainFrame(float3 normalOS, float3 positionWS, out half4 normal, out
 
 void SplatmapFinalColor(inout half4 color, half fogCoord)
 {
-    color.rgb *= color.a;
+    half3 weighted = color.a * color.rgb;
 #if defined(TERRAIN_GBUFFER)
     // The fog comes when the light does.
 #elif defined(TERRAIN_SPLAT_ADDPASS)
-    color.rgb = MixFogColor(color.rgb, half3(0, 0, 0), fogCoord); // the first pass has the fog
+    weighted = MixFogColor(weighted, half3(0, 0, 0), fogCoord); // the first pass has the fog
 #else
-    color.rgb = MixFog(color.rgb, fogCoord);
+    weighted = MixFog(weighted, fogCoord);
 #endif
+    color.rgb = weighted;
 }
 
 #ifndef TERRAIN_SPLAT_BASEPASS
@@ -92,7 +93,7 @@ void SplatmapMix(float4 uvMainAndLM, float4 uvSplat01, float4 uvSplat23, inout h
 // The highest layer shows, and those less than a transition below it.
 void HeightBasedSplatModify(inout half4 splatControl, in half4 masks[4])
 {
-    half4 heights = half4(masks[0].b, masks[1].b, masks[2].b, masks[3].b) * splatControl;
+    half4 heights = splatControl * half4(masks[0].b, masks[1].b, masks[2].b, masks[3].b);
     half highest = max(max(heights.r, heights.g), max(heights.b, heights.a));
     half4 seen = max(0, heights - highest + max(_HeightTransition, 1e-5));
     seen = (seen + 1e-6) * splatControl; // some layer always shows

@@ -44,7 +44,7 @@ float F_FresnelDielectric(float ior, float u)
 {
     float g = sqrt(max(ior * ior + u * u - 1.0, 0.0));
     float s = Sq((g - u) / (g + u));
-    float t = Sq(((g + u) * u - 1.0) / ((g - u) * u + 1.0));
+    float t = Sq((u * (g + u) - 1.0) / (u * (g - u) + 1.0));
     return 0.5 * s * (1.0 + t);
 }
 // Of metals; etak2: the squared extinction (Lagarde 2013).
@@ -303,13 +303,13 @@ float D_CharlieNoPI(float NdotH, float roughness)
 float D_Charlie(float NdotH, float roughness) { return INV_PI * D_CharlieNoPI(NdotH, roughness); }
 float CharlieL(float x, float r)
 {
-    r = 1.0 - Sq(1.0 - saturate(r));
-    float a = lerp(25.3245, 21.5473, r);
-    float b = lerp(3.32435, 3.82987, r);
-    float c = lerp(0.16801, 0.19823, r);
-    float d = lerp(-1.27393, -1.97760, r);
-    float e = lerp(-4.85967, -4.32054, r);
-    return a / (1.0 + b * PositivePow(x, c)) + d * x + e;
+    // The table of the paper: what is fitted for smooth cloth, and for rough cloth.
+    const float4 sleek = {25.3245, 3.32435, 0.16801, -1.27393};
+    const float4 coarse = {21.5473, 3.82987, 0.19823, -1.97760};
+    float weight = 1.0 - Sq(1.0 - saturate(r));
+    float4 fit = lerp(sleek, coarse, weight);
+    float bent = fit.x / (1.0 + fit.y * PositivePow(x, fit.z));
+    return bent + fit.w * x + lerp(-4.85967, -4.32054, weight);
 }
 float limn_CharlieLambda(float cosine, float roughness)
 {

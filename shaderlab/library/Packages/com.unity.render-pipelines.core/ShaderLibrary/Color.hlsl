@@ -137,7 +137,7 @@ float RotateHue(float value, float low, float hi)
 float3 SoftLight(float3 base, float3 blend)
 {
     float3 dark = 2.0 * base * blend + base * base * (1.0 - 2.0 * blend);
-    float3 light = sqrt(base) * (2.0 * blend - 1.0) + 2.0 * base * (1.0 - blend);
+    float3 light = 2.0 * base * (1.0 - blend) + sqrt(base) * (2.0 * blend - 1.0);
     return lerp(dark, light, step(0.5, blend));
 }
 
@@ -154,7 +154,10 @@ float3 WhiteBalance(float3 c, float3 balance)
 // John Hable's filmic curve (2010) with its white point.
 float3 NeutralCurve(float3 x, float a, float b, float c, float d, float e, float f)
 {
-    return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
+    float3 bend = a * x;
+    float3 above = x * (bend + b * c) + e * d;
+    float3 below = x * (bend + b) + f * d;
+    return above / below - e / f;
 }
 float3 NeutralTonemap(float3 x)
 {

@@ -57,10 +57,12 @@ float ClampNdotV(float NdotV) { return max(NdotV, 0.0001); }
 void GetBSDFAngle(float3 V, float3 L, float NdotL, float NdotV, out float LdotV, out float NdotH,
                   out float LdotH, out float invLenLV)
 {
-    LdotV = dot(L, V);
-    invLenLV = rsqrt(max(2.0 * LdotV + 2.0, FLT_EPSILON));
-    NdotH = saturate((NdotL + NdotV) * invLenLV);
-    LdotH = saturate(invLenLV * LdotV + invLenLV);
+    float cosine = dot(V, L);
+    float inverse = rsqrt(max(2.0 + 2.0 * cosine, FLT_EPSILON)); // 1 / |L + V|
+    LdotV = cosine;
+    LdotH = saturate(inverse + inverse * cosine);
+    NdotH = saturate(inverse * (NdotV + NdotL));
+    invLenLV = inverse;
 }
 
 // Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion".
@@ -75,8 +77,9 @@ float3 GTAOMultiBounce(float visibility, float3 albedo)
 // Lagarde and de Rousiers 2014, "Moving Frostbite to PBR".
 float GetSpecularOcclusionFromAmbientOcclusion(float NdotV, float ambientOcclusion, float roughness)
 {
-    return saturate(PositivePow(NdotV + ambientOcclusion, exp2(-16.0 * roughness - 1.0)) - 1.0 +
-                    ambientOcclusion);
+    float power = exp2(-1.0 - 16.0 * roughness);
+    float bent = PositivePow(ambientOcclusion + NdotV, power);
+    return saturate(bent + ambientOcclusion - 1.0);
 }
 
 // McAuley 2011: light that reaches around the edge by w, without more of it in sum.

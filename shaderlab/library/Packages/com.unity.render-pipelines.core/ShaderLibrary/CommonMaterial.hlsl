@@ -16,13 +16,13 @@
 
 float PerceptualRoughnessToRoughness(float perceptualRoughness)
 {
-    return perceptualRoughness * perceptualRoughness;
+    return Sq(perceptualRoughness);
 }
 float RoughnessToPerceptualRoughness(float roughness) { return sqrt(roughness); }
 float RoughnessToPerceptualSmoothness(float roughness) { return 1.0 - sqrt(roughness); }
 float PerceptualSmoothnessToRoughness(float perceptualSmoothness)
 {
-    return (1.0 - perceptualSmoothness) * (1.0 - perceptualSmoothness);
+    return Sq(1.0 - perceptualSmoothness);
 }
 float PerceptualSmoothnessToPerceptualRoughness(float perceptualSmoothness)
 {
@@ -93,7 +93,8 @@ float GeometricNormalFiltering(float perceptualSmoothness, float3 geometricNorma
 // Whiteout blending of two normals in tangent space.
 float3 BlendNormal(float3 n1, float3 n2)
 {
-    return normalize(float3(n1.xy * n2.z + n2.xy * n1.z, n1.z * n2.z));
+    float2 slopes = n2.z * n1.xy + n1.z * n2.xy;
+    return normalize(float3(slopes, n2.z * n1.z));
 }
 // Reoriented normal mapping (Barre-Brisebois and Hill 2012): n2 is turned to stand on n1.
 float3 BlendNormalRNM(float3 n1, float3 n2)

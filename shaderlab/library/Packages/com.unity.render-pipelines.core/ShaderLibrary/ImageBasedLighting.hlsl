@@ -49,10 +49,10 @@ void GetGGXAnisotropicModifiedNormalAndRoughness(float3 bitangentWS, float3 tang
                                                  float perceptualRoughness, out float3 iblN,
                                                  out float iblPerceptualRoughness)
 {
-    float3 grain = anisotropy >= 0.0 ? bitangentWS : tangentWS;
-    float stretch = abs(anisotropy) * saturate(1.5 * sqrt(perceptualRoughness));
-    iblN = GetAnisotropicModifiedNormal(grain, N, V, stretch);
-    iblPerceptualRoughness = perceptualRoughness * saturate(1.2 - abs(anisotropy));
+    float strength = abs(anisotropy);
+    iblPerceptualRoughness = saturate(1.2 - strength) * perceptualRoughness;
+    float bend = strength * saturate(sqrt(perceptualRoughness) * 1.5);
+    iblN = GetAnisotropicModifiedNormal(anisotropy < 0.0 ? tangentWS : bitangentWS, N, V, bend);
 }
 // Lagarde and de Rousiers 2014: the rougher, the nearer to the normal. Not of unit length.
 float3 GetSpecularDominantDir(float3 N, float3 R, float perceptualRoughness, float NdotV)
@@ -67,7 +67,8 @@ float3 GetSpecularDominantDir(float3 N, float3 R, float perceptualRoughness, flo
 void SampleGGXDir(float2 u, float3 V, float3x3 localToWorld, float roughness, out float3 L,
                   out float NdotL, out float NdotH, out float VdotH, bool VeqN = false)
 {
-    NdotH = sqrt(SafeDiv(1.0 - u.x, 1.0 + (roughness * roughness - 1.0) * u.x));
+    float spread = Sq(roughness) - 1.0;
+    NdotH = sqrt(SafeDiv(1.0 - u.x, spread * u.x + 1.0));
     float3 localH = SphericalToCartesian(TWO_PI * u.y, NdotH);
     float3 localV = VeqN ? float3(0, 0, 1) : mul(localToWorld, V);
     VdotH = VeqN ? NdotH : saturate(dot(localV, localH));

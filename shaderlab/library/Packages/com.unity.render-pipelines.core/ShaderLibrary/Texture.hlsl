@@ -38,10 +38,10 @@ struct UnityTexture2D
 UnityTexture2D limn_UnityTexture2D(Texture2D tex, SamplerState samplerstate, float4 texelSize,
                                    float4 scaleTranslate)
 {
-    UnityTexture2D result;
-    result.tex = tex;
-    result.samplerstate = samplerstate;
-    result.texelSize = texelSize;
-    result.scaleTranslate = scaleTranslate;
-    return result;
+    UnityTexture2D made;
+    made.scaleTranslate = scaleTranslate;
+    made.texelSize = texelSize;
+    made.samplerstate = samplerstate;
+    made.tex = tex;
+    return made;
 }

@@ -36,21 +36,26 @@ void InitializeBRDFDataDirect(float3 albedo, float3 diffuse, float3 specular, fl
                               float oneMinusReflectivity, float smoothness, inout float alpha,
                               out BRDFData outBRDFData)
 {
+    // Roughness keeps off zero, where the highlight would be a point without end.
+    float perceptual = PerceptualSmoothnessToPerceptualRoughness(smoothness);
+    float rough = max(PerceptualRoughnessToRoughness(perceptual), HALF_MIN_SQRT);
+    float rough2 = max(Sq(rough), HALF_MIN);
+
     outBRDFData = (BRDFData)0;
-    outBRDFData.albedo = albedo;
-    outBRDFData.diffuse = diffuse;
-    outBRDFData.specular = specular;
+    outBRDFData.perceptualRoughness = perceptual;
+    outBRDFData.roughness = rough;
+    outBRDFData.normalizationTerm = 4.0 * rough + 2.0;
+    outBRDFData.roughness2 = rough2;
+    outBRDFData.roughness2MinusOne = rough2 - 1.0;
     outBRDFData.reflectivity = reflectivity;
-    outBRDFData.perceptualRoughness = PerceptualSmoothnessToPerceptualRoughness(smoothness);
-    outBRDFData.roughness =
-        max(PerceptualRoughnessToRoughness(outBRDFData.perceptualRoughness), HALF_MIN_SQRT);
-    outBRDFData.roughness2 = max(Sq(outBRDFData.roughness), HALF_MIN);
-    outBRDFData.grazingTerm = saturate(smoothness + reflectivity);
-    outBRDFData.normalizationTerm = outBRDFData.roughness * 4.0 + 2.0;
-    outBRDFData.roughness2MinusOne = outBRDFData.roughness2 - 1.0;
+    outBRDFData.grazingTerm = saturate(reflectivity + smoothness);
+    outBRDFData.specular = specular;
 #ifdef _ALPHAPREMULTIPLY_ON
-    outBRDFData.diffuse *= alpha;
+    outBRDFData.diffuse = diffuse * alpha;
+#else
+    outBRDFData.diffuse = diffuse;
 #endif
+    outBRDFData.albedo = albedo;
 }
 void InitializeBRDFDataDirect(float3 diffuse, float3 specular, float reflectivity,
                               float oneMinusReflectivity, float smoothness, inout float alpha,
@@ -65,18 +70,16 @@ void InitializeBRDFData(float3 albedo, float metallic, float3 specular, float sm
                         inout float alpha, out BRDFData outBRDFData)
 {
 #ifdef _SPECULAR_SETUP
-    float reflectivity = ReflectivitySpecular(specular);
-    float oneMinusReflectivity = 1.0 - reflectivity;
-    float3 brdfDiffuse = albedo * oneMinusReflectivity;
-    float3 brdfSpecular = specular;
+    float3 mirror = specular;
+    float mirrored = ReflectivitySpecular(specular);
+    float scattered = 1.0 - mirrored;
 #else
-    float oneMinusReflectivity = OneMinusReflectivityMetallic(metallic);
-    float reflectivity = 1.0 - oneMinusReflectivity;
-    float3 brdfDiffuse = albedo * oneMinusReflectivity;
-    float3 brdfSpecular = lerp(kDielectricSpec.rgb, albedo, metallic);
+    float3 mirror = lerp(kDielectricSpec.rgb, albedo, metallic);
+    float scattered = OneMinusReflectivityMetallic(metallic);
+    float mirrored = 1.0 - scattered;
 #endif
-    InitializeBRDFDataDirect(albedo, brdfDiffuse, brdfSpecular, reflectivity, oneMinusReflectivity,
-                             smoothness, alpha, outBRDFData);
+    InitializeBRDFDataDirect(albedo, albedo * scattered, mirror, mirrored, scattered, smoothness,
+                             alpha, outBRDFData);
 }
 void InitializeBRDFData(inout SurfaceData surfaceData, out BRDFData brdfData)
 {
@@ -102,12 +105,12 @@ void InitializeBRDFDataClearCoat(float clearCoatMask, float clearCoatSmoothness,
 }
 BRDFData CreateClearCoatBRDFData(SurfaceData surfaceData, inout BRDFData brdfData)
 {
-    BRDFData brdfDataClearCoat = (BRDFData)0;
+    BRDFData coat = (BRDFData)0;
 #if defined(_CLEARCOAT) || defined(_CLEARCOATMAP)
     InitializeBRDFDataClearCoat(surfaceData.clearCoatMask, surfaceData.clearCoatSmoothness,
-                                brdfData, brdfDataClearCoat);
+                                brdfData, coat);
 #endif
-    return brdfDataClearCoat;
+    return coat;
 }
 
 // What surroundings of even brightness give, without a table.

@@ -26,6 +26,9 @@ float4 UniversalFragmentPBR(InputData inputData, SurfaceData surfaceData)
     Light mainLight = GetMainLight(inputData, shadowMask, occlusion);
 
     LightingData lightingData = CreateLightingData(inputData, surfaceData);
+#ifdef _ADDITIONAL_LIGHTS_VERTEX
+    lightingData.vertexLightingColor += inputData.vertexLighting * brdfData.diffuse;
+#endif
     lightingData.giColor = GlobalIllumination(
         brdfData, coat, surfaceData.clearCoatMask, inputData.bakedGI,
         occlusion.indirectAmbientOcclusion, inputData.positionWS, inputData.normalWS,
@@ -47,25 +50,22 @@ float4 UniversalFragmentPBR(InputData inputData, SurfaceData surfaceData)
         }
     LIGHT_LOOP_END
 #endif
-#ifdef _ADDITIONAL_LIGHTS_VERTEX
-    lightingData.vertexLightingColor += inputData.vertexLighting * brdfData.diffuse;
-#endif
     return CalculateFinalColor(lightingData, surfaceData.alpha);
 }
 float4 UniversalFragmentPBR(InputData inputData, float3 albedo, float metallic, float3 specular,
                             float smoothness, float occlusion, float3 emission, float alpha)
 {
-    SurfaceData surfaceData = (SurfaceData)0;
-    surfaceData.albedo = albedo;
-    surfaceData.specular = specular;
-    surfaceData.metallic = metallic;
-    surfaceData.smoothness = smoothness;
-    surfaceData.normalTS = float3(0, 0, 1);
-    surfaceData.emission = emission;
-    surfaceData.occlusion = occlusion;
-    surfaceData.alpha = alpha;
-    surfaceData.clearCoatSmoothness = 1.0;
-    return UniversalFragmentPBR(inputData, surfaceData);
+    SurfaceData surface = (SurfaceData)0; // without a coat
+    surface.clearCoatSmoothness = 1.0;
+    surface.normalTS = float3(0, 0, 1);
+    surface.alpha = alpha;
+    surface.albedo = albedo;
+    surface.emission = emission;
+    surface.occlusion = occlusion;
+    surface.smoothness = smoothness;
+    surface.metallic = metallic;
+    surface.specular = specular;
+    return UniversalFragmentPBR(inputData, surface);
 }
 
 // Lambert, and Blinn-Phong where _SPECGLOSSMAP or _SPECULAR_COLOR is set.
@@ -78,6 +78,9 @@ float4 UniversalFragmentBlinnPhong(InputData inputData, SurfaceData surfaceData)
 
     inputData.bakedGI *= occlusion.indirectAmbientOcclusion * surfaceData.albedo;
     LightingData lightingData = CreateLightingData(inputData, surfaceData);
+#ifdef _ADDITIONAL_LIGHTS_VERTEX
+    lightingData.vertexLightingColor += inputData.vertexLighting * surfaceData.albedo;
+#endif
     if (limn_LightReaches(mainLight, layers))
     {
         lightingData.mainLightColor = CalculateBlinnPhong(mainLight, inputData, surfaceData);
@@ -91,9 +94,6 @@ float4 UniversalFragmentBlinnPhong(InputData inputData, SurfaceData surfaceData)
                 CalculateBlinnPhong(light, inputData, surfaceData);
         }
     LIGHT_LOOP_END
-#endif
-#ifdef _ADDITIONAL_LIGHTS_VERTEX
-    lightingData.vertexLightingColor += inputData.vertexLighting * surfaceData.albedo;
 #endif
     return CalculateFinalColor(lightingData, surfaceData.alpha);
 }

@@ -120,8 +120,9 @@ float3 GlobalIllumination(BRDFData brdfData, BRDFData brdfDataClearCoat, float c
         GlossyEnvironmentReflection(reflectVector, brdfDataClearCoat.perceptualRoughness, 1.0);
     float3 coat =
         EnvironmentBRDFClearCoat(brdfDataClearCoat, clearCoatMask, coatReflected, fresnelTerm);
-    float coatFresnel = kDielectricSpec.x + kDielectricSpec.a * fresnelTerm;
-    return (color * (1.0 - coatFresnel * clearCoatMask) + coat) * occlusion;
+    // What the coat mirrors does not reach the surface below it.
+    float taken = clearCoatMask * (fresnelTerm * kDielectricSpec.a + kDielectricSpec.x);
+    return (coat + color * (1.0 - taken)) * occlusion;
 #else
     return color * occlusion;
 #endif

@@ -57,9 +57,10 @@ float3 LightingPhysicallyBased(BRDFData brdfData, BRDFData brdfDataClearCoat, Li
                                float3 normalWS, float3 viewDirectionWS, float clearCoatMask,
                                bool specularHighlightsOff)
 {
+    float attenuation = light.shadowAttenuation * light.distanceAttenuation;
     return LightingPhysicallyBased(brdfData, brdfDataClearCoat, light.color, light.direction,
-                                   light.distanceAttenuation * light.shadowAttenuation, normalWS,
-                                   viewDirectionWS, clearCoatMask, specularHighlightsOff);
+                                   attenuation, normalWS, viewDirectionWS, clearCoatMask,
+                                   specularHighlightsOff);
 }
 float3 LightingPhysicallyBased(BRDFData brdfData, Light light, float3 normalWS,
                                float3 viewDirectionWS, bool specularHighlightsOff)

@@ -24,18 +24,18 @@ struct ParticleParams
 void InitParticleParams(VaryingsParticle input, out ParticleParams output)
 {
     output = (ParticleParams)0;
-    output.uv = input.texcoord;
-    output.vertexColor = input.color;
-#ifdef _FLIPBOOKBLENDING_ON
-    output.blendUv = input.texcoord2AndBlend;
-#endif
 #ifndef PARTICLES_EDITOR_META_PASS
-    output.positionWS = input.positionWS;
-    output.baseColor = _BaseColor;
 #if defined(_SOFTPARTICLES_ON) || defined(_FADING_ON) || defined(_DISTORTION_ON)
     output.projectedPosition = input.projectedPosition;
 #endif
+    output.baseColor = _BaseColor;
+    output.positionWS = input.positionWS;
 #endif
+#ifdef _FLIPBOOKBLENDING_ON
+    output.blendUv = input.texcoord2AndBlend;
+#endif
+    output.vertexColor = input.color;
+    output.uv = input.texcoord;
 }
 
 // How a fade enters the colour, by the shader's way of blending.

@@ -24,8 +24,8 @@ struct Varyings
 Varyings UniversalVertexMeta(Attributes input)
 {
     Varyings output = (Varyings)0;
-    output.positionCS = UnityMetaVertexPosition(input.positionOS.xyz, input.uv1, input.uv2);
     output.uv = TRANSFORM_TEX(input.uv0, _BaseMap);
+    output.positionCS = UnityMetaVertexPosition(input.positionOS.xyz, input.uv1, input.uv2);
     return output;
 }
 float4 UniversalFragmentMeta(Varyings fragIn, MetaInput metaInput)

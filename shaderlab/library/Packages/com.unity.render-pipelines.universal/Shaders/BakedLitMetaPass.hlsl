@@ -5,8 +5,8 @@
 
 float4 UniversalFragmentMetaBakedLit(Varyings input) : SV_Target
 {
-    MetaInput metaInput = (MetaInput)0;
-    metaInput.Albedo =
-        _BaseColor.rgb * SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).rgb;
-    return UniversalFragmentMeta(input, metaInput);
+    float3 texel = SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv).rgb;
+    MetaInput surface = (MetaInput)0; // it emits nothing
+    surface.Albedo = texel * _BaseColor.rgb;
+    return UniversalFragmentMeta(input, surface);
 }

@@ -24,10 +24,10 @@ struct Varyings
 Varyings DepthOnlyVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
+    output.positionCS = TransformObjectToHClip(input.position.xyz);
 #ifdef _ALPHATEST_ON
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
 #endif
-    output.positionCS = TransformObjectToHClip(input.position.xyz);
     return output;
 }
 

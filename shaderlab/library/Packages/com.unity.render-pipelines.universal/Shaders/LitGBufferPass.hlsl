@@ -21,10 +21,10 @@ FragmentOutput LitGBufferPassFragment(Varyings input)
 
     BRDFData brdfData;
     InitializeBRDFData(surfaceData, brdfData);
-    float3 light =
-        GlobalIllumination(brdfData, inputData.bakedGI, surfaceData.occlusion,
-                           inputData.positionWS, inputData.normalWS, inputData.viewDirectionWS);
-    return BRDFDataToGbuffer(brdfData, inputData, surfaceData.smoothness,
-                             surfaceData.emission + light, surfaceData.occlusion);
+    float open = surfaceData.occlusion;
+    float3 around = GlobalIllumination(brdfData, inputData.bakedGI, open, inputData.positionWS,
+                                       inputData.normalWS, inputData.viewDirectionWS);
+    float3 glow = around + surfaceData.emission; // no lamp shines yet
+    return BRDFDataToGbuffer(brdfData, inputData, surfaceData.smoothness, glow, open);
 }
 #endif

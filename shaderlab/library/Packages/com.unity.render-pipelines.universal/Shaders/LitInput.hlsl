@@ -147,27 +147,28 @@ void InitializeStandardLitSurfaceData(float2 uv, out SurfaceData outSurfaceData)
 
     outSurfaceData = (SurfaceData)0;
     outSurfaceData.alpha = Alpha(albedoAlpha.a, _BaseColor, _Cutoff);
-    outSurfaceData.albedo =
-        AlphaModulate(albedoAlpha.rgb * _BaseColor.rgb, outSurfaceData.alpha);
+    float3 albedo = AlphaModulate(_BaseColor.rgb * albedoAlpha.rgb, outSurfaceData.alpha);
+    float3 normal = SampleNormal(uv, TEXTURE2D_ARGS(_BumpMap, sampler_BumpMap), _BumpScale);
+#ifdef _DETAIL
+    float2 detailUv = TRANSFORM_TEX(uv, _DetailAlbedoMap);
+    float where = SAMPLE_TEXTURE2D(_DetailMask, sampler_DetailMask, uv).a;
+    normal = ApplyDetailNormal(detailUv, normal, where);
+    albedo = ApplyDetailAlbedo(detailUv, albedo, where);
+#endif
+    outSurfaceData.normalTS = normal;
+    outSurfaceData.albedo = albedo;
 #ifdef _SPECULAR_SETUP
-    outSurfaceData.metallic = 1.0;
     outSurfaceData.specular = specGloss.rgb;
+    outSurfaceData.metallic = 1.0;
 #else
     outSurfaceData.metallic = specGloss.r;
 #endif
-    outSurfaceData.smoothness = specGloss.a;
-    outSurfaceData.normalTS =
-        SampleNormal(uv, TEXTURE2D_ARGS(_BumpMap, sampler_BumpMap), _BumpScale);
-    outSurfaceData.occlusion = SampleOcclusion(uv);
-    outSurfaceData.emission = SampleEmission(uv, _EmissionColor.rgb,
-                                             TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap));
     outSurfaceData.clearCoatMask = coat.r;
     outSurfaceData.clearCoatSmoothness = coat.g;
-#ifdef _DETAIL
-    float mask = SAMPLE_TEXTURE2D(_DetailMask, sampler_DetailMask, uv).a;
-    float2 detailUv = uv * _DetailAlbedoMap_ST.xy + _DetailAlbedoMap_ST.zw;
-    outSurfaceData.albedo = ApplyDetailAlbedo(detailUv, outSurfaceData.albedo, mask);
-    outSurfaceData.normalTS = ApplyDetailNormal(detailUv, outSurfaceData.normalTS, mask);
-#endif
+    outSurfaceData.occlusion = SampleOcclusion(uv);
+    outSurfaceData.smoothness = specGloss.a;
+    float3 emission = _EmissionColor.rgb;
+    outSurfaceData.emission =
+        SampleEmission(uv, emission, TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap));
 }
 #endif

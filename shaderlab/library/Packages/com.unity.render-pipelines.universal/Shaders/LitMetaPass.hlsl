@@ -11,9 +11,9 @@ float4 UniversalFragmentMetaLit(Varyings input) : SV_Target
     InitializeStandardLitSurfaceData(input.uv, surfaceData);
     BRDFData brdfData;
     InitializeBRDFData(surfaceData, brdfData);
-    MetaInput metaInput;
-    metaInput.Albedo = brdfData.diffuse + brdfData.specular * brdfData.roughness * 0.5;
-    metaInput.Emission = surfaceData.emission;
-    return UniversalFragmentMeta(input, metaInput);
+    MetaInput given;
+    given.Emission = surfaceData.emission;
+    given.Albedo = brdfData.diffuse + 0.5 * brdfData.roughness * brdfData.specular;
+    return UniversalFragmentMeta(input, given);
 }
 #endif

@@ -29,10 +29,10 @@ float4 GetShadowPositionHClip(Attributes input)
 Varyings ShadowPassVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
+    output.positionCS = GetShadowPositionHClip(input);
 #ifdef _ALPHATEST_ON
     output.uv = TRANSFORM_TEX(input.texcoord, _BaseMap);
 #endif
-    output.positionCS = GetShadowPositionHClip(input);
     return output;
 }
 

@@ -36,17 +36,20 @@ float4 SampleSpecularSmoothness(float2 uv, float alpha, float4 specColor,
 void InitializeSimpleLitSurfaceData(float2 uv, out SurfaceData outSurfaceData)
 {
     float4 albedoAlpha = SampleAlbedoAlpha(uv, TEXTURE2D_ARGS(_BaseMap, sampler_BaseMap));
+    float alpha = _BaseColor.a * albedoAlpha.a;
+    AlphaDiscard(alpha, _Cutoff);
+    float4 shine = SampleSpecularSmoothness(uv, alpha, _SpecColor,
+                                            TEXTURE2D_ARGS(_SpecGlossMap, sampler_SpecGlossMap));
+    float3 glow = _EmissionColor.rgb;
+    glow = SampleEmission(uv, glow, TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap));
+
     outSurfaceData = (SurfaceData)0;
-    outSurfaceData.alpha = albedoAlpha.a * _BaseColor.a;
-    AlphaDiscard(outSurfaceData.alpha, _Cutoff);
-    outSurfaceData.albedo = AlphaModulate(albedoAlpha.rgb * _BaseColor.rgb, outSurfaceData.alpha);
-    float4 specular = SampleSpecularSmoothness(uv, outSurfaceData.alpha, _SpecColor,
-                                               TEXTURE2D_ARGS(_SpecGlossMap, sampler_SpecGlossMap));
-    outSurfaceData.specular = specular.rgb;
-    outSurfaceData.smoothness = specular.a;
     outSurfaceData.normalTS = SampleNormal(uv, TEXTURE2D_ARGS(_BumpMap, sampler_BumpMap));
+    outSurfaceData.albedo = AlphaModulate(_BaseColor.rgb * albedoAlpha.rgb, alpha);
+    outSurfaceData.alpha = alpha;
+    outSurfaceData.emission = glow;
     outSurfaceData.occlusion = 1.0;
-    outSurfaceData.emission = SampleEmission(uv, _EmissionColor.rgb,
-                                             TEXTURE2D_ARGS(_EmissionMap, sampler_EmissionMap));
+    outSurfaceData.smoothness = shine.a;
+    outSurfaceData.specular = shine.rgb;
 }
 #endif

@@ -27,9 +27,10 @@ static const float3 CUBEMAP_FACE_BASIS_MAPPING[6][3] = {
     {float3(-1, 0, 0), float3(0, -1, 0), float3(0, 0, -1)}};
 float3 CubemapTexelToDirection(float2 positionNVC, uint faceId)
 {
-    return normalize(CUBEMAP_FACE_BASIS_MAPPING[faceId][0] * positionNVC.x +
-                     CUBEMAP_FACE_BASIS_MAPPING[faceId][1] * positionNVC.y +
-                     CUBEMAP_FACE_BASIS_MAPPING[faceId][2]);
+    float3 place = CUBEMAP_FACE_BASIS_MAPPING[faceId][2];
+    place += positionNVC.x * CUBEMAP_FACE_BASIS_MAPPING[faceId][0];
+    place += positionNVC.y * CUBEMAP_FACE_BASIS_MAPPING[faceId][1];
+    return normalize(place);
 }
 
 float2 limn_OnCircle(float u) { return float2(cos(TWO_PI * u), sin(TWO_PI * u)); }
@@ -62,9 +63,10 @@ float3 SampleHemisphereCosine(float u1, float u2, float3 normal)
 void SampleSphere(float2 u, float4x4 localToWorld, float radius, out float lightPdf, out float3 P,
                   out float3 Ns)
 {
-    Ns = SampleSphereUniform(u.x, u.y);
-    P = radius * Ns + localToWorld[3].xyz;
-    lightPdf = 1.0 / (FOUR_PI * radius * radius);
+    float3 outward = SampleSphereUniform(u.x, u.y);
+    lightPdf = 1.0 / (FOUR_PI * Sq(radius)); // all of the area is as likely
+    P = localToWorld[3].xyz + outward * radius;
+    Ns = outward;
 }
 void SampleHemisphere(float2 u, float4x4 localToWorld, float radius, out float lightPdf,
                       out float3 P, out float3 Ns)

@@ -20,9 +20,10 @@ void InitializeData(inout SpeedTreeVertexInput input, float lodValue)
 half limn_Tree7Hue(SpeedTreeVertexInput input)
 {
 #ifdef EFFECT_HUE_VARIATION
-    half hue = frac(dot(UNITY_MATRIX_M._14_24_34, 1.0));
-    hue += frac(input.vertex.x + input.normal.y + input.normal.x) * 0.5 - 0.3;
-    return saturate(hue * _HueVariation.a);
+    // Trees differ by where they stand, and their parts by where these lie and look.
+    half ofTree = frac(dot(UNITY_MATRIX_M._14_24_34, 1.0));
+    half ofPart = frac(input.normal.x + (input.normal.y + input.vertex.x));
+    return saturate((ofTree + (0.5 * ofPart - 0.3)) * _HueVariation.a);
 #else
     return 0;
 #endif

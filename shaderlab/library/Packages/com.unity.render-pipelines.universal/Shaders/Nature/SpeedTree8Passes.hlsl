@@ -78,11 +78,11 @@ void InitializeData(inout SpeedTreeVertexInput input, float lodValue)
 
 SpeedTreeVertexOutput SpeedTree8Vert(SpeedTreeVertexInput input)
 {
-    SpeedTreeVertexOutput output = (SpeedTreeVertexOutput)0;
     UNITY_SETUP_INSTANCE_ID(input);
     InitializeData(input, unity_LODFade.x);
-    output.uv = input.texcoord.xy;
+    SpeedTreeVertexOutput output = (SpeedTreeVertexOutput)0;
     output.color = input.color;
+    output.uv = input.texcoord.xy;
 #ifdef EFFECT_HUE_VARIATION
     output.color.g = saturate(limn_HueOfTree() * _HueVariationColor.a);
 #endif
@@ -91,21 +91,21 @@ SpeedTreeVertexOutput SpeedTree8Vert(SpeedTreeVertexInput input)
 }
 SpeedTreeVertexDepthOutput SpeedTree8VertDepth(SpeedTreeVertexInput input)
 {
-    SpeedTreeVertexDepthOutput output = (SpeedTreeVertexDepthOutput)0;
     UNITY_SETUP_INSTANCE_ID(input);
     InitializeData(input, unity_LODFade.x);
-    output.uv = input.texcoord.xy;
+    SpeedTreeVertexDepthOutput output = (SpeedTreeVertexDepthOutput)0;
     output.color = input.color;
+    output.uv = input.texcoord.xy;
     limn_TREE_TRANSFER_DEPTH(input, output)
     return output;
 }
 SpeedTreeVertexDepthNormalOutput SpeedTree8VertDepthNormal(SpeedTreeVertexInput input)
 {
-    SpeedTreeVertexDepthNormalOutput output = (SpeedTreeVertexDepthNormalOutput)0;
     UNITY_SETUP_INSTANCE_ID(input);
     InitializeData(input, unity_LODFade.x);
-    output.uv = input.texcoord.xy;
+    SpeedTreeVertexDepthNormalOutput output = (SpeedTreeVertexDepthNormalOutput)0;
     output.color = input.color;
+    output.uv = input.texcoord.xy;
     limn_TREE_TRANSFER_DEPTH_NORMAL(input, output)
     return output;
 }

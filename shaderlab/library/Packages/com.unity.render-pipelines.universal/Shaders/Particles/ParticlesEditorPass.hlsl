@@ -12,14 +12,14 @@ float4 _SelectionID;
 VaryingsParticle vertParticleEditor(AttributesParticle input)
 {
     VaryingsParticle output = (VaryingsParticle)0;
-    output.clipPos = TransformObjectToHClip(input.positionOS.xyz);
-    output.color = GetParticleColor(input.color);
-#ifdef _FLIPBOOKBLENDING_ON
+#ifndef _FLIPBOOKBLENDING_ON
+    GetParticleTexcoords(output.texcoord, input.texcoords.xy);
+#else
     GetParticleTexcoords(output.texcoord, output.texcoord2AndBlend, input.texcoords,
                          input.texcoordBlend);
-#else
-    GetParticleTexcoords(output.texcoord, input.texcoords.xy);
 #endif
+    output.clipPos = TransformObjectToHClip(input.positionOS.xyz);
+    output.color = GetParticleColor(input.color);
     return output;
 }
 void fragParticleSceneClip(VaryingsParticle input)

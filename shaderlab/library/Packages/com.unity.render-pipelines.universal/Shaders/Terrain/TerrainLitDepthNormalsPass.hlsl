@@ -60,8 +60,8 @@ void DepthNormalOnlyFragment(VaryingsDepthNormal IN, out half4 outNormalWS : SV_
     half4 control = limn_TerrainControl(IN.uvMainAndLM.xy);
     half3 normalTS = half3(0, 0, 1);
     NormalMapMix(IN.uvSplat01, IN.uvSplat23, control, normalTS);
-    normalWS = TransformTangentToWorld(
-        normalTS, half3x3(-IN.tangent.xyz, IN.bitangent.xyz, IN.normal.xyz));
+    half3x3 frame = half3x3(-IN.tangent.xyz, IN.bitangent.xyz, normalWS);
+    normalWS = TransformTangentToWorld(normalTS, frame);
 #endif
     outNormalWS = half4(NormalizeNormalPerPixel(normalWS), 0.0);
 }

@@ -47,14 +47,18 @@ struct Varyings
 
 void InitializeInputData(Varyings IN, half3 normalTS, out InputData inputData)
 {
-    inputData = (InputData)0;
-    inputData.positionWS = IN.positionWS;
-    inputData.positionCS = IN.clipPos;
     half3 vertexSH = 0;
+    inputData = (InputData)0;
+    inputData.shadowMask = SAMPLE_SHADOWMASK(IN.uvMainAndLM.zw);
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(IN.clipPos);
+    inputData.positionCS = IN.clipPos;
+    inputData.positionWS = IN.positionWS;
 #ifdef _NORMALMAP
-    inputData.viewDirectionWS = half3(IN.normal.w, IN.tangent.w, IN.bitangent.w);
-    inputData.tangentToWorld = half3x3(-IN.tangent.xyz, IN.bitangent.xyz, IN.normal.xyz);
-    half3 normal = TransformTangentToWorld(normalTS, inputData.tangentToWorld);
+    half4 tangent = IN.tangent, bitangent = IN.bitangent;
+    half3x3 frame = half3x3(-tangent.xyz, bitangent.xyz, IN.normal.xyz);
+    inputData.tangentToWorld = frame;
+    inputData.viewDirectionWS = half3(IN.normal.w, tangent.w, bitangent.w);
+    half3 normal = TransformTangentToWorld(normalTS, frame);
 #else
     inputData.viewDirectionWS = GetWorldSpaceNormalizeViewDir(IN.positionWS);
     half3 normal = IN.normal;
@@ -74,8 +78,6 @@ void InitializeInputData(Varyings IN, half3 normalTS, out InputData inputData)
 #endif
     inputData.fogCoord = InitializeInputDataFog(float4(IN.positionWS, 1.0), fogFactor);
     inputData.bakedGI = SAMPLE_GI(IN.uvMainAndLM.zw, vertexSH, inputData.normalWS);
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(IN.clipPos);
-    inputData.shadowMask = SAMPLE_SHADOWMASK(IN.uvMainAndLM.zw);
 }
 
 Varyings SplatmapVert(Attributes v)
@@ -130,8 +132,8 @@ SurfaceData limn_TerrainSurface(Varyings IN)
     surface.occlusion = 1.0;
     surface.alpha = 1.0;
 #else
-    half4 hasMask = half4(_LayerHasMask0, _LayerHasMask1, _LayerHasMask2, _LayerHasMask3);
     half4 masks[4];
+    half4 hasMask = half4(_LayerHasMask0, _LayerHasMask1, _LayerHasMask2, _LayerHasMask3);
     ComputeMasks(masks, hasMask, IN);
     half4 control = limn_TerrainControl(IN.uvMainAndLM.xy);
     surface.alpha = dot(control, 1.0);
@@ -221,10 +223,10 @@ half4 ShadowPassFragment(VaryingsLean IN) : SV_TARGET
 
 VaryingsLean DepthOnlyVertex(AttributesLean v)
 {
-    VaryingsLean o = (VaryingsLean)0;
     TerrainInstancing(v.position, v.normalOS);
-    o.clipPos = TransformObjectToHClip(v.position.xyz);
+    VaryingsLean o = (VaryingsLean)0;
     o.texcoord = v.texcoord;
+    o.clipPos = TransformObjectToHClip(v.position.xyz);
     return o;
 }
 half4 DepthOnlyFragment(VaryingsLean IN) : SV_TARGET

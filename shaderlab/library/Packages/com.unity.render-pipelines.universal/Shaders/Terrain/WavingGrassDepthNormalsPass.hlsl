@@ -26,9 +26,9 @@ GrassVertexDepthNormalOutput limn_GrassDepthNormal(GrassVertexDepthNormalInput v
 {
     GrassVertexDepthNormalOutput o = (GrassVertexDepthNormalOutput)0;
     o.color = TerrainWaveGrass(v.vertex, waveAmount, v.color);
-    VertexPositionInputs place = GetVertexPositionInputs(v.vertex.xyz);
-    o.uv = v.texcoord;
     o.normal = TransformObjectToWorldNormal(v.normal);
+    o.uv = v.texcoord;
+    VertexPositionInputs place = GetVertexPositionInputs(v.vertex.xyz);
     o.clipPos = place.positionCS;
     o.viewDirWS = GetCameraPositionWS() - place.positionWS;
     return o;
@@ -45,7 +45,7 @@ GrassVertexDepthNormalOutput DepthNormalOnlyBillboardVertex(GrassVertexDepthNorm
 
 half4 DepthNormalOnlyFragment(GrassVertexDepthNormalOutput input) : SV_TARGET
 {
-    Alpha(SampleAlbedoAlpha(input.uv, TEXTURE2D_ARGS(_MainTex, sampler_MainTex)).a, input.color,
-          _Cutoff);
+    float4 texel = SampleAlbedoAlpha(input.uv, TEXTURE2D_ARGS(_MainTex, sampler_MainTex));
+    Alpha(texel.a, input.color, _Cutoff);
     return half4(normalize(cross(ddy(input.viewDirWS), ddx(input.viewDirWS))), 0.0);
 }

@@ -37,22 +37,23 @@ struct GrassVertexOutput
 
 void InitializeInputData(GrassVertexOutput input, out InputData inputData)
 {
+    float3 place = input.posWSShininess.xyz;
+    float4 fogAndLight = input.fogFactorAndVertexLight;
     inputData = (InputData)0;
-    inputData.positionWS = input.posWSShininess.xyz;
+    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.clipPos);
     inputData.positionCS = input.clipPos;
-    inputData.normalWS = NormalizeNormalPerPixel(input.normal);
+    inputData.positionWS = place;
     inputData.viewDirectionWS = SafeNormalize(input.viewDir);
+    inputData.normalWS = NormalizeNormalPerPixel(input.normal);
+    inputData.vertexLighting = fogAndLight.yzw;
+    inputData.fogCoord = InitializeInputDataFog(float4(place, 1.0), fogAndLight.x);
+    inputData.shadowMask = SAMPLE_SHADOWMASK(input.lightmapUV);
+    inputData.bakedGI = SAMPLE_GI(input.lightmapUV, input.vertexSH, inputData.normalWS);
 #if defined(REQUIRES_VERTEX_SHADOW_COORD_INTERPOLATOR)
     inputData.shadowCoord = input.shadowCoord;
 #elif defined(MAIN_LIGHT_CALCULATE_SHADOWS)
-    inputData.shadowCoord = TransformWorldToShadowCoord(inputData.positionWS);
+    inputData.shadowCoord = TransformWorldToShadowCoord(place);
 #endif
-    inputData.fogCoord = InitializeInputDataFog(float4(inputData.positionWS, 1.0),
-                                                input.fogFactorAndVertexLight.x);
-    inputData.vertexLighting = input.fogFactorAndVertexLight.yzw;
-    inputData.bakedGI = SAMPLE_GI(input.lightmapUV, input.vertexSH, inputData.normalWS);
-    inputData.normalizedScreenSpaceUV = GetNormalizedScreenSpaceUV(input.clipPos);
-    inputData.shadowMask = SAMPLE_SHADOWMASK(input.lightmapUV);
 }
 
 void InitializeVertData(GrassVertexInput input, inout GrassVertexOutput vertData)
@@ -156,8 +157,8 @@ GrassVertexDepthOnlyOutput DepthOnlyVertex(GrassVertexDepthOnlyInput v)
 
 half4 DepthOnlyFragment(GrassVertexDepthOnlyOutput input) : SV_TARGET
 {
-    Alpha(SampleAlbedoAlpha(input.uv, TEXTURE2D_ARGS(_MainTex, sampler_MainTex)).a, input.color,
-          _Cutoff);
+    float4 texel = SampleAlbedoAlpha(input.uv, TEXTURE2D_ARGS(_MainTex, sampler_MainTex));
+    Alpha(texel.a, input.color, _Cutoff);
     return input.clipPos.z;
 }
 #endif

@@ -18,10 +18,10 @@ struct Varyings
 
 Varyings FullscreenVert(Attributes input)
 {
+    float4 corner = GetQuadVertexPosition(input.vertexID); // x and y of 0 or 1
     Varyings output = (Varyings)0;
-    output.positionCS = GetQuadVertexPosition(input.vertexID);
-    output.positionCS.xy = output.positionCS.xy * 2.0 - 1.0;
     output.uv = GetQuadTexCoord(input.vertexID);
+    output.positionCS = float4(2.0 * corner.xy - 1.0, corner.zw);
     return output;
 }
 Varyings Vert(Attributes input) { return FullscreenVert(input); }

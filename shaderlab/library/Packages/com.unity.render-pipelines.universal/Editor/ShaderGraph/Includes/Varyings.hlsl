@@ -35,25 +35,25 @@ Varyings BuildVaryings(Attributes input)
 {
     Varyings output = (Varyings)0;
 #if defined(FEATURES_GRAPH_VERTEX)
-    VertexDescription vertexDescription = BuildVertexDescription(input);
-#if defined(CUSTOMINTERPOLATOR_VARYPASSTHROUGH_FUNC)
-    CustomInterpolatorPassThroughFunc(output, vertexDescription);
-#endif
-    input.positionOS = vertexDescription.Position;
-#if defined(ATTRIBUTES_NEED_NORMAL) && defined(VARYINGS_NEED_NORMAL_WS)
-    input.normalOS = vertexDescription.Normal;
-#endif
+    // What the graph gives takes the place of what the mesh has.
+    VertexDescription given = BuildVertexDescription(input);
 #if defined(ATTRIBUTES_NEED_TANGENT) && defined(VARYINGS_NEED_TANGENT_WS)
-    input.tangentOS.xyz = vertexDescription.Tangent;
+    input.tangentOS.xyz = given.Tangent;
 #endif
+#if defined(ATTRIBUTES_NEED_NORMAL) && defined(VARYINGS_NEED_NORMAL_WS)
+    input.normalOS = given.Normal;
+#endif
+    input.positionOS = given.Position;
+#if defined(CUSTOMINTERPOLATOR_VARYPASSTHROUGH_FUNC)
+    CustomInterpolatorPassThroughFunc(output, given);
+#endif
+#endif
+    float3 normalWS = 0.0;
+#if defined(ATTRIBUTES_NEED_NORMAL)
+    normalWS = TransformObjectToWorldNormal(input.normalOS);
 #endif
     float3 positionWS = TransformObjectToWorld(input.positionOS);
     output.positionCS = TransformWorldToHClip(positionWS);
-#if defined(ATTRIBUTES_NEED_NORMAL)
-    float3 normalWS = TransformObjectToWorldNormal(input.normalOS);
-#else
-    float3 normalWS = float3(0.0, 0.0, 0.0);
-#endif
 #if SHADERPASS == SHADERPASS_SHADOWCASTER
     output.positionCS = limn_ShadowPosition(positionWS, normalWS);
 #elif SHADERPASS == SHADERPASS_META
@@ -68,26 +68,26 @@ Varyings BuildVaryings(Attributes input)
 #ifdef VARYINGS_NEED_TANGENT_WS
     output.tangentWS = float4(TransformObjectToWorldDir(input.tangentOS.xyz), input.tangentOS.w);
 #endif
-#ifdef VARYINGS_NEED_VIEWDIRECTION_WS
-    output.viewDirectionWS = GetWorldSpaceViewDir(positionWS);
-#endif
-#ifdef VARYINGS_NEED_TEXCOORD0
-    output.texCoord0 = input.uv0;
-#endif
-#ifdef VARYINGS_NEED_TEXCOORD1
-    output.texCoord1 = input.uv1;
-#endif
-#ifdef VARYINGS_NEED_TEXCOORD2
-    output.texCoord2 = input.uv2;
-#endif
-#ifdef VARYINGS_NEED_TEXCOORD3
-    output.texCoord3 = input.uv3;
+#ifdef VARYINGS_NEED_SCREENPOSITION
+    output.screenPosition = ComputeScreenPos(output.positionCS);
 #endif
 #ifdef VARYINGS_NEED_COLOR
     output.color = input.color;
 #endif
-#ifdef VARYINGS_NEED_SCREENPOSITION
-    output.screenPosition = ComputeScreenPos(output.positionCS);
+#ifdef VARYINGS_NEED_TEXCOORD3
+    output.texCoord3 = input.uv3;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD2
+    output.texCoord2 = input.uv2;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD1
+    output.texCoord1 = input.uv1;
+#endif
+#ifdef VARYINGS_NEED_TEXCOORD0
+    output.texCoord0 = input.uv0;
+#endif
+#ifdef VARYINGS_NEED_VIEWDIRECTION_WS
+    output.viewDirectionWS = GetWorldSpaceViewDir(positionWS);
 #endif
 #if (SHADERPASS == SHADERPASS_FORWARD || SHADERPASS == SHADERPASS_GBUFFER) && !defined(LIGHTMAP_ON)
     OUTPUT_SH(normalWS, output.sh);

@@ -19,10 +19,10 @@ struct Varyings
 
 Varyings MaskRenderingVertex(Attributes input)
 {
-    Varyings output;
-    output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
-    output.uv = input.texcoord;
-    return output;
+    Varyings corner;
+    corner.uv = input.texcoord;
+    corner.positionCS = TransformObjectToHClip(input.positionOS.xyz);
+    return corner;
 }
 half4 MaskRenderingFragment(Varyings input) : SV_Target
 {

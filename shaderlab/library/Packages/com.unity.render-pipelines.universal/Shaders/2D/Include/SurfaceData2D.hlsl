@@ -13,10 +13,10 @@ struct SurfaceData2D
 void InitializeSurfaceData(half3 albedo, half alpha, half4 mask, half3 normalTS,
                            out SurfaceData2D surfaceData)
 {
-    surfaceData.albedo = albedo;
-    surfaceData.alpha = alpha;
-    surfaceData.mask = mask;
     surfaceData.normalTS = normalTS;
+    surfaceData.mask = mask;
+    surfaceData.alpha = alpha;
+    surfaceData.albedo = albedo;
 }
 void InitializeSurfaceData(half3 albedo, half alpha, half4 mask, out SurfaceData2D surfaceData)
 {

@@ -9,10 +9,11 @@ half4 frag(PackedVaryings packedInput) : SV_TARGET
     Varyings unpacked = UnpackVaryings(packedInput);
     SurfaceDescription surface = BuildSurfaceDescription(unpacked);
     half4 color = limn_GraphSpriteColor(unpacked, surface);
+    float4 onScreen = unpacked.screenPosition;
+    half2 lightingUV = onScreen.xy / onScreen.w;
+    InputData2D inputData;
+    InitializeInputData(unpacked.texCoord0.xy, lightingUV, inputData);
     SurfaceData2D surfaceData;
     InitializeSurfaceData(color.rgb, color.a, surface.SpriteMask, surfaceData);
-    InputData2D inputData;
-    InitializeInputData(unpacked.texCoord0.xy,
-                        half2(unpacked.screenPosition.xy / unpacked.screenPosition.w), inputData);
     return CombinedShapeLightShared(surfaceData, inputData);
 }
