@@ -44,6 +44,10 @@ static uint unity_InstanceID;
 #define UNITY_TRANSFER_VERTEX_OUTPUT_STEREO(input, output)
 #define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
 #define UNITY_VERTEX_OUTPUT_STEREO_EYE_INDEX
+#define UNITY_INITIALIZE_OUTPUT_STEREO_EYE_INDEX(output)
+#define DEFAULT_UNITY_VERTEX_OUTPUT_STEREO_EYE_INDEX
+#define DEFAULT_UNITY_INITIALIZE_OUTPUT_STEREO_EYE_INDEX(output)
+#define DEFAULT_UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
 // A uniform that nobody sets, rather than a macro: authors declare it as well.
 cbuffer UnityStereoEyeIndex
 {

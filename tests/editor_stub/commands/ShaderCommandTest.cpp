@@ -365,7 +365,7 @@ TEST_F(ShaderCommand, TakesPackagesByTheNamesTheyHaveThemselves)
         {"shader", "--package", "com.me.one=" + one, "com.me.two=" + two, file},
         {"shader", "--package", one, "com.me.two=" + two, file},
         {"shader", "--package", (folder / "given").string(), file}};
-    for (const auto& way : ways)
+    for (const std::vector<std::string>& way : ways)
     {
         const CommandRun run = RunCommand(way);
         EXPECT_EQ(0, run.exitCode) << run.err << testing::PrintToString(way);

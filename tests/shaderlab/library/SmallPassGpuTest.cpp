@@ -67,7 +67,8 @@ Values Placed(const dvec4& a, const dvec4&, const dvec4&)
 TEST_F(SmallPasses, DepthAndShadowsArePlacedAndTiled)
 {
     const auto inputs = CombineVectors(k_Places);
-    FunctionGrid depth(Include("Shaders/LitInput") + Include("Shaders/DepthOnlyPass") + R"(
+    FunctionGrid depth("#define _ALPHATEST_ON\n" + Include("Shaders/LitInput") +
+                       Include("Shaders/DepthOnlyPass") + R"(
         Varyings At(float3 place)
         {
             Attributes v = (Attributes)0;
@@ -75,7 +76,8 @@ TEST_F(SmallPasses, DepthAndShadowsArePlacedAndTiled)
             v.texcoord = place.xy;
             return DepthOnlyVertex(v);
         })");
-    FunctionGrid shadow(Include("Shaders/LitInput") + Include("Shaders/ShadowCasterPass") + R"(
+    FunctionGrid shadow("#define _ALPHATEST_ON\n" + Include("Shaders/LitInput") +
+                        Include("Shaders/ShadowCasterPass") + R"(
         Varyings At(float3 place)
         {
             Attributes v = (Attributes)0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <vulkan/GpuTestDevice.h>
 
 // Values of the functions that shaders of public projects asked the ShaderLibrary for in vain.
@@ -31,6 +32,25 @@ TEST_F(UnseenLibraryValues, ColorsMoveTowardsTheirMean)
                      return glm::dvec3(mean) + saturation * (glm::dvec3(a) - mean);
                  });
     }
+    grid.Run();
+}
+
+TEST_F(UnseenLibraryValues, ConesSeeColorsAsTheAppearanceModelSays)
+{
+    // CIECAM02's matrix behind that of sRGB's primaries, row by row.
+    const glm::dmat3 cat02 = glm::transpose(
+        glm::dmat3(0.7328, 0.4296, -0.1624, -0.7036, 1.6975, 0.0061, 0.0030, 0.0136, 0.9834));
+    const glm::dmat3 toXyz = glm::transpose(
+        glm::dmat3(0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505));
+    const glm::dmat3 toLms = cat02 * toXyz;
+    FunctionGrid grid(CoreInclude("Color"));
+    const std::vector<GridInput> colors =
+        CombineVectors({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {0.2, 0.5, 0.8}});
+    grid.Add("LinearToLMS(a.xyz)", colors,
+             [toLms](const glm::dvec4& a, auto&, auto&) { return toLms * glm::dvec3(a); },
+             {0.0, 2e-4});
+    grid.Add("LMSToLinear(LinearToLMS(a.xyz))", colors,
+             [](const glm::dvec4& a, auto&, auto&) { return glm::dvec3(a); }, {0.0, 1e-4});
     grid.Run();
 }
 

@@ -180,6 +180,30 @@ TEST(UnseenLibrary, LeavesTheKeywordsOf2DLightsOffByThemselves)
     }
 }
 
+TEST(UnseenLibrary, KnowsTheOtherNamesOfOneEye)
+{
+    const std::string text = R"(
+        struct V
+        {
+            float4 p : SV_POSITION;
+            UNITY_VERTEX_OUTPUT_STEREO_EYE_INDEX
+            DEFAULT_UNITY_VERTEX_OUTPUT_STEREO_EYE_INDEX
+        };
+        V vert(float4 p : POSITION)
+        {
+            V o; o.p = p;
+            UNITY_INITIALIZE_OUTPUT_STEREO_EYE_INDEX(o)
+            DEFAULT_UNITY_INITIALIZE_OUTPUT_STEREO_EYE_INDEX(o)
+            return o;
+        }
+        float4 frag(V i) : SV_Target { DEFAULT_UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i) return 1; })";
+    EXPECT_NO_THROW(CompileUrp(k_Core + text));
+    EXPECT_NO_THROW(CompileCg("#include \"UnityCG.cginc\"\n" + text));
+    EXPECT_NO_THROW(
+        CompileUrp(Pass(k_Core + std::string("SCREENSPACE_TEXTURE(_Map); SAMPLER(sampler_Map);\n"),
+                        "SAMPLE_TEXTURE2D_X(_Map, sampler_Map, p.xy)")));
+}
+
 TEST(UnseenLibrary, TakesTheBuiltinSupportBeforeOrBehindUrp)
 {
     const std::string support = "#include \"HLSLSupport.cginc\"\n";

@@ -40,6 +40,18 @@ float Luminance(float4 linearRgba) { return Luminance(linearRgba.rgb); }
 float AcesLuminance(float3 linearRgb) { return dot(linearRgb, AP1_RGB2Y); }
 float AcesLuminance(float4 linearRgba) { return AcesLuminance(linearRgba.rgb); }
 
+// What the three kinds of cones see of a linear colour, by CAT02; and back.
+float3 LinearToLMS(float3 x)
+{
+    return mul(float3x3(0.390405, 0.549941, 0.00892632, 0.0708416, 0.963172, 0.00135775, 0.0231082,
+                        0.128021, 0.936245), x);
+}
+float3 LMSToLinear(float3 x)
+{
+    return mul(float3x3(2.85847, -1.62879, -0.024891, -0.210182, 1.1582, 0.000324281, -0.041812,
+                        -0.118169, 1.06867), x);
+}
+
 // Moves a colour towards the grey that is the mean of its channels: 1 leaves it as it is.
 float3 Desaturate(float3 value, float saturation)
 {

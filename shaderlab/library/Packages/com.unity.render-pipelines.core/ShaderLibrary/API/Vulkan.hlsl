@@ -131,5 +131,6 @@
 #define GATHER_ALPHA_TEXTURE2D_X(name, smp, uv) GATHER_ALPHA_TEXTURE2D(name, smp, uv)
 #define COORD_TEXTURE2D_X(texel) texel
 #define INDEX_TEXTURE2D_ARRAY_X(slot) slot
+#define SCREENSPACE_TEXTURE(name) TEXTURE2D_X(name) // of older versions
 #define UnityStereoTransformScreenSpaceTex(uv) uv
 #define SLICE_ARRAY_INDEX 0
