@@ -198,6 +198,50 @@ TEST_F(HlslDialectValues, TruthsAreJoinedInPlace)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, SignsAreIntegers)
+{
+    FunctionGrid grid(R"(
+        float Chosen(float3 v) { switch (sign(v).z) { case -1: return 10; case 0: return 20; default: return 30; } }
+        float Joined(float4 v) { int2 n = ~sign(v.xy); n ^= sign(v.zw); return n.x * 10 + n.y; }
+        float Named(float3 v) { static const float k_Names[3] = {5, 6, 7}; return k_Names[sign(v.x) + 1]; }
+        float Least(float x) { uint n = 3; return -min(n, sign(x)); })");
+    const auto sign = [](double x)
+    {
+        return (x > 0) - (x < 0);
+    };
+    grid.Add("sign(a.xy) / 2 + sign(b.xy) * 0.5", k_Inputs,
+             [=](const glm::dvec4&, const glm::dvec4& b, auto&)
+             { return glm::dvec2(sign(b.x) * 0.5, sign(b.y) * 0.5); });
+    grid.Add("Chosen(a.xyz - 2.5)", k_Inputs,
+             OfA([=](const glm::dvec4& a) { return 20.0 + 10.0 * sign(a.z - 2.5); }));
+    grid.Add("Joined(a)", k_Inputs,
+             OfA([=](const glm::dvec4& a)
+                 { return (~sign(a.x) ^ sign(a.z)) * 10.0 + (~sign(a.y) ^ sign(a.w)); }));
+    grid.Add("Named(a.yzw)", k_Inputs, OfA([=](const glm::dvec4& a) { return 6.0 + sign(a.y); }));
+    grid.Add("Least(a.x)", k_Inputs, OfA([](auto&) { return 4294967295.0; }));
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, ElementsOfMatricesAreChangedInPlace)
+{
+    FunctionGrid grid(R"(
+        float4 Changed(float4 v)
+        {
+            float3x3 m[2] = {(float3x3)1, (float3x3)2};
+            m[1]._m00_m12 += v.xy;
+            m[1]._13_23 *= v.zw + v.yy * 2;
+            m[0]._m11_m22_m00 -= 3 + v.x;
+            return float4(m[1]._m00, m[1]._m12, m[1]._m02, m[0]._m22);
+        })");
+    grid.Add("Changed(a)", k_Inputs,
+             OfA(
+                 [](const glm::dvec4& a) {
+                     return glm::dvec4(2 + a.x, (2 + a.y) * (a.w + 2 * a.y), 2 * (a.z + 2 * a.y),
+                                       -2 - a.x);
+                 }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, ExponentsMayBeAnyNumber)
 {
     FunctionGrid grid("");

@@ -3,6 +3,42 @@
 namespace limn
 {
 
+namespace
+{
+
+/// Whether it matters where an expression stands that its whole numbers are integers: floats of the
+/// same values are divided, joined bit by bit or counted otherwise, or not taken.
+bool MattersAsInteger(const HlslNode& node)
+{
+    const HlslNode* const parent = node.parent;
+    const auto isInteger = [](const HlslNode& other)
+    {
+        return other.type.isNumber() && !other.type.isFloating();
+    };
+    switch (parent ? parent->kind : HlslNodeKind::Unknown)
+    {
+    case HlslNodeKind::Paren:
+    case HlslNodeKind::Member:
+        return MattersAsInteger(*parent);
+    case HlslNodeKind::Prefix:
+    case HlslNodeKind::Switch:
+        return true;
+    case HlslNodeKind::Index:
+        return parent->child != &node || MattersAsInteger(*parent);
+    case HlslNodeKind::Binary:
+    case HlslNodeKind::Ternary:
+        return isInteger(*parent);
+    case HlslNodeKind::Assign:
+        return parent->child->next == &node && isInteger(*parent->child);
+    case HlslNodeKind::Call:
+        return !parent->function && isInteger(*parent);
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
 void HlslLowering::LowerCall(HlslNode& node)
 {
     const std::string_view name = Text(node.token);
@@ -34,6 +70,7 @@ void HlslLowering::LowerCall(HlslNode& node)
         LowerParts(node);
         LowerExponent(node);
         LowerInteger(node);
+        LowerSign(node);
         LowerLit(node);
         LowerMatrixFunction(node);
         LowerFolding(node);
@@ -143,6 +180,16 @@ void HlslLowering::LowerInteger(HlslNode& node)
     else if (name == "abs" && node.type.scalar == HlslScalar::Uint)
     {
         m_Code.Spelling(node.token) = "(" + type + ")";
+    }
+}
+
+/// `sign` gives integers; to glslang those of floats are floats.
+void HlslLowering::LowerSign(const HlslNode& node)
+{
+    const bool isOfFloats = node.child && node.child->type.isFloating();
+    if (Text(node.token) == "sign" && isOfFloats && !node.type.isMatrix() && MattersAsInteger(node))
+    {
+        Wrap(node, "((" + node.type.Spelling() + ")", ")");
     }
 }
 

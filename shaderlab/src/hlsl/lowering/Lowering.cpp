@@ -75,6 +75,7 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Binary:
     case HlslNodeKind::Assign:
         LowerTruthAssignment(node);
+        LowerSwizzleAssignment(node);
         if (Text(node.token) == "=")
         {
             LowerConstantCast(node);

@@ -52,6 +52,8 @@ private:
     void LowerCast(HlslNode& node);
     void LowerConstruct(HlslNode& node);
     void LowerSwizzle(HlslNode& node);
+    void LowerSwizzleAssignment(const HlslNode& node);
+    std::string SwizzleFunction(const HlslNode& node);
     void LowerMatrixOperator(HlslNode& node);
     void LowerMatrixFunction(HlslNode& node);
     std::string MultiplyFunction(const HlslType& type);
@@ -64,6 +66,7 @@ private:
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);
     void LowerInteger(HlslNode& node);
+    void LowerSign(const HlslNode& node);
     void LowerLit(HlslNode& node);
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
     // Constants.cpp

@@ -146,16 +146,40 @@ void HlslLowering::LowerSwizzle(HlslNode& node)
     const std::size_t dot = node.token - 1;
     if (!m_IsInitial)
     {
-        const std::string function = "limn" + std::string(letters);
-        Need(type + " " + function + "(" + matrix.Spelling() + " v) { return " + type + "(" +
-             ElementsOf("v", letters) + "); } ");
         m_Code.Erase(dot, node.end);
-        Wrap(*node.child, " " + function + "(", ")");
+        Wrap(*node.child, " " + SwizzleFunction(node) + "(", ")");
         return;
     }
     const std::string operand(m_Code.Span(node.first, dot));
     m_Code.Erase(node.first, node.end);
     m_Code.Spelling(node.first) = type + "(" + ElementsOf(operand, letters) + ")";
+}
+
+/// Gives elements of a matrix.
+std::string HlslLowering::SwizzleFunction(const HlslNode& node)
+{
+    const std::string_view letters = Text(node.token);
+    const std::string type = node.type.Spelling();
+    const std::string function = "limn" + std::string(letters);
+    Need(type + " " + function + "(" + node.child->type.Spelling() + " v) { return " + type + "(" +
+         ElementsOf("v", letters) + "); } ");
+    return function;
+}
+
+/// Several elements of a matrix can be assigned to, not changed: `m._m00_m11 += v`.
+void HlslLowering::LowerSwizzleAssignment(const HlslNode& node)
+{
+    const HlslNode& target = *node.child;
+    const std::string_view mark = Text(node.token);
+    if (node.kind != HlslNodeKind::Assign || mark == "=" || target.kind != HlslNodeKind::Member ||
+        !target.child->type.isMatrix() || !target.type.isVector())
+    {
+        return;
+    }
+    const std::string matrix = m_Code.Spelled(target.child->first, target.child->end);
+    m_Code.Spelling(node.token) = "= " + SwizzleFunction(target) + "(" + matrix + ") " +
+                                  std::string(mark.substr(0, mark.size() - 1)) + " ";
+    Wrap(*node.last, "(", ")");
 }
 
 /// Of matrices of two sizes both count as far as the smaller goes, and `*` is of their elements: to
