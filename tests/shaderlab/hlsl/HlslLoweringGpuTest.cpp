@@ -204,7 +204,10 @@ TEST_F(HlslDialectValues, SignsAreIntegers)
         float Chosen(float3 v) { switch (sign(v).z) { case -1: return 10; case 0: return 20; default: return 30; } }
         float Joined(float4 v) { int2 n = ~sign(v.xy); n ^= sign(v.zw); return n.x * 10 + n.y; }
         float Named(float3 v) { static const float k_Names[3] = {5, 6, 7}; return k_Names[sign(v.x) + 1]; }
-        float Least(float x) { uint n = 3; return -min(n, sign(x)); })");
+        float Least(float x) { uint n = 3; return -min(n, sign(x)); }
+        uint Returned(float x) { return sign(x); }
+        float Given(uint n) { return n; }
+        float4 Large(float x) { uint n = sign(x); return float4(n, (uint)sign(x), Returned(x), Given(sign(x))); })");
     const auto sign = [](double x)
     {
         return (x > 0) - (x < 0);
@@ -218,6 +221,7 @@ TEST_F(HlslDialectValues, SignsAreIntegers)
              OfA([=](const glm::dvec4& a)
                  { return (~sign(a.x) ^ sign(a.z)) * 10.0 + (~sign(a.y) ^ sign(a.w)); }));
     grid.Add("Named(a.yzw)", k_Inputs, OfA([=](const glm::dvec4& a) { return 6.0 + sign(a.y); }));
+    grid.Add("Large(-1 - abs(a.x))", k_Inputs, OfA([](auto&) { return glm::dvec4(4294967295.0); }));
     grid.Add("Least(a.x)", k_Inputs, OfA([](auto&) { return 4294967295.0; }));
     grid.Run();
 }

@@ -28,10 +28,17 @@ bool MattersAsInteger(const HlslNode& node)
     case HlslNodeKind::Binary:
     case HlslNodeKind::Ternary:
         return isInteger(*parent);
-    case HlslNodeKind::Assign:
-        return parent->child->next == &node && isInteger(*parent->child);
+    case HlslNodeKind::Assign: // the integer may be one without a sign
+        return isInteger(*parent->child);
+    case HlslNodeKind::Declarator:
+    case HlslNodeKind::Cast:
+    case HlslNodeKind::Construct:
+        return isInteger(*parent);
     case HlslNodeKind::Call:
-        return !parent->function && isInteger(*parent);
+        return parent->function || isInteger(*parent);
+    case HlslNodeKind::Method:
+    case HlslNodeKind::Return:
+        return true;
     default:
         return false;
     }
