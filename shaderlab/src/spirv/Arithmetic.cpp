@@ -10,6 +10,7 @@
 #include <map>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -89,6 +90,12 @@ private:
             m_Bools[1] = i.result;
             break;
         case spv::OpTypeInt:
+            m_Width[i.result] = w[2];
+            if (w[3] == 0)
+            {
+                m_Unsigned.insert(i.result);
+            }
+            break;
         case spv::OpTypeFloat:
             m_Width[i.result] = w[2];
             break;
@@ -170,6 +177,13 @@ private:
         case spv::OpShiftRightArithmetic:
             MaskCount(i.words[4]);
             break;
+        case spv::OpSNegate:
+            if (m_Unsigned.contains(ComponentType(i.type)))
+            {
+                PutNegation(i);
+                return;
+            }
+            break;
         case spv::OpUDiv:
         case spv::OpUMod:
             if (!IsConstantOf(i.words[4], [](std::uint32_t n) { return n != 0; }))
@@ -224,6 +238,13 @@ private:
             const Id type = m_TypeOf.at(count);
             count = Put(spv::OpBitwiseAnd, type, {count, Constant(type, k_CountMask)});
         }
+    }
+
+    /// Of uints, as ~x + 1: spirv-opt takes -(x / c) for x / -c.
+    void PutNegation(const SpirvInstruction& i)
+    {
+        const Id inverted = Put(spv::OpNot, i.type, {i.words[3]});
+        PutAs(i.result, spv::OpIAdd, i.type, {inverted, Constant(i.type, 1)});
     }
 
     /// Of uints. To SPIR-V what is divided by 0 is undefined.
@@ -390,6 +411,7 @@ private:
     Id m_Bound;
     Id m_Functions = 0; ///< the set of GLSL.std.450
     std::unordered_map<Id, Id> m_TypeOf;
+    std::unordered_set<Id> m_Unsigned;                              ///< integer types
     std::unordered_map<Id, std::uint32_t> m_Width;                  ///< bits, of scalar types
     std::unordered_map<Id, std::pair<Id, std::uint32_t>> m_Vectors; ///< type → component, count
     std::unordered_map<Id, SpirvWords> m_Constants;                 ///< each component's first word

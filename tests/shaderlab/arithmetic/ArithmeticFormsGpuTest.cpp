@@ -130,6 +130,18 @@ TEST_F(ArithmeticFormsGpu, RoundHalfToEven)
                                {"round(3)", 3.0f}}));
 }
 
+// spirv-opt makes x / -c of -(x / c), of numbers without a sign as well.
+TEST_F(ArithmeticFormsGpu, NegateNumbersWithoutASign)
+{
+    EXPECT_EQ("", Differences("", {{"-((uint)_In[4] / 2u) == 4294967295u", 1.0f},
+                                   {"(-(uint)_In[4]) / 2u == 2147483646u", 1.0f},
+                                   {"-((uint2)_In[4] / 3u).y == 4294967295u", 1.0f},
+                                   {"(-(uint3)_In[4] % 7u).z == 1u", 1.0f},
+                                   {"-((uint)_In[4] * 2u) == 4294967290u", 1.0f},
+                                   {"(int)-((min16uint)_In[4] / (min16uint)2) == -1", 1.0f},
+                                   {"-((int)_In[3] / 2) == 3", 1.0f}}));
+}
+
 // Direct3D: what is out of range becomes the nearest integer, NaN becomes 0.
 TEST_F(ArithmeticFormsGpu, ClampConstantsThatIntegersCannotHold)
 {
