@@ -131,7 +131,8 @@ void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
         const RenderTexture& texture = *lifetime.texture;
         const bool isOutput =
             std::find(outputs.begin(), outputs.end(), lifetime.texture) != outputs.end();
-        // What a frame before has left in it is still read, though nobody need keep it any longer.
+        // A pass may still read what an earlier frame has left in the texture, though nobody need
+        // keep it any longer.
         const auto state = frame.states.textures.find(texture.id());
         const bool isFilled = state != frame.states.textures.end() && state->second.isFilled;
         if (footprint && !isOutput && !isFilled && !HasSamples(texture) &&

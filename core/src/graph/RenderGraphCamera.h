@@ -33,8 +33,8 @@ private:
                        const Targets& targets);
     /// @param handle  what a feature calls it
     TextureHandle Import(const RTHandle& texture, std::string_view handle);
-    /// What GetTextureDesc says of a texture of the camera's, which the pipeline has cleared
-    /// itself; what a feature makes like it begins cleared as in Unity.
+    /// Sets what GetTextureDesc says of a texture of the camera's, which the pipeline has cleared
+    /// itself: a texture that a feature makes like it begins cleared, as in Unity.
     /// @param color  linear
     void SayCleared(const RTHandle& texture, bool isCleared, const Color& color);
 

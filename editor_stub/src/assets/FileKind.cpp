@@ -27,7 +27,8 @@ constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
                                       {".mat", FileKind::UnityMaterial, "material of Unity's"},
                                       {".gltf", FileKind::Mesh, "mesh"},
                                       {".glb", FileKind::Mesh, "mesh"},
-                                      {".png", FileKind::Picture, "picture"}};
+                                      {".png", FileKind::Picture, "picture"},
+                                      {".cs", FileKind::CSharp, "C# file"}};
 
 bool isYaml(const std::filesystem::path& file)
 {
@@ -90,6 +91,8 @@ std::string UseOf(FileKind kind, const std::string& file)
         return "a mesh; a scene's objects name it: 'mesh: " + file + "'";
     case FileKind::Picture:
         return "a picture; a scene's or material's texture properties name it";
+    case FileKind::CSharp:
+        return "a C# file; 'limn port " + file + " -o FOLDER' makes C++ of it";
     case FileKind::Unknown:
         break;
     }

@@ -19,7 +19,8 @@ enum class FileKind
     UnityScene, ///< or prefab
     UnityMaterial,
     Mesh,
-    Picture
+    Picture,
+    CSharp
 };
 
 /// Told by the name; if that says nothing, by the content: a shader's first words, or the keys that

@@ -61,7 +61,7 @@ int WrongUsage(const std::string& problem, const CLI::App& app, Console& console
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
-/// Whether the text is a file or a folder that is there.
+/// Says whether the text names a file or a folder that is there.
 bool isThere(const std::string& text)
 {
     std::error_code ignored;

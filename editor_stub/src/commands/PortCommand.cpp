@@ -1,8 +1,9 @@
 #include "commands/PortCommand.h"
 
+#include "assets/FileKind.h"
 #include "commands/FeatureFolder.h"
 #include "port/PortFolder.h"
-#include "port/ReadCSharp.h"
+#include "port/csharp/ReadCSharp.h"
 
 #include <algorithm>
 #include <array>
@@ -75,6 +76,7 @@ int RunPort(const PortOptions& options, Console& console)
     std::vector<std::pair<std::string, std::string>> texts;
     for (const std::string& path : options.files)
     {
+        RequireKind(path, {FileKind::CSharp}, "port");
         texts.emplace_back(path, ReadFile(path));
     }
     const ReadCSharpFiles read = ReadCSharp(texts);

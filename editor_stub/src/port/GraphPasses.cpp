@@ -1,5 +1,5 @@
 #include "port/GraphPasses.h"
-#include "port/CSharpWords.h"
+#include "port/csharp/CSharpWords.h"
 
 namespace limn
 {

@@ -1,8 +1,8 @@
 #include "port/PortExpression.h"
 
-#include "port/CSharpWords.h"
 #include "port/PlainText.h"
 #include "port/PropertyIds.h"
+#include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
 #include <array>

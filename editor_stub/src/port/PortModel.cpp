@@ -1,6 +1,6 @@
 #include "port/PortModel.h"
 
-#include "port/CSharpWords.h"
+#include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
 #include <filesystem>

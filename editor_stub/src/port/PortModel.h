@@ -51,7 +51,7 @@ public:
 
     /// What C++ calls a type of C#; nothing where that is not known.
     std::optional<std::string> CppType(const std::string& type) const;
-    /// What a pointer to a shared object of this type points to: const Bloom.
+    /// Gives the type that a pointer to a shared object of this type points to: const Bloom.
     std::optional<std::string> CppPointed(const std::string& type) const;
     /// The value that a variable of C++'s type begins with where C# does not say one: "{}".
     static std::string CppDefault(const std::string& cppType);
@@ -63,8 +63,8 @@ public:
     /// Whether Unity stores the field.
     bool isSerialized(const CSharpField& field) const;
 
-    /// Whether a pass or its data keep an object of somebody else's in the field, or anything a
-    /// component of the volume stack: in C++ a pointer.
+    /// Says whether the field becomes a pointer in C++: a pass or its data keep an object of
+    /// somebody else's in it, or anybody keeps a component of the volume stack.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
     /// Classes of the files may be used as types from here on.

@@ -1,6 +1,6 @@
-#include "port/CSharpWords.h"
 #include "port/GraphPasses.h"
 #include "port/PortedCode.h"
+#include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
 
@@ -92,7 +92,8 @@ private:
         return name ? std::optional(name->cpp) : std::nullopt;
     }
 
-    /// What `string name = ...;` of the method says, where nothing else is assigned to the name.
+    /// Gives what `string name = ...;` in the method says, where no other statement assigns to the
+    /// name.
     CSharpWords Local(std::string_view name) const
     {
         const CSharpWords body = m_Method.body;

@@ -1,8 +1,8 @@
-#include "port/CSharpWords.h"
 #include "port/EnumValues.h"
 #include "port/PlainText.h"
 #include "port/PortedCode.h"
 #include "port/PropertyIds.h"
+#include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
 

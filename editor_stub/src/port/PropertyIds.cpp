@@ -1,6 +1,6 @@
 #include "port/PropertyIds.h"
 
-#include "port/CSharpWords.h"
+#include "port/csharp/CSharpWords.h"
 
 namespace limn
 {

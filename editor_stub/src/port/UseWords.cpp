@@ -1,5 +1,5 @@
-#include "port/CSharpWords.h"
 #include "port/UseScanner.h"
+#include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
 

@@ -18,8 +18,9 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
                                               const std::filesystem::path& folder,
                                               const std::string& stem);
 
-/// What the files of shaders begin with: their names, without what file names cannot have. Of
-/// several that come to the same, the second has "-2" behind it, and so on.
+/// Gives the names that shaders' files begin with: a shader's own name, without the characters that
+/// a file name cannot have. Where several come to the same, the second has "-2" behind it, and so
+/// on.
 class EmittedStems
 {
 public:

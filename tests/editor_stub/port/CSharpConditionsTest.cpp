@@ -1,4 +1,4 @@
-#include "port/CSharpTokens.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "port/PlainText.h"
 
-#include "port/CSharpTokens.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <gtest/gtest.h>
 

@@ -213,6 +213,22 @@ TEST(PortCommand, SaysWhatIsWrongWithAFile)
               ProblemOf(std::string("a\nb\0c", 5)));
 }
 
+TEST(PortCommand, SaysWhatAFileOfAnotherKindIs)
+{
+    const WorkingFolder working;
+    working.folder.Write("README.md", "It isn't C#.");
+    working.folder.Write("Glow.shader", "Shader \"Glow\" { }");
+    const CommandRun text = RunCommand({"port", "README.md", "-o", "out"});
+    EXPECT_EQ(1, text.exitCode);
+    EXPECT_EQ("README.md: error: 'port' cannot take it: this is no C# file; a *.cs file is "
+              "expected\n",
+              text.err);
+    const CommandRun shader = RunCommand({"port", "Glow.shader", "-o", "out"});
+    EXPECT_EQ(1, shader.exitCode);
+    EXPECT_THAT(shader.err, HasSubstr("this is a shader; 'limn shader Glow.shader'"));
+    EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
 TEST(PortCommand, LeavesAFolderWithFilesAlone)
 {
     const WorkingFolder working;

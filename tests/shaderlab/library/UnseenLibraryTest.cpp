@@ -111,6 +111,15 @@ TEST(UnseenLibrary, KeepsTheNamesThatEarlierVersionsPassesHad)
         })";
     EXPECT_NO_THROW(CompileUrp(lit));
     EXPECT_NO_THROW(CompileUrp(lit, {"_ADDITIONAL_LIGHTS_VERTEX", "FOG_LINEAR"}));
+    const std::string meta = Include("universal/ShaderLibrary/MetaInput") + R"(
+        float4 vert(float4 positionOS : POSITION) : SV_POSITION { return positionOS; }
+        float4 frag() : SV_Target
+        {
+            MetaInput meta = (MetaInput)0;
+            meta.SpecularColor = float3(0.5, 0.5, 0.5);
+            return MetaFragment(meta);
+        })";
+    EXPECT_NO_THROW(CompileUrp(meta));
 }
 
 TEST(UnseenLibrary, SaysWhichPassesNeedPositions)

@@ -107,7 +107,7 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
         {"native16bit", has(core.shaderInt16) && has(v12.shaderFloat16)},
         {"quadshuffle", (subgroup & VK_SUBGROUP_FEATURE_QUAD_BIT) != 0},
         {"randomwrite", has(core.fragmentStoresAndAtomics)},
-        // Of no pragma: structured buffers ask for it by their elements.
+        // No pragma names this one: structured buffers ask for it by their elements.
         {"scalarblocklayout", has(v12.scalarBlockLayout)},
         {"setrtarrayindexfromanyshader", has(v12.shaderOutputLayer)},
         {"tesshw", has(core.tessellationShader)},

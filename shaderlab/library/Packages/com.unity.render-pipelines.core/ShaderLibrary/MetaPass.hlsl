@@ -18,6 +18,7 @@ struct UnityMetaInput
 {
     float3 Albedo;
     float3 Emission;
+    float3 SpecularColor; // Shaders of URP 7 to 10 set it; nothing reads it.
 };
 float4 UnityMetaVertexPosition(float3 vertex, float2 uv1, float2 uv2, float4 lightmapST,
                                float4 dynlightmapST)

@@ -1,4 +1,4 @@
-#include "port/CSharpConditions.h"
+#include "port/csharp/CSharpConditions.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "port/CSharpTokens.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <set>
 #include <string>

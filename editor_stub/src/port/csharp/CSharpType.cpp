@@ -1,4 +1,4 @@
-#include "port/CSharpFile.h"
+#include "port/csharp/CSharpFile.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "port/CSharpTokens.h"
+#include "port/csharp/CSharpTokens.h"
 
-#include "port/CSharpConditions.h"
+#include "port/csharp/CSharpConditions.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "port/ReadCSharp.h"
+#include "port/csharp/ReadCSharp.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "port/CSharpParser.h"
+#include "port/csharp/CSharpParser.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "port/CSharpFile.h"
+#include "port/csharp/CSharpFile.h"
 
 #include <initializer_list>
 #include <set>
