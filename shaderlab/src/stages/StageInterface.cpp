@@ -291,18 +291,18 @@ private:
 
     void RequireKnown(const HlslVariable& variable, const StageValue& value, bool isOutput) const
     {
-        // An instance id that travels to the fragment function is a varying like any other.
+        // An instance id that travels to the fragment function is a varying like any other. A
+        // target or depth that the function takes is one that nobody writes: Unity's compiler takes
+        // `Outputs frag(v2f i, Outputs o)`.
+        const bool isFragment = m_Stage == ShaderStage::Fragment;
         const bool isReserved =
-            value.semantic.starts_with("SV_") && value.semantic != "SV_INSTANCEID";
-        const bool isFree = !isReserved && !(m_Stage == ShaderStage::Fragment && isOutput);
+            value.semantic.starts_with("SV_") && value.semantic != "SV_INSTANCEID" &&
+            !(isFragment && isPipelineValue(value.semantic, ShaderStage::Fragment, true));
+        const bool isFree = !isReserved && !(isFragment && isOutput);
         if (!value.isSystemValue && !isFree)
         {
-            const bool isColor =
-                value.semantic == "SV_TARGET" && !isOutput && m_Stage == ShaderStage::Fragment;
             Fail(variable, "': semantic '" + std::string(variable.semantic) +
-                               (isColor ? "' is for what the function gives back; make the "
-                                          "parameter 'out', or a variable of the function"
-                                        : "' is not possible at this place"));
+                               "' is not possible at this place");
         }
     }
 

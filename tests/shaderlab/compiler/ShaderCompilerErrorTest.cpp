@@ -150,12 +150,6 @@ TEST(ShaderCompilerError, ReportsSemanticsThatAreMissingDoubledOrOutOfPlace)
                     vert + "float4 frag(out float4 a : SV_Target) : SV_Target { return a = 1; }")),
                 ElementsAre("t.shader:3:8: error: frag: semantic 'SV_TARGET' is given to two "
                             "values; each needs its own"));
-    EXPECT_THAT(CompileMessages(
-                    Program(vert + "struct G { float4 a : SV_Target0; };\n"
-                                   "G frag(float4 p : SV_Position, G o) { o.a = 1; return o; }")),
-                ElementsAre("t.shader:3:19: error: frag: 'a': semantic 'SV_Target0' is for what "
-                            "the function gives back; make the parameter 'out', or a variable of "
-                            "the function"));
 }
 
 TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)

@@ -161,6 +161,18 @@ TEST(UnseenForms, AreLeftAloneWhereTheyMeanSomethingElse)
                  AssetError);
 }
 
+TEST(UnseenForms, TakeOutputsThatTheFragmentFunctionGetsAsZeros)
+{
+    const auto pass = CompileHlsl(k_Vertex + R"(
+        struct Targets { half4 color : SV_Target0; float d : SV_Depth; };
+        Targets frag(v2f i, Targets o) { o.color = i.uv.xyxy; return o; })");
+    EXPECT_EQ(ValidationMessages(pass->fragmentSpirv), "");
+    EXPECT_THAT(Messages(pass->diagnostics),
+                ElementsAre(HasSubstr("it reads 'SV_TARGET', which the vertex function does not "
+                                      "write; it is 0"),
+                            HasSubstr("it reads 'SV_DEPTH', which")));
+}
+
 // The semantic of a struct in a stage's struct counts on through its members.
 TEST(UnseenForms, GiveMembersTheSemanticOfTheirStruct)
 {
