@@ -13,7 +13,8 @@ it is if each of its statements is found in the C++, in their order, with the sa
 operators, after what is spelled otherwise in all C++: `.` (and `?.`) for `->` and `::`, `new T(` for
 make_unique<T>( and make_shared<T>(, `T x = new(` for `T x(`, references and pointers (`ref`, `in`,
 `out`; `&`, `*`), words that say who may see or change something, types of variables that are
-`var` or `auto`, `null`, the f behind numbers, `()` behind a property, and brackets around a body.
+`var` or `auto`, `null`, the f behind numbers, `()` behind a property, brackets around a body, and
+`using (T x = f(out var y))`, which is `T x = f(y)` at the head of a block (`scope` where it has no name).
 """
 
 import difflib
@@ -52,7 +53,27 @@ def opens_a_body(raw, i):
     return i < len(raw) and raw[i][0] in ("{", ":", "=>")
 
 
+def without_using(raw):
+    """The tokens with `scope = T(a);` for `using (new T(a))`, `T x = a;` for `using (T x = a)`."""
+    result = list(raw)
+    for i in range(len(raw) - 1):
+        if (raw[i][0], raw[i + 1][0]) != ("using", "("):
+            continue
+        depth = 0
+        for end in range(i + 1, len(raw)):
+            depth += (raw[end][0] == "(") - (raw[end][0] == ")")
+            if depth == 0:
+                break
+        is_named = raw[i + 2][0] != "new"
+        result[i] = ("" if is_named else "scope", raw[i][1])
+        result[i + 1] = ("" if is_named else "=", raw[i + 1][1])
+        result[end] = (";", raw[end][1])
+    return [token for i, token in enumerate(result)
+            if token[0] and not (token[0] == "var" and i > 0 and result[i - 1][0] == "out")]
+
+
 def spelled_alike(raw):
+    raw = without_using(raw)
     out = []
     i = 0
     while i < len(raw):

@@ -9,7 +9,7 @@
 #include <limn/volume/FloatParameter.h>
 #include <limn/volume/IPostProcessComponent.h>
 #include <limn/volume/VolumeComponent.h>
-#include <limn/volume/VolumeStack.h>
+#include <limn/volume/VolumeManager.h>
 
 namespace porting
 {
@@ -54,7 +54,7 @@ class HeightFogFeature final : public ScriptableRendererFeature
 
         void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override
         {
-            const VolumeStack& stack = *renderingData.volumeStack;
+            const VolumeStack& stack = *VolumeManager::instance().stack();
             const HeightFog* fog = stack.GetComponent<HeightFog>();
             if (!fog->IsActive() || !renderingData.cameraData.postProcessEnabled)
             {

@@ -223,6 +223,7 @@ void ExpectTheStackOfTheCameraThatIsRendered()
                   stack.GetComponent<ParameterComponent>());
     }
     EXPECT_EQ(&*VolumeManager::stack(), &VolumeStack::Defaults());
+    EXPECT_EQ(&*VolumeManager::instance().stack(), &VolumeStack::Defaults());
     ParameterComponent component;
     ASSERT_EQ(component.parameters().size(), 1u);
     EXPECT_EQ(component.parameters()[0], &component.width);

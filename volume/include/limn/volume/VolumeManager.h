@@ -47,6 +47,12 @@ public:
     /// RenderingData; that of the defaults where none is rendered.
     /// Unity: VolumeManager.instance.stack.
     static VolumeStackPointer stack();
+    /// Lets `VolumeManager.instance.stack` of C# keep its words; limn has no manager for all.
+    struct Instance
+    {
+        VolumeStackPointer stack() const { return VolumeManager::stack(); }
+    };
+    static Instance instance() { return {}; }
 
     /// Volumes of equal priority are applied in the order of registration.
     /// @return false if it is registered already
