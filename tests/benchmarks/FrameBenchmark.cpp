@@ -77,6 +77,10 @@ public:
     {
         return m_Device.Footprint(texture);
     }
+    bool IsFormatSupported(GraphicsFormat format, FormatUsage usage) const override
+    {
+        return m_Device.IsFormatSupported(format, usage);
+    }
     int GetRenderTextureSupportedMSAASampleCount(
         const RenderTextureDescriptor& descriptor) const override
     {

@@ -12,6 +12,7 @@ public:
     void Execute(const CompiledFrame& frame) override { m_States = frame.states; }
     const TextureStates& textureStates() const override { return m_States; }
     Image ReadBack(const RenderTexture&) override { return {}; }
+    bool IsFormatSupported(GraphicsFormat, FormatUsage) const override { return true; }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
     int GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor&) const override
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <limn/core/Image.h>
@@ -101,6 +102,18 @@ inline void ExpectNoValidationMessages()
 {
     EXPECT_EQ("", Text(Environment().NewMessages()));
 }
+
+/// Says whether the device lacks what limn refuses to draw without, by Unity's name for it.
+inline bool Lacks(const char* shaderFeature)
+{
+    const auto& missing = SharedDevice().missingShaderFeatures();
+    return std::find(missing.begin(), missing.end(), shaderFeature) != missing.end();
+}
+
+/// Skips a test that draws with geometry functions where the device has none.
+#define LIMN_NEEDS_GEOMETRY()                                                                      \
+    if (Lacks("geometry"))                                                                         \
+    GTEST_SKIP() << "the device reports no geometryShader"
 
 /// Base of tests that draw: skipped with the reason where there is no device, failed instead where
 /// LIMN_REQUIRE_DEVICE=1; afterwards the validation layer must have been silent.

@@ -1,6 +1,7 @@
 #include "pipeline/CameraTextures.h"
 
 #include <algorithm>
+#include <limn/core/SystemInfo.h>
 
 namespace limn
 {
@@ -23,6 +24,19 @@ void Set(ScriptableRenderContext& context, ShaderPropertyId id, const RTHandle& 
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     cmd->SetGlobalTexture(id, texture);
     context.ExecuteCommandBuffer(*cmd);
+}
+
+/// Unity: DepthNormalOnlyPass.GetGraphicsFormat (URP 14).
+GraphicsFormat NormalsFormat()
+{
+    for (const auto format : {GraphicsFormat::R8G8B8A8_SNorm, GraphicsFormat::R16G16B16A16_SFloat})
+    {
+        if (SystemInfo::IsFormatSupported(format, FormatUsage::Render))
+        {
+            return format;
+        }
+    }
+    return GraphicsFormat::R32G32B32A32_SFloat;
 }
 
 } // namespace
@@ -89,7 +103,7 @@ void CameraTextures::Allocate(const RenderTextureDescriptor& camera)
     };
     allocate(m_PrepassDepth, "_CameraDepthTexture", GraphicsFormat::None, camera.depthBufferBits);
     allocate(m_CopiedDepth, "_CameraDepthTexture", GraphicsFormat::R32_SFloat);
-    allocate(m_Normals, "_CameraNormalsTexture", GraphicsFormat::R8G8B8A8_SNorm);
+    allocate(m_Normals, "_CameraNormalsTexture", NormalsFormat());
     allocate(m_DepthNormals, "_CameraDepthNormalsTexture", GraphicsFormat::R8G8B8A8_UNorm);
     allocate(m_OpaqueColor, "_CameraOpaqueTexture", camera.graphicsFormat);
 }

@@ -6,6 +6,7 @@
 #include <limn/core/UniversalRenderPipeline.h>
 
 #include "scene/TestScene.h"
+#include "texture/PickyDevice.h"
 
 namespace limn
 {
@@ -261,6 +262,22 @@ TEST_F(CameraTextures, AreFarWithANoteInPassesBeforeTheyAreMade)
             EXPECT_EQ(result.frame->Setup(*draw).bindings->textures.at(0).texture,
                       DefaultTexture("black"));
         }
+    }
+}
+
+// Unity: DepthNormalOnlyPass.GetGraphicsFormat.
+TEST_F(CameraTextures, HaveTheNormalsInTheFirstFormatOfThreeThatTheDeviceDraws)
+{
+    using enum GraphicsFormat;
+    AddPass("reads", 600, Needs::Normal, {"_CameraNormalsTexture"});
+    for (const auto& [only, expected] : {std::pair(R8G8B8A8_SNorm, R8G8B8A8_SNorm),
+                                         std::pair(R16G16B16A16_SFloat, R16G16B16A16_SFloat),
+                                         std::pair(R8G8B8A8_UNorm, R32G32B32A32_SFloat)})
+    {
+        const test::PickyDevice device(only); // SystemInfo asks the one that was made last
+        const CompiledRenderPass prepass = PassInto(Render(), "_CameraNormalsTexture");
+        ASSERT_EQ(prepass.colors.size(), 1u);
+        EXPECT_EQ(prepass.colors[0].texture->graphicsFormat(), expected);
     }
 }
 

@@ -1,3 +1,5 @@
+#include "texture/PickyDevice.h"
+
 #include <gtest/gtest.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/RecordingDevice.h>
@@ -7,30 +9,6 @@ namespace limn
 {
 namespace
 {
-
-/// Says yes to one format alone.
-class PickyDevice final : public GraphicsDevice
-{
-public:
-    explicit PickyDevice(GraphicsFormat format) : m_Format(format) {}
-
-    void Execute(const CompiledFrame&) override {}
-    const TextureStates& textureStates() const override { return m_States; }
-    Image ReadBack(const RenderTexture&) override { return {}; }
-    int GetRenderTextureSupportedMSAASampleCount(const RenderTextureDescriptor&) const override
-    {
-        return 1;
-    }
-    std::vector<PassTiming> LastFrameTimings() override { return {}; }
-    bool IsFormatSupported(GraphicsFormat format, FormatUsage) const override
-    {
-        return format == m_Format;
-    }
-
-private:
-    GraphicsFormat m_Format;
-    TextureStates m_States;
-};
 
 TEST(SystemInfo, HasUnitysNumbersOfUsages)
 {
@@ -49,10 +27,10 @@ TEST(SystemInfo, AsksTheDeviceThatWasMadeLast)
     EXPECT_TRUE(SupportsRenderTextureFormat(RenderTextureFormat::Depth));
     EXPECT_FALSE(SupportsRenderTextureFormat(RenderTextureFormat::RG32));
     {
-        const PickyDevice device(GraphicsFormat::R16G16_UNorm);
+        const test::PickyDevice device(GraphicsFormat::R16G16_UNorm);
         EXPECT_TRUE(SupportsRenderTextureFormat(RenderTextureFormat::RG32));
         EXPECT_FALSE(SupportsRenderTextureFormat(RenderTextureFormat::R8));
-        const PickyDevice later(GraphicsFormat::R8_UNorm);
+        const test::PickyDevice later(GraphicsFormat::R8_UNorm);
         EXPECT_FALSE(SupportsRenderTextureFormat(RenderTextureFormat::RG32));
         EXPECT_TRUE(
             RenderingUtils::SupportsGraphicsFormat(GraphicsFormat::R8_UNorm, FormatUsage::Linear));

@@ -98,7 +98,9 @@ TEST_F(Multisampling, AveragesInTheFormatsOfCameraTargets)
     constexpr std::array<std::uint16_t, 5> k_QuartersAsHalf = {0, 0x3400, 0x3800, 0x3A00, 0x3C00};
     for (int k = 0; k <= 4; ++k)
     {
-        EXPECT_NEAR(63.75 * k, Texel8(byteImage, k, 0)[0], 0.5);
+        // Vulkan lets a device take either of the two integers that a normalized value lies
+        // between.
+        EXPECT_LT(std::abs(63.75 * k - Texel8(byteImage, k, 0)[0]), 1.0);
         std::uint16_t red = 0;
         std::memcpy(&red, &halfImage.texels.at(static_cast<std::size_t>(k) * 8), 2);
         EXPECT_EQ(k_QuartersAsHalf.at(static_cast<std::size_t>(k)), red);

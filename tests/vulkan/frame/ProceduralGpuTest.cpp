@@ -175,6 +175,7 @@ TEST_F(ProceduralGpu, DrawsPointsAsLargeAsTheyShouldBe)
 // A geometry function gets points where points are drawn.
 TEST_F(ProceduralGpu, GivesPointsToAGeometryFunction)
 {
+    LIMN_NEEDS_GEOMETRY();
     const auto material = std::make_shared<const Material>(Shader::FromText(
         R"(Shader "Test/Grass" { SubShader { Pass { Cull Off ZTest Always ZWrite Off
         HLSLPROGRAM

@@ -24,7 +24,18 @@ PassPtr CompileGeometryPass(const std::string& hlsl)
     return compiler.Compile(program);
 }
 
-using Geometry = GpuTest;
+class Geometry : public GpuTest
+{
+protected:
+    void SetUp() override
+    {
+        GpuTest::SetUp();
+        if (Environment().device() != nullptr)
+        {
+            LIMN_NEEDS_GEOMETRY();
+        }
+    }
+};
 
 /// Each triangle becomes a column of the target as wide as a texel, coloured by its second vertex.
 const char* const k_Columns = R"(

@@ -35,6 +35,7 @@ public:
     {
         return descriptor.msaaSamples;
     }
+    bool IsFormatSupported(GraphicsFormat, FormatUsage) const override { return true; }
     std::vector<PassTiming> LastFrameTimings() override { return {}; }
 
     const std::vector<CompiledFrame>& frames() const { return m_Frames; }

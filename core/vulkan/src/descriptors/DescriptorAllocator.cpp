@@ -56,12 +56,13 @@ void DescriptorAllocator::Reset()
 void DescriptorAllocator::AddPool()
 {
     // A share of each kind that a pass of many textures still fits into.
-    constexpr std::array<VkDescriptorPoolSize, 5> sizes = {{
+    constexpr std::array<VkDescriptorPoolSize, 6> sizes = {{
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 4 * k_SetsPerPool},
         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 4 * k_SetsPerPool},
         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4 * k_SetsPerPool},
         {VK_DESCRIPTOR_TYPE_SAMPLER, 4 * k_SetsPerPool},
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_SetsPerPool},
+        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, k_SetsPerPool},
     }};
     VkDescriptorPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;

@@ -140,6 +140,8 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     wanted.v13.shaderDemoteToHelperInvocation = VK_TRUE;
 
     constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
+        // Programs for Direct3D count on zeros from beyond the end of a buffer.
+        &VkPhysicalDeviceFeatures::robustBufferAccess,
         &VkPhysicalDeviceFeatures::depthClamp,
         &VkPhysicalDeviceFeatures::logicOp,
         &VkPhysicalDeviceFeatures::geometryShader,     // SV_PrimitiveID in fragment functions
@@ -172,6 +174,7 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     wanted.v12.shaderOutputLayer = offered.v12.shaderOutputLayer;
     wanted.v12.shaderBufferInt64Atomics = offered.v12.shaderBufferInt64Atomics;
     wanted.v12.shaderSharedInt64Atomics = offered.v12.shaderSharedInt64Atomics;
+    wanted.v13.robustImageAccess = offered.v13.robustImageAccess; // and of a texture
     wanted.v13.maintenance4 = offered.v13.maintenance4;
     wanted.v13.shaderTerminateInvocation = offered.v13.shaderTerminateInvocation;
     const bool blend = offered.extendedState.extendedDynamicState3ColorBlendEnable == VK_TRUE &&

@@ -71,6 +71,7 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
     }
     m_Capabilities.missingShaderFeatures =
         MissingShaderFeatures(wanted, m_Capabilities.limits, FragmentSubgroupOperations());
+    m_Capabilities.missingCapabilities = MissingCapabilities(wanted, FragmentSubgroupOperations());
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{};

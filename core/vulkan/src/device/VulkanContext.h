@@ -1,6 +1,7 @@
 #pragma once
 
 #include "device/DeviceFeatures.h"
+#include "device/SpirvNeeds.h"
 #include "device/VulkanInstance.h"
 #include <limn/core/GraphicsFormat.h>
 
@@ -23,6 +24,7 @@ struct DeviceCapabilities
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
     std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
+    std::vector<MissingCapability> missingCapabilities;
 };
 
 /// Entry points of extensions; null where the extension is absent.

@@ -239,6 +239,7 @@ std::size_t ProgramPool::pipelineCount() const
 
 UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& spirv) const
 {
+    RequireCapabilities(spirv, m_Context.capabilities().missingCapabilities);
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = spirv.size() * sizeof(std::uint32_t);
