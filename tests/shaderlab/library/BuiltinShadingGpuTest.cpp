@@ -141,9 +141,18 @@ TEST_F(BuiltinShading, PhongsLobeIsTheCheapest)
                                    n, float3(0, 0, 1), light, gi).rgb;
         })",
                       ProgramLanguage::Cg);
+    auto inputs =
+        CombineVectors(UnitVectors(), UnitVectors(), {{0, 0, 0}, {0.5, 0, 0}, {0.7, 0, 0}});
+    // The lobe of a fully rough surface jumps from 1 to 0 where the cosine is 0, and what the
+    // logarithm of 0 is Vulkan leaves to the driver.
+    std::erase_if(inputs,
+                  [](const GridInput& i)
+                  {
+                      const dvec3 mirrored = glm::reflect(dvec3(0, 0, 1), dvec3(i.a));
+                      return i.c.x == 0.0 && glm::dot(mirrored, dvec3(i.b)) == 0.0;
+                  });
     grid.Add(
-        "Shade(a.xyz, b.xyz, c.x)",
-        CombineVectors(UnitVectors(), UnitVectors(), {{0, 0, 0}, {0.5, 0, 0}, {0.7, 0, 0}}),
+        "Shade(a.xyz, b.xyz, c.x)", inputs,
         [](auto& a, auto& b, auto& c)
         {
             const dvec3 n(a), l(b), v(0, 0, 1), diffuse(0.7, 0.2, 0.1);

@@ -159,7 +159,7 @@ TEST_F(CoreLibrary, TurnsAndNormalisesVectors)
                  return glm::dvec2(std::cos(b.x) * a.x - std::sin(b.x) * a.y,
                                    std::sin(b.x) * a.x + std::cos(b.x) * a.y);
              },
-             {1e-4, 1e-5});
+             {1e-4, 1e-5, 2.5});
     grid.Add("Rotate(float3(1, 2, 3), a.xyz, b.xyz, 0.7)",
              CombineVectors({{1, 2, 3}, {4, -5, 6}}, UnitVectors()),
              [](auto& a, auto& b, auto&)

@@ -96,13 +96,14 @@ TEST_F(CoreSampling, HashesGiveTheNumbersOfTheirPublishedForm)
     grid.Add("Sine(a.xy)", CombineVectors({{0.5, 0, 0}, {3, 4, 0}, {0, 0.1, 0}}),
              [=](auto& a, auto&, auto&)
              { return frac(std::sin((a.x * 12.9898 + a.y * 78.233) / 1000) * 43758.5453); },
-             {0.0, 0.02});
+             {0.0, 0.02, 43758.5453});
     grid.Add("Sines(a.xy)", CombineVectors({{0.01, 0, 0}, {0.002, 0.01, 0}}),
              [=](auto& a, auto&, auto&)
              {
                  return dvec2(frac(std::sin(a.x * 15.27 + a.y * 99.41)),
                               frac(std::sin(a.x * 47.63 + a.y * 89.98)));
-             });
+             },
+             {1e-5, 1e-6, 1});
     grid.Add("Mod(a.xy)", CombineVectors({{0, 0, 0}, {1, 2, 0}, {5, 100, 0}, {290, 3, 0}}),
              [=](auto& a, auto&, auto&)
              {
@@ -147,7 +148,7 @@ TEST_F(CoreSampling, PointsAreSpreadEvenly)
                  return dvec2(a.x / 32, mirrored);
              });
     const auto pairs = Combine({0.0, 0.2, 0.7, 1.0}, {0.0, 0.3, 0.9});
-    const Tolerance near{1e-5, 2e-6};
+    const Tolerance near{1e-5, 2e-6, 1};
     grid.Add(
         "SampleDiskUniform(a.x, b.x)", pairs,
         [](auto& a, auto& b, auto&)
@@ -168,7 +169,7 @@ TEST_F(CoreSampling, PointsAreSpreadEvenly)
                  const double golden = k_Pi * (3 - std::sqrt(5.0));
                  return Spherical(a.x * golden, 1 - 0.75 * a.x * 0.04);
              },
-             {1e-5, 1e-5});
+             {1e-5, 1e-5, 1});
     grid.Add("CubemapTexelToDirection(float2(a.x, b.x), 1)", pairs,
              [](auto& a, auto& b, auto&) { return glm::normalize(dvec3(-1, -b.x, a.x)); });
     grid.Run();
@@ -202,19 +203,22 @@ TEST_F(CoreSampling, LightsAreSampledOverTheirAreas)
                  return dvec4(
                      world({(a.x - 0.5) * 3, std::cos(angle) * 0.5, std::sin(angle) * 0.5}),
                      1 / (2 * k_Pi * 0.5 * 3));
-             });
+             },
+             {1e-5, 1e-6, 1});
     grid.Add("Disk(float2(a.x, b.x))", pairs,
              [=](auto& a, auto& b, auto&)
              {
                  const dvec2 at = dvec2(Spherical(2 * k_Pi * b.x, 0)) * (2 * std::sqrt(a.x));
                  return dvec4(world({at, 0}), 1 / (k_Pi * 4));
-             });
+             },
+             {1e-5, 1e-6, 2});
     grid.Add("Ball(float2(a.x, b.x))", pairs,
              [](auto& a, auto& b, auto&)
              {
                  const dvec3 at = 2.0 * Spherical(2 * k_Pi * b.x, 1 - 2 * a.x) + dvec3(5, 6, 7);
                  return dvec4(at, 1 / (4 * k_Pi * 4));
-             });
+             },
+             {1e-5, 1e-6, 2});
     grid.Run();
 }
 
@@ -358,7 +362,7 @@ TEST_F(CoreSampling, DirectionsFollowTheMaterialsLobe)
                  const Sample s = sample(a, b, c);
                  return dvec4(s.light, s.half.z);
              },
-             {1e-4, 1e-5});
+             {1e-4, 1e-5, 2});
     std::vector<GridInput> above = inputs;
     std::erase_if(above, [=](const GridInput& i) { return sample(i.a, i.b, i.c).light.x < 0.05; });
     grid.Add("Weight(a.xy, b.xyz, c.x)", above,
@@ -367,7 +371,7 @@ TEST_F(CoreSampling, DirectionsFollowTheMaterialsLobe)
                  const Sample s = sample(a, b, c);
                  return dvec4(s.light, s.weight);
              },
-             {1e-4, 1e-5});
+             {1e-4, 1e-5, 2});
     // With the same roughness both ways the anisotropic lobe is the same lobe, sampled by tan^2 =
     // r^2 u / (1 - u), which is the isotropic one's.
     grid.Add("Aniso(a.xy, b.xyz, c.x)", above,
@@ -376,7 +380,7 @@ TEST_F(CoreSampling, DirectionsFollowTheMaterialsLobe)
                  const Sample s = sample(a, b, c);
                  return dvec4(s.light, s.weight);
              },
-             {1e-4, 1e-5});
+             {1e-4, 1e-5, 2});
     // Seen from above, every facet is seen as large as it is: the slopes of a disc, stretched.
     std::vector<GridInput> front = inputs;
     for (GridInput& input : front)
@@ -391,7 +395,7 @@ TEST_F(CoreSampling, DirectionsFollowTheMaterialsLobe)
                  const dvec3 h = glm::normalize(flat * dvec3(c.x, c.x, 1));
                  return dvec4(h, h.z);
              },
-             {1e-4, 1e-5});
+             {1e-4, 1e-5, 2});
     grid.Add("GetSpecularDominantDir(float3(0, 0, 1), float3(1, 0, 0), a.x, 0.5)",
              Combine({0.0, 0.5, 1.0}),
              [](auto& a, auto&, auto&)

@@ -42,6 +42,9 @@ struct Tolerance
 {
     double relative = 1e-5;
     double absolute = 1e-6;
+    /// How often the error of a sine or cosine is in the result. Vulkan lets it be 2^-11; Mesa's
+    /// are as good as other functions, so that the other limits are kept there.
+    double sines = 0.0;
 };
 
 /// Every combination of the values, each in the x of its vector.

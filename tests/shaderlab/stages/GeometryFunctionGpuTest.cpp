@@ -94,7 +94,7 @@ TEST_F(GeometryFunctions, InvertMatricesAndMoveBetweenRanges)
              CombineVectors(UnitVectors(), {{1, 2, -3}, {0, 0.5, 0}}, {{0, 0, 0}, {1.2, 0, 0}}),
              [](auto& a, auto& b, auto& c)
              { return dvec3(glm::rotate(glm::dmat4(1.0), c.x, dvec3(a)) * dvec4(dvec3(b), 0.0)); },
-             {1e-5, 2e-6});
+             {1e-5, 2e-6, 7.5});
     grid.Run();
 }
 
