@@ -6,6 +6,7 @@
 #include "material/RequireFinite.h"
 #include "scene/UniqueId.h"
 #include <limn/core/Material.h>
+#include <limn/core/Mathf.h>
 
 #include "material/PropertyValues.h"
 #include <limn/core/RenderQueueRange.h>
@@ -210,9 +211,7 @@ int Material::GetInt(ShaderPropertyId id) const
     {
         return *integer;
     }
-    constexpr double k_Least = std::numeric_limits<int>::min();
-    constexpr double k_Most = std::numeric_limits<int>::max();
-    return static_cast<int>(std::clamp(static_cast<double>(GetFloat(id)), k_Least, k_Most));
+    return Mathf::ToInt(GetFloat(id));
 }
 
 glm::vec4 Material::GetVector(ShaderPropertyId id) const

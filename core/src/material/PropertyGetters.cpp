@@ -1,5 +1,6 @@
 #include "material/PropertyValues.h"
 
+#include <limn/core/Mathf.h>
 #include <limn/core/Shader.h>
 
 #include "material/ShaderGlobals.h"
@@ -21,7 +22,7 @@ float FloatIn(const ShaderPropertyValue* value)
 int IntIn(const ShaderPropertyValue* value)
 {
     const float* number = As<float>(value);
-    return number != nullptr ? static_cast<int>(*number) : CopyOf<int>(value);
+    return number != nullptr ? Mathf::ToInt(*number) : CopyOf<int>(value);
 }
 
 glm::vec4 VectorIn(const ShaderPropertyValue* value)

@@ -1,5 +1,6 @@
 #include <limn/core/AsyncGPUReadback.h>
 
+#include <limn/core/Debug.h>
 #include <limn/core/GraphicsBuffer.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/PendingReadback.h>
@@ -53,7 +54,7 @@ std::span<const std::byte> AsyncGPUReadbackRequest::Bytes(std::size_t elementSiz
 {
     if (!done() || hasError())
     {
-        throw ContractError(done() ? "the read-back has no data: the device was lost"
+        throw ContractError(done() ? "the read-back has no data: " + m_Pending->error()
                                    : "the read-back is not over; ask done() before, or call "
                                      "WaitForCompletion()");
     }
@@ -102,15 +103,23 @@ void PendingReadback::Finish(bool waits)
         Wait();
         m_Result.texels = Take();
     }
-    catch (const std::exception&) // the driver's, which the next frame reports
+    catch (const std::exception& error)
     {
+        m_Error = error.what();
         m_HasError = true;
     }
     m_IsDone = true;
     Release();
     if (const auto call = std::exchange(callback, {}))
     {
-        call(AsyncGPUReadbackRequest(shared_from_this()));
+        try
+        {
+            call(AsyncGPUReadbackRequest(shared_from_this()));
+        }
+        catch (const std::exception& error) // which is no fault of the frame that this happens in
+        {
+            Debug::LogException(error);
+        }
     }
 }
 

@@ -72,6 +72,8 @@ TEST(MaterialPropertyBlock, GivesWhatWasSetAndElseNothing)
     EXPECT_TRUE(block.HasFloat(id));
     EXPECT_FALSE(block.HasInt(id));
     EXPECT_EQ(block.GetVector(id), glm::vec4(0.0f)) << "of another kind";
+    block.SetFloat(id, 1e20f);
+    EXPECT_EQ(block.GetInt(id), std::numeric_limits<int>::max()) << "as Material::GetInt";
     block.SetInteger(id, -3);
     EXPECT_EQ(block.GetInteger(id), -3);
     EXPECT_EQ(block.GetFloat(id), -3.0f);

@@ -16,11 +16,14 @@ public:
     PendingReadback& operator=(const PendingReadback&) = delete;
 
     /// Takes the result if it is there, or if `waits` when it is, and calls the callback then. What
-    /// goes wrong on the device ends it with hasError().
+    /// goes wrong on the device ends it with hasError(); what the callback throws goes to
+    /// Debug::LogException, as in Unity.
     void Finish(bool waits);
 
     bool isDone() const { return m_IsDone; }
     bool hasError() const { return m_HasError; }
+    /// Why there are no texels; empty without an error.
+    const std::string& error() const { return m_Error; }
     /// Without texels before it is done.
     const Image& result() const { return m_Result; }
 
@@ -38,6 +41,7 @@ private:
     Image m_Result;
     bool m_IsDone = false;
     bool m_HasError = false;
+    std::string m_Error;
 };
 
 } // namespace limn
