@@ -223,16 +223,34 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
     return m_Compiler->Compile(*pass.program, variant);
 }
 
+std::shared_ptr<const ShaderProgram>
+Shader::CompileOnce(Variant& variant, int passIndex, const std::vector<std::string>& keywords) const
+{
+    const std::lock_guard lock(variant.mutex);
+    if (variant.failure)
+    {
+        std::rethrow_exception(variant.failure);
+    }
+    if (!variant.compiled)
+    {
+        try
+        {
+            variant.compiled = CompileVariant(passIndex, keywords);
+        }
+        catch (const AssetError&) // others say nothing of the shader
+        {
+            variant.failure = std::current_exception();
+            throw;
+        }
+    }
+    return variant.compiled;
+}
+
 std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex) const
 {
     PassAt(passIndex);
     Variant& variant = m_Initial[static_cast<std::size_t>(passIndex)];
-    const std::lock_guard lock(variant.mutex);
-    if (!variant.compiled)
-    {
-        variant.compiled = CompileVariant(passIndex, keywords(passIndex));
-    }
-    return variant.compiled;
+    return CompileOnce(variant, passIndex, keywords(passIndex));
 }
 
 std::shared_ptr<const ShaderProgram>
@@ -255,12 +273,7 @@ Shader::Compile(int passIndex, std::span<const std::string> enabled,
     std::unique_lock mapLock(m_Mutex);
     Variant& variant = m_Others[{passIndex, wanted}]; // stays where it is
     mapLock.unlock();
-    const std::lock_guard lock(variant.mutex);
-    if (!variant.compiled)
-    {
-        variant.compiled = CompileVariant(passIndex, wanted);
-    }
-    return variant.compiled;
+    return CompileOnce(variant, passIndex, wanted);
 }
 
 std::shared_ptr<const ShaderProgram>

@@ -139,6 +139,23 @@ TEST(Shader, CompilesAPassOnceAndKeepsIt)
     EXPECT_FALSE(first->fragmentSpirv.empty());
 }
 
+TEST(Shader, TriesAPassThatDoesNotCompileOnce)
+{
+    const test::TemporaryFolder folder;
+    const auto shader = Shader::FromText(
+        "Shader \"Test\" { SubShader { Pass { HLSLPROGRAM\n#include \"Late.hlsl\"\n" +
+            test::Program().substr(std::string("HLSLPROGRAM").size()) + " } } }",
+        (folder.path() / "test.shader").string(), std::make_shared<ShaderCompiler>());
+    const auto compile = [&shader]
+    {
+        shader->Compile(0);
+    };
+    const std::string first = test::ThrownMessage<AssetError>(compile);
+    EXPECT_NE(first.find("Late.hlsl"), std::string::npos);
+    folder.Write("Late.hlsl", "\n"); // it is not looked at before the shader is loaded anew
+    EXPECT_EQ(test::ThrownMessage<AssetError>(compile), first);
+}
+
 TEST(Shader, CompilesAPassOnceForManyThreads)
 {
     const auto compiler = std::make_shared<ShaderCompiler>();

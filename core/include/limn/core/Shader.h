@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <limn/core/FullScreenTag.h>
 #include <limn/core/GlobalKeyword.h>
@@ -191,7 +192,7 @@ public:
 
     /// The pass ready to draw; compiled on the first call, any thread. Equal variants are one
     /// object; who asks for one that is being compiled waits for that one only. Without `enabled`,
-    /// by the initial keywords.
+    /// by the initial keywords. What does not compile is not tried again: load the shader anew.
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
     std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
@@ -209,6 +210,7 @@ private:
     {
         std::mutex mutex; ///< held while it is compiled
         std::shared_ptr<const ShaderProgram> compiled;
+        std::exception_ptr failure; ///< of the one attempt; a frame asks for each object anew
     };
 
     /// The variants that global keywords chose last: those of shadow passes and of others.
@@ -228,6 +230,8 @@ private:
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
+    std::shared_ptr<const ShaderProgram>
+    CompileOnce(Variant& variant, int passIndex, const std::vector<std::string>& keywords) const;
 
     std::uint64_t m_Id;
     ShaderLabDocument m_Document;
