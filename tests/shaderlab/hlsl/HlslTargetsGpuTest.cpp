@@ -1,0 +1,146 @@
+#include "DialectGpuSupport.h"
+
+// Values of what is written to, and of lists: what generated snippets (see values/) found glslang
+// to make something else of.
+
+namespace limn::test
+{
+
+namespace
+{
+
+using HlslTargetValues = GpuTest;
+
+struct Value
+{
+    const char* hlsl;
+    double wanted;
+};
+
+/// Runs expressions that read a = (1, 2, 3, 4) and b = (-5, 6, 7, 8).
+void ExpectValues(const std::string& declarations, const std::vector<Value>& values)
+{
+    FunctionGrid grid(declarations);
+    for (const Value& value : values)
+    {
+        grid.Add(value.hlsl, {k_Inputs.front()},
+                 [wanted = value.wanted](auto&, auto&, auto&) { return wanted; });
+    }
+    grid.Run();
+}
+
+/// `Next()` counts its calls, which `Once(x)` asks for: 1000 for each but one.
+const std::string k_Next = R"(
+    static int s_Calls = 0;
+    int Next() { return s_Calls++; }
+    float Once(float x) { float calls = s_Calls; s_Calls = 0; return x + 1000 * (calls - 1); })";
+
+} // namespace
+
+TEST_F(HlslTargetValues, ElementsOfMatricesAreStepped)
+{
+    ExpectValues(R"(
+        float3 After(float4 v) { float2x2 m = float2x2(v); float2 old = m._m00_m11++; return float3(old, m[1][1]); }
+        float3 Before(float4 v) { float2x2 m[2] = {float2x2(v), float2x2(v)}; float2 now = --m[1]._21_12; return float3(now, m[1][0][1]); }
+        float Spread(float4 v) { float2x2 m = float2x2(v); float f = v.z; m._m00_m10 = f; return m[0][0] * 10 + m[0][1]; }
+        float Alone(float4 v) { half3x2 m = (half3x2)v.x; m._m20_m01--; ++m._m20_m11; return m[2][0] * 10 + m[1][1]; })",
+                 {{"After(a).y", 4},
+                  {"Spread(a)", 32},
+                  {"After(a).z", 5},
+                  {"Before(a).x", 2},
+                  {"Before(a).z", 1},
+                  {"Alone(a)", 12}});
+}
+
+TEST_F(HlslTargetValues, WhatIsChangedIsWorkedOutOnce)
+{
+    ExpectValues(k_Next + R"(
+        float Truth(float4 v) { bool2 k[2] = {bool2(true, true), bool2(true, true)}; k[Next()].y &= v.x > 5; return Once(k[0].y * 2 + k[0].x); }
+        float Set(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11 = v.zw; return Once(k[0][0][0] * 10 + k[0][1][1]); }
+        float Changed(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11 -= v.zz; return Once(k[0][0][0] * 10 + k[0][1][1]); }
+        float Product(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()] *= float2x2(v); return Once(k[0][1][1]); }
+        float Step(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11++; return Once(k[0][1][1]); }
+        float Whole(float4 v) { int2 k[2] = {int2(1, 2), int2(3, 4)}; k[Next()] *= 1.5; return Once(k[0].y); })",
+                 {{"Truth(a)", 1},
+                  {"Set(a)", 34},
+                  {"Changed(a)", -19},
+                  {"Product(a)", 16},
+                  {"Step(a)", 5},
+                  {"Whole(a)", 3}});
+}
+
+TEST_F(HlslTargetValues, IntegersAreChangedByWiderNumbers)
+{
+    ExpectValues(R"(
+        float Sum(float x) { int n = 1; n += x + 0.5; return n; }
+        float Rest(float x) { uint n = 1; n -= x * 0.5; return n; }
+        float Product(float x) { int2 n = int2(3, -3); n.yx *= x * 0.5; return n.x * 10 + n.y; }
+        float Quotient() { int n = -4; n /= 2u; return n == 2147483646; }
+        float Small(float4 v) { min16int2 n = 3; n -= v.xy * 0.25; return n.x * 10 + n.y; })",
+                 {{"Sum(a.x)", 2},
+                  {"Rest(a.x)", 0},
+                  {"Product(a.z)", 36},
+                  {"Quotient()", 1},
+                  {"Small(a)", 22}});
+}
+
+TEST_F(HlslTargetValues, WhatFunctionsGiveBackIsConverted)
+{
+    ExpectValues(R"(
+        struct Pair { int2 v; };
+        float Add(inout float x) { x += 1.5; return x; }
+        void Fill(Pair p, inout float2 x, out int y) { x += p.v; y = 7; }
+        void Later(inout float2 x);
+        void Later(inout float2 x) { x *= 2; }
+        float Whole(float4 v) { int n = v.z; float given = Add(n); return given * 10 + n; }
+        float Part(float4 v) { Pair p; p.v = v.xy; Add(p.v.y); return p.v.y; }
+        float Element(float4 v) { float2x2 m = float2x2(v); Later(m._m00_m11); return m[0][0] * 10 + m[1][1]; }
+        float Both(float4 v)
+        {
+            Pair p = {v.xy}; float2x2 m = float2x2(v); half k;
+            Fill(p, m._m10_m01, k);
+            return m[1][0] * 100 + m[0][1] * 10 + k;
+        })",
+                 {{"Whole(a)", 49}, {"Part(a)", 3}, {"Element(a)", 28}, {"Both(a)", 447}});
+}
+
+TEST_F(HlslTargetValues, ListsWorkTheirValuesOutOnce)
+{
+    ExpectValues(k_Next + R"(
+        float4 Count(float x) { return x + Next(); }
+        float Split(float4 v) { float2 k[3] = {Count(v.x), Next(), v.x}; return k[0].y * 100 + k[1].y * 10 + k[2].x + s_Calls; }
+        float Rows(float4 v) { float2x2 k[2] = {v, {v.xyz, 9}}; return k[0][1][0] * 10 + k[1][1][1]; })",
+                 {{"Split(a)", 113}, {"Rows(a)", 39}});
+}
+
+TEST_F(HlslTargetValues, ListsOfWhatLimnDoesNotKnow)
+{
+    FunctionGrid grid(R"(
+        struct Four { float4 v; };
+        Texture2D<float4> _Map; SamplerState sampler_Map;
+        float4 Gathered(float2 uv) { { Four f = {_Map.GatherGreen(sampler_Map, uv)}; return f.v; } })");
+    grid.SetTexture("_Map", MakeTexture(1, 1, [](int, int) { return glm::vec4(5, 6, 7, 8); }));
+    grid.Add("Gathered(a.xy)", k_Inputs, [](auto&, auto&, auto&) { return glm::dvec4(6); });
+    grid.Run();
+}
+
+TEST_F(HlslTargetValues, FunctionsOfOtherKindsOfNumbers)
+{
+    ExpectValues(R"(
+        static const int s_Dot = dot(int2(1, 2), int2(3, 4));
+        static const int s_Sum = mad(2, 3, 4);
+        static const int2 s_Signs = sign(uint2(0, 4000000000));
+        float Signs(float x) { float2x2 m = sign(float2x2(x, -x, 0, 2)); return m[0][0] * 100 + m[0][1] * 10 + m[1][1]; })",
+                 {{"dot(int3(1, 1, 1), int3(3, 4, 5))", 12},
+                  {"s_Dot", 11},
+                  {"s_Sum", 10},
+                  {"sign((uint)(int)b.x) + 2 * sign((uint)0)", 1},
+                  {"s_Signs.x * 10 + s_Signs.y", 1},
+                  {"Signs(a.x)", 91},
+                  {"saturate(any(a.xyz)) + frac(any(a.xyz))", 1},
+                  {"(-bool2(true, false)).x + frac(-bool2(true, a.x)).y", -1},
+                  {"(~bool2(true, false)).x", -2},
+                  {"(float2x2(1, 2, 3, 7) % 4)[1][1]", 3}});
+}
+
+} // namespace limn::test
