@@ -31,7 +31,7 @@ void ExpectValues(const std::string& declarations, const std::vector<Value>& val
 
 /// `Next()` counts its calls, which `Once(x)` asks for: 1000 for each but one.
 const std::string k_Next = R"(
-    static int s_Calls = 0;
+    static int s_Calls;
     int Next() { return s_Calls++; }
     float Once(float x) { float calls = s_Calls; s_Calls = 0; return x + 1000 * (calls - 1); })";
 
@@ -113,6 +113,15 @@ TEST_F(HlslTargetValues, ListsWorkTheirValuesOutOnce)
                  {{"Split(a)", 113}, {"Rows(a)", 39}});
 }
 
+TEST_F(HlslTargetValues, StaticsBeginWithZeros)
+{
+    ExpectValues(R"(
+        struct Inner { float x[2]; float2x2 m; };
+        static float s_Number, s_Other; static half3 s_Vector; static float2x2 s_Matrix; static Inner s_Inner;
+        float Raised() { s_Number++; s_Vector += 2; s_Matrix += 3; s_Inner.x[1] += 4; return s_Number + s_Other + s_Vector.y * 10 + s_Matrix[1][0] * 100 + s_Inner.x[1] * 1000; })",
+                 {{"Raised()", 4321}});
+}
+
 TEST_F(HlslTargetValues, ListsOfWhatLimnDoesNotKnow)
 {
     FunctionGrid grid(R"(
@@ -141,6 +150,24 @@ TEST_F(HlslTargetValues, FunctionsOfOtherKindsOfNumbers)
                   {"(-bool2(true, false)).x + frac(-bool2(true, a.x)).y", -1},
                   {"(~bool2(true, false)).x", -2},
                   {"(float2x2(1, 2, 3, 7) % 4)[1][1]", 3}});
+}
+
+TEST_F(HlslTargetValues, StaticMatricesAndWhatIsCompared)
+{
+    ExpectValues(R"(
+        static float2x2 s_Changed = float2x2(1, 2, 3, 4.5);
+        static const float2x2 s_Rest = frac(s_Changed);
+        static const float2x2 s_Product = float2x2(1, 2, 3, 7) * float2x2(1, 2, 3, 7);
+        static const float2x2 s_Large = max(float2x2(1, 2, 3, 7), float2x2(4, 4, 4, 4)) * (1.0 - 2.0);
+        static const float2x2 s_Modulo = float2x2(1, 2, 3, 7) % 4;
+        static const float4 s_List = {-float2(8, 0.25), (float2)(int2(-1, 7) < int2(1, 0))};
+        static const float s_Named[2] = {s_Product[1][1], s_List.z};)",
+                 {{"s_Rest[1][1]", 0.5},
+                  {"s_Product[1][1]", 49},
+                  {"s_Large[1][1] * 10 + s_Large[0][0]", -74},
+                  {"s_Modulo[1][1]", 3},
+                  {"s_List.z * 10 + s_List.w", 10},
+                  {"s_Named[0] + s_Named[1]", 50}});
 }
 
 } // namespace limn::test
