@@ -43,9 +43,11 @@ TEST_F(HlslTargetValues, ElementsOfMatricesAreStepped)
         float3 After(float4 v) { float2x2 m = float2x2(v); float2 old = m._m00_m11++; return float3(old, m[1][1]); }
         float3 Before(float4 v) { float2x2 m[2] = {float2x2(v), float2x2(v)}; float2 now = --m[1]._21_12; return float3(now, m[1][0][1]); }
         float Spread(float4 v) { float2x2 m = float2x2(v); float f = v.z; m._m00_m10 = f; return m[0][0] * 10 + m[0][1]; }
+        float Converted(float4 v) { float2x2 m = float2x2(v); int4 n = v.wzyx; m._m00_m10 = n; return m[0][0] * 10 + m[1][0]; }
         float Alone(float4 v) { half3x2 m = (half3x2)v.x; m._m20_m01--; ++m._m20_m11; return m[2][0] * 10 + m[1][1]; })",
                  {{"After(a).y", 4},
                   {"Spread(a)", 32},
+                  {"Converted(a)", 43},
                   {"After(a).z", 5},
                   {"Before(a).x", 2},
                   {"Before(a).z", 1},
@@ -141,6 +143,7 @@ TEST_F(HlslTargetValues, FunctionsOfOtherKindsOfNumbers)
         static const int2 s_Signs = sign(uint2(0, 4000000000));
         float Signs(float x) { float2x2 m = sign(float2x2(x, -x, 0, 2)); return m[0][0] * 100 + m[0][1] * 10 + m[1][1]; })",
                  {{"dot(int3(1, 1, 1), int3(3, 4, 5))", 12},
+                  {"dot((uint2)a.x, (uint2)0) >= (int)b.x", 0},
                   {"s_Dot", 11},
                   {"s_Sum", 10},
                   {"sign((uint)(int)b.x) + 2 * sign((uint)0)", 1},

@@ -189,7 +189,8 @@ void HlslLowering::LowerExponent(HlslNode& node)
     m_Code.Spelling(node.token) = "limn_ldexp";
 }
 
-/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` of a uint for an int's.
+/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` and the `dot` of uints
+/// for an int's.
 void HlslLowering::LowerInteger(HlslNode& node)
 {
     const std::string_view name = Text(node.token);
@@ -212,6 +213,10 @@ void HlslLowering::LowerInteger(HlslNode& node)
         Need(type + " limn_mad(" + type + " x, " + type + " y, " + type +
              " z) { return x * y + z; } ");
         m_Code.Spelling(node.token) = "limn_mad";
+    }
+    else if (name == "dot" && node.type.scalar == HlslScalar::Uint)
+    {
+        Wrap(node, "((uint)", ")");
     }
     else if (name == "abs" && node.type.scalar == HlslScalar::Uint)
     {

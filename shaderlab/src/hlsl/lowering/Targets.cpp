@@ -245,8 +245,9 @@ void HlslLowering::LowerSwizzleAssignment(const HlslNode& node)
         m_Code.Spelling(node.token) = ",";
         Wrap(node, function + "(", ")");
     }
-    else if (mark == "=" && given.isScalar()) // glslang crashes
+    else if (mark == "=" && given.isNumber() && given.Spelling() != target.type.Spelling())
     {
+        // glslang crashes on one number, and does not convert several.
         Wrap(*node.last, "(" + target.type.Spelling() + ")(", ")");
     }
     else if (mark != "=")
