@@ -61,6 +61,7 @@ TEST_F(HlslTargetValues, WhatIsChangedIsWorkedOutOnce)
         float Set(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11 = v.zw; return Once(k[0][0][0] * 10 + k[0][1][1]); }
         float Changed(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11 -= v.zz; return Once(k[0][0][0] * 10 + k[0][1][1]); }
         float Product(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()] *= float2x2(v); return Once(k[0][1][1]); }
+        float Moved(float4 v) { float2x2 k[2] = {(float2x2)0, (float2x2)0}; k[(uint)k[0]._m00]._m00_m11 = v.xx; return k[0][0][0] * 10 + k[0][1][1]; }
         float Step(float4 v) { float2x2 k[2] = {float2x2(v), float2x2(v)}; k[Next()]._m00_m11++; return Once(k[0][1][1]); }
         float Whole(float4 v) { int2 k[2] = {int2(1, 2), int2(3, 4)}; k[Next()] *= 1.5; return Once(k[0].y); })",
                  {{"Truth(a)", 1},
@@ -68,6 +69,7 @@ TEST_F(HlslTargetValues, WhatIsChangedIsWorkedOutOnce)
                   {"Changed(a)", -19},
                   {"Product(a)", 16},
                   {"Step(a)", 5},
+                  {"Moved(a)", 11},
                   {"Whole(a)", 3}});
 }
 

@@ -46,6 +46,17 @@ std::string WriteElements(const std::string& matrix, std::string_view word,
     return text;
 }
 
+/// Whether an index is computed, of which what is written may be a part.
+bool HasIndex(const HlslNode& node)
+{
+    const auto isComputed = [](const HlslNode& part)
+    {
+        return part.kind == HlslNodeKind::Index && part.last->kind != HlslNodeKind::Literal &&
+               part.last->kind != HlslNodeKind::Name;
+    };
+    return FindNode(node, isComputed) != nullptr;
+}
+
 bool isOutput(const HlslVariable& parameter)
 {
     return parameter.Has("out") || parameter.Has("inout");
@@ -231,7 +242,7 @@ void HlslLowering::LowerSwizzleAssignment(const HlslNode& node)
     }
     const std::string op(mark.substr(0, mark.size() - 1));
     const HlslType& given = node.last->type;
-    if (given.isNumber() && HasEffects(*target.child))
+    if (given.isNumber() && (HasEffects(*target.child) || HasIndex(*target.child)))
     {
         const std::string_view word = Text(target.token);
         const std::string type = target.type.Spelling();
