@@ -129,9 +129,7 @@ void HlslResolver::ResolveType(HlslNode& node)
         node.type = ElementType(first());
         break;
     case HlslNodeKind::Prefix:
-        node.type = m_Tokens.Text(node.token) == "!" && first().isNumber()
-                        ? first().Of(HlslScalar::Bool)
-                        : first();
+        node.type = PrefixType(m_Tokens.Text(node.token), first());
         break;
     case HlslNodeKind::Postfix:
     case HlslNodeKind::Assign:
@@ -251,6 +249,14 @@ HlslType HlslResolver::ObjectMethodType(const HlslType& object, std::string_view
     const bool isElement = method == "Load" && object.name.find("StructuredBuffer") != method.npos;
     return isElement ? TypeOf(m_Globals.declarations(), object.element, {})
                      : MethodType(object, method);
+}
+
+HlslType HlslResolver::PrefixType(std::string_view mark, const HlslType& operand)
+{
+    const bool isTruth = operand.isNumber() && operand.scalar == HlslScalar::Bool;
+    return mark == "!" && operand.isNumber()         ? operand.Of(HlslScalar::Bool)
+           : isTruth && (mark == "-" || mark == "~") ? operand.Of(HlslScalar::Int)
+                                                     : operand;
 }
 
 HlslType HlslResolver::BinaryType(const HlslNode& node) const

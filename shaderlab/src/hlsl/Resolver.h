@@ -56,6 +56,7 @@ private:
     static const Entry& Meant(const std::vector<Entry>& entries, bool hasMembers);
     HlslType CallType(HlslNode& node);
     HlslType MemberType(const HlslNode& node);
+    static HlslType PrefixType(std::string_view mark, const HlslType& operand);
     HlslType BinaryType(const HlslNode& node) const;
     HlslType ObjectMethodType(const HlslType& object, std::string_view method) const;
     HlslType ElementType(HlslType type) const;

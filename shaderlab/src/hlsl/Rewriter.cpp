@@ -94,6 +94,7 @@ public:
         FindDelayedStatics();
         Lower();
         DelayStatics();
+        ClearStatics();
     }
 
     RewrittenHlsl Finish(const std::string& entry)
@@ -175,13 +176,14 @@ public:
     }
 
     /// What is static and begins with what a function gives is set by the entry function: to
-    /// glslang such a function calls itself.
+    /// glslang such a function calls itself. What limn needs a function for is as well.
     void FindDelayedStatics()
     {
         for (const Tree& tree : m_Trees)
         {
-            if (tree.variable && tree.root->kind != HlslNodeKind::List &&
-                CallsOrNames(*tree.root, m_Delayed))
+            const bool isList = tree.root->kind == HlslNodeKind::List;
+            if (tree.variable && !(isList && HasOpenSize(*tree.variable)) &&
+                (CallsOrNames(*tree.root, m_Delayed) || m_Lowering.NeedsFunction(*tree.root)))
             {
                 m_Delayed.insert(tree.variable);
             }
@@ -198,8 +200,12 @@ public:
                 continue;
             }
             const HlslVariable& variable = *tree.variable;
-            m_Prologue += std::string(variable.name) + " = " +
-                          m_Code.Spelled(tree.root->first, tree.root->end) + ";\n";
+            const std::string value = m_Code.Spelled(tree.root->first, tree.root->end);
+            const std::string name(variable.name);
+            m_Prologue += tree.root->kind == HlslNodeKind::List
+                              ? "{ " + LocalCopy(variable) + " = " + value + "; " + name +
+                                    " = limn_value; }\n"
+                              : name + " = " + value + ";\n";
             m_Code.Erase(tree.root->first - 1, tree.root->end);
             for (std::size_t i = variable.firstToken; i < variable.token; ++i)
             {
@@ -207,6 +213,23 @@ public:
                 {
                     m_Code.Spelling(i).clear();
                 }
+            }
+        }
+    }
+
+    /// What is static begins with zeros; to glslang its value is not known.
+    void ClearStatics()
+    {
+        for (const HlslVariable& variable : m_Source.declarations.statics)
+        {
+            const HlslType type = TypeOf(m_Source.declarations, variable);
+            const bool isStruct = type.kind == HlslType::Kind::Struct;
+            if (variable.Has("static") && variable.valueToken == 0 && type.dimensions == 0 &&
+                (type.isNumber() || isStruct))
+            {
+                m_Code.Spelling(variable.token) +=
+                    " = (" + (isStruct ? std::string(type.name) : type.Spelling()) + ")" +
+                    (type.isMatrix() ? "0.0" : "0");
             }
         }
     }
@@ -354,6 +377,25 @@ private:
         m_Tokens.Refuse(parser.unended());
         RequireSoundNodes(m_Nodes, m_Tokens, m_Source.globals);
         m_UnknownTypes = parser.unknownTypes();
+    }
+
+    static bool HasOpenSize(const HlslVariable& variable)
+    {
+        return std::find(variable.dimensions.begin(), variable.dimensions.end(), "") !=
+               variable.dimensions.end();
+    }
+
+    /// The declaration of a local variable of the same type.
+    static std::string LocalCopy(const HlslVariable& variable)
+    {
+        const std::string argument(variable.templateArgument);
+        std::string text = std::string(variable.type) +
+                           (argument.empty() ? "" : "<" + argument + ">") + " limn_value";
+        for (const std::string_view size : variable.dimensions)
+        {
+            text.append("[").append(size).append("]");
+        }
+        return text;
     }
 
     /// Whether the value calls a function of the author or names one of the variables.

@@ -230,6 +230,10 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
     {
         return first.Of(HlslScalar::Bool);
     }
+    if (name == "sign" && first.isMatrix())
+    {
+        return first.Of(FloatOf(first.scalar)); // SPIR-V has no matrices of integers
+    }
     if (name == "asint" || name == "asuint" || name == "asfloat" || name == "sign")
     {
         return first.Of(name == "asuint"    ? HlslScalar::Uint
@@ -287,7 +291,7 @@ bool isIntrinsic(std::string_view name)
 bool isComponentwise(std::string_view intrinsic)
 {
     static const WordList s_OfVectors("normalize faceforward reflect refract");
-    return k_LikeArguments.Has(intrinsic) && !s_OfVectors.Has(intrinsic);
+    return intrinsic == "sign" || (k_LikeArguments.Has(intrinsic) && !s_OfVectors.Has(intrinsic));
 }
 
 HlslType MethodType(const HlslType& object, std::string_view method)

@@ -62,6 +62,10 @@ void HlslLowering::LowerCall(HlslNode& node)
         {
             LowerArgument(*argument, function->parameters[index++]);
         }
+        if (!isMethod)
+        {
+            LowerOutputs(node);
+        }
     }
     else if (isMethod)
     {
@@ -74,6 +78,7 @@ void HlslLowering::LowerCall(HlslNode& node)
         {
             LowerTruth(node);
         }
+        LowerFloats(node);
         LowerParts(node);
         LowerExponent(node);
         LowerInteger(node);
@@ -157,6 +162,21 @@ void HlslLowering::LowerParts(HlslNode& node)
     }
 }
 
+/// A function of floats takes what is true or false as well: of some that say so glslang does not
+/// know how many numbers they are.
+void HlslLowering::LowerFloats(HlslNode& node)
+{
+    for (HlslNode* argument = node.child; node.type.isFloating() && argument;
+         argument = argument->next)
+    {
+        const HlslType& given = argument->type;
+        if (given.isNumber() && !given.isMatrix() && given.scalar == HlslScalar::Bool)
+        {
+            Wrap(*argument, "(" + given.Of(HlslScalar::Float).Spelling() + ")(", ")");
+        }
+    }
+}
+
 /// `ldexp(x, e)` takes any number as the exponent; glslang makes invalid SPIR-V of floats.
 void HlslLowering::LowerExponent(HlslNode& node)
 {
@@ -169,7 +189,8 @@ void HlslLowering::LowerExponent(HlslNode& node)
     m_Code.Spelling(node.token) = "limn_ldexp";
 }
 
-/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` of a uint for an int's.
+/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` and the `dot` of uints
+/// for an int's.
 void HlslLowering::LowerInteger(HlslNode& node)
 {
     const std::string_view name = Text(node.token);
@@ -178,11 +199,24 @@ void HlslLowering::LowerInteger(HlslNode& node)
         return;
     }
     const std::string type = node.type.Spelling();
-    if (name == "mad")
+    if (name == "mad" && m_IsInitial)
+    {
+        m_Code.Erase(node.token, node.token + 1);
+        Wrap(*node.child, "(", ")");
+        Wrap(*node.child->next, "(", ")");
+        Wrap(*node.last, "(", ")");
+        m_Code.Spelling(node.child->end) = " * ";
+        m_Code.Spelling(node.child->next->end) = " + ";
+    }
+    else if (name == "mad")
     {
         Need(type + " limn_mad(" + type + " x, " + type + " y, " + type +
              " z) { return x * y + z; } ");
         m_Code.Spelling(node.token) = "limn_mad";
+    }
+    else if (name == "dot" && node.type.scalar == HlslScalar::Uint)
+    {
+        Wrap(node, "((uint)", ")");
     }
     else if (name == "abs" && node.type.scalar == HlslScalar::Uint)
     {
@@ -190,9 +224,17 @@ void HlslLowering::LowerInteger(HlslNode& node)
     }
 }
 
-/// `sign` gives integers; to glslang those of floats are floats.
+/// `sign` gives integers; to glslang those of floats are floats, and numbers without a sign have
+/// one.
 void HlslLowering::LowerSign(const HlslNode& node)
 {
+    const HlslType given = node.child ? node.child->type : HlslType();
+    if (Text(node.token) == "sign" && given.isNumber() && !given.isMatrix() &&
+        given.scalar == HlslScalar::Uint)
+    {
+        m_Code.Spelling(node.token) = "(" + node.type.Spelling() + ")min";
+        Wrap(*node.child, "", ", (" + given.Spelling() + ")1");
+    }
     const bool isOfFloats = node.child && node.child->type.isFloating();
     if (Text(node.token) == "sign" && isOfFloats && !node.type.isMatrix() && MattersAsInteger(node))
     {

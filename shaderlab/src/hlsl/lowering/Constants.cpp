@@ -138,15 +138,56 @@ bool HlslLowering::FoldsWrong(const HlslNode& node) const
     {
         return node.type.isFloating() && !isOfNumbers;
     }
+    if (name == "dot")
+    {
+        return !node.type.isFloating();
+    }
     const bool isOrder = name == "<" || name == "<=" || name == ">" || name == ">=";
     return isOrder && (type.isVector() || (type.isFloating() && !isOfNumbers));
+}
+
+/// `dot` of integers as a sum.
+void HlslLowering::SpellDot(const HlslNode& node)
+{
+    const std::string x = "(" + m_Code.Spelled(node.child->first, node.child->end) + ")";
+    const std::string y = "(" + m_Code.Spelled(node.last->first, node.last->end) + ")";
+    const auto part = [](const HlslNode& operand, int index)
+    {
+        return operand.type.isScalar() ? "" : std::string(".") + "xyzw"[index];
+    };
+    std::string sum;
+    const int count = Promote(node.child->type, node.last->type).columns;
+    for (int i = 0; i < count; ++i)
+    {
+        sum += (i > 0 ? " + " : "") + x + part(*node.child, i) + " * " + y + part(*node.last, i);
+    }
+    m_Code.Erase(node.first, node.end);
+    m_Code.Spelling(node.first) = "(" + sum + ")";
+}
+
+/// Whether a static variable's value is only right where a function works it out: elements of
+/// matrices, and vectors that are compared.
+bool HlslLowering::NeedsFunction(const HlslNode& value) const
+{
+    const auto isOne = [&](const HlslNode& part)
+    {
+        const std::string_view text = Text(part.token);
+        const bool isOfMatrices = part.kind == HlslNodeKind::Binary &&
+                                  part.child->type.isMatrix() &&
+                                  (text == "%" || (text == "*" && part.last->type.isMatrix()));
+        const bool isOrder = part.kind == HlslNodeKind::Binary && part.type.isVector() &&
+                             part.type.scalar == HlslScalar::Bool && text != "&&" && text != "||";
+        return isOfMatrices || isOrder ||
+               (part.kind == HlslNodeKind::Call && part.type.isMatrix() && isComponentwise(text));
+    };
+    return FindNode(value, isOne) != nullptr;
 }
 
 /// What glslang computes otherwise than HLSL says while it compiles: remainders, `round`, vectors
 /// that are compared, and what is asked of NaN.
 void HlslLowering::LowerFolding(HlslNode& node)
 {
-    if (node.type.isMatrix() || !FoldsWrong(node) || !MayBeConstant(node, m_Code))
+    if ((node.type.isMatrix() && m_IsInitial) || !FoldsWrong(node) || !MayBeConstant(node, m_Code))
     {
         return;
     }
@@ -156,6 +197,11 @@ void HlslLowering::LowerFolding(HlslNode& node)
         return;
     }
     const std::string_view name = Text(node.token);
+    if (name == "dot")
+    {
+        SpellDot(node);
+        return;
+    }
     const bool isRemainder = name == "fmod" || name == "%";
     if (!node.type.isFloating() || (!isRemainder && name != "round"))
     {

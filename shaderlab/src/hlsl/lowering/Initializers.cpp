@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace limn
@@ -47,23 +50,57 @@ constexpr char k_Whole = '\1';
 class ListDealer
 {
 public:
-    ListDealer(const HlslDeclarations& declarations, HlslEditor& code, const HlslNode& list)
-        : m_Declarations(declarations), m_Code(code)
+    /// @param hasEffects  asks of a value whether it must be worked out once
+    ListDealer(const HlslDeclarations& declarations, HlslEditor& code, const HlslNode& list,
+               std::function<bool(const HlslNode&)> hasEffects)
+        : m_Declarations(declarations), m_Code(code), m_HasEffects(std::move(hasEffects))
     {
         Flatten(list, m_Items);
     }
 
     /// Spells the list as glslang wants it, unless it does not fit.
-    void Deal(const HlslNode& list, const Slot& slot)
+    ///
+    /// @param statement  the declaration that the list is the first value of; null where nothing
+    ///                   may stand before it
+    void Deal(const HlslNode& list, const Slot& slot, const HlslNode* statement)
     {
-        const std::string text = DealSlot(slot);
-        if (m_Fits && m_Next == m_Items.size())
+        std::string text = DealSlot(slot);
+        if (!m_Fits || m_Next != m_Items.size())
         {
-            Spell(list, text);
+            return;
+        }
+        std::string variables;
+        if (m_IsDoubled && statement)
+        {
+            variables = NameValues();
+            m_Whole.clear();
+            m_Next = 0;
+            text = DealSlot(slot);
+        }
+        Spell(list, text);
+        if (!variables.empty())
+        {
+            m_Code.Spelling(statement->first).insert(0, variables);
         }
     }
 
 private:
+    /// Declares a variable for each value that must be worked out once, and in its turn.
+    std::string NameValues()
+    {
+        std::string text;
+        for (const HlslNode* item : m_Items)
+        {
+            if (item->type.isNumber() && m_HasEffects(*item))
+            {
+                const std::string& name = m_Names[item] = "limn_v" + std::to_string(item->first);
+                text += item->type.Spelling() + " " + name + " = " +
+                        m_Code.Spelled(item->first, item->end) + "; ";
+            }
+        }
+        return text;
+    }
+
     std::string DealMembers(const HlslStruct& type)
     {
         constexpr int k_Deepest = 100; // of structs that hold themselves, which are mistakes
@@ -105,33 +142,42 @@ private:
         {
             return DealMembers(*inner);
         }
+        // It may be one of the struct or its first member: glslang knows, and needs the brackets.
+        m_Fits = m_Fits && !(inner && whole && whole->type.kind == HlslType::Kind::Unknown);
         int left = type.kind == HlslType::Kind::Number ? type.components() : 1;
         std::string values;
         int count = 0;
         for (; left > 0 && m_Next < m_Items.size(); ++count)
         {
-            values += (count > 0 ? ", " : "") + Take(left);
+            // glslang makes no matrix of one vector.
+            const bool isRow = type.isMatrix() && m_Items[m_Next]->type.isVector();
+            values += (count > 0 ? ", " : "") + Take(left, isRow ? type.columns : left);
         }
         m_Fits = m_Fits && left == 0;
         return count == 1 ? values : type.Spelling() + "(" + values + ")";
     }
 
     /// The value at hand, or of a vector what is `left` to be filled.
-    std::string Take(int& left)
+    ///
+    /// @param most  how many numbers to take
+    std::string Take(int& left, int most)
     {
         const HlslNode& item = *m_Items[m_Next];
         const int all = item.type.isNumber() ? item.type.components() : 1;
-        const int taken = std::min(left, all - m_Taken);
+        const int taken = std::min({left, all - m_Taken, item.type.isVector() ? most : all});
         const bool isPart = taken < all;
         m_Fits = m_Fits && (item.type.isNumber() || left == 1) && (!isPart || item.type.isVector());
-        std::string text(1, k_Whole);
+        const auto named = m_Names.find(&item);
+        const bool isNamed = named != m_Names.end();
+        std::string text = isNamed ? named->second : std::string(1, k_Whole);
         if (isPart)
         {
-            text = "(" + m_Code.Spelled(item.first, item.end) + ").";
+            m_IsDoubled = m_IsDoubled || m_HasEffects(item);
+            text = isNamed ? text + "." : "(" + m_Code.Spelled(item.first, item.end) + ").";
             text += std::string_view("xyzw").substr(static_cast<std::size_t>(m_Taken) % 4,
                                                     static_cast<std::size_t>(taken));
         }
-        else
+        else if (!isNamed)
         {
             m_Whole.push_back(&item);
         }
@@ -162,6 +208,9 @@ private:
     HlslEditor& m_Code;
     std::vector<const HlslNode*> m_Items;
     std::vector<const HlslNode*> m_Whole; ///< of them
+    std::function<bool(const HlslNode&)> m_HasEffects;
+    std::map<const HlslNode*, std::string> m_Names; ///< of variables that values are in
+    bool m_IsDoubled = false; ///< whether a value that must be worked out once is written twice
     std::size_t m_Next = 0;
     int m_Taken = 0; ///< of its numbers
     int m_Depth = 0; ///< of structs in structs
@@ -181,11 +230,15 @@ void HlslLowering::LowerDeclarator(HlslNode& node)
     {
         dimensions.push_back(m_Code.Span(i + 1, m_Code.AfterBracket(i) - 1));
     }
-    LowerInitializer(*node.child, node.type, dimensions);
+    const HlslNode* const declaration = node.parent;
+    const bool isFirst = declaration && declaration->child == &node && declaration->parent &&
+                         declaration->parent->kind == HlslNodeKind::Block && !m_IsInitial;
+    LowerInitializer(*node.child, node.type, dimensions, isFirst ? declaration : nullptr);
 }
 
 void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
-                                    std::span<const std::string_view> dimensions)
+                                    std::span<const std::string_view> dimensions,
+                                    const HlslNode* statement)
 {
     const HlslDeclarations& declarations = m_Globals.declarations();
     const Slot slot{type.Innermost(), dimensions};
@@ -193,7 +246,9 @@ void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
                          (slot.type.isNumber() || declarations.FindStruct(slot.type.name));
     if (value.kind == HlslNodeKind::List && value.child && isKnown)
     {
-        ListDealer(declarations, m_Code, value).Deal(value, slot);
+        ListDealer dealer(declarations, m_Code, value,
+                          [this](const HlslNode& item) { return HasEffects(item); });
+        dealer.Deal(value, slot, statement);
     }
 }
 

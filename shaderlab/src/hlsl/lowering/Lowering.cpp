@@ -8,7 +8,7 @@ namespace
 
 bool isTruth(const HlslNode& node)
 {
-    return node.type.isScalar() && node.type.scalar == HlslScalar::Bool;
+    return node.type.isNumber() && !node.type.isMatrix() && node.type.scalar == HlslScalar::Bool;
 }
 
 } // namespace
@@ -43,20 +43,6 @@ void HlslLowering::Lower(HlslNode& node, bool isInitial)
     LowerNode(node);
 }
 
-/// glslang makes invalid SPIR-V of `a &= b` where they are true or false, not of `a = a & b`.
-void HlslLowering::LowerTruthAssignment(const HlslNode& node)
-{
-    const std::string_view mark = Text(node.token);
-    if ((mark == "&=" || mark == "|=" || mark == "^=") &&
-        node.child->type.scalar == HlslScalar::Bool && node.child->type.isNumber())
-    {
-        const std::string target = m_Code.Spelled(node.child->first, node.child->end);
-        m_Code.Spelling(node.token) = "= " + target + " " + std::string(mark.substr(0, 1)) + " (" +
-                                      node.child->type.Spelling() + ")(";
-        Wrap(*node.child->next, "", ")");
-    }
-}
-
 void HlslLowering::LowerNode(HlslNode& node)
 {
     switch (node.kind)
@@ -74,8 +60,12 @@ void HlslLowering::LowerNode(HlslNode& node)
         break;
     case HlslNodeKind::Binary:
     case HlslNodeKind::Assign:
-        LowerTruthAssignment(node);
-        LowerSwizzleAssignment(node);
+        if (node.kind == HlslNodeKind::Assign)
+        {
+            LowerTruthAssignment(node);
+            LowerIntegerAssignment(node);
+            LowerSwizzleAssignment(node);
+        }
         if (Text(node.token) == "=")
         {
             LowerConstantCast(node);
@@ -86,8 +76,13 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Prefix:
         if ((Text(node.token) == "-" || Text(node.token) == "~") && isTruth(*node.child))
         {
-            Wrap(*node.child, "(int)(", ")");
+            const HlslType type = node.child->type.Of(HlslScalar::Int);
+            Wrap(*node.child, "(" + type.Spelling() + ")(", ")");
         }
+        LowerSwizzleStep(node);
+        break;
+    case HlslNodeKind::Postfix:
+        LowerSwizzleStep(node);
         break;
     case HlslNodeKind::Call:
     case HlslNodeKind::Method:

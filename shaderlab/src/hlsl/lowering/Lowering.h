@@ -32,8 +32,13 @@ public:
     /// The value of a variable of the type, where it is a list.
     ///
     /// @param dimensions  what stands in the brackets of an array
+    /// @param statement   what other statements may be put before; null: none may
     void LowerInitializer(HlslNode& value, const HlslType& type,
-                          std::span<const std::string_view> dimensions);
+                          std::span<const std::string_view> dimensions,
+                          const HlslNode* statement = nullptr);
+
+    /// Whether a static variable's resolved value is only right where it is not initial.
+    bool NeedsFunction(const HlslNode& value) const;
 
     /// Declarations of the functions that the edits call; they belong before all code.
     const std::string& functions() const { return m_Functions; }
@@ -45,18 +50,25 @@ private:
     void Need(const std::string& text);
 
     void LowerNode(HlslNode& node);
+    // Targets.cpp
+    bool HasEffects(const HlslNode& node) const;
+    bool isTarget(const HlslNode& node) const;
+    bool IsHandedWrong(const HlslNode& argument, const HlslVariable& parameter) const;
     void LowerTruthAssignment(const HlslNode& node);
+    void LowerIntegerAssignment(const HlslNode& node);
+    void LowerSwizzleAssignment(const HlslNode& node);
+    void LowerSwizzleStep(const HlslNode& node);
+    void LowerOutputs(HlslNode& node);
     // Loops.cpp
     void Hoist(const HlslNode& loop);
     // Matrices.cpp
     void LowerCast(HlslNode& node);
     void LowerConstruct(HlslNode& node);
     void LowerSwizzle(HlslNode& node);
-    void LowerSwizzleAssignment(const HlslNode& node);
     std::string SwizzleFunction(const HlslNode& node);
     void LowerMatrixOperator(HlslNode& node);
     void LowerMatrixFunction(HlslNode& node);
-    std::string MultiplyFunction(const HlslType& type);
+    std::string MultiplyFunction(const HlslType& type, bool isAssignment);
     std::string CastFunction(const HlslType& type);
     // Calls.cpp
     void LowerCall(HlslNode& node);
@@ -65,6 +77,7 @@ private:
     void LowerTruth(HlslNode& node);
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);
+    void LowerFloats(HlslNode& node);
     void LowerInteger(HlslNode& node);
     void LowerSign(const HlslNode& node);
     void LowerLit(HlslNode& node);
@@ -72,6 +85,7 @@ private:
     // Constants.cpp
     void Hide(const HlslNode& node);
     bool FoldsWrong(const HlslNode& node) const;
+    void SpellDot(const HlslNode& node);
     void LowerFolding(HlslNode& node);
     void LowerConstantCast(const HlslNode& node);
     // Initializers.cpp

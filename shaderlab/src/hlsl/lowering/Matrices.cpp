@@ -64,20 +64,6 @@ std::string ElementsOf(const std::string& operand, std::string_view word)
     return elements;
 }
 
-/// Whether the node is written to, itself or in part.
-bool isTarget(const HlslNode& node)
-{
-    const HlslNode* child = &node;
-    const HlslNode* parent = node.parent;
-    while (parent && child == parent->child &&
-           (parent->kind == HlslNodeKind::Member || parent->kind == HlslNodeKind::Index))
-    {
-        child = parent;
-        parent = parent->parent;
-    }
-    return parent && parent->child == child && parent->kind == HlslNodeKind::Assign;
-}
-
 } // namespace
 
 std::string HlslLowering::CastFunction(const HlslType& type)
@@ -166,22 +152,6 @@ std::string HlslLowering::SwizzleFunction(const HlslNode& node)
     return function;
 }
 
-/// Several elements of a matrix can be assigned to, not changed: `m._m00_m11 += v`.
-void HlslLowering::LowerSwizzleAssignment(const HlslNode& node)
-{
-    const HlslNode& target = *node.child;
-    const std::string_view mark = Text(node.token);
-    if (node.kind != HlslNodeKind::Assign || mark == "=" || target.kind != HlslNodeKind::Member ||
-        !target.child->type.isMatrix() || !target.type.isVector())
-    {
-        return;
-    }
-    const std::string matrix = m_Code.Spelled(target.child->first, target.child->end);
-    m_Code.Spelling(node.token) = "= " + SwizzleFunction(target) + "(" + matrix + ") " +
-                                  std::string(mark.substr(0, mark.size() - 1)) + " ";
-    Wrap(*node.last, "(", ")");
-}
-
 /// Of matrices of two sizes both count as far as the smaller goes, and `*` is of their elements: to
 /// glslang it is their product.
 void HlslLowering::LowerMatrixOperator(HlslNode& node)
@@ -209,13 +179,13 @@ void HlslLowering::LowerMatrixOperator(HlslNode& node)
     {
         return;
     }
-    const std::string function = MultiplyFunction(type.Of(HlslScalar::Float));
-    const std::string before = isAssignment ? m_Code.Spelled(left->first, left->end) + "= " : "";
+    const std::string function = MultiplyFunction(type.Of(HlslScalar::Float), isAssignment);
     m_Code.Spelling(node.token) = ",";
-    Wrap(node, before + function + "(", ")");
+    Wrap(node, function + "(", ")");
 }
 
-std::string HlslLowering::MultiplyFunction(const HlslType& type)
+/// @param isAssignment  whether the product becomes the first factor's value
+std::string HlslLowering::MultiplyFunction(const HlslType& type, bool isAssignment)
 {
     std::string rows;
     for (int row = 0; row < type.rows; ++row)
@@ -224,9 +194,11 @@ std::string HlslLowering::MultiplyFunction(const HlslType& type)
         rows += (row > 0 ? ", a" : "a") + index + " * b" + index;
     }
     const std::string name = type.Spelling();
-    Need(name + " limn_multiply(" + name + " a, " + name + " b) { return " + name + "(" + rows +
-         "); } ");
-    return "limn_multiply";
+    const std::string function = isAssignment ? "limn_multiply_by" : "limn_multiply";
+    Need(name + " " + function + (isAssignment ? "(inout " : "(") + name + " a, " + name +
+         " b) { " + (isAssignment ? "a = " : "return ") + name + "(" + rows + "); " +
+         (isAssignment ? "return a; } " : "} "));
+    return function;
 }
 
 /// What works on each element of a matrix has no SPIR-V: it is called for each row.
