@@ -261,6 +261,12 @@ std::error_code Write(const std::filesystem::path& path, std::string_view bytes,
     return old.st_nlink > 1 ? Overwrite(writing, old) : Replace(writing, &old);
 }
 
+int OpenFolderOf(const std::filesystem::path& file)
+{
+    return open((BehindLinks(file).parent_path() / ".").c_str(),
+                O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
 } // namespace
 
 std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes,
@@ -302,12 +308,26 @@ std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)
     return {};
 }
 
-FileLock::FileLock(const std::filesystem::path& file)
-    : m_Descriptor(
-          open((BehindLinks(file).parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+FileLock::FileLock(const std::filesystem::path& file) : m_Descriptor(OpenFolderOf(file))
 {
-    while (m_Descriptor >= 0 && flock(m_Descriptor, LOCK_EX) != 0 && errno == EINTR)
+    Lock(LOCK_EX);
+}
+
+FileLock::FileLock(const std::filesystem::path& file, std::try_to_lock_t)
+    : m_Descriptor(OpenFolderOf(file))
+{
+    Lock(LOCK_EX | LOCK_NB);
+}
+
+void FileLock::Lock(int operation)
+{
+    while (m_Descriptor >= 0 && flock(m_Descriptor, operation) != 0)
     {
+        if (errno != EINTR)
+        {
+            m_IsHeldElsewhere = errno == EWOULDBLOCK;
+            return;
+        }
     }
 }
 

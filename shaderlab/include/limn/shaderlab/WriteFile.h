@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string_view>
 #include <system_error>
 
@@ -42,12 +43,20 @@ public:
     /// locks nothing is held.
     /// @param file  through a link, the file behind it
     explicit FileLock(const std::filesystem::path& file);
+    /// Does not wait.
+    FileLock(const std::filesystem::path& file, std::try_to_lock_t);
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
+    /// Says whether another owner held it, who was not waited for.
+    bool isHeldElsewhere() const { return m_IsHeldElsewhere; }
+
 private:
+    void Lock(int operation);
+
     int m_Descriptor;
+    bool m_IsHeldElsewhere = false;
 };
 
 } // namespace limn
