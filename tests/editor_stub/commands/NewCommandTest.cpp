@@ -93,7 +93,7 @@ TEST(NewCommand, LeavesNothingWhereThereIsNoRoom)
             {
                 const FileSizeLimit limit(2000); // which the first files keep to
                 const CommandRun run = RunCommand(words);
-                EXPECT_NE(0, run.exitCode);
+                EXPECT_EQ(3, run.exitCode);
                 EXPECT_THAT(run.err, testing::HasSubstr("cannot be written: File too large"));
                 EXPECT_EQ("", run.out);
             }

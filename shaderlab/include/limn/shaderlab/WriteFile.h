@@ -16,8 +16,8 @@ namespace limn
 /// control lists among them; a link stays one, and the file that it leads to is written. What a new
 /// file cannot take the place of is written to where it stands: pipes and devices (not disks), the
 /// file that is standard output, a file of several names (hard links) and one whose owner or
-/// attributes this process cannot give to another file. Of the last two, a failure for want of room
-/// leaves the old content as well.
+/// attributes this process cannot give to another file. A file that nobody may write to is left
+/// alone. Of the last two, a failure for want of room leaves the old content as well.
 /// @param beforeReplace  called when all is ready to be written; what it throws is a failure
 /// @return the system's reason, if it cannot be written
 [[nodiscard]] std::error_code TryWriteFile(const std::filesystem::path& path,
@@ -26,7 +26,8 @@ namespace limn
 
 /// TryWriteFile, for files a person asked for: the bytes are on the disk before they take the old
 /// ones' place, and that they did is when this returns. Not even a power failure leaves neither.
-/// @throws AssetError naming the path and the system's reason, if it cannot be written
+/// @throws AssetError naming the path and the system's reason, if it cannot be written; a
+///     MachineError where there is no room or the like
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace = {});
 
