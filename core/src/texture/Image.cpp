@@ -1,5 +1,8 @@
 #include <limn/core/Image.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <limn/shaderlab/Diagnostic.h>
 #include <limn/shaderlab/ReadFile.h>
 #include <limn/shaderlab/WriteFile.h>
@@ -156,6 +159,28 @@ Image ReadPng(const std::filesystem::path& path)
         throw fail();
     }
     return image;
+}
+
+std::uintmax_t PngTexelBytes(const std::filesystem::path& path)
+{
+    std::error_code error;
+    std::array<char, 24> header{};
+    if (!std::filesystem::is_regular_file(path, error) ||
+        !std::ifstream(path, std::ios::binary).read(header.data(), header.size()))
+    {
+        return 0;
+    }
+    const auto number = [&header](std::size_t at)
+    {
+        std::uintmax_t value = 0;
+        for (std::size_t i = at; i < at + 4; ++i)
+        {
+            value = value << 8 | static_cast<unsigned char>(header[i]);
+        }
+        return value;
+    };
+    const std::uintmax_t width = std::min<std::uintmax_t>(number(16), k_MaxSide);
+    return width * std::min<std::uintmax_t>(number(20), k_MaxSide) * 4;
 }
 
 } // namespace limn

@@ -17,8 +17,13 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
     {
         return std::filesystem::is_regular_file(status) && std::filesystem::equivalent(a, b, error);
     }
-    const std::filesystem::path real = std::filesystem::weakly_canonical(a, error);
-    return !error && real == std::filesystem::weakly_canonical(b, error);
+    // weakly_canonical leaves a relative path relative where nothing of it is there.
+    const auto real = [&error](const std::filesystem::path& path)
+    {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    };
+    const std::filesystem::path first = real(a);
+    return !error && first == real(b);
 }
 
 } // namespace

@@ -188,6 +188,20 @@ void AddRender(CLI::App& app, CommandLine& line)
                });
 }
 
+/// Refuses `-o ""` wherever there is an -o.
+void RequireOutputNames(CLI::App& app)
+{
+    for (CLI::App* verb : app.get_subcommands({}))
+    {
+        if (CLI::Option* output = verb->get_option_no_throw("--output"))
+        {
+            output->check([](const std::string& text)
+                          { return text.empty() ? "'' is no name of a file or folder" : ""; });
+        }
+        RequireOutputNames(*verb);
+    }
+}
+
 void AddWatch(CLI::App& app, CommandLine& line)
 {
     CLI::App* verb = AddDrawingVerb(
@@ -451,6 +465,7 @@ void AddEverything(CLI::App& app, CommandLine& line)
     AddCompletion(app, line);
     AddHelp(app, line);
     AddVersion(app, line);
+    RequireOutputNames(app);
 }
 
 ConsoleOptions ConsoleOptionsOf(const CLI::App& app)

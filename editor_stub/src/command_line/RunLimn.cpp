@@ -155,6 +155,12 @@ int ParseAndRun(std::span<const std::string> args, Console& console)
     {
         return print(app.version() + "\n");
     }
+    std::error_code error;
+    if (std::filesystem::current_path(error).empty())
+    {
+        console.Error("the working directory is not there any more; change into one that is");
+        return static_cast<int>(ExitCode::MachineLacksIt);
+    }
     FinishOptions(line);
     return line.run(console);
 }
@@ -165,6 +171,11 @@ ExitCode ExitCodeOf(Console& console)
     try
     {
         throw;
+    }
+    catch (const MachineError& error)
+    {
+        console.Print(error.diagnostics());
+        return ExitCode::MachineLacksIt;
     }
     catch (const AssetError& error)
     {

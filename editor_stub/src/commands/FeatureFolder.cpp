@@ -1,42 +1,60 @@
 #include "commands/FeatureFolder.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <limn/shaderlab/WriteFile.h>
 
 namespace limn
 {
 
-void MakeFeatureFolder(const std::string& folder)
+namespace
+{
+
+/// @return whether the folder is new
+bool MakeFeatureFolder(const std::filesystem::path& folder)
 {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    const bool isNew = std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
     {
-        throw AssetError(folder, {}, "cannot be made: " + error.message());
+        throw AssetError(folder.string(), {}, "cannot be made: " + error.message());
     }
     if (!std::filesystem::is_empty(folder))
     {
-        throw AssetError(folder, {},
+        throw AssetError(folder.string(), {},
                          "holds files already, none of which is written over; name a new folder");
     }
+    return isNew;
 }
 
-void WriteFeatureFile(const std::string& folder, const std::string& name, const std::string& text,
-                      Console& console)
+} // namespace
+
+void WriteFeatureFolder(const std::filesystem::path& folder, const std::vector<NewFile>& files,
+                        Console& console)
 {
-    const std::filesystem::path path = std::filesystem::path(folder) / name;
-    errno = 0;
-    std::ofstream stream(path, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
+    const bool isNew = MakeFeatureFolder(folder);
+    try
     {
-        throw AssetError(path.generic_string(), {},
-                         std::string("cannot be written: ") + std::strerror(errno));
+        for (const NewFile& file : files)
+        {
+            WriteFile(folder / file.name, file.text);
+        }
     }
-    console.Result(path.generic_string());
+    catch (...)
+    {
+        std::error_code ignored;
+        for (const NewFile& file : files)
+        {
+            std::filesystem::remove(folder / file.name, ignored);
+        }
+        if (isNew)
+        {
+            std::filesystem::remove(folder, ignored);
+        }
+        throw;
+    }
+    for (const NewFile& file : files)
+    {
+        console.Result((folder / file.name).generic_string());
+    }
 }
 
 } // namespace limn

@@ -2,18 +2,24 @@
 
 #include "console/Console.h"
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace limn
 {
 
-/// Makes a new folder, or takes an empty one.
-/// @throws AssetError if it cannot be made, or is not empty
-void MakeFeatureFolder(const std::string& folder);
+/// A file of a folder that is begun.
+struct NewFile
+{
+    std::string name;
+    std::string text;
+};
 
-/// Writes a file into it, and prints its path as a result.
-/// @throws AssetError if it cannot be written
-void WriteFeatureFile(const std::string& folder, const std::string& name, const std::string& text,
-                      Console& console);
+/// Writes all files into a new folder, or an empty one, and prints their paths as results. If one
+/// cannot be written, none stays.
+/// @throws AssetError if the folder cannot be made, is not empty, or a file cannot be written
+void WriteFeatureFolder(const std::filesystem::path& folder, const std::vector<NewFile>& files,
+                        Console& console);
 
 } // namespace limn

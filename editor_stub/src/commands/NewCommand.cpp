@@ -96,12 +96,13 @@ int RunNew(const NewOptions& options, Console& console)
         console.Error(problem);
         return static_cast<int>(ExitCode::WrongUsage);
     }
-    MakeFeatureFolder(options.folder);
+    std::vector<NewFile> files;
     for (const auto& [file, text] : FilesOf(options.style))
     {
-        WriteFeatureFile(options.folder, FileName(file, options.name),
-                         Named(std::string(text), "@NAME@", options.name), console);
+        files.push_back(
+            {FileName(file, options.name), Named(std::string(text), "@NAME@", options.name)});
     }
+    WriteFeatureFolder(options.folder, files, console);
     return static_cast<int>(ExitCode::Done);
 }
 

@@ -81,11 +81,12 @@ int RunPort(const PortOptions& options, Console& console)
     }
     const ReadCSharpFiles read = ReadCSharp(texts);
     const PortFolder port = PortFeature(read.files, UnityPortingTable());
-    MakeFeatureFolder(options.folder);
+    std::vector<NewFile> files;
     for (const PortedFile& file : port.files)
     {
-        WriteFeatureFile(options.folder, file.name, file.text, console);
+        files.push_back({file.name, file.text});
     }
+    WriteFeatureFolder(options.folder, files, console);
     for (const UsedMember& use : port.uses)
     {
         if (!use.entry)

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <fcntl.h>
 #include <iostream>
 #include <limn/editor_stub/RunLimn.h>
@@ -25,6 +26,7 @@ void TakeClosedStreams()
 int main(int argc, char** argv)
 {
     TakeClosedStreams();
+    std::signal(SIGXFSZ, SIG_IGN); // what is larger than a file may be is an error with a name
     const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);
     return limn::RunLimn(args, std::cout, std::cerr);
 }

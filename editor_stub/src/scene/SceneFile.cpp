@@ -81,6 +81,11 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         asset.shadows = loaded.shadows;
         asset.pipelineVersion = loaded.pipelineVersion.value_or(asset.pipelineVersion);
     }
+    const std::string problem = ScaledSizeProblem(asset);
+    if (!problem.empty())
+    {
+        diagnostics.Error((scale ? scale : pipeline)->location(), problem);
+    }
 }
 
 void ReadPlugins(const YamlNode& node, SceneLoader& loader)
@@ -172,6 +177,22 @@ void TurnObjects(const std::vector<Turn>& turns, double seconds)
         }
         turn.object->transform.localRotation = turn.rest * EulerToRotation(degrees);
     }
+}
+
+std::string ScaledSizeProblem(const SceneAsset& scene)
+{
+    const auto scaled = [&scene](int side)
+    {
+        return static_cast<int>(static_cast<float>(side) * scene.renderScale);
+    };
+    const int width = scaled(scene.width);
+    const int height = scaled(scene.height);
+    return std::max(width, height) <= static_cast<int>(k_PictureSizes.max)
+               ? ""
+               : "renderScale: it makes " + std::to_string(width) + "x" + std::to_string(height) +
+                     " of " + std::to_string(scene.width) + "x" + std::to_string(scene.height) +
+                     " pixels, and cameras draw in at most " + NumberText(k_PictureSizes.max) +
+                     " either way; lower it, or draw a smaller picture";
 }
 
 std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,

@@ -61,6 +61,27 @@ bool CheckCount(const YamlNode& list, const std::string& subject, TextureDimensi
     return fits;
 }
 
+/// Whether the pictures take no more memory than a texture may; an error says it otherwise. Asked
+/// before the first one is decoded: a small file may hold a gigabyte.
+bool CheckBytes(const YamlNode& list, const std::string& subject, const References& references,
+                AssetDiagnostics& diagnostics)
+{
+    constexpr std::uintmax_t k_Most = std::uintmax_t{2} << 30; // Unity's limit of a texture
+    std::uintmax_t bytes = 0;
+    for (const YamlNode& item : list.items())
+    {
+        bytes += PngTexelBytes(references.Resolve(item.scalar()));
+    }
+    if (bytes > k_Most)
+    {
+        diagnostics.Error(list.location(),
+                          subject + ": its " + std::to_string(list.items().size()) +
+                              " pictures take " + std::to_string(bytes >> 20) +
+                              " MiB; a texture may take " + std::to_string(k_Most >> 20) + " MiB");
+    }
+    return bytes <= k_Most;
+}
+
 /// Whether the pictures are of one size and encoding, and square where they are faces; errors say
 /// it otherwise.
 bool CheckSlices(const Slices& slices, const YamlNode& list, const std::string& subject,
@@ -104,7 +125,8 @@ bool CheckSlices(const Slices& slices, const YamlNode& list, const std::string& 
 Slices ReadSlices(const YamlNode& list, const std::string& subject, TextureDimension dimension,
                   References& references, AssetDiagnostics& diagnostics)
 {
-    if (!CheckCount(list, subject, dimension, diagnostics))
+    if (!CheckCount(list, subject, dimension, diagnostics) ||
+        !CheckBytes(list, subject, references, diagnostics))
     {
         return {};
     }

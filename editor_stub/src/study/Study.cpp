@@ -11,23 +11,19 @@ namespace limn::study
 namespace
 {
 
-constexpr const char* k_KindNames[] = {"geometry", "numerical", "temporal", "cost", "stability"};
+constexpr std::string_view k_KindNames[] = {"geometry", "numerical", "temporal", "cost",
+                                            "stability"};
 
 } // namespace
 
 const char* ToString(CellKind kind)
 {
-    return k_KindNames[static_cast<std::size_t>(kind)];
+    return k_KindNames[static_cast<std::size_t>(kind)].data();
 }
 
-CellKind CellKindFrom(std::string_view name)
+std::span<const std::string_view> CellKindNames()
 {
-    const auto found = std::ranges::find(k_KindNames, name);
-    if (found == std::end(k_KindNames))
-    {
-        throw std::invalid_argument("no kind of cell is called '" + std::string(name) + "'");
-    }
-    return static_cast<CellKind>(found - std::begin(k_KindNames));
+    return k_KindNames;
 }
 
 std::string CellId::Name() const

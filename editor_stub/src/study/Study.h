@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,8 +22,8 @@ enum class CellKind
 };
 
 const char* ToString(CellKind kind); ///< "geometry", ...
-/// @throws std::invalid_argument for other words
-CellKind CellKindFrom(std::string_view name);
+/// All words that ToString gives, in the order of the kinds.
+std::span<const std::string_view> CellKindNames();
 
 /// One thing that is measured on its own: what a shard takes or leaves, what an interrupted run
 /// has or lacks. Its name is unique in a study and the same in every run.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstring>
 #include <fcntl.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/volume/AssetDiagnostics.h>
 #include <unistd.h>
 
 namespace limn::study
@@ -18,12 +18,12 @@ namespace
 
 std::filesystem::path HeaderFile(const std::filesystem::path& folder)
 {
-    return folder / "study.json";
+    return FileOfStudy(folder, "study.json");
 }
 
 std::filesystem::path CellsFile(const std::filesystem::path& folder)
 {
-    return folder / "cells.jsonl";
+    return FileOfStudy(folder, "cells.jsonl");
 }
 
 /// What all parts of one study agree in.
@@ -38,15 +38,7 @@ std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
 Study ReadHeader(const std::filesystem::path& folder)
 {
     const std::filesystem::path file = HeaderFile(folder);
-    const std::string text = ReadFile(file);
-    try
-    {
-        return StudyFromJson(Json::parse(text));
-    }
-    catch (const std::exception& error)
-    {
-        throw AssetError(file.string(), {}, std::string("no study: ") + error.what());
-    }
+    return StudyFromJson(ReadFile(file), file.string());
 }
 
 /// The cells whose lines are whole; `length` becomes that of these lines.
@@ -59,20 +51,27 @@ std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size
     {
         return cells;
     }
-    const std::string text = ReadFile(file, k_MaxDataBytes);
+    const std::string text = ReadFile(file);
+    AssetDiagnostics diagnostics(file.string());
+    int line = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', length))
     {
         try
         {
-            cells.push_back(CellFromJson(Json::parse(text.substr(length, end - length))));
+            const std::string_view whole = std::string_view(text).substr(length, end - length);
+            cells.push_back(CellFromJson(whole, file.string(), ++line));
+            for (const auto& [what, name] : cells.back().pictures)
+            {
+                FileOfStudy(folder, name);
+            }
         }
-        catch (const std::exception& error)
+        catch (const AssetError& error)
         {
-            throw AssetError(file.string(), {static_cast<int>(cells.size()) + 1, 1},
-                             std::string("no cell: ") + error.what());
+            diagnostics.Add(error);
         }
         length = end + 1;
     }
+    diagnostics.ThrowIfErrors();
     return cells;
 }
 
@@ -117,25 +116,31 @@ std::string LineOf(const CellResult& cell)
     return ToJson(cell).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// From the first part that has it.
+/// Copies a picture from the first part that has it.
 void CopyPicture(std::span<const std::string> parts, const std::string& name,
                  const std::filesystem::path& folder)
 {
     for (const std::filesystem::path part : parts)
     {
-        std::error_code error;
-        if (std::filesystem::exists(part / name, error))
+        const std::filesystem::path from = FileOfStudy(part, name);
+        const std::filesystem::path to = FileOfStudy(folder, name);
+        if (!std::filesystem::exists(from))
         {
-            std::filesystem::create_directories((folder / name).parent_path(), error);
-            std::filesystem::copy_file(part / name, folder / name,
-                                       std::filesystem::copy_options::overwrite_existing, error);
-            if (error)
-            {
-                throw AssetError((folder / name).string(), {},
-                                 "cannot be written: " + error.message());
-            }
-            return;
+            continue;
         }
+        const std::string bytes = ReadFile(from, k_MaxDataBytes);
+        if (!std::filesystem::exists(to))
+        {
+            std::filesystem::create_directories(to.parent_path());
+            WriteFile(to, bytes);
+        }
+        else if (ReadFile(to, k_MaxDataBytes) != bytes)
+        {
+            throw AssetError(to.string(), {},
+                             "is another picture than " + from.string() +
+                                 " and is not overwritten; merge into a new folder");
+        }
+        return;
     }
 }
 
@@ -155,11 +160,15 @@ void Sort(Study& study)
     std::ranges::stable_sort(study.cells, {}, place);
 }
 
-/// By name, since a width may be NaN.
-bool HasCell(const Study& study, const std::string& name)
+/// Tells cells apart by name, since a width may be NaN.
+std::set<std::string> NamesOf(const Study& study)
 {
-    return std::ranges::any_of(study.cells,
-                               [&name](const CellResult& cell) { return cell.id.Name() == name; });
+    std::set<std::string> names;
+    for (const CellResult& cell : study.cells)
+    {
+        names.insert(cell.id.Name());
+    }
+    return names;
 }
 
 void RequireSameStudy(const std::filesystem::path& folder, const Study& there, const Study& wanted)
@@ -178,7 +187,62 @@ void RequireSameStudy(const std::filesystem::path& folder, const Study& there, c
     }
 }
 
+/// Makes the folder that a study is written into.
+std::filesystem::path MakeStudyFolder(std::filesystem::path folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+    {
+        throw AssetError(folder.string(), {}, "cannot be made: " + error.message());
+    }
+    return folder;
+}
+
+void RequireNoPart(const std::filesystem::path& folder, std::span<const std::string> parts)
+{
+    std::error_code ignored;
+    const auto isIt = [&](const std::string& part)
+    {
+        return std::filesystem::equivalent(part, folder, ignored);
+    };
+    if (std::ranges::any_of(parts, isIt))
+    {
+        throw AssetError(folder.string(), {},
+                         "is one of the folders that are merged; name a new folder");
+    }
+}
+
+/// Refuses a folder whose cells would be lost.
+void RequireNoOtherCells(const std::filesystem::path& folder, const Study& there,
+                         const Study& merged)
+{
+    const std::set<std::string> names = NamesOf(merged);
+    for (const CellResult& cell : there.cells)
+    {
+        if (const std::string name = cell.id.Name(); !names.contains(name))
+        {
+            throw AssetError(folder.string(), {},
+                             "holds the cell " + name +
+                                 ", which no folder that is merged has; name a new folder");
+        }
+    }
+}
+
 } // namespace
+
+std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std::string& name)
+{
+    FileRoots roots;
+    roots.Add(folder);
+    if (!roots.Contains(folder / name))
+    {
+        throw AssetError((folder / name).string(), {},
+                         "is a link that leads out of the study's folder; put the file itself "
+                         "there");
+    }
+    return folder / name;
+}
 
 Study ReadStudy(const std::filesystem::path& folder)
 {
@@ -190,13 +254,15 @@ Study ReadStudy(const std::filesystem::path& folder)
 }
 
 StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
-    : m_Path(std::move(folder)), m_Study(study)
+    : m_Path(MakeStudyFolder(std::move(folder))),
+      m_Lock(m_Path / "study.json", std::try_to_lock),
+      m_Study(study)
 {
-    std::error_code error;
-    std::filesystem::create_directories(m_Path, error);
-    if (error)
+    if (m_Lock.isHeldElsewhere())
     {
-        throw AssetError(m_Path.string(), {}, "cannot be made: " + error.message());
+        throw AssetError(m_Path.string(), {},
+                         "is written by another limn now; wait until it has ended, or name "
+                         "another folder");
     }
     if (std::filesystem::exists(HeaderFile(m_Path)))
     {
@@ -208,10 +274,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
     }
     std::size_t length = 0;
     study.cells = ReadCells(m_Path, length);
-    for (const CellResult& cell : study.cells)
-    {
-        m_Names.insert(cell.id.Name());
-    }
+    m_Names = NamesOf(study);
     if (std::filesystem::exists(CellsFile(m_Path)))
     {
         std::filesystem::resize_file(CellsFile(m_Path), length); // half a line of a killed run
@@ -235,6 +298,7 @@ void StudyFolder::Update()
 std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
 {
     std::vector<MergedStudy> merged;
+    std::vector<std::set<std::string>> names; // of the cells of each
     for (const Study& part : parts)
     {
         auto found = std::ranges::find_if(merged, [&part](const MergedStudy& other)
@@ -243,32 +307,33 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
         {
             found = merged.insert(merged.end(), {part, {}, {}});
             found->study.cells.clear();
+            names.emplace_back();
         }
         Study& whole = found->study;
         whole.started = std::min(whole.started, part.started);
         whole.loadAverage = std::max(whole.loadAverage, part.loadAverage);
         whole.copyBandwidth = std::max(whole.copyBandwidth, part.copyBandwidth);
+        std::set<std::string>& known = names[static_cast<std::size_t>(found - merged.begin())];
         for (const CellResult& cell : part.cells)
         {
-            const std::string name = cell.id.Name();
-            if (HasCell(whole, name))
-            {
-                found->doubled.push_back(name);
-            }
-            else
+            if (const auto [name, isNew] = known.insert(cell.id.Name()); isNew)
             {
                 whole.cells.push_back(cell);
             }
+            else
+            {
+                found->doubled.push_back(*name);
+            }
         }
     }
-    for (MergedStudy& whole : merged)
+    for (std::size_t i = 0; i < merged.size(); ++i)
     {
-        Sort(whole.study);
-        for (const CellId& id : whole.study.planned)
+        Sort(merged[i].study);
+        for (const CellId& id : merged[i].study.planned)
         {
-            if (const std::string name = id.Name(); !HasCell(whole.study, name))
+            if (const std::string name = id.Name(); !names[i].contains(name))
             {
-                whole.missing.push_back(name);
+                merged[i].missing.push_back(name);
             }
         }
     }
@@ -278,9 +343,11 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
 void WriteMerged(const std::filesystem::path& folder, const Study& study,
                  std::span<const std::string> parts)
 {
+    RequireNoPart(folder, parts);
     Study header = study;
     header.cells.clear();
     StudyFolder target(folder, header);
+    RequireNoOtherCells(folder, header, study);
     std::string lines;
     for (const CellResult& cell : study.cells)
     {

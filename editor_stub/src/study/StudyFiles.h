@@ -3,6 +3,7 @@
 #include "study/Study.h"
 
 #include <filesystem>
+#include <limn/shaderlab/WriteFile.h>
 #include <set>
 #include <span>
 
@@ -12,7 +13,11 @@ namespace limn::study
 // A study's folder holds study.json, what it is about, and cells.jsonl, a line for each cell that
 // is measured, written as soon as it is. Whatever ends the program, at most the last line is lost.
 
-/// @throws AssetError if a file is missing, no study's, or says what cannot be
+/// A file below a study's folder, which somebody else may have made: it need not be there.
+/// @throws AssetError if a link leads out of the folder
+std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std::string& name);
+
+/// @throws AssetError with line and column if a file is missing, no study's, or says what cannot be
 Study ReadStudy(const std::filesystem::path& folder);
 
 /// The folder of a study that is being made.
@@ -21,7 +26,8 @@ class StudyFolder
 public:
     /// Makes the folder, or goes on with what is in it.
     /// @param study  without cells; those that are there already are added
-    /// @throws AssetError if the folder has another study's files, or cannot be written
+    /// @throws AssetError if the folder has another study's files, if another StudyFolder holds it,
+    ///     in whatever process, or if it cannot be written
     StudyFolder(std::filesystem::path folder, Study& study);
 
     const std::filesystem::path& path() const { return m_Path; }
@@ -34,6 +40,7 @@ public:
 
 private:
     std::filesystem::path m_Path;
+    FileLock m_Lock;
     Study& m_Study;
     std::set<std::string> m_Names; ///< of the cells that are there
 };
@@ -51,7 +58,8 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts);
 
 /// Writes a merged study with its pictures into a folder of its own.
 /// @param parts  folders that the pictures are copied from
-/// @throws AssetError if the folder holds another study, or something cannot be written
+/// @throws AssetError if the folder is a part, if it holds another study, cells that are not in
+///     this one, or another picture of the same name, or if something cannot be written
 void WriteMerged(const std::filesystem::path& folder, const Study& study,
                  std::span<const std::string> parts);
 

@@ -1,5 +1,7 @@
 #include "study/StudyPictures.h"
 
+#include "study/StudyFiles.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -114,8 +116,9 @@ std::string WriteStudyPicture(const Image& image, const std::filesystem::path& f
                               const CellId& id, const std::string& what)
 {
     const std::string name = "pictures/" + FileName(id.Name() + "." + what) + ".png";
-    std::filesystem::create_directories(folder / "pictures");
-    WritePng(folder / name, image);
+    const std::filesystem::path file = FileOfStudy(folder, name);
+    std::filesystem::create_directories(file.parent_path());
+    WritePng(file, image);
     return name;
 }
 

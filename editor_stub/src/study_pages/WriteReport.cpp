@@ -1,6 +1,7 @@
 #include "study_pages/WriteReport.h"
 
 #include "console/RunProgram.h"
+#include "study/StudyFiles.h"
 #include "study_pages/Pareto.h"
 #include "study_pages/ReportText.h"
 #include "study_pages/Results.h"
@@ -94,17 +95,21 @@ ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
         texts.emplace_back("plots/" + name + ".svg", plot.svg);
         texts.emplace_back("plots/" + name + ".png", plot.png);
     }
+    for (const auto& [name, text] : texts)
+    {
+        result.files.push_back(FileOfStudy(folder, name));
+    }
+    const std::filesystem::path plots = FileOfStudy(folder, "plots");
     std::error_code error;
-    std::filesystem::create_directory(folder / "plots", error);
+    std::filesystem::create_directory(plots, error);
     if (error)
     {
-        throw AssetError((folder / "plots").string(), {}, error.message());
+        throw AssetError(plots.string(), {}, error.message());
     }
-    RemoveOldPlots(folder / "plots");
+    RemoveOldPlots(plots);
     for (const auto& [name, text] : texts)
     {
         WriteFile(folder / name, text);
-        result.files.push_back(folder / name);
     }
     return result;
 }

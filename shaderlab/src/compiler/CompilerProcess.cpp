@@ -84,6 +84,11 @@ std::string Compile(const PassProgram& program, std::span<const std::string> key
     {
         fail(Outcome::Failed, error);
     }
+    catch (const std::bad_alloc&)
+    {
+        fail(Outcome::Failed, ProgramError(program, "program: compiling it takes more than 2 GiB "
+                                                    "of memory; make it smaller"));
+    }
     catch (const std::exception& error)
     {
         fail(Outcome::Failed,

@@ -98,7 +98,12 @@ void ShaderCache::Store(const std::string& key, const ShaderProgram& pass,
     std::error_code error;
     std::filesystem::create_directories(m_Folder, error);
     const std::string bytes = std::string(k_Magic) + payload.bytes() + hash.bytes();
-    error = TryWriteFile(EntryPath(m_Folder, key), bytes);
+    const std::filesystem::path entry = EntryPath(m_Folder, key);
+    if (std::filesystem::is_symlink(entry, error)) // nothing of limn's, and not to be followed
+    {
+        std::filesystem::remove(entry, error);
+    }
+    error = TryWriteFile(entry, bytes);
     const std::uintmax_t stored = m_Stored += bytes.size();
     if (m_Limit > 0 && (!m_HasTrimmed.exchange(true) || stored > m_Limit / 8))
     {

@@ -158,7 +158,10 @@ IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
     {
         m_Roots.Add(folder);
     }
-    m_Roots.Add(options.projectRoot);
+    if (!options.projectRoot.empty()) // "" would be the working directory, whose it may be
+    {
+        m_Roots.Add(options.projectRoot);
+    }
     m_Roots.Add(file.parent_path());
     if (m_UnityProject)
     {
@@ -311,7 +314,10 @@ std::vector<std::filesystem::path> IncludeResolver::Candidates(const std::string
         }
     }
     candidates.push_back(m_ShaderFolder / include); // Unity's compiler looks there as well
-    candidates.push_back(m_Options.projectRoot / include);
+    if (!m_Options.projectRoot.empty())
+    {
+        candidates.push_back(m_Options.projectRoot / include);
+    }
     if (m_UnityProject)
     {
         candidates.push_back(*m_UnityProject / include);
@@ -332,7 +338,8 @@ std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem:
     {
         if (!m_Roots.Contains(path))
         {
-            m_Refusal = "outside the folders that includes may lie in; move it into the project";
+            m_Refusal = "outside the folders that includes may lie in; move it into the "
+                        "project, or name its folder by --root DIR";
         }
         else if (std::filesystem::file_size(path, error) > k_MaxTextBytes)
         {

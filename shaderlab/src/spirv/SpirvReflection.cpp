@@ -28,6 +28,8 @@ UniformType ScalarOf(const SPIRType& type)
     }
 }
 
+constexpr std::uint64_t k_MaxUniformBytes = 65536; ///< Direct3D's limit, and so Unity's
+
 /// Reads one stage into the layout that all stages share.
 class StageReflector
 {
@@ -155,10 +157,41 @@ private:
         UniformBuffer buffer;
         buffer.name = m_Compiler.get_name(resource.base_type_id);
         const SPIRType& type = m_Compiler.get_type(resource.base_type_id);
-        buffer.size =
-            (static_cast<std::uint32_t>(m_Compiler.get_declared_struct_size(type)) + 15u) & ~15u;
+        const std::uint64_t size = LeastBytes(type) > k_MaxUniformBytes
+                                       ? k_MaxUniformBytes + 1
+                                       : m_Compiler.get_declared_struct_size(type);
+        if (size > k_MaxUniformBytes)
+        {
+            m_Messages.push_back("constant buffer '" + buffer.name + "' has more than " +
+                                 std::to_string(k_MaxUniformBytes) +
+                                 " bytes, which are the most that it may have; make it smaller, or "
+                                 "use a StructuredBuffer");
+            return buffer;
+        }
+        buffer.size = (static_cast<std::uint32_t>(size) + 15u) & ~15u;
         ReadMembers(type, "", 0, buffer);
         return buffer;
+    }
+
+    /// The least that the members take, counted to the first byte too many: SPIRV-Cross counts in
+    /// 32 bits, in which an array of 268435457 vectors takes 16 bytes.
+    std::uint64_t LeastBytes(const SPIRType& type)
+    {
+        std::uint64_t sum = 0;
+        for (const auto id : type.member_types)
+        {
+            const SPIRType& member = m_Compiler.get_type(id);
+            const bool isStruct = member.basetype == SPIRType::Struct;
+            std::uint64_t bytes = isStruct ? LeastBytes(m_Compiler.get_type(member.self))
+                                  : member.array.empty() ? 4
+                                                         : 16;
+            for (const std::uint32_t count : member.array)
+            {
+                bytes = std::min(bytes * count, k_MaxUniformBytes + 1);
+            }
+            sum = std::min(sum + bytes, k_MaxUniformBytes + 1);
+        }
+        return sum;
     }
 
     void ReadMembers(const SPIRType& type, const std::string& prefix, std::uint32_t base,

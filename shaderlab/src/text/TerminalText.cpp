@@ -47,8 +47,9 @@ bool isPrintable(std::uint32_t code)
 {
     const bool isControl = code < 0x20 || (code >= 0x7F && code < 0xA0);
     const bool isBreakOrTurn =
-        (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-    return !isControl && !isBreakOrTurn;
+        code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E);
+    const bool isInvisible = code == 0x200B || (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
+    return !isControl && !isBreakOrTurn && !isInvisible;
 }
 
 std::string EscapeCharacter(char byte, const DecodedCharacter& character)

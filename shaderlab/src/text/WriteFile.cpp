@@ -252,6 +252,12 @@ std::error_code Write(const std::filesystem::path& path, std::string_view bytes,
     {
         return std::make_error_code(std::errc::is_a_directory);
     }
+    // A new file could take the place of one that is protected, and root may write to any.
+    constexpr mode_t k_Writable = S_IWUSR | S_IWGRP | S_IWOTH;
+    if ((old.st_mode & k_Writable) == 0 || access(path.c_str(), W_OK) != 0)
+    {
+        return std::make_error_code(std::errc::permission_denied);
+    }
     const int stream = StandardStream(old);
     if (stream >= 0 || !S_ISREG(old.st_mode))
     {
@@ -259,6 +265,18 @@ std::error_code Write(const std::filesystem::path& path, std::string_view bytes,
         return stream >= 0 ? WriteToDescriptor(stream, bytes) : WriteToSpecial(path, old, bytes);
     }
     return old.st_nlink > 1 ? Overwrite(writing, old) : Replace(writing, &old);
+}
+
+bool isOfMachine(const std::error_code& failure)
+{
+    constexpr int k_OfMachine[] = {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ENOMEM};
+    return std::ranges::find(k_OfMachine, failure.value()) != std::end(k_OfMachine);
+}
+
+int OpenFolderOf(const std::filesystem::path& file)
+{
+    return open((BehindLinks(file).parent_path() / ".").c_str(),
+                O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
 } // namespace
@@ -273,9 +291,13 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace)
 {
     const std::error_code failure = Write(path, bytes, beforeReplace, true);
-    if (failure == std::errc::no_such_device_or_address)
+    if (failure == std::errc::no_such_device_or_address && std::filesystem::is_fifo(path))
     {
         throw AssetError(path.string(), {}, "cannot be written: nobody reads this pipe");
+    }
+    if (isOfMachine(failure))
+    {
+        throw MachineError(path.string(), {}, "cannot be written: " + failure.message());
     }
     if (failure)
     {
@@ -302,12 +324,26 @@ std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)
     return {};
 }
 
-FileLock::FileLock(const std::filesystem::path& file)
-    : m_Descriptor(
-          open((BehindLinks(file).parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+FileLock::FileLock(const std::filesystem::path& file) : m_Descriptor(OpenFolderOf(file))
 {
-    while (m_Descriptor >= 0 && flock(m_Descriptor, LOCK_EX) != 0 && errno == EINTR)
+    Lock(LOCK_EX);
+}
+
+FileLock::FileLock(const std::filesystem::path& file, std::try_to_lock_t)
+    : m_Descriptor(OpenFolderOf(file))
+{
+    Lock(LOCK_EX | LOCK_NB);
+}
+
+void FileLock::Lock(int operation)
+{
+    while (m_Descriptor >= 0 && flock(m_Descriptor, operation) != 0)
     {
+        if (errno != EINTR)
+        {
+            m_IsHeldElsewhere = errno == EWOULDBLOCK;
+            return;
+        }
     }
 }
 

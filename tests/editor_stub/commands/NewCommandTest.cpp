@@ -1,5 +1,6 @@
 #include "commands/CommandRun.h"
 #include "commands/WorkingFolder.h"
+#include "core/FileSizeLimit.h"
 
 #include <gmock/gmock.h>
 #include <set>
@@ -74,6 +75,33 @@ TEST(NewCommand, WritesOverNothing)
               RunNewFeature("DepthFog", "mine.txt").err);
     EXPECT_EQ("mine.txt/a: error: cannot be made: Not a directory\n",
               RunNewFeature("DepthFog", "mine.txt/a").err);
+}
+
+TEST(NewCommand, LeavesNothingWhereThereIsNoRoom)
+{
+    const WorkingFolder working;
+    std::filesystem::create_directory("empty");
+    working.folder.Write("Fog.cs", "using UnityEngine.Rendering.Universal;\n"
+                                   "class Fog : ScriptableRendererFeature { }\n");
+    for (const std::string folder : {"fog", "empty"})
+    {
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"new", "feature", "DepthFog", "-o", folder},
+              std::vector<std::string>{"port", "Fog.cs", "-o", folder}})
+        {
+            const bool isNew = folder == "fog";
+            {
+                const FileSizeLimit limit(2000); // which the first files keep to
+                const CommandRun run = RunCommand(words);
+                EXPECT_EQ(3, run.exitCode);
+                EXPECT_THAT(run.err, testing::HasSubstr("cannot be written: File too large"));
+                EXPECT_EQ("", run.out);
+            }
+            EXPECT_EQ(!isNew, std::filesystem::exists(folder)) << words[0];
+            EXPECT_TRUE(isNew || std::filesystem::is_empty(folder)) << words[0];
+        }
+    }
+    EXPECT_EQ(0, RunNewFeature("DepthFog", "fog").exitCode) << "once there is room";
 }
 
 TEST(NewCommand, RefusesANameThatIsNoClass)

@@ -217,6 +217,15 @@ TEST_F(Render, TheSizeOptionWinsOverTheScene)
     EXPECT_EQ(20, ReadPng(folder / "out.png").width);
 }
 
+TEST_F(Render, RefusesASizeThatIsTooLargeOnceItIsScaled)
+{
+    folder.Write("s.scene.yaml", std::string("renderScale: 2\n") + k_Scene);
+    const CommandRun run = Draw({"--size", "16384x10"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, HasSubstr("s.scene.yaml: error: renderScale: it makes 32768x20 of "
+                                   "16384x10 pixels"));
+}
+
 TEST_F(Render, WithoutAVolumeSaysWhyThereIsNoOutline)
 {
     const CommandRun run = Draw({});

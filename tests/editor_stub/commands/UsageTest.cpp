@@ -205,6 +205,8 @@ TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
     }
     ExpectWrongUsage({"shader", "s", "-o", "o", "--emit", "gls"},
                      "error: --emit: unknown word 'gls'; did you mean 'glsl'?\n" + k_ShaderUsage);
+    ExpectWrongUsage({"render", "s", "-o", ""},
+                     "error: --output: '' is no name of a file or folder\n" + k_RenderUsage);
     ExpectWrongUsage({"schema", "shader"},
                      "error: unknown word 'shader' (known: scene, profile, material)\n"
                      "usage: limn schema scene|profile|material [OPTIONS]; see 'limn help "

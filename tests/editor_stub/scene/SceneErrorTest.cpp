@@ -25,6 +25,18 @@ TEST(SceneErrors, AreAllReportedAtOnceInTheOrderOfTheFile)
                                 "lihgt: {}\n"));
 }
 
+TEST(SceneErrors, NameARenderScaleThatMakesTooManyPixels)
+{
+    SceneFolder folder;
+    const std::string problem = "2:14: renderScale: it makes 32768x20 of 16384x10 pixels, and "
+                                "cameras draw in at most 16384 either way; lower it, or draw a "
+                                "smaller picture";
+    EXPECT_EQ((Lines{problem}),
+              folder.ProblemsOf("size: [16384, 10]\nrenderScale: 2\ncamera: {}\n"));
+    EXPECT_NO_THROW(folder.Load("size: [8192, 8192]\nrenderScale: 2\ncamera: {}\n"));
+    EXPECT_NO_THROW(folder.Load("size: [16384, 1]\ncamera: {}\n"));
+}
+
 TEST(SceneErrors, NameAMissingCamera)
 {
     SceneFolder folder;

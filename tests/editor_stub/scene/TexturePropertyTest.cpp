@@ -1,5 +1,6 @@
 #include "SceneFolder.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/core/Material.h>
@@ -189,6 +190,23 @@ TEST_F(TextureProperty, NamesAPictureThatCannotBeRead)
     EXPECT_EQ("5:29: material 'm'._Fog.slices[1]: 'none.png' cannot be used; see the errors of "
               "that file",
               problems.front());
+}
+
+TEST_F(TextureProperty, OfSlicesThatTakeTooMuchMemoryIsRefusedBeforeTheyAreDecoded)
+{
+    WritePicture(folder / "vast.png", 1, 1, 0);
+    std::fstream file(folder / "vast.png", std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(16); // its width and height: 16384x4096, of which 256 MiB of texels would come
+    file.write("\0\0\x40\0\0\0\x10\0", 8);
+    file.close();
+    std::string slices = "vast.png";
+    for (int i = 1; i < 9; ++i)
+    {
+        slices += ", vast.png";
+    }
+    EXPECT_EQ((Lines{"5:23: material 'm'._Sheets.slices: its 9 pictures take 2304 MiB; a texture "
+                     "may take 2048 MiB"}),
+              ProblemsOf("_Sheets: {slices: [" + slices + "]}"));
 }
 
 } // namespace limn::test

@@ -126,7 +126,7 @@ TEST_F(StudyFiles, SayWhichLineIsNoCell)
     }
     catch (const AssetError& error)
     {
-        EXPECT_THAT(error.what(), HasSubstr("cells.jsonl:2:1: error: no cell: "));
+        EXPECT_THAT(error.what(), HasSubstr("cells.jsonl:2:1: error: cell: key 'id' is missing"));
     }
     EXPECT_THROW(ReadStudy(m_Working.folder / "nothing"), AssetError);
 }

@@ -50,6 +50,20 @@ TEST(ShaderCache, AnswersTheSecondCompilerWithTheSamePass)
     EXPECT_EQ(*first.pass, *second.pass);
 }
 
+TEST(ShaderCache, WritesThroughNoLink)
+{
+    test::TemporaryFolder folder;
+    const auto victim = folder.Write("victim", "precious");
+    const auto cache = folder.path() / "cache";
+    CompileWith(cache, test::Program(k_Program));
+    const std::filesystem::path entry = OnlyFile(cache);
+    std::filesystem::remove(entry);
+    std::filesystem::create_symlink(victim, entry);
+    EXPECT_FALSE(CompileWith(cache, test::Program(k_Program)).fromCache);
+    EXPECT_EQ(std::filesystem::file_size(victim), 8u);
+    EXPECT_TRUE(CompileWith(cache, test::Program(k_Program)).fromCache);
+}
+
 TEST(ShaderCache, KnowsKeywordsApartButNotTheirOrder)
 {
     test::TemporaryFolder folder;

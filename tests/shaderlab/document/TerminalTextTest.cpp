@@ -23,6 +23,13 @@ TEST(OneLine, EscapesCommandsToTheTerminalAndLineBreaks)
     EXPECT_EQ(OneLine("\xE2\x80\xAE|\xE2\x80\xA8|\xE2\x81\xA6"), "\\u202E|\\u2028|\\u2066");
 }
 
+TEST(OneLine, EscapesMarksOfDirectionAndWhatIsNowhereToBeSeen)
+{
+    EXPECT_EQ(OneLine("\xE2\x80\x8F|\xE2\x80\x8E|\xD8\x9C"), "\\u200F|\\u200E|\\u061C");
+    EXPECT_EQ(OneLine("\xE2\x80\x8B|\xE2\x81\xA0|\xEF\xBB\xBF"), "\\u200B|\\u2060|\\uFEFF");
+    EXPECT_EQ(OneLine("\xE2\x80\x8D"), "\xE2\x80\x8D") << "which joins the parts of an emoji";
+}
+
 TEST(OneLine, EscapesBytesThatAreNoUtf8)
 {
     EXPECT_EQ(OneLine("\xC3(\x80\xE2\x82"), "\\xC3(\\x80\\xE2\\x82");

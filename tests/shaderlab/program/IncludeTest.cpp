@@ -196,7 +196,8 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
 {
     const std::string secret = folder.Write("secret.hlsl", "#define VALUE 1\n").string();
     const std::string refusal =
-        "is outside the folders that includes may lie in; move it into the project";
+        "is outside the folders that includes may lie in; move it into the project, or name its "
+        "folder by --root DIR";
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
                 ElementsAre("1: error: #include: \"../../../secret.hlsl\" " + refusal));
     EXPECT_THAT(Compile("#include \"" + secret + "\""),
@@ -212,6 +213,20 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
     options.includeFolders = {folder.path()};
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\"", options), ElementsAre());
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
+}
+
+TEST_F(Include, StaysThereWhereverTheProgramWasStarted)
+{
+    folder.Write("secret.hlsl", "#define VALUE 1\n");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    const std::vector<std::string> up = Compile("#include \"../../../secret.hlsl\"");
+    const std::vector<std::string> below = Compile("#include \"secret.hlsl\"");
+    std::filesystem::current_path(before);
+    ASSERT_EQ(up.size(), 1u);
+    EXPECT_THAT(up[0], HasSubstr("is outside the folders that includes may lie in"));
+    ASSERT_EQ(below.size(), 1u);
+    EXPECT_THAT(below[0], HasSubstr("no such file \"secret.hlsl\""));
 }
 
 TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)

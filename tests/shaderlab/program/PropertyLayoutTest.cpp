@@ -245,5 +245,30 @@ TEST(PropertyLayout, RefusesMatricesThatItCannotUpload)
                                      "column-major matrices only"));
 }
 
+TEST(PropertyLayout, RefusesBuffersThatAreTooLargeBeforeTheyTakeMemory)
+{
+    // 64 KiB is the most; 268435457 vectors have 16 bytes if they are counted in 32 bits, and so
+    // has each of the arrays of arrays.
+    const auto program = [](const std::string& members, const std::string& read)
+    {
+        return std::string(k_Vertex) + "struct S { float x; }; struct A { float x[65536]; };\n" +
+               "cbuffer C { " + members + " };\nfloat4 frag() : SV_Target { return " + read + "; }";
+    };
+    EXPECT_EQ(CompileHlsl(program("float4 _A[4096];", "_A[1]"))->layout.buffers.at(0).size, 65536u);
+    for (const auto& [members, read] :
+         {std::pair("float4 _A[4096]; float _B;", "_A[1]"),
+          std::pair("float _A[60000000];", "_A[1]"), std::pair("float _A[268435457];", "_A[1]"),
+          std::pair("float _A[2147483647];", "_A[1]"),
+          std::pair("float _A[65536][65536];", "_A[1][1]"), std::pair("S _S[60000000];", "_S[1].x"),
+          std::pair("A _S[4096];", "_S[1].x[1]")})
+    {
+        EXPECT_THAT(test::CompileMessages(test::Program(program(members, read))),
+                    testing::ElementsAre("t.shader:1:1: error: constant buffer 'C' has more than "
+                                         "65536 bytes, which are the most that it may have; make "
+                                         "it smaller, or use a StructuredBuffer"))
+            << members;
+    }
+}
+
 } // namespace
 } // namespace limn

@@ -174,6 +174,33 @@ TEST(WriteFile, KeepsPermissionsAndOwner)
     EXPECT_EQ(ContentOf(file), "new");
 }
 
+TEST(WriteFile, LeavesAFileAloneThatNobodyMayWriteTo)
+{
+    test::TemporaryFolder folder;
+    const auto file = folder.Write("a", "old");
+    std::filesystem::permissions(file, perms::owner_read | perms::group_read);
+    EXPECT_EQ(WriteMessage(file), "cannot be written: Permission denied");
+    EXPECT_EQ(ContentOf(file), "old");
+}
+
+TEST(WriteFile, TellsAMachinesFaultFromAFiles)
+{
+    test::TemporaryFolder folder;
+    EXPECT_THROW(WriteFile("/dev/full", "new"), MachineError);
+    try
+    {
+        WriteFile(folder.path(), "new");
+        FAIL() << "written";
+    }
+    catch (const MachineError&)
+    {
+        FAIL() << "a folder is no fault of the machine's";
+    }
+    catch (const AssetError&)
+    {
+    }
+}
+
 TEST(WriteFile, WritesTheFileBehindALinkAndKeepsTheLink)
 {
     test::TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limn/core/GraphicsFormat.h>
 #include <span>
@@ -40,5 +41,9 @@ void WritePng(const std::filesystem::path& path, const Image& image);
 /// memory than a file of that length can fill.
 /// @throws AssetError if the file is missing or is no PNG
 Image ReadPng(const std::filesystem::path& path);
+
+/// The bytes of texels that ReadPng would give, by what the file's header says; 0 for what is no
+/// file with such a header.
+std::uintmax_t PngTexelBytes(const std::filesystem::path& path);
 
 } // namespace limn

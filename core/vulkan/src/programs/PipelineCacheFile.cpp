@@ -144,8 +144,12 @@ void PipelineCacheFile::Save() const
     const std::vector<char> file = WrapCacheFile(payload);
 
     // Best effort: without the file the next run compiles again.
-    [[maybe_unused]] const std::error_code failure =
-        TryWriteFile(m_Path, {file.data(), file.size()});
+    std::error_code failure;
+    if (std::filesystem::is_symlink(m_Path, failure)) // nothing of limn's, and not to be followed
+    {
+        std::filesystem::remove(m_Path, failure);
+    }
+    failure = TryWriteFile(m_Path, {file.data(), file.size()});
 }
 
 } // namespace limn::vulkan

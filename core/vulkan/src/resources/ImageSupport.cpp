@@ -5,6 +5,7 @@
 #include "resources/ImageDescription.h"
 #include <algorithm>
 #include <bit>
+#include <limn/core/DrawError.h>
 
 namespace limn::vulkan
 {
@@ -21,11 +22,11 @@ void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
         LayerCount(texture) > can.maxArrayLayers)
     {
         const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-        throw ContractError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
-                            "; the device makes at most " + std::to_string(most.width) + "x" +
-                            std::to_string(most.height) + "x" +
-                            std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
-                            " of that kind");
+        throw DrawError("texture '" + texture.name() + "': it is " + texture.DescribeSize() +
+                        "; the device makes at most " + std::to_string(most.width) + "x" +
+                        std::to_string(most.height) + "x" +
+                        std::to_string(isVolume ? most.depth : can.maxArrayLayers) +
+                        " of that kind");
     }
 }
 

@@ -60,6 +60,10 @@ struct SceneAsset
 /// precision, so that the angle is good after days as well.
 void TurnObjects(const std::vector<Turn>& turns, double seconds);
 
+/// What is wrong with the size that cameras draw in, which is renderScale times the picture's; ""
+/// if nothing is.
+std::string ScaledSizeProblem(const SceneAsset& scene);
+
 /// A scene from a *.scene.yaml file. Paths in it start from its folder and lead into that folder,
 /// the Unity project around it or another root of the assets.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values

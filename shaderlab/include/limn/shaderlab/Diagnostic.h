@@ -63,6 +63,14 @@ private:
     std::vector<Diagnostic> m_Diagnostics;
 };
 
+/// A file cannot be written because the machine lacks something, such as room on its disk: no file
+/// that a person wrote is at fault.
+class MachineError : public AssetError
+{
+public:
+    using AssetError::AssetError;
+};
+
 /// A caller broke a documented precondition: a mistake in the program, not in its input.
 class ContractError : public std::logic_error
 {

@@ -23,8 +23,9 @@ struct ShaderCompilerOptions
     std::filesystem::path cacheFolder;
     /// Folders searched before limn's own ShaderLibrary: "com.unity.render-pipelines.core" → DIR.
     std::map<std::string, std::filesystem::path> packages;
-    /// Folder that "Assets/…" and "Packages/…" includes start from; empty = the working directory.
-    /// Where they are not there, they start from the Unity project around the .shader file.
+    /// Folder that "Assets/…" and "Packages/…" includes start from; empty = none, whatever the
+    /// working directory is. Where they are not there, they start from the Unity project around the
+    /// .shader file.
     std::filesystem::path projectRoot;
     /// Includes may lie in the project, in the packages, beside or below the .shader file, in the
     /// Unity project around it (the folder that holds `Assets`), and in these; nowhere else, not

@@ -8,7 +8,8 @@ namespace limn
 {
 
 /// Names, values and paths as one line of a terminal may have them: what a terminal would take for
-/// a command or a line's end, what turns the direction of writing, and what is no UTF-8 is written
+/// a command or a line's end, what turns the direction of writing, what is nowhere to be seen, and
+/// what is no UTF-8 is written
 /// as \n, \x1B or \u202E. So no name in a file can forge a message.
 std::string OneLine(std::string_view text);
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string_view>
 #include <system_error>
 
@@ -15,8 +16,8 @@ namespace limn
 /// control lists among them; a link stays one, and the file that it leads to is written. What a new
 /// file cannot take the place of is written to where it stands: pipes and devices (not disks), the
 /// file that is standard output, a file of several names (hard links) and one whose owner or
-/// attributes this process cannot give to another file. Of the last two, a failure for want of room
-/// leaves the old content as well.
+/// attributes this process cannot give to another file. A file that nobody may write to is left
+/// alone. Of the last two, a failure for want of room leaves the old content as well.
 /// @param beforeReplace  called when all is ready to be written; what it throws is a failure
 /// @return the system's reason, if it cannot be written
 [[nodiscard]] std::error_code TryWriteFile(const std::filesystem::path& path,
@@ -25,7 +26,8 @@ namespace limn
 
 /// TryWriteFile, for files a person asked for: the bytes are on the disk before they take the old
 /// ones' place, and that they did is when this returns. Not even a power failure leaves neither.
-/// @throws AssetError naming the path and the system's reason, if it cannot be written
+/// @throws AssetError naming the path and the system's reason, if it cannot be written; a
+///     MachineError where there is no room or the like
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace = {});
 
@@ -42,12 +44,20 @@ public:
     /// locks nothing is held.
     /// @param file  through a link, the file behind it
     explicit FileLock(const std::filesystem::path& file);
+    /// Does not wait.
+    FileLock(const std::filesystem::path& file, std::try_to_lock_t);
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
+    /// Says whether another owner held it, who was not waited for.
+    bool isHeldElsewhere() const { return m_IsHeldElsewhere; }
+
 private:
+    void Lock(int operation);
+
     int m_Descriptor;
+    bool m_IsHeldElsewhere = false;
 };
 
 } // namespace limn
