@@ -38,6 +38,12 @@ inline double SubPixel()
     return std::exp2(-SharedDeviceInfo().subPixelPrecisionBits);
 }
 
+/// Whether the device places corners less finely than lavapipe, which drew the goldens.
+inline bool HasCoarseCorners()
+{
+    return SubPixel() > 0x1p-8;
+}
+
 /// How far a place between texels may be rounded, along each axis, in texels: Vulkan blends texels
 /// by weights of so many bits (VkPhysicalDeviceLimits::subTexelPrecisionBits).
 inline double SubTexel()
