@@ -108,12 +108,13 @@ Shader "Hidden/Limn/SelectionOutline"
             #pragma fragment CompositeFragment
 
             TEXTURE2D(_StencilTex);
-            SAMPLER(sampler_StencilTex);
             float _OutlineStrength;
 
             half4 CompositeFragment(BlitVaryings input) : SV_Target
             {
-                half4 stencil = SAMPLE_TEXTURE2D(_StencilTex, sampler_StencilTex, input.uv);
+                // The pixel's own: a blend with a neighbour, by as little as a place's rounding
+                // makes of it, would take a pixel beside an object for one of it.
+                half4 stencil = SAMPLE_TEXTURE2D(_StencilTex, sampler_PointClamp, input.uv);
                 half4 blur = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, input.uv);
                 bool isInside = any(stencil.rgb);
                 return half4(blur.rgb * _OutlineStrength, isInside ? 0 : saturate(blur.a - stencil.a));

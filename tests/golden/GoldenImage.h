@@ -11,6 +11,9 @@ namespace limn::test
 /// the test fails, and actual.png and diff.png (absolute difference times 8) are left in
 /// golden_failures/<name>/ of the working directory. LIMN_UPDATE_GOLDEN=1 writes the golden instead
 /// and fails, so that nobody forgets to look at it.
-void ExpectGolden(const std::string& name, const Image& actual);
+/// @param mayMove  the device places corners less finely than the one that drew the golden: what
+///                 moves by a part of a pixel shows in each one what lies between those that the
+///                 golden shows in it and the eight around it
+void ExpectGolden(const std::string& name, const Image& actual, bool mayMove = false);
 
 } // namespace limn::test

@@ -19,7 +19,9 @@ const std::shared_ptr<const Mesh>& BlitQuad()
     static const auto quad = []
     {
         MeshData data;
-        // From the corner at which Blit.hlsl's triangle begins: devices round coordinates alike.
+        // From the corner at which Blit.hlsl's triangle begins: most devices round coordinates
+        // alike. Unity's is a quad too: vertex functions tell its corners apart by their
+        // coordinates.
         data.vertices = {{0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}};
         data.uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
         data.triangles = {0, 1, 2, 0, 2, 3};

@@ -38,9 +38,24 @@ void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& res
                      {"numericalDiffering", static_cast<double>(differing) / pixels}};
 }
 
-/// Repeats what the device does, whose targets have the bottom row of the picture first: the shapes
-/// are turned over before, and the picture back again.
-Coverage DrawTwin(const Twin& twin, const CellId& id)
+/// How many places for a corner a device has along a pixel's side.
+double CornerGrid(const VulkanDevice& device)
+{
+    for (const VulkanDeviceInfo& info : EnumerateVulkanDevices())
+    {
+        if (info.name == device.deviceName())
+        {
+            return std::exp2(info.subPixelPrecisionBits);
+        }
+    }
+    throw ContractError("no Vulkan device is called " + device.deviceName() + " any more");
+}
+
+/// Repeats what the device does, which puts corners at the nearest place that it has, and whose
+/// targets have the bottom row of the picture first: the shapes are turned over before, and the
+/// picture back again.
+/// @param grid  how many places a pixel's side has for a corner
+Coverage DrawTwin(const Twin& twin, const CellId& id, double grid)
 {
     ScreenTriangles triangles = ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight);
     for (auto& triangle : triangles)
@@ -48,6 +63,7 @@ Coverage DrawTwin(const Twin& twin, const CellId& id)
         for (glm::dvec2& corner : triangle)
         {
             corner.y = id.pictureHeight - corner.y;
+            corner = DrawsItsEdges(id.technique) ? glm::round(corner * grid) / grid : corner;
         }
     }
     Coverage picture = twin(Silhouette(triangles), id.width, id.pictureWidth, id.pictureHeight);
@@ -131,7 +147,7 @@ CellResult NumericalBench::Measure(const CellId& id)
     const Coverage drawn = Draw(id, AssetsFor(id.variant), !isSmall);
     if (id.variant.empty())
     {
-        AddDifference(drawn, DrawTwin(twin, id), result);
+        AddDifference(drawn, DrawTwin(twin, id, CornerGrid(m_Device)), result);
         return result;
     }
     Coverage usual = Draw(id, m_Assets, true);

@@ -58,6 +58,16 @@ protected:
         return RunCommand(args);
     }
 
+    /// The command on the device that the tests share, asked for as they ask for it.
+    static std::vector<std::string> OnSharedDevice(std::vector<std::string> args)
+    {
+        if (const char* device = std::getenv("LIMN_TEST_DEVICE"))
+        {
+            args.insert(args.end(), {"--device", device});
+        }
+        return args;
+    }
+
     /// How many pixels are greener than a black scene can be.
     int GreenPixels(const std::string& picture) const
     {
@@ -90,7 +100,7 @@ TEST_F(Render, WritesThePictureAndNamesPathAndSize)
 
 TEST_F(Render, NamesTheDeviceIfAskedToSayMoreAndNoNotesIfAskedToSayLess)
 {
-    EXPECT_THAT(Draw({"-v"}).err,
+    EXPECT_THAT(Draw(OnSharedDevice({"-v"})).err,
                 testing::StartsWith(SharedDevice().ChoiceSentence() + "\nnote: "));
     const CommandRun quiet = Draw({"-q"});
     EXPECT_EQ(Path("out.png") + " 64x48\n", quiet.out);
@@ -491,7 +501,7 @@ TEST_F(Render, AnUnknownDeviceEndsWith3)
 
 TEST_F(Render, DoctorNamesTheChosenDevice)
 {
-    const CommandRun run = RunCommand({"doctor"});
+    const CommandRun run = RunCommand(OnSharedDevice({"doctor"}));
     EXPECT_EQ(0, run.exitCode);
     EXPECT_THAT(run.out,
                 HasSubstr("chosen device       " + SharedDevice().ChoiceSentence() + "\n"));

@@ -1,7 +1,7 @@
 #include "CachedCompiler.h"
 #include "Paths.h"
 #include "golden/GoldenImage.h"
-#include "vulkan/GpuTestDevice.h"
+#include "precision/DevicePrecision.h"
 
 #include <gtest/gtest.h>
 #include <limn/core/UniversalRenderPipeline.h>
@@ -150,14 +150,14 @@ class FurnitureGpu : public GpuTest
 
 TEST_F(FurnitureGpu, LooksLikeTheGoldenWithTheCanPlaceProfile)
 {
-    ExpectGolden("furniture_can_place", Furniture().Draw());
+    ExpectGolden("furniture_can_place", Furniture().Draw(), HasCoarseCorners());
 }
 
 TEST_F(FurnitureGpu, LooksLikeTheGoldenWithTheCannotPlaceProfile)
 {
     Furniture furniture;
     furniture.Use("cannot_place.profile.yaml");
-    ExpectGolden("furniture_cannot_place", furniture.Draw());
+    ExpectGolden("furniture_cannot_place", furniture.Draw(), HasCoarseCorners());
 }
 
 TEST_F(FurnitureGpu, OutlinesTheWholeSofaAlsoWhereItIsHiddenAndNothingElse)

@@ -1,4 +1,4 @@
-#include "vulkan/GpuTestDevice.h"
+#include "precision/DevicePrecision.h"
 
 #include "CachedCompiler.h"
 #include "commands/CommandRun.h"
@@ -131,7 +131,8 @@ TEST_F(StudyBenchGpu, FindsStrokesExactAndTheArticlesMaskTooWide)
     const CellResult strokes = Measure(CellKind::Geometry, "Strokes", 4.0);
     EXPECT_LT(strokes.Value("meanAbsoluteError"), 0.004);
     EXPECT_NEAR(strokes.Value("areaRatio"), 1.0, 0.01);
-    EXPECT_LT(strokes.Value("hausdorff"), 0.5) << "contours are looked at a pixel apart";
+    // Contours are looked at a pixel apart, and the device may move corners along both axes.
+    EXPECT_LT(strokes.Value("hausdorff"), 0.5 + std::sqrt(2.0) * test::SubPixel());
     EXPECT_NEAR(strokes.Value("contourOuter"), 0.0, 0.02);
     const CellResult article = Measure(CellKind::Geometry, "Screen space", 4.0);
     EXPECT_GT(article.Value("areaRatio"), 1.1);
@@ -155,7 +156,11 @@ TEST_F(StudyBenchGpu, SeesTheArticlesMaskFlickerAndStrokesHold)
     const CellResult strokes = Measure(CellKind::Temporal, "Strokes", 2.0);
     const CellResult article = Measure(CellKind::Temporal, "Screen space", 2.0);
     EXPECT_LT(strokes.Value("flicker"), 0.01);
-    EXPECT_GT(article.Value("flicker"), 10.0 * strokes.Value("flicker"));
+    // A third of the pixels of an outline that is 2 wide and has soft borders are on the object's
+    // border. The device may say of 2 SubPixel() of the places where that may pass a pixel's centre
+    // that it is on the other side, and half of the pixel's coverage goes by it.
+    const double rounded = 1.0 / 3.0 * 2.0 * test::SubPixel() * 0.5;
+    EXPECT_GT(article.Value("flicker"), 10.0 * (strokes.Value("flicker") - rounded));
     EXPECT_LT(strokes.Value("areaWobble"), article.Value("areaWobble"));
     EXPECT_LT(strokes.Value("areaHigh") - strokes.Value("areaLow"), 0.01);
 }

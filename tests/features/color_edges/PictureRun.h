@@ -2,10 +2,11 @@
 
 #include "features/OutlineGpuReference.h"
 #include "features/color_edges/FlatPicture.h"
-#include "vulkan/GpuTestDevice.h"
+#include "precision/DevicePrecision.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace limn::test
 {
@@ -118,6 +119,51 @@ inline double ShareWithinTwo(const Field& picture, const Field& reference)
         }
     }
     return static_cast<double>(within) / (picture.width * picture.height);
+}
+
+/// The least and the largest that a reference says of each pixel, wherever the device's rounding of
+/// corners (SubPixel()) puts what it draws.
+struct FieldRange
+{
+    Field low;
+    Field high;
+};
+
+/// @param reference  the picture if all that is drawn is moved so far, in pixels
+inline FieldRange RangeOf(const std::function<Field(const glm::dvec2& move)>& reference)
+{
+    FieldRange range;
+    for (const glm::dvec2& move : MovedPlaces())
+    {
+        const Field field = reference(move);
+        if (range.low.values.empty())
+        {
+            range = {field, field};
+        }
+        for (std::size_t i = 0; i < field.values.size(); ++i)
+        {
+            range.low.values[i] = std::min(range.low.values[i], field.values[i]);
+            range.high.values[i] = std::max(range.high.values[i], field.values[i]);
+        }
+    }
+    return range;
+}
+
+/// A picture's values, each where it lies outside of a range moved to the range's nearer end.
+inline Field MovedInto(const FieldRange& range, Field picture)
+{
+    for (std::size_t i = 0; i < picture.values.size(); ++i)
+    {
+        picture.values[i] =
+            std::clamp(picture.values[i], range.low.values.at(i), range.high.values.at(i));
+    }
+    return picture;
+}
+
+/// The share of pixels of which every component is within 2/255 of a range.
+inline double ShareWithinTwo(const Field& picture, const FieldRange& range)
+{
+    return ShareWithinTwo(picture, MovedInto(range, picture));
 }
 
 /// How many pixels differ at all.

@@ -58,10 +58,13 @@ glm::dvec4 HullVertex(const SoftCamera& camera, const GameObject& object, const 
                       0.0);
 }
 
-/// The picture in double: bodies, then the farthest hull, its body over it, and so on.
-Field InflatedReference(const BodiesScene& content, int width, int height, const Inflation& look)
+/// The picture in double: bodies, then the farthest hull, its body over it, and so on; moved by a
+/// part of a pixel.
+Field InflatedReference(const BodiesScene& content, int width, int height, const Inflation& look,
+                        const glm::dvec2& move)
 {
-    const SoftCamera camera(content.camera, width, height);
+    SoftCamera camera(content.camera, width, height);
+    camera.move = move;
     const SoftScene seen(camera, content.scene);
     std::vector<glm::dvec3> colors;
     for (const SoftScene::Seen& at : seen.seen)
@@ -175,7 +178,9 @@ TEST_P(InflatedOutlineAtSizeGpu, AgreesWithTheDoublePrecisionReference)
                                           Inflation{0.0, 0.05}, Inflation{0.0, 0.2}})
             {
                 const Field picture = run.Color(&With(look));
-                const Field reference = InflatedReference(content, width, height, look);
+                const FieldRange reference =
+                    RangeOf([&, width = width, height = height](const glm::dvec2& move)
+                            { return InflatedReference(content, width, height, look, move); });
                 EXPECT_GE(ShareWithinTwo(picture, reference), 0.999)
                     << look.pixels << " px, " << look.metres << " m, "
                     << (isOrthographic ? "orthographic" : "perspective")

@@ -31,6 +31,7 @@ struct SoftCamera
     bool isOrthographic;
     glm::dmat4 view;
     glm::dmat4 projection;
+    glm::dvec2 move{0.0}; ///< of all that is drawn, in pixels
 };
 
 /// A pixel of a triangle: its depth, 1 near, and what each corner counts there, in space.
@@ -53,6 +54,7 @@ inline void ForEachPixel(const SoftCamera& camera, const glm::dvec4 (&clip)[3],
     {
         corners[i] = {(clip[i].x / clip[i].w * 0.5 + 0.5) * camera.width,
                       (0.5 - clip[i].y / clip[i].w * 0.5) * camera.height};
+        corners[i] += camera.move;
     }
     const auto area = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
     {

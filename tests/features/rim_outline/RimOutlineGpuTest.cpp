@@ -42,10 +42,13 @@ double SineAt(const BodiesScene& content, const SoftScene::Seen& at)
     return glm::length(glm::cross(glm::normalize(normal), sight));
 }
 
-/// The picture in double.
-Field RimReference(const BodiesScene& content, int width, int height, const Rim& rim)
+/// The picture in double, moved by a part of a pixel.
+Field RimReference(const BodiesScene& content, int width, int height, const Rim& rim,
+                   const glm::dvec2& move)
 {
-    const SoftScene seen(SoftCamera(content.camera, width, height), content.scene);
+    SoftCamera camera(content.camera, width, height);
+    camera.move = move;
+    const SoftScene seen(camera, content.scene);
     Field field{width, height, 4, {}};
     for (const SoftScene::Seen& at : seen.seen)
     {
@@ -111,7 +114,10 @@ TEST_P(RimOutlineAtSizeGpu, AgreesWithTheDoublePrecisionReference)
                                Rim{RimVariant::Threshold, 1.0, 45.0, 0.0, 0.6}})
         {
             const Field picture = run.Color(&With(rim));
-            EXPECT_GE(ShareWithinTwo(picture, RimReference(content, width, height, rim)), 0.999)
+            const FieldRange reference =
+                RangeOf([&, width = width, height = height](const glm::dvec2& move)
+                        { return RimReference(content, width, height, rim, move); });
+            EXPECT_GE(ShareWithinTwo(picture, reference), 0.999)
                 << static_cast<int>(rim.variant) << ", falloff " << rim.falloff << ", angle "
                 << rim.angle << (isOrthographic ? ", orthographic" : ", perspective");
             EXPECT_GT(CountDifferent(picture, base), 50);

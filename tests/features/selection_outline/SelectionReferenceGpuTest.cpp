@@ -73,6 +73,10 @@ class SelectionShadersGpu : public GpuTest
 };
 
 /// The article's arithmetic, spelled as shaders of the built-in pipeline are.
+/// Its any(inner.rgb) takes a pixel for an object's by any blend with one, though the texture is
+/// sampled at texels' centres: interpolated coordinates are rounded, and Vulkan does not limit the
+/// bits of a weight upwards, so that a neighbour may count by a trifle. Half a step of 8 bits is
+/// none.
 constexpr const char* k_OldStencil = R"(Shader "Old/Stencil" { SubShader { Pass {
     CGPROGRAM
     #pragma vertex vert
@@ -99,7 +103,7 @@ constexpr const char* k_OldComposite = R"(Shader "Old/Composite" { SubShader { P
         fixed4 picture = tex2D(_MainTex, i.uv);
         fixed4 inner = tex2D(_StencilTex, i.uv);
         fixed4 outer = tex2D(_BlurTex, i.uv);
-        fixed part = any(inner.rgb) ? 0 : saturate(outer.a - inner.a);
+        fixed part = any(inner.rgb > 0.5 / 255) ? 0 : saturate(outer.a - inner.a);
         return fixed4(lerp(picture.rgb, outer.rgb * _OutlineStrength, part), picture.a);
     }
     ENDCG } } })";

@@ -182,11 +182,11 @@ TEST_F(MainLightShadowGpu, FadesToTheDistanceAndTakesItsStrengthAllOver)
                 {
                     continue;
                 }
-                const double begin = 400.0 * 0.8 * 0.8;
-                const double fade =
-                    std::clamp((hit->distance * hit->distance - begin) / (400.0 - begin), 0.0, 1.0);
-                between += fade > 0.0 && fade < 1.0 ? 1 : 0;
-                ASSERT_NEAR(picture.At(x, y, 0), 1.0 - 0.75 * (1.0 - fade), 1e-3) << x << ", " << y;
+                const auto [low, high] = FadeAt(shadows, x, y);
+                between += low > 0.0 && high < 1.0 ? 1 : 0;
+                const double seen = picture.At(x, y, 0);
+                ASSERT_NEAR(seen, std::clamp(seen, 0.25 + 0.75 * low, 0.25 + 0.75 * high), 1e-3)
+                    << x << ", " << y;
             }
         }
         EXPECT_GT(between, 100);

@@ -146,4 +146,20 @@ private:
     std::shared_ptr<const Material> m_Material;
 };
 
+/// How far shadows of a distance of 20 m have faded at a pixel: the least and the most of the
+/// places that the device may take for its middle.
+inline std::pair<double, double> FadeAt(const ShadowScene& shadows, int x, int y)
+{
+    std::pair<double, double> range{1.0, 0.0};
+    for (const glm::dvec2& place : MovedPlaces({x + 0.5, y + 0.5}))
+    {
+        const auto hit = shadows.Cast(shadows.RayThrough(place.x, place.y));
+        const double distance = hit ? hit->distance : 1e30;
+        const double begin = 400.0 * 0.8 * 0.8;
+        const double fade = std::clamp((distance * distance - begin) / (400.0 - begin), 0.0, 1.0);
+        range = {std::min(range.first, fade), std::max(range.second, fade)};
+    }
+    return range;
+}
+
 } // namespace limn::test

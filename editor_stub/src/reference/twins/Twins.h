@@ -12,13 +12,17 @@ namespace limn::study
 /// outline is in truth, but what the technique would draw if nothing was rounded. Textures hold
 /// doubles; samples lie where the rasteriser has them, at pixel centres or at Vulkan's four places.
 /// What a device draws differs by rounding, by formats of few bits, and where an edge passes a
-/// sample nearer than the 1/256 pixel to which vertices are placed.
+/// sample nearer than the part of a pixel to which vertices are placed.
 using Twin =
     std::function<Coverage(const Silhouette&, double width, int pictureWidth, int pictureHeight)>;
 
 /// @param technique  Technique::name
 /// @return empty where nothing repeats the technique's arithmetic
 Twin FindTwin(const std::string& technique);
+
+/// Whether a technique draws what it outlines and takes the edges from there, where a device has
+/// put corners at the nearest place that it has, and not from the mesh.
+bool DrawsItsEdges(const std::string& technique);
 
 /// The first article's: mask of half the size, Roberts cross, bilinear composite.
 Coverage ScreenSpaceTwin(const Silhouette& silhouette, double width, int pictureWidth,
