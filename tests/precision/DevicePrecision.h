@@ -44,13 +44,6 @@ inline bool HasCoarseCorners()
     return SubPixel() > 0x1p-8;
 }
 
-/// How far a place between texels may be rounded, along each axis, in texels: Vulkan blends texels
-/// by weights of so many bits (VkPhysicalDeviceLimits::subTexelPrecisionBits).
-inline double SubTexel()
-{
-    return std::exp2(-SharedDeviceInfo().subTexelPrecisionBits);
-}
-
 /// A place, and the eight around it that the device may take for it where it draws a triangle.
 inline std::array<glm::dvec2, 9> MovedPlaces(const glm::dvec2& place = glm::dvec2(0.0))
 {

@@ -13,7 +13,7 @@ using vulkan::ChooseDevice;
 VulkanDeviceInfo MakeInfo(std::string name, VulkanDeviceType type,
                           std::vector<std::string> problems = {})
 {
-    return {std::move(name), type, "1.3.230", "driver", "1.0", std::move(problems)};
+    return {std::move(name), type, "1.3.230", "driver", "1.0", 8, std::move(problems)};
 }
 
 const std::vector<VulkanDeviceInfo> k_Devices = {

@@ -72,7 +72,6 @@ VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device)
     info.driverInfo = driver.driverInfo;
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;
     info.subPixelPrecisionBits = static_cast<int>(limits.subPixelPrecisionBits);
-    info.subTexelPrecisionBits = static_cast<int>(limits.subTexelPrecisionBits);
     if (properties.properties.apiVersion < VK_API_VERSION_1_3)
     {
         // Its 1.3 features cannot even be asked for.

@@ -28,8 +28,6 @@ struct VulkanDeviceInfo
     std::string driverInfo;
     /// The bits behind the point of a vertex's place in the picture, in pixels; at least 4.
     int subPixelPrecisionBits = 0;
-    /// The bits behind the point of a place between texels, where they are blended; at least 4.
-    int subTexelPrecisionBits = 0;
     std::vector<std::string> problems; ///< one sentence for each thing that limn needs and misses
 
     bool isUsable() const { return problems.empty(); }
