@@ -64,6 +64,60 @@ const std::vector<std::string> k_FewPasses = {"--wrap-opkill",
 /// Those that make textures which travel in structs and through parameters legal for Vulkan.
 const std::vector<std::string> k_AllPasses = {"--legalize-hlsl", "-O"};
 
+/// Calls a function with each instruction's number, opcode and operands until it returns false.
+template <typename F>
+void ForEachInstruction(const std::vector<std::uint32_t>& spirv, F&& each)
+{
+    constexpr std::size_t k_Header = 5; // words
+    std::size_t number = 0;
+    for (std::size_t word = k_Header; word < spirv.size();)
+    {
+        const std::size_t size = std::clamp<std::size_t>(spirv[word] >> 16, 1, spirv.size() - word);
+        const auto operands = std::span(spirv).subspan(word + 1, size - 1);
+        if (!each(++number, spirv[word] & 0xffff, operands))
+        {
+            return;
+        }
+        word += size;
+    }
+}
+
+/// Gives the module without RelaxedPrecision at variables. spirv-opt does not split those that have
+/// it, and crashes (2023.1) on an array that is put together in parts of different depth. What is
+/// computed keeps its own RelaxedPrecision.
+std::vector<std::uint32_t> WithoutRelaxedVariables(const std::vector<std::uint32_t>& spirv)
+{
+    std::set<std::uint32_t> variables;
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            if (operation == spv::OpVariable)
+            {
+                variables.insert(operands[1]);
+            }
+            return true;
+        });
+    constexpr std::ptrdiff_t k_Header = 5; // words
+    std::vector<std::uint32_t> result(spirv.begin(), spirv.begin() + k_Header);
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            const bool isLeftOut = operation == spv::OpDecorate &&
+                                   operands[1] == spv::DecorationRelaxedPrecision &&
+                                   variables.contains(operands[0]);
+            if (!isLeftOut)
+            {
+                const auto size = static_cast<std::uint32_t>(operands.size() + 1);
+                result.push_back(size << 16 | operation);
+                result.insert(result.end(), operands.begin(), operands.end());
+            }
+            return true;
+        });
+    return result;
+}
+
 std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
                                     const std::vector<std::string>& passes, const std::string& file)
 {
@@ -78,7 +132,8 @@ std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     std::vector<std::uint32_t> optimized;
-    if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options))
+    const std::vector<std::uint32_t> plain = WithoutRelaxedVariables(spirv);
+    if (!optimizer.Run(plain.data(), plain.size(), &optimized, options))
     {
         ThrowLog(messages, file, "optimising");
     }
@@ -122,24 +177,6 @@ std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv,
 {
     const bool isValid = !Validate(spirv, isOptimised, false);
     return isValid ? std::nullopt : Validate(spirv, isOptimised, true);
-}
-
-/// Calls a function with each instruction's number, opcode and operands until it returns false.
-template <typename F>
-void ForEachInstruction(const std::vector<std::uint32_t>& spirv, F&& each)
-{
-    constexpr std::size_t k_Header = 5; // words
-    std::size_t number = 0;
-    for (std::size_t word = k_Header; word < spirv.size();)
-    {
-        const std::size_t size = std::clamp<std::size_t>(spirv[word] >> 16, 1, spirv.size() - word);
-        const auto operands = std::span(spirv).subspan(word + 1, size - 1);
-        if (!each(++number, spirv[word] & 0xffff, operands))
-        {
-            return;
-        }
-        word += size;
-    }
 }
 
 /// Where the HLSL of an instruction is, by the OpLine before it.

@@ -37,6 +37,20 @@ const std::string k_Next = R"(
 
 } // namespace
 
+// spirv-opt crashed on them.
+TEST_F(HlslTargetValues, ArraysOfMin16ArePutTogetherInPartsOfAnyDepth)
+{
+    ExpectValues(R"(
+        float Whole(float4 a, float4 b)
+        {
+            min16float3 v[2] = {min16float3(1, 2, 3), min16float3(4, 5, 6)};
+            v[1].x = a.x + 100;
+            v[0] = b.yzw;
+            return v[0].x + 10 * v[0].z + v[1].x + 1000 * v[1].y;
+        })",
+                 {{"Whole(a, b)", 6 + 80 + 101 + 5000}});
+}
+
 TEST_F(HlslTargetValues, ElementsOfMatricesAreStepped)
 {
     ExpectValues(R"(
