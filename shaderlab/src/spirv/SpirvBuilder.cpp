@@ -53,6 +53,7 @@ const std::vector<std::string> k_FewPasses = {"--wrap-opkill",
                                               "--ccp",
                                               "--loop-unroll",
                                               "--eliminate-dead-branches",
+                                              "--scalar-replacement=0", // indices known by now
                                               "--convert-local-access-chains",
                                               "--eliminate-local-single-block",
                                               "--eliminate-local-single-store",

@@ -38,17 +38,24 @@ const std::string k_Next = R"(
 } // namespace
 
 // spirv-opt crashed on them.
-TEST_F(HlslTargetValues, ArraysOfMin16ArePutTogetherInPartsOfAnyDepth)
+TEST_F(HlslTargetValues, ArraysArePutTogetherInPartsOfAnyDepth)
 {
-    ExpectValues(R"(
+    ExpectValues(k_Next + R"(
         float Whole(float4 a, float4 b)
         {
             min16float3 v[2] = {min16float3(1, 2, 3), min16float3(4, 5, 6)};
             v[1].x = a.x + 100;
             v[0] = b.yzw;
             return v[0].x + 10 * v[0].z + v[1].x + 1000 * v[1].y;
+        }
+        float Folded(float4 a, float4 b)
+        {
+            float4 v[3] = {float4(1, 2, 3, 4), float4(4, 5, 6, 7), (float4)0};
+            v[Next() % 3].x = a.y; // spirv-opt finds out which
+            v[1] = b;
+            return v[0].x + 10 * v[1].y + 100 * v[0].w;
         })",
-                 {{"Whole(a, b)", 6 + 80 + 101 + 5000}});
+                 {{"Whole(a, b)", 6 + 80 + 101 + 5000}, {"Folded(a, b)", 2 + 60 + 400}});
 }
 
 TEST_F(HlslTargetValues, ElementsOfMatricesAreStepped)
