@@ -223,8 +223,8 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
     return m_Compiler->Compile(*pass.program, variant);
 }
 
-std::shared_ptr<const ShaderProgram>
-Shader::CompileOnce(Variant& variant, int passIndex, const std::vector<std::string>& keywords) const
+template <typename Compilation>
+std::shared_ptr<const ShaderProgram> Shader::Once(Variant& variant, const Compilation& compile)
 {
     const std::lock_guard lock(variant.mutex);
     if (variant.failure)
@@ -235,7 +235,7 @@ Shader::CompileOnce(Variant& variant, int passIndex, const std::vector<std::stri
     {
         try
         {
-            variant.compiled = CompileVariant(passIndex, keywords);
+            variant.compiled = compile();
         }
         catch (const AssetError&) // others say nothing of the shader
         {
@@ -250,7 +250,7 @@ std::shared_ptr<const ShaderProgram> Shader::Compile(int passIndex) const
 {
     PassAt(passIndex);
     Variant& variant = m_Initial[static_cast<std::size_t>(passIndex)];
-    return CompileOnce(variant, passIndex, keywords(passIndex));
+    return Once(variant, [&] { return CompileVariant(passIndex, keywords(passIndex)); });
 }
 
 std::shared_ptr<const ShaderProgram>
@@ -273,7 +273,7 @@ Shader::Compile(int passIndex, std::span<const std::string> enabled,
     std::unique_lock mapLock(m_Mutex);
     Variant& variant = m_Others[{passIndex, wanted}]; // stays where it is
     mapLock.unlock();
-    return CompileOnce(variant, passIndex, wanted);
+    return Once(variant, [&] { return CompileVariant(passIndex, wanted); });
 }
 
 std::shared_ptr<const ShaderProgram>

@@ -210,8 +210,9 @@ TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
          {std::pair(shaderOf(buffers, sum), "error: a function of the shader reads 40 uniform "
                                             "buffers; the device binds at most [0-9]+\n"),
           {shaderOf("cbuffer B { float4 _A[70000]; };", "_A[5]"),
-           "error: shader 'S', pass 0: constant buffer 'B' has 1120000 bytes; the device binds at "
-           "most [0-9]+, so make it smaller or use a texture\n"}})
+           ".*s.shader:1:[0-9]+: error: constant buffer 'B' has more than 65536 bytes, which are "
+           "the "
+           "most that it may have; make it smaller, or use a StructuredBuffer\n"}})
     {
         folder.Write("s.shader", shader);
         const CommandRun run = Draw({});

@@ -9,6 +9,10 @@
 // LIMN_VALUES_SEED is the first snippet's seed, LIMN_VALUES_COUNT how many there are; with
 // LIMN_VALUES_PRINT each is printed.
 
+#ifndef LIMN_VALUES_COUNT
+#define LIMN_VALUES_COUNT 200
+#endif
+
 namespace limn::test
 {
 
@@ -156,7 +160,7 @@ TEST_F(HlslSnippetsGpu, GiveWhatTheyGiveInDouble)
 {
     constexpr int k_AtOnce = 20; // in one program
     const int seed = Setting("LIMN_VALUES_SEED", 1);
-    const int count = Setting("LIMN_VALUES_COUNT", 200);
+    const int count = Setting("LIMN_VALUES_COUNT", LIMN_VALUES_COUNT);
     const bool isLavapipe = SharedDevice().deviceName().find("llvmpipe") != std::string::npos;
     std::vector<Snippet> some;
     std::uint64_t hash = 14695981039346656037u; // FNV-1a, to compare what two compilers make

@@ -230,8 +230,8 @@ private:
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
-    std::shared_ptr<const ShaderProgram>
-    CompileOnce(Variant& variant, int passIndex, const std::vector<std::string>& keywords) const;
+    template <typename Compilation>
+    static std::shared_ptr<const ShaderProgram> Once(Variant& variant, const Compilation& compile);
 
     std::uint64_t m_Id;
     ShaderLabDocument m_Document;
