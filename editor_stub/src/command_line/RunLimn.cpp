@@ -61,7 +61,7 @@ int WrongUsage(const std::string& problem, const CLI::App& app, Console& console
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
-/// Says whether the text names a file or a folder that is there.
+/// Returns whether the text names a file or a folder that exists.
 bool isThere(const std::string& text)
 {
     std::error_code ignored;

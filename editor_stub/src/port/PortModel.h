@@ -63,7 +63,7 @@ public:
     /// Whether Unity stores the field.
     bool isSerialized(const CSharpField& field) const;
 
-    /// Says whether the field becomes a pointer in C++: a pass or its data keep an object of
+    /// Returns whether the field becomes a pointer in C++: a pass or its data keep an object of
     /// somebody else's in it, or anybody keeps a component of the volume stack.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 

@@ -242,7 +242,7 @@ std::string PortedSignature::Text(const std::string& owner) const
 namespace
 {
 
-/// Says whether a body assigns to a parameter or to a member of it.
+/// Returns whether a body assigns to a parameter or to a member of it.
 bool IsChanged(CSharpWords body, std::string_view name)
 {
     for (std::size_t i = 0; i + 1 < body.size(); ++i)

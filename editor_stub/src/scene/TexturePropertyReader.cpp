@@ -61,8 +61,8 @@ bool CheckCount(const YamlNode& list, const std::string& subject, TextureDimensi
     return fits;
 }
 
-/// Whether the pictures take no more memory than a texture may; an error says it otherwise. Asked
-/// before the first one is decoded: a small file may hold a gigabyte.
+/// Returns whether the pictures fit into the memory that a texture may take; adds an error if they
+/// do not. The reader calls it before it decodes the first one: a small file may hold a gigabyte.
 bool CheckBytes(const YamlNode& list, const std::string& subject, const References& references,
                 AssetDiagnostics& diagnostics)
 {

@@ -217,7 +217,7 @@ public:
         }
     }
 
-    /// What is static begins with zeros; to glslang its value is not known.
+    /// Statics begin with zeros in HLSL; glslang leaves their values undefined.
     void ClearStatics()
     {
         for (const HlslVariable& variable : m_Source.declarations.statics)

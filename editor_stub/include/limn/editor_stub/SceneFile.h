@@ -60,8 +60,8 @@ struct SceneAsset
 /// precision, so that the angle is good after days as well.
 void TurnObjects(const std::vector<Turn>& turns, double seconds);
 
-/// What is wrong with the size that cameras draw in, which is renderScale times the picture's; ""
-/// if nothing is.
+/// Returns what is wrong with the size that cameras draw in, which is renderScale times the
+/// picture's; "" if nothing is.
 std::string ScaledSizeProblem(const SceneAsset& scene);
 
 /// A scene from a *.scene.yaml file. Paths in it start from its folder and lead into that folder,

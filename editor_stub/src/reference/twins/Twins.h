@@ -20,8 +20,8 @@ using Twin =
 /// @return empty where nothing repeats the technique's arithmetic
 Twin FindTwin(const std::string& technique);
 
-/// Whether a technique draws what it outlines and takes the edges from there, where a device has
-/// put corners at the nearest place that it has, and not from the mesh.
+/// Returns true if the technique draws the objects and takes the edges from that drawing, where the
+/// device has rounded their corners; false if it takes the edges from the mesh.
 bool DrawsItsEdges(const std::string& technique);
 
 /// The first article's: mask of half the size, Roberts cross, bilinear composite.

@@ -50,7 +50,7 @@ public:
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
-    /// Says whether another owner held it, who was not waited for.
+    /// Returns whether another owner holds the lock, so that this object does not have it.
     bool isHeldElsewhere() const { return m_IsHeldElsewhere; }
 
 private:

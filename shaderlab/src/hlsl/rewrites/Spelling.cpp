@@ -128,22 +128,34 @@ private:
         }
     }
 
-    /// Whether the word stands among the modifiers of a function's parameter.
-    bool isParameter(std::size_t index) const
+    /// Says whether the word stands among the modifiers of a function's parameter.
+    bool isParameter(std::size_t index)
     {
         std::size_t open = std::max<std::size_t>(index, 1) - 1;
         for (; open > 2 && Text(open) != "("; --open)
         {
             const std::size_t partner = m_Code.tokens().MatchingOpen(open);
+            if (open == m_LastAsked && open > 0)
+            {
+                m_LastAsked = index; // what stands before both is the same
+                return m_LastAnswer;
+            }
             if (Text(open) == ";" || Text(open) == "{" || (Text(open) == "}" && partner == open))
             {
-                return false;
+                return Answer(index, false);
             }
             open = partner;
         }
         // `type name(`
-        return open > 2 && isWord(open - 1) && !k_Statements.Has(Text(open - 1)) &&
-               (isWord(open - 2) || Text(open - 2) == ">");
+        return Answer(index, open > 2 && isWord(open - 1) && !k_Statements.Has(Text(open - 1)) &&
+                                 (isWord(open - 2) || Text(open - 2) == ">"));
+    }
+
+    /// Keeps the answer for the next word of the same list.
+    bool Answer(std::size_t index, bool answer)
+    {
+        m_LastAsked = index;
+        return m_LastAnswer = answer;
     }
 
     /// Whether a statement begins with the word.
@@ -250,6 +262,8 @@ private:
     }
 
     HlslEditor& m_Code;
+    std::size_t m_LastAsked = 0; ///< a `const`; 0 = none yet
+    bool m_LastAnswer = false;
     std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };
 
