@@ -78,7 +78,7 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
         compilerOptions.cacheFolder = cacheFolder;
     }
     compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
-    compilerOptions.isIsolated = true; // one shader that the compiler crashes on ends only itself
+    compilerOptions.process = StartCompilerProcess();
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));

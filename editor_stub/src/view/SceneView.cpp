@@ -42,6 +42,7 @@ ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Consol
     result.cacheLimit = CacheLimit(result.cacheLimit);
     result.packages.insert(options.packages.begin(), options.packages.end());
     result.includeFolders.assign(options.roots.begin(), options.roots.end());
+    result.process = StartCompilerProcess();
     return result;
 }
 

@@ -162,15 +162,10 @@ struct ShaderCompiler::State
     {
         ExpectOwnLibrary(options);
         ExpectSmallFloats(options);
-        if (options.isIsolated)
-        {
-            process.emplace(options);
-        }
     }
 
     const ShaderCompilerOptions options;
     const ShaderCache cache;
-    std::optional<CompilerProcess> process; ///< where compilations are isolated
     std::atomic<int> compiled{0};
     std::atomic<int> loadedFromCache{0};
 
@@ -252,8 +247,9 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
     try
     {
         auto pass = std::make_shared<const ShaderProgram>(
-            m_State->process ? m_State->process->Compile(program, keywords, resolver)
-                             : CompileProgram(program, keywords, resolver));
+            m_State->options.process
+                ? m_State->options.process->Compile(program, keywords, m_State->options, resolver)
+                : CompileProgram(program, keywords, resolver));
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
         m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,

@@ -53,7 +53,6 @@ const std::vector<std::string> k_FewPasses = {"--wrap-opkill",
                                               "--ccp",
                                               "--loop-unroll",
                                               "--eliminate-dead-branches",
-                                              "--scalar-replacement=0", // indices known by now
                                               "--convert-local-access-chains",
                                               "--eliminate-local-single-block",
                                               "--eliminate-local-single-store",
@@ -61,6 +60,9 @@ const std::vector<std::string> k_FewPasses = {"--wrap-opkill",
                                               "--redundancy-elimination",
                                               "--simplify-instructions",
                                               "--merge-blocks"};
+
+/// In front of which arrays are split once more: the indices are known by now.
+constexpr std::string_view k_PassBehindKnownIndices = "--convert-local-access-chains";
 
 /// Those that make textures which travel in structs and through parameters legal for Vulkan.
 const std::vector<std::string> k_AllPasses = {"--legalize-hlsl", "-O"};
@@ -81,6 +83,48 @@ void ForEachInstruction(const std::vector<std::uint32_t>& spirv, F&& each)
         }
         word += size;
     }
+}
+
+/// Returns whether any id of the module is decorated with RelaxedPrecision: only those of min16
+/// types.
+bool hasRelaxedPrecision(const std::vector<std::uint32_t>& spirv)
+{
+    bool found = false;
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            found = found || (operation == spv::OpDecorate &&
+                              operands[1] == spv::DecorationRelaxedPrecision);
+            return !found && operation != spv::OpFunction;
+        });
+    return found;
+}
+
+/// Returns whether the module has variables of its own that are arrays or hold some.
+bool hasArrayVariables(const std::vector<std::uint32_t>& spirv)
+{
+    std::set<std::uint32_t> arrays; // types
+    bool found = false;
+    ForEachInstruction(
+        spirv,
+        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        {
+            const auto isArray = [&](std::uint32_t type)
+            {
+                return arrays.contains(type);
+            };
+            if (operation == spv::OpTypeArray ||
+                (operation == spv::OpTypeStruct && std::ranges::any_of(operands, isArray)))
+            {
+                arrays.insert(operands[0]);
+            }
+            found = found || (operation == spv::OpTypePointer && isArray(operands[2]) &&
+                              (operands[1] == spv::StorageClassFunction ||
+                               operands[1] == spv::StorageClassPrivate));
+            return !found && operation != spv::OpFunction;
+        });
+    return found;
 }
 
 /// Gives the module without RelaxedPrecision at variables. spirv-opt does not split those that have
@@ -127,14 +171,20 @@ std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
     optimizer.SetMessageConsumer(
         [&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
         { messages.append(message).append("\n"); });
-    optimizer.RegisterPassesFromFlags(passes);
+    for (const std::string& pass : passes)
+    {
+        if (pass == k_PassBehindKnownIndices && hasArrayVariables(spirv))
+        {
+            optimizer.RegisterPassFromFlag("--scalar-replacement=0");
+        }
+        optimizer.RegisterPassFromFlag(pass);
+    }
     optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
     optimizer.RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     std::vector<std::uint32_t> optimized;
-    const std::vector<std::uint32_t> plain = WithoutRelaxedVariables(spirv);
-    if (!optimizer.Run(plain.data(), plain.size(), &optimized, options))
+    if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options))
     {
         ThrowLog(messages, file, "optimising");
     }
@@ -255,6 +305,10 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
     if (problem)
     {
         return problem;
+    }
+    if (hasRelaxedPrecision(spirv))
+    {
+        spirv = WithoutRelaxedVariables(spirv);
     }
     std::vector<std::uint32_t> optimized = Optimize(spirv, k_FewPasses, file);
     problem = FindProblem(optimized, true);

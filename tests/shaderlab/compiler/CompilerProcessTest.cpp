@@ -24,7 +24,7 @@ const std::string k_IsolatedVertex =
 ShaderCompilerOptions IsolatedOptions(std::chrono::milliseconds limit = 30s)
 {
     ShaderCompilerOptions options;
-    options.isIsolated = true;
+    options.process = StartCompilerProcess();
     options.timeLimit = limit;
     return options;
 }

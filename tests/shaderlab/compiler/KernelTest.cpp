@@ -381,7 +381,7 @@ TEST(Kernel, IsFoundAgainInTheCache)
 TEST(Kernel, CompilesInAProcessOfItsOwn)
 {
     ShaderCompilerOptions options;
-    options.isIsolated = true;
+    options.process = StartCompilerProcess();
     ShaderCompiler isolated(options);
     const PassProgram kernel = ParseCompute(k_Sum, "t.compute").kernels.at(0);
     EXPECT_EQ(*isolated.Compile(kernel), *CompileKernel(k_Sum));

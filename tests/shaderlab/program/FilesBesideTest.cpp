@@ -41,7 +41,7 @@ TEST(FilesBeside, AreIncludedFromWhereTheyLie)
     for (const bool isIsolated : {false, true})
     {
         ShaderCompilerOptions options;
-        options.isIsolated = isIsolated;
+        options.process = isIsolated ? StartCompilerProcess() : nullptr;
         ShaderCompiler compiler(options);
         for (const char* include :
              {"Tint.hlsl", "tint.HLSL", "../shaders/Tint.hlsl", "Assets/Effects/Tint.hlsl"})

@@ -16,6 +16,15 @@
 namespace limn
 {
 
+class CompilerProcess;
+
+/// Starts a process that compiles HLSL for this one. A crash, a hang or more than 2 GiB of memory
+/// of the HLSL compiler there is an AssetError of the pass that causes it. The process ends when
+/// nobody holds it any more.
+///
+/// It is a copy of this process (fork): call this before other threads are at work.
+std::shared_ptr<CompilerProcess> StartCompilerProcess();
+
 struct ShaderCompilerOptions
 {
     /// Where compiled passes are kept; created on first use; empty = nowhere. Entries are found by
@@ -36,10 +45,10 @@ struct ShaderCompilerOptions
     /// Bytes that the entries of the cache folder may take; those not used for longest are removed
     /// when there are more. 0 = no limit.
     std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
-    /// Compile each pass in a child process: a crash of the HLSL compiler is an error of the pass.
-    /// ShaderCompiler's constructor forks then: make it before other threads are at work.
-    bool isIsolated = false;
-    /// What an isolated compilation may take.
+    /// Where passes are compiled; null = in this process, which a crash of the HLSL compiler ends
+    /// then. Several compilers may share it.
+    std::shared_ptr<CompilerProcess> process = nullptr;
+    /// What the compilation of a pass in `process` may take.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
     /// Whether depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and UNITY_NEAR_CLIP_VALUE is
     /// 1; else the other way round, as on OpenGL, to study precision. The whole pipeline goes by
