@@ -281,6 +281,33 @@ std::string DescribeDepth(const std::string& most)
     return "nested more than " + most + " deep";
 }
 
+/// `x++` and `1 ? x : y`: glslang crashes where x is no variable.
+void CheckOperands(const HlslNode& node, const HlslTokens& tokens,
+                   std::vector<HlslProblem>& problems)
+{
+    for (const HlslNode* operand = node.child; operand; operand = operand->next)
+    {
+        const HlslNode* inner = operand;
+        while (inner->kind == HlslNodeKind::Paren && inner->child)
+        {
+            inner = inner->child;
+        }
+        if (inner->kind == HlslNodeKind::Name && !inner->local && !inner->variable)
+        {
+            problems.push_back({inner->token, "unknown variable"});
+        }
+        else if (node.kind == HlslNodeKind::Postfix &&
+                 (inner->kind == HlslNodeKind::Literal || inner->kind == HlslNodeKind::Call ||
+                  inner->kind == HlslNodeKind::Construct || inner->kind == HlslNodeKind::Cast ||
+                  inner->kind == HlslNodeKind::Postfix || inner->kind == HlslNodeKind::Binary))
+        {
+            problems.push_back({inner->first, "this is a value, which '" +
+                                                  std::string(tokens.Text(node.token)) +
+                                                  "' cannot change; put it into a variable"});
+        }
+    }
+}
+
 } // namespace
 
 void RequirePairs(const HlslTokens& tokens)
@@ -384,6 +411,9 @@ std::string DescribeDeepMacros()
 void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     std::vector<HlslProblem> problems;
+    // What is not understood may declare names.
+    const bool knowsNames = std::ranges::none_of(nodes, [](const HlslNode& node)
+                                                 { return node.kind == HlslNodeKind::Unknown; });
     for (const HlslNode& node : nodes)
     {
         if (node.kind == HlslNodeKind::Label)
@@ -393,6 +423,11 @@ void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const H
         else if (node.kind == HlslNodeKind::Method)
         {
             CheckGather(node, tokens, problems);
+        }
+        else if (knowsNames &&
+                 (node.kind == HlslNodeKind::Postfix || node.kind == HlslNodeKind::Ternary))
+        {
+            CheckOperands(node, tokens, problems);
         }
         else if (node.kind == HlslNodeKind::List && !node.child && node.parent &&
                  node.parent->kind == HlslNodeKind::List)

@@ -11,52 +11,83 @@ bool HlslLines::Next(std::string& line, int& number)
 {
     line.clear();
     number = m_Line;
-    bool any = false;
-    for (; m_Position < m_Text.size(); ++m_Position)
+    const bool any = m_Position < m_Text.size();
+    while (m_Position < m_Text.size())
     {
-        any = true;
-        const std::string_view rest = m_Text.substr(m_Position);
-        if (rest[0] != '\n')
-        {
-            Take(rest, line);
-            continue;
-        }
-        ++m_Line;
-        m_InString = false;
-        const std::size_t size = line.find_last_not_of(" \t\r\f\v");
-        if (m_InComment || size == line.npos || line[size] != '\\')
+        if (m_Text[m_Position] == '\n')
         {
             ++m_Position;
-            return true;
+            ++m_Line;
+            m_InString = false;
+            if (!GoesOn(line))
+            {
+                m_InLineComment = false;
+                return true;
+            }
         }
-        line.resize(size);
-        line += ' ';
+        else if (m_InComment || m_InLineComment)
+        {
+            SkipComment();
+        }
+        else
+        {
+            TakeCode(line);
+        }
     }
     return any;
 }
 
-void HlslLines::Take(std::string_view rest, std::string& line)
+bool HlslLines::GoesOn(std::string& line) const
 {
     if (m_InComment)
     {
-        m_InComment = rest.substr(0, 2) != "*/";
-        m_Position += m_InComment ? 0 : 1;
+        return Trim(line).starts_with("#");
     }
-    else if (!m_InString && rest.substr(0, 2) == "/*")
+    const std::string_view written = m_Text.substr(0, m_Position - 1);
+    const std::size_t last = written.find_last_not_of(" \t\r\f\v");
+    if (last == written.npos || written[last] != '\\')
     {
-        m_InComment = true;
-        ++m_Position;
+        return false;
+    }
+    if (!m_InLineComment)
+    {
+        line.resize(line.rfind('\\'));
         line += ' ';
     }
-    else if (!m_InString && rest.substr(0, 2) == "//")
+    return true;
+}
+
+void HlslLines::SkipComment()
+{
+    const std::string_view rest = m_Text.substr(m_Position);
+    const std::size_t lineSize = std::min(rest.find('\n'), rest.size());
+    const std::size_t end = m_InComment ? rest.substr(0, lineSize).find("*/") : rest.npos;
+    m_InComment = m_InComment && end == rest.npos;
+    m_Position += end == rest.npos ? lineSize : end + 2;
+}
+
+void HlslLines::TakeCode(std::string& line)
+{
+    const std::string_view rest = m_Text.substr(m_Position);
+    const std::size_t size = std::min(rest.find_first_of("\"/\n"), rest.size());
+    line += rest.substr(0, size);
+    m_Position += size;
+    const std::string_view mark = rest.substr(size, 2);
+    if (mark.empty() || mark[0] == '\n')
     {
-        m_Position += std::min(rest.find('\n'), rest.size()) - 1;
+        return;
     }
-    else
+    m_InComment = !m_InString && mark == "/*";
+    m_InLineComment = !m_InString && mark == "//";
+    if (m_InComment || m_InLineComment)
     {
-        m_InString = m_InString != (rest[0] == '"');
-        line += rest[0];
+        line += ' ';
+        m_Position += mark.size();
+        return;
     }
+    m_InString = m_InString != (mark[0] == '"');
+    line += mark[0];
+    ++m_Position;
 }
 
 } // namespace limn

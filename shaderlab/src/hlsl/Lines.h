@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// Reads HLSL line by line as a preprocessor sees it: comments are blanks, and a line that ends in
-/// `\` goes on in the next.
+/// Reads HLSL line by line as a preprocessor sees it: comments are blanks, a line that ends in `\`
+/// goes on in the next, and so does a directive that ends in the middle of a comment.
 class HlslLines
 {
 public:
@@ -22,12 +22,15 @@ public:
     bool endsInComment() const { return m_InComment; }
 
 private:
-    void Take(std::string_view rest, std::string& line);
+    void TakeCode(std::string& line);
+    void SkipComment();
+    bool GoesOn(std::string& line) const;
 
     std::string_view m_Text;
     std::size_t m_Position = 0;
     int m_Line;
-    bool m_InComment = false;
+    bool m_InComment = false; ///< a `/*`
+    bool m_InLineComment = false;
     bool m_InString = false; ///< `//` in the name of an include is no comment
 };
 

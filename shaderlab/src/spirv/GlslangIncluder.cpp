@@ -1,6 +1,7 @@
 #include "spirv/GlslangIncluder.h"
 
 #include "hlsl/Checks.h"
+#include "hlsl/Lines.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -28,11 +29,6 @@ std::optional<std::string_view> BehindDirective(std::string_view line, std::stri
     const bool isName =
         line.starts_with(name) && (line.size() == name.size() || !isLetter(line[name.size()]));
     return isName ? std::optional(line.substr(name.size())) : std::nullopt;
-}
-
-bool Continues(std::string_view line)
-{
-    return !Trim(line).empty() && Trim(line).back() == '\\';
 }
 
 std::string_view WithoutByteOrderMark(std::string_view text)
@@ -78,22 +74,7 @@ std::string WriteWarningPragma(std::string_view message)
     return line;
 }
 
-/// `#define NAME\`, the body in the lines that follow: glslang reads over it unless a blank stands
-/// before the backslash.
-std::string PartFromBody(std::string_view line)
-{
-    std::string text(line);
-    const auto definition = BehindDirective(line, "define");
-    const std::string_view name = definition ? Trim(*definition) : std::string_view();
-    if (name.size() > 1 && name.back() == '\\' &&
-        std::all_of(name.begin(), name.end() - 1, [](char c) { return isLetter(c) || isDigit(c); }))
-    {
-        text.insert(text.rfind('\\'), 1, ' ');
-    }
-    return text;
-}
-
-/// A line as glslang is to see it; "" drops it and what continues it.
+/// Gives a line as glslang is to see it.
 std::string TranslateLine(std::string_view line)
 {
     if (const auto file = BehindDirective(line, "include_with_pragmas"))
@@ -114,7 +95,7 @@ std::string TranslateLine(std::string_view line)
                : glued != pragma->npos ? std::string(pragma->substr(glued))
                                        : "";
     }
-    return PartFromBody(line);
+    return std::string(line);
 }
 
 /// `o. ## name` as `o. name`: a dot and a name are no one token, and glslang says so, where Unity's
@@ -180,16 +161,6 @@ std::string SpellCharacters(std::string line)
     return line;
 }
 
-/// A line without what glslang would read over letter by letter: blanks at its begin, and what it
-/// says if it is a comment.
-std::string_view Shorten(std::string_view line)
-{
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const bool isComment = line.starts_with("//") && !Continues(line) &&
-                           line.find("*/") == line.npos; // which may end one of several lines
-    return isComment ? "" : line;
-}
-
 } // namespace
 
 std::string TranslateDirectives(std::string_view text)
@@ -197,24 +168,28 @@ std::string TranslateDirectives(std::string_view text)
     text = WithoutByteOrderMark(text);
     std::string result;
     result.reserve(text.size() + 1);
-    bool isDropped = false; // the line before goes on in this one, and it was a pragma
-    while (!text.empty())
+    HlslLines lines(text, 1);
+    std::string line;
+    int written = 1;
+    for (int number = 0; lines.Next(line, number);)
     {
-        const std::size_t size = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, size);
+        // Lines that go on are one, and those behind them keep their number.
+        result.append(static_cast<std::size_t>(number - written), '\n');
+        written = number;
         const bool isDirective = line.find('#') != line.npos;
-        std::string translated = isDropped     ? ""
-                                 : isDirective ? PasteNoDots(SpellNonFinite(TranslateLine(line)))
-                                               : std::string(Shorten(line));
+        std::string translated = isDirective ? PasteNoDots(SpellNonFinite(TranslateLine(line)))
+                                             : std::string(Trim(line));
         if (!isDirective || BehindDirective(line, "define"))
         {
             translated = SpellCharacters(std::move(translated));
         }
-        isDropped = translated.empty() && Continues(line);
         result.append(translated);
-        result += '\n';
-        text.remove_prefix(std::min(size + 1, text.size()));
     }
+    if (lines.endsInComment())
+    {
+        result += "/*"; // glslang says so
+    }
+    result += '\n';
     return result;
 }
 

@@ -74,6 +74,41 @@ TEST(ShaderCompilerError, KeepsItsLineBehindMacrosAndContinuedLines)
                 ElementsAre("t.shader:7:7: error: 'wrong': unknown variable"));
 }
 
+TEST(ShaderCompilerError, KeepsItsLineBehindCommentsWithDirectives)
+{
+    EXPECT_THAT(CompileMessages(Program("/*\n#pragma A\n#pragma B */\n"
+                                        "#define ONE /* of\ntwo */ 1 // and \\\n more\n"
+                                        "float4 vert(float4 p : POSITION) : SV_Position\n"
+                                        "{ return p * ONE + wrong; } /* another */\n"
+                                        "float4 frag() : SV_Target { return 1; }\n")),
+                ElementsAre("t.shader:8:20: error: 'wrong': unknown variable"));
+}
+
+TEST(ShaderCompilerError, IsWhatGlslangCrashesOn)
+{
+    const auto messages = [](const std::string& statement)
+    {
+        return CompileMessages(Program("float4 Twice(float4 other) { return other * 2; }\n"
+                                       "float4 vert(float4 p : POSITION) : SV_Position\n"
+                                       "{\n" +
+                                       statement +
+                                       "\nreturn p; }\n"
+                                       "float4 frag() : SV_Target { return 1; }\n"));
+    };
+    for (const auto& [statement, column] : {std::pair("return (other)++;", 9),
+                                            std::pair("return other--;", 8),
+                                            std::pair("return 1 ? other : p;", 12)})
+    {
+        EXPECT_THAT(messages(statement),
+                    ElementsAre("t.shader:4:" + std::to_string(column) +
+                                ": error: 'other': unknown variable"))
+            << statement;
+    }
+    EXPECT_THAT(messages("return Twice(p)++;"),
+                ElementsAre("t.shader:4:8: error: 'Twice': this is a value, which '++' cannot "
+                            "change; put it into a variable"));
+}
+
 TEST(ShaderCompilerError, NamesEveryIncludeThatIsMissing)
 {
     EXPECT_THAT(

@@ -146,4 +146,60 @@ TEST_F(UnseenFormValues, MatricesOfMin16)
     grid.Run();
 }
 
+// Names that mean different things in different places of one file, and a comment that looks like
+// pragmas.
+TEST_F(UnseenFormValues, NamesOfSeveralThings)
+{
+    FunctionGrid grid(R"(
+        /*
+        #pragma fragment Other
+        #pragma target 5.0 */
+        float Before() { return 1; } /* another */
+        struct Kept { static const float k = 3; float x; };
+        struct Plain { float k; float y; };
+        struct One { float v; float Get() { return Add(v); } float Add(float a) { return a + 1; } };
+        struct Two { float v; float Get() { return Add(v) * 2; } float Add(float a) { return a + 5; } };
+        float Times(float a) { return a * 10; }
+        struct Three { float v; float Get() { return Times(v); } };
+        struct BufferSize { float4 c; };
+        struct RWState { float q; };
+        float Fields(float a)
+        {
+            Kept v; v.x = a;
+            float sum = v.x;
+            { Plain v; v.k = 5; v.y = a; sum += v.k * 100 + v.y; }
+            return sum + Kept::k * 1000;
+        }
+        float Methods(float a)
+        {
+            One one; one.v = a; Two two; two.v = a; Three three; three.v = a;
+            return one.Get() + two.Get() * 100 + three.Get() * 10000;
+        }
+        float Objects(float a)
+        {
+            BufferSize size; size.c = a; RWState state; state.q = 2;
+            return size.c.w + state.q;
+        }
+        float Once(float a)
+        {
+            float2x2 m[3]; m[0] = m[1] = m[2] = float2x2(a, 1, 2, 3);
+            int i = 0;
+            m[i++] *= 2;
+            m[i++]._m00 += 7;
+            return m[0]._m00 + m[1]._m00 * 100 + m[2]._m00 * 10000 + i * 1000000;
+        })");
+    grid.Add("Before()", k_Once, Constant(1));
+    grid.Add("Fields(a.x)", Combine({1, 2}),
+             [](const glm::dvec4& a, auto&, auto&) { return a.x + 500 + a.x + 3000; });
+    grid.Add("Methods(a.x)", Combine({1, 2}),
+             [](const glm::dvec4& a, auto&, auto&)
+             { return a.x + 1 + (a.x + 5) * 200 + a.x * 100000; });
+    grid.Add("Objects(a.x)", Combine({1, 2}),
+             [](const glm::dvec4& a, auto&, auto&) { return a.x + 2; });
+    grid.Add("Once(a.x)", Combine({1, 2}),
+             [](const glm::dvec4& a, auto&, auto&)
+             { return a.x * 2 + (a.x + 7) * 100 + a.x * 10000 + 2000000; });
+    grid.Run();
+}
+
 } // namespace limn::test
