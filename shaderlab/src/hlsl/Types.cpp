@@ -173,11 +173,21 @@ bool isSameType(std::string_view a, std::string_view b)
 
 bool isObjectType(std::string_view word)
 {
-    static const WordList s_Starts(
-        "Texture Sampler sampler StructuredBuffer ByteAddressBuffer Buffer RW RasterizerOrdered "
-        "AppendStructuredBuffer ConsumeStructuredBuffer texture PointStream LineStream "
-        "TriangleStream");
-    return s_Starts.HasStartOf(word);
+    static const WordList s_Types(
+        "Texture1D Texture1DArray Texture2D Texture2DArray Texture2DMS Texture2DMSArray Texture3D "
+        "TextureCube TextureCubeArray Buffer StructuredBuffer ByteAddressBuffer "
+        "AppendStructuredBuffer ConsumeStructuredBuffer SamplerState SamplerComparisonState "
+        "PointStream LineStream TriangleStream sampler sampler1D sampler2D sampler3D samplerCUBE "
+        "samplerRECT sampler_state texture texture1D texture2D texture3D textureCUBE textureRECT");
+    for (const std::string_view writable : {"RW", "RasterizerOrdered"})
+    {
+        if (word.starts_with(writable))
+        {
+            word.remove_prefix(writable.size());
+            return s_Types.Has(word);
+        }
+    }
+    return s_Types.Has(word);
 }
 
 bool isTypeModifier(std::string_view word)

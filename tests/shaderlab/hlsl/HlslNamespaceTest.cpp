@@ -35,6 +35,17 @@ TEST(HlslNamespaces, TakesNamesOfNamespacesThatAreUsed)
     }
 }
 
+TEST(HlslNamespaces, TakesNamesThatMethodsCall)
+{
+    const auto pass = CompileFragment(
+        "namespace A { float F(float x) { return x * 2; } }\n"
+        "namespace B { float F(float x) { return x * 5; } }\n"
+        "struct M { struct N { float w; } n; float v; float Get() { return A::F(v) + B::F(n.w); } "
+        "};\n"
+        "float4 frag(v2f i) : SV_Target { M m; m.v = 3; m.n.w = 4; return m.Get(); }");
+    EXPECT_THAT(Disassemble(pass->fragmentSpirv), HasSubstr("OpConstant %float 26\n"));
+}
+
 TEST(HlslNamespaces, RefusesToUseNamespacesThatAreNot)
 {
     EXPECT_THAT(test::CompileMessages(test::Program(

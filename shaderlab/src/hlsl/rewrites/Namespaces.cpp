@@ -86,12 +86,17 @@ private:
     void FindMembers(std::size_t index)
     {
         index = std::min(m_Code.FindOutside(index, "{"), m_Code.FindOutside(index, ";"));
-        for (const std::size_t end = m_Code.AfterBracket(index); index < end; ++index)
+        const std::size_t end = m_Code.AfterBracket(index);
+        bool isStruct = false; // the brackets that come are another one's
+        for (++index; index < end;)
         {
             if (m_Code.isWord(index) && (isBehindName(Text(index + 1)) || Text(index + 1) == "("))
             {
                 m_Members.insert(Text(index));
             }
+            isStruct = Text(index) == "struct" || (isStruct && m_Code.isWord(index));
+            // What a method names is no member.
+            index = isStruct && Text(index + 1) == "{" ? index + 2 : m_Code.AfterBracket(index);
         }
     }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace limn
 {
@@ -22,6 +24,7 @@ public:
     {
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
+            Count(Text(i));
             if (Text(i) == "struct" && m_Code.isWord(i + 1) && Text(i + 2) == "{")
             {
                 TakeFrom(i);
@@ -30,10 +33,9 @@ public:
             {
                 SpellUse(i);
             }
-            else if (const auto type = m_Variables.find(Text(i));
-                     type != m_Variables.end() && Text(i + 1) == "." && Text(i - 1) != ".")
+            else if (const auto variable = m_Variables.find(Text(i)); variable != m_Variables.end())
             {
-                Spell(i, m_Statics[type->second], i + 2);
+                SpellVariable(i, variable->second);
             }
         }
     }
@@ -140,7 +142,40 @@ private:
         }
         else if (m_Code.isWord(index + 1))
         {
-            m_Variables[Text(index + 1)] = Text(index);
+            Declare(index + 1, &m_Statics[Text(index)]);
+        }
+    }
+
+    /// `v.member`, or the declaration of a variable of another type, which hides the one before.
+    void SpellVariable(std::size_t index, const std::vector<const Names*>& types)
+    {
+        const bool isMember = index > 0 && Text(index - 1) == ".";
+        if (index > 0 && m_Code.isWord(index - 1) && Text(index - 1) != "return")
+        {
+            Declare(index, nullptr);
+        }
+        else if (!isMember && Text(index + 1) == "." && !types.empty() && types.back())
+        {
+            Spell(index, *types.back(), index + 2);
+        }
+    }
+
+    void Declare(std::size_t name, const Names* statics)
+    {
+        // Parameters belong to the block that follows.
+        m_Declared.emplace_back(m_Blocks + (m_Parentheses > 0 ? 1 : 0), Text(name));
+        m_Variables[Text(name)].push_back(statics);
+    }
+
+    /// Ends the variables of a block at its `}`.
+    void Count(std::string_view mark)
+    {
+        m_Parentheses += mark == "(" ? 1 : mark == ")" ? -1 : 0;
+        m_Blocks += mark == "{" ? 1 : mark == "}" ? -1 : 0;
+        while (mark == "}" && !m_Declared.empty() && m_Declared.back().first > m_Blocks)
+        {
+            m_Variables[m_Declared.back().second].pop_back();
+            m_Declared.pop_back();
         }
     }
 
@@ -155,8 +190,12 @@ private:
     }
 
     HlslEditor& m_Code;
-    std::map<std::string_view, Names> m_Statics;              ///< by struct
-    std::map<std::string_view, std::string_view> m_Variables; ///< name → struct
+    std::map<std::string_view, Names> m_Statics; ///< by struct
+    /// Name → the statics of its type, the newest declaration last; null = of another type.
+    std::map<std::string_view, std::vector<const Names*>> m_Variables;
+    std::vector<std::pair<int, std::string_view>> m_Declared; ///< depth of blocks, name
+    int m_Blocks = 0;
+    int m_Parentheses = 0;
 };
 
 } // namespace
