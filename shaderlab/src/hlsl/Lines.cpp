@@ -90,4 +90,17 @@ void HlslLines::TakeCode(std::string& line)
     ++m_Position;
 }
 
+std::string SwapMarks(std::string name)
+{
+    constexpr std::string_view k_Marks = "\"\n\r";
+    constexpr std::string_view k_Others = "\x01\x02\x03";
+    for (char& c : name)
+    {
+        const std::size_t mark = k_Marks.find(c);
+        const std::size_t other = k_Others.find(c);
+        c = mark != k_Marks.npos ? k_Others[mark] : other != k_Others.npos ? k_Marks[other] : c;
+    }
+    return name;
+}
+
 } // namespace limn

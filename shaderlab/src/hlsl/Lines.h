@@ -34,4 +34,8 @@ private:
     bool m_InString = false; ///< `//` in the name of an include is no comment
 };
 
+/// A file's name as a #line directive can hold it, and back: quotes and line breaks change places
+/// with letters that no name has.
+std::string SwapMarks(std::string name);
+
 } // namespace limn

@@ -1,5 +1,6 @@
 #include "hlsl/Preprocessor.h"
 
+#include "hlsl/Lines.h"
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
@@ -89,7 +90,8 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
             throw AssetError(program.file, {*line, 0},
                              "HLSL: this is " + DescribeDeepMacros() + "; take it apart");
         }
-        source += "#line " + std::to_string(chunk.firstLine) + " \"" + program.file + "\"\n";
+        source +=
+            "#line " + std::to_string(chunk.firstLine) + " \"" + SwapMarks(program.file) + "\"\n";
         source += TranslateDirectives(chunk.text);
     }
     return source;
@@ -202,7 +204,8 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);
     const char* const text = source.c_str();
-    const char* const name = program.file.c_str();
+    const std::string lineName = SwapMarks(program.file);
+    const char* const name = lineName.c_str();
     const int size = static_cast<int>(source.size());
     glslang::TShader shader(GlslangStage(stage));
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);

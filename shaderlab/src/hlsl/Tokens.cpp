@@ -1,5 +1,6 @@
 #include "hlsl/Tokens.h"
 
+#include "hlsl/Lines.h"
 #include "hlsl/SourceLines.h"
 #include "text/Text.h"
 
@@ -105,7 +106,8 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset)
             const std::size_t quote = rest.find('"');
             if (quote != rest.npos)
             {
-                place.file = std::string(rest.substr(quote + 1, rest.rfind('"') - quote - 1));
+                place.file =
+                    SwapMarks(std::string(rest.substr(quote + 1, rest.rfind('"') - quote - 1)));
             }
         }
         line = end + 1;

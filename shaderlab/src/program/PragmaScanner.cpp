@@ -6,8 +6,8 @@
 #include "text/Text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 #include <string_view>
 
@@ -49,7 +49,8 @@ std::string_view TakeName(std::string_view& text)
 /// "4.5" is 45; 0 where it is no number.
 int TargetNumber(std::string_view text)
 {
-    const double number = std::atof(std::string(text).c_str());
+    double number = 0.0; // whatever the locale is
+    std::from_chars(text.data(), text.data() + text.size(), number);
     return number > 0.0 && number < 100.0 ? static_cast<int>(std::lround(number * 10.0)) : 0;
 }
 

@@ -244,7 +244,7 @@ GlslangIncluder::Include(const std::string& header, const char* includer, std::s
     }
     m_Chain.resize(std::min(depth - 1, m_Chain.size()));
     std::string problem = ReasonToStop(depth);
-    auto file = problem.empty() ? m_Resolver.Find(header, includer) : std::nullopt;
+    auto file = problem.empty() ? m_Resolver.Find(header, SwapMarks(includer)) : std::nullopt;
     if (const auto line = file && !file->isEmbedded ? FindDeepMacros(file->text, 1) : std::nullopt)
     {
         return Keep("", DescribeDeepMacros() + " in its line " + std::to_string(*line) +
@@ -267,7 +267,7 @@ GlslangIncluder::Include(const std::string& header, const char* includer, std::s
         file->text.clear();
     }
     // glslang reads the last character of a header unasked.
-    return Keep(file->name, TranslateDirectives(file->text.empty() ? "\n" : file->text));
+    return Keep(SwapMarks(file->name), TranslateDirectives(file->text.empty() ? "\n" : file->text));
 }
 
 glslang::TShader::Includer::IncludeResult* GlslangIncluder::Keep(const std::string& name,

@@ -1,5 +1,6 @@
 #include "spirv/GlslangLog.h"
 
+#include "hlsl/Lines.h"
 #include "text/Text.h"
 
 #include <algorithm>
@@ -162,7 +163,7 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
         const auto place = ReadPlace(line);
         const bool hasFile = place && place->line > 0;
         Diagnostic diagnostic{isWarning ? Severity::Warning : Severity::Error,
-                              hasFile ? place->file : fallbackFile,
+                              hasFile ? SwapMarks(place->file) : fallbackFile,
                               SourceLocation{place ? place->line : 0, 0},
                               CleanMessage(line.substr(place ? place->end : 0))};
         if (diagnostic.message.ends_with("Recursion detected:"))

@@ -84,6 +84,20 @@ TEST(ShaderCompilerError, KeepsItsLineBehindCommentsWithDirectives)
                 ElementsAre("t.shader:8:20: error: 'wrong': unknown variable"));
 }
 
+TEST(ShaderCompilerError, IsInFilesOfAnyName)
+{
+    for (const auto& [name, shown] : {std::pair("a\"b", "a\"b"), std::pair("a\nb", "a\\nb"),
+                                      std::pair("a\\b", "a\\b"), std::pair("#line 3", "#line 3")})
+    {
+        PassProgram program = Program("float4 vert(float4 p : POSITION) : SV_Position\n"
+                                      "{ return wrong; }\n"
+                                      "float4 frag() : SV_Target { return 1; }\n");
+        program.file = name;
+        EXPECT_THAT(CompileMessages(program),
+                    ElementsAre(std::string(shown) + ":2:10: error: 'wrong': unknown variable"));
+    }
+}
+
 TEST(ShaderCompilerError, IsWhatGlslangCrashesOn)
 {
     const auto messages = [](const std::string& statement)
@@ -95,13 +109,12 @@ TEST(ShaderCompilerError, IsWhatGlslangCrashesOn)
                                        "\nreturn p; }\n"
                                        "float4 frag() : SV_Target { return 1; }\n"));
     };
-    for (const auto& [statement, column] : {std::pair("return (other)++;", 9),
-                                            std::pair("return other--;", 8),
-                                            std::pair("return 1 ? other : p;", 12)})
+    for (const auto& [statement, column] :
+         {std::pair("return (other)++;", 9), std::pair("return other--;", 8),
+          std::pair("return 1 ? other : p;", 12)})
     {
-        EXPECT_THAT(messages(statement),
-                    ElementsAre("t.shader:4:" + std::to_string(column) +
-                                ": error: 'other': unknown variable"))
+        EXPECT_THAT(messages(statement), ElementsAre("t.shader:4:" + std::to_string(column) +
+                                                     ": error: 'other': unknown variable"))
             << statement;
     }
     EXPECT_THAT(messages("return Twice(p)++;"),
