@@ -202,4 +202,33 @@ TEST_F(UnseenFormValues, NamesOfSeveralThings)
     grid.Run();
 }
 
+TEST_F(UnseenFormValues, IntegersThatFunctionsOfFloatsTake)
+{
+    FunctionGrid grid(R"(
+        float Square(float v) { return v * v; }
+        float Length(int2 n) { return sqrt(dot(n, n)); })");
+    grid.Add("round(min((int)a.x, (int)b.x))", Combine({-3, 7}, {2, 5}),
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&) { return std::min(a.x, b.x); });
+    grid.Add("sqrt(max((uint)a.x, (uint)b.x))", Combine({4, 9}, {1, 16}),
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             { return std::sqrt(std::max(a.x, b.x)); });
+    grid.Add("saturate(clamp((int)a.x, -1, 1))", Combine({-5, 0, 5}),
+             [](const glm::dvec4& a, auto&, auto&) { return a.x > 0.0 ? 1.0 : 0.0; });
+    grid.Add("Length((int2)a.xy)", k_Inputs,
+             [](const glm::dvec4& a, auto&, auto&)
+             { return std::hypot(std::trunc(a.x), std::trunc(a.y)); });
+    grid.Add("length(min((int2)a.xy, (int2)b.xy))", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             {
+                 return std::hypot(std::min(std::trunc(a.x), std::trunc(b.x)),
+                                   std::min(std::trunc(a.y), std::trunc(b.y)));
+             });
+    grid.Add("Square(min((int)a.x, (int)b.x)) + pow(max((int)a.x, 2), 2)", Combine({3}, {2, 5}),
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             { return std::pow(std::min(a.x, b.x), 2.0) + 9.0; });
+    grid.Add("asfloat(max((int)a.x, 1065353216)) + f16tof32(max((uint)a.y, 15360u))", Combine({0}),
+             [](auto&, auto&, auto&) { return 2.0; });
+    grid.Run();
+}
+
 } // namespace limn::test

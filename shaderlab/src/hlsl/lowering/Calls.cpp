@@ -162,15 +162,20 @@ void HlslLowering::LowerParts(HlslNode& node)
     }
 }
 
-/// A function of floats takes what is true or false as well: of some that say so glslang does not
-/// know how many numbers they are.
+/// A function of floats takes what is true or false, and integers, as well. Of some that say so
+/// glslang does not know how many numbers they are, and makes 0 of `sqrt(dot(n, n))`, a function of
+/// one argument that is the integer which another function gives.
 void HlslLowering::LowerFloats(HlslNode& node)
 {
-    for (HlslNode* argument = node.child; node.type.isFloating() && argument;
+    const std::string_view name = Text(node.token);
+    const bool readsBits = name == "asfloat" || name == "f16tof32";
+    const bool takesOne = node.CountChildren() == 1;
+    for (HlslNode* argument = node.child; node.type.isFloating() && !readsBits && argument;
          argument = argument->next)
     {
         const HlslType& given = argument->type;
-        if (given.isNumber() && !given.isMatrix() && given.scalar == HlslScalar::Bool)
+        const bool isTaken = given.isFloating() || (!takesOne && given.scalar != HlslScalar::Bool);
+        if (given.isNumber() && !given.isMatrix() && !isTaken)
         {
             Wrap(*argument, "(" + given.Of(HlslScalar::Float).Spelling() + ")(", ")");
         }
