@@ -107,6 +107,34 @@ TEST_F(Watch, KeepsTheLastPictureWhileAProfileIsBroken)
     EXPECT_TRUE(WaitForOutline(1));
 }
 
+TEST_F(Watch, GoesOnWhenTheCompilerDies)
+{
+    folder.Write("dies.shader", "Shader \"Dies\" { SubShader { Pass { HLSLPROGRAM\n"
+                                "#pragma vertex V\n#pragma fragment F\n"
+                                "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+                                "float4 F() : SV_Target { return 1; }\nENDHLSL } } }");
+    setenv("LIMN_TEST_ABORT", "dies.shader", 1);
+    Start();
+    unsetenv("LIMN_TEST_ABORT");
+    ASSERT_TRUE(WaitForOutline(0)) << ReadText(folder / "err");
+    std::string scene = k_WatchedScene;
+    const std::string color = "_BaseColor: \"#000000\"";
+    scene.replace(scene.find(color), color.size(), "shader: dies.shader");
+    folder.Write("s.scene.yaml", scene);
+    EXPECT_TRUE(WaitFor(
+        [&]
+        {
+            return ReadText(folder / "err")
+                       .find("dies.shader:1:36: error: program: the HLSL compiler crashes on it: "
+                             "Aborted (signal 6)\n") != std::string::npos;
+        }))
+        << ReadText(folder / "err");
+    folder.Write("p.profile.yaml", Profile("#00ff00"));
+    folder.Write("s.scene.yaml", k_WatchedScene);
+    EXPECT_TRUE(WaitForOutline(1)) << ReadText(folder / "err");
+    EXPECT_EQ(0, Stop(SIGTERM));
+}
+
 TEST_F(Watch, FollowsTheScene)
 {
     Start();
