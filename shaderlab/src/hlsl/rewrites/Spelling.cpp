@@ -131,31 +131,24 @@ private:
     /// Says whether the word stands among the modifiers of a function's parameter.
     bool isParameter(std::size_t index)
     {
+        m_Answers.resize(m_Code.size(), Answer::None);
         std::size_t open = std::max<std::size_t>(index, 1) - 1;
-        for (; open > 2 && Text(open) != "("; --open)
+        for (; open > 2 && Text(open) != "(" && m_Answers[open] == Answer::None; --open)
         {
             const std::size_t partner = m_Code.tokens().MatchingOpen(open);
-            if (open == m_LastAsked && open > 0)
-            {
-                m_LastAsked = index; // what stands before both is the same
-                return m_LastAnswer;
-            }
             if (Text(open) == ";" || Text(open) == "{" || (Text(open) == "}" && partner == open))
             {
-                return Answer(index, false);
+                break;
             }
             open = partner;
         }
-        // `type name(`
-        return Answer(index, open > 2 && isWord(open - 1) && !k_Statements.Has(Text(open - 1)) &&
-                                 (isWord(open - 2) || Text(open - 2) == ">"));
-    }
-
-    /// Keeps the answer for the next word of the same list.
-    bool Answer(std::size_t index, bool answer)
-    {
-        m_LastAsked = index;
-        return m_LastAnswer = answer;
+        // `type name(`; or what was found for another word of the list
+        const bool isList = open > 2 && Text(open) == "(" && isWord(open - 1) &&
+                            !k_Statements.Has(Text(open - 1)) &&
+                            (isWord(open - 2) || Text(open - 2) == ">");
+        const bool isOne = m_Answers[open] == Answer::Parameter || isList;
+        m_Answers[index] = isOne ? Answer::Parameter : Answer::Other;
+        return isOne;
     }
 
     /// Whether a statement begins with the word.
@@ -262,8 +255,13 @@ private:
     }
 
     HlslEditor& m_Code;
-    std::size_t m_LastAsked = 0; ///< a `const`; 0 = none yet
-    bool m_LastAnswer = false;
+    enum class Answer : char
+    {
+        None, ///< not asked yet
+        Parameter,
+        Other
+    };
+    std::vector<Answer> m_Answers; ///< of each token, once one is asked about
     std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };
 
