@@ -18,4 +18,9 @@ bool LimnCountsAllocations()
     return LIMN_COUNTS_ALLOCATIONS;
 }
 
+std::string LayersFolder()
+{
+    return LIMN_LAYERS_FOLDER;
+}
+
 } // namespace limn::test

@@ -15,4 +15,7 @@ std::string LimnExecutable();
 /// It does but in builds with sanitizers.
 bool LimnCountsAllocations();
 
+/// Where the Vulkan layer of the tests is.
+std::string LayersFolder();
+
 } // namespace limn::test

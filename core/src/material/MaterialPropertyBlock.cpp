@@ -3,6 +3,7 @@
 #include "material/RequireFinite.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limn/shaderlab/Diagnostic.h>
 
@@ -125,20 +126,30 @@ void MaterialPropertyBlock::PutValue(ShaderPropertyId id, Value&& value)
     const Slot slot{id, static_cast<std::uint32_t>(m_Values.size())};
     m_Values.push_back(std::forward<Value>(value));
     m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id), slot);
-    if (!m_Places.empty())
+    if (2 * m_Slots.size() <= m_Places.size())
     {
         SetPlace(slot);
     }
     else if (m_Slots.size() > k_Large)
     {
-        std::ranges::for_each(m_Slots, [this](const Slot& each) { SetPlace(each); });
+        SetPlaces();
     }
 }
 
 void MaterialPropertyBlock::SetPlace(const Slot& slot)
 {
-    m_Places.resize(std::max<std::size_t>(m_Places.size(), slot.id.value + std::size_t{1}));
-    m_Places[slot.id.value] = slot.value + 1;
+    std::size_t at = PlaceOf(slot.id);
+    while (m_Places[at].value != 0)
+    {
+        at = (at + 1) & (m_Places.size() - 1);
+    }
+    m_Places[at] = {slot.id, slot.value + 1};
+}
+
+void MaterialPropertyBlock::SetPlaces()
+{
+    m_Places.assign(2 * std::bit_ceil(m_Slots.size()), Slot());
+    std::ranges::for_each(m_Slots, [this](const Slot& each) { SetPlace(each); });
 }
 
 void MaterialPropertyBlock::Put(ShaderPropertyId id, const ShaderPropertyValue& value)
@@ -181,17 +192,16 @@ void MaterialPropertyBlock::Remove(ShaderPropertyId id)
     const auto last = static_cast<std::uint32_t>(m_Values.size() - 1);
     const auto moved = std::ranges::find(m_Slots, last, &Slot::value);
     moved->value = removed->value;
-    if (!m_Places.empty())
-    {
-        SetPlace(*moved);
-        m_Places[id.value] = 0;
-    }
     if (removed->value != last)
     {
         m_Values[removed->value] = std::move(m_Values.back());
     }
     m_Values.pop_back();
     m_Slots.erase(removed);
+    if (!m_Places.empty())
+    {
+        SetPlaces();
+    }
 }
 
 void MaterialPropertyBlock::Clear()

@@ -30,10 +30,13 @@ void PrintDevices(Console& console)
         Row(console, "  " + std::to_string(i),
             device.name + ", " + ToString(device.type) + ", Vulkan " + device.apiVersion +
                 ", driver " + device.driverName + " " + device.driverInfo);
-        Row(console, "", device.isUsable() ? "usable" : "cannot be used:");
-        for (const std::string& problem : device.problems)
+        Row(console, "",
+            !device.isUsable()     ? "cannot be used:"
+            : device.lacks.empty() ? "usable"
+                                   : "usable; what it lacks, and what that costs:");
+        for (const std::string& line : device.isUsable() ? device.lacks : device.problems)
         {
-            Row(console, "", "- " + problem);
+            Row(console, "", "- " + line);
         }
     }
 }

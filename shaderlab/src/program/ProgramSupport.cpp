@@ -306,8 +306,10 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
     {
         const bool isNever =
             std::find(k_NeverThere.begin(), k_NeverThere.end(), feature) != k_NeverThere.end();
-        const bool isMissing = std::find(missingFeatures.begin(), missingFeatures.end(), feature) !=
-                               missingFeatures.end();
+        const bool isOfKernels = !program.kernel.name.empty() &&
+                                 (feature.starts_with("wave") || feature == "quadshuffle");
+        const bool isMissing =
+            std::ranges::count(missingFeatures, isOfKernels ? "compute " + feature : feature) > 0;
         if (isNever || isMissing)
         {
             return Diagnostic{Severity::Error, program.file, program.location,

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <limn/core/MaterialPropertyBlock.h>
+#include <malloc.h>
 #include <map>
 #include <random>
 
@@ -54,6 +55,29 @@ TEST(MaterialPropertyBlock, HoldsTheLastValueOfEachNameThatIsNotRemoved)
             ASSERT_TRUE(found == nullptr || std::get<float>(*found) == expected[each]);
         }
     }
+}
+
+TEST(MaterialPropertyBlock, TakesMemoryForItsValuesWhateverTheNumbersOfTheirNames)
+{
+    for (int i = 0; i < 20'000; ++i)
+    {
+        ShaderPropertyId("TakesMemory" + std::to_string(i)); // interned for good
+    }
+    const auto allocated = []
+    {
+        const struct mallinfo2 info = mallinfo2();
+        return info.uordblks + info.hblkhd;
+    };
+    const std::size_t before = allocated();
+    std::vector<MaterialPropertyBlock> blocks(100);
+    for (MaterialPropertyBlock& block : blocks)
+    {
+        for (int i = 0; i < 20; ++i)
+        {
+            block.SetFloat(ShaderPropertyId("TakesMemory" + std::to_string(19'999 - i)), 1.0f);
+        }
+    }
+    EXPECT_LT(allocated() - before, 100 * 20 * 400u);
 }
 
 TEST(MaterialPropertyBlock, GivesWhatWasSetAndElseNothing)

@@ -1,5 +1,6 @@
 #include "Paths.h"
 #include "commands/CommandRun.h"
+#include "limits/Lowered.h"
 #include "vulkan/GpuTestDevice.h"
 
 #include <gmock/gmock.h>
@@ -508,6 +509,18 @@ TEST_F(Render, DoctorNamesTheChosenDevice)
                 HasSubstr("chosen device       " + SharedDevice().ChoiceSentence() + "\n"));
     EXPECT_THAT(run.out, HasSubstr("validation layer    present\n"));
     EXPECT_EQ("", run.err);
+}
+
+TEST_F(Render, DoctorSaysWhatTheDeviceLacksAndWhatThatCosts)
+{
+    const Lowered lowered("geometryShader=0,maxPerStageDescriptorSamplers=9");
+    const CommandRun run = RunCommand(OnSharedDevice({"doctor"}));
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.out, HasSubstr("usable; what it lacks, and what that costs:\n"));
+    EXPECT_THAT(run.out, HasSubstr("- no geometryShader: geometry functions are refused, and "
+                                   "SV_PrimitiveID in fragment functions\n"));
+    EXPECT_THAT(run.out, HasSubstr("- maxPerStageDescriptorSamplers is 9: 9 samplers are all that "
+                                   "a function of a shader uses\n"));
 }
 
 } // namespace limn::test

@@ -365,6 +365,17 @@ TEST(Kernel, IsRefusedInASentenceWhereTheDeviceHasNone)
     }
 }
 
+TEST(Kernel, IsJudgedByTheWaveOperationsOfKernelsAndNotOfFragmentFunctions)
+{
+    const std::string text = std::string("#pragma require WaveBasic\n") + k_Sum;
+    const PassProgram kernel = ParseCompute(text, "t.compute").kernels.at(0);
+    ShaderCompilerOptions options;
+    options.missingFeatures = {"wavebasic"};
+    EXPECT_NO_THROW(ShaderCompiler(options).Compile(kernel));
+    options.missingFeatures = {"compute wavebasic"};
+    EXPECT_THROW(ShaderCompiler(options).Compile(kernel), UnsupportedProgramError);
+}
+
 TEST(Kernel, IsFoundAgainInTheCache)
 {
     const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limn/core/DrawError.h>
 #include <sstream>
 #include <vulkan/GpuTestDevice.h>
@@ -350,7 +351,9 @@ void FunctionGrid::Run() const
     catch (const DrawError& error)
     {
         const std::string reason = error.what();
-        if (reason.find(", which the device lacks") == std::string::npos)
+        // The driver that the tests run on where none is asked for lacks nothing that they need.
+        if (std::getenv("LIMN_TEST_DEVICE") == nullptr ||
+            reason.find(", which the device lacks") == std::string::npos)
         {
             throw;
         }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <optional>
+#include <utility>
 
 namespace limn
 {
@@ -188,6 +190,72 @@ TEST(VolumeCollection, ForgetsAVolumeWhoseLayerChangedJustBeforeItWasUnregistere
     volume.layer = 4;
     scene.manager.Unregister(&volume); // Unity leaves it in the old layer's list
     EXPECT_EQ(scene.manager.GetVolumes(test::k_DefaultLayer).size(), 0u);
+}
+
+TEST(VolumeCollection, FollowsVolumesWhoseVectorGrowsAndForgetsThoseErased)
+{
+    VolumeScene scene;
+    std::vector<Volume> volumes;
+    volumes.reserve(1);
+    for (int i = 0; i < 10; ++i)
+    {
+        volumes.emplace_back().priority = At(i);
+        EXPECT_TRUE(scene.manager.Register(&volumes.back()));
+        EXPECT_EQ(scene.manager.GetVolumes(test::k_DefaultLayer).size(), volumes.size());
+    }
+    const auto expectAll = [&]
+    {
+        const auto known = scene.manager.GetVolumes(test::k_DefaultLayer);
+        ASSERT_EQ(known.size(), volumes.size());
+        for (std::size_t i = 0; i < known.size(); ++i)
+        {
+            EXPECT_EQ(known[i], &volumes[i]);
+        }
+    };
+    volumes.reserve(volumes.capacity() + 1);
+    expectAll();
+    volumes.erase(volumes.begin() + 3); // each behind it moves to where another was
+    expectAll();
+    volumes.insert(volumes.begin(), Volume());
+    EXPECT_TRUE(scene.manager.Register(&volumes.front()));
+    EXPECT_FALSE(scene.manager.Register(&volumes.back())) << "still registered";
+    volumes.front().priority = -1.0f;
+    expectAll();
+    volumes.clear();
+    expectAll();
+}
+
+TEST(VolumeCollection, KnowsNoCopyOfAVolumeAndNoVolumeAtTheAddressOfOneThatIsGone)
+{
+    VolumeScene scene;
+    std::optional<Volume> volume(std::in_place);
+    EXPECT_TRUE(scene.manager.Register(&*volume));
+    const Volume copy = *volume;
+    EXPECT_EQ(scene.manager.GetVolumes(test::k_DefaultLayer).size(), 1u);
+    volume.emplace(test::GlobalVolume(test::ParamProfile(1.0f)));
+    EXPECT_EQ(scene.manager.GetVolumes(test::k_DefaultLayer).size(), 0u);
+    EXPECT_TRUE(scene.manager.Register(&*volume));
+    EXPECT_TRUE(scene.manager.IsComponentActiveInMask<test::TestVolume>(test::k_DefaultLayer));
+    volume.reset();
+    EXPECT_FALSE(scene.manager.IsComponentActiveInMask<test::TestVolume>(test::k_DefaultLayer));
+}
+
+TEST(VolumeCollection, MayBeGoneBeforeItsVolumes)
+{
+    Volume volume;
+    {
+        VolumeScene first;
+        VolumeScene second;
+        EXPECT_TRUE(first.manager.Register(&volume));
+        EXPECT_TRUE(second.manager.Register(&volume));
+        const Volume moved = std::move(volume);
+        EXPECT_EQ(first.manager.GetVolumes(test::k_DefaultLayer).front(), &moved);
+        EXPECT_EQ(second.manager.GetVolumes(test::k_DefaultLayer).front(), &moved);
+        EXPECT_EQ(first.manager.GetVolumes(LayerMask::FromIndex(1)).size(), 0u);
+    }
+    volume = Volume();
+    VolumeScene third;
+    EXPECT_TRUE(third.manager.Register(&volume));
 }
 
 } // namespace

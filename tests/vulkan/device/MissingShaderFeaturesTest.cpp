@@ -41,9 +41,10 @@ void OfferAll(FeatureChain& chain)
 /// What is missing, without "barycentrics", which limn never asks a device for.
 std::vector<std::string> Missing(const FeatureChain& chain,
                                  const VkPhysicalDeviceLimits& limits = LargeLimits(),
-                                 VkSubgroupFeatureFlags subgroup = k_AllOperations)
+                                 VkSubgroupFeatureFlags fragments = k_AllOperations,
+                                 VkSubgroupFeatureFlags kernels = k_AllOperations)
 {
-    std::vector<std::string> missing = MissingShaderFeatures(chain, limits, subgroup);
+    std::vector<std::string> missing = MissingShaderFeatures(chain, limits, fragments, kernels);
     EXPECT_EQ(1, std::erase(missing, "barycentrics"));
     return missing;
 }
@@ -68,7 +69,7 @@ TEST(MissingShaderFeatures, AreAllOfABareDevice)
                 ElementsAre("compute", "cubearray", "geometry", "int64bufferatomics",
                             "int64groupsharedatomics", "interpolators32", "mrt8", "native16bit",
                             "quadshuffle", "randomwrite", "scalarblocklayout",
-                            "setrtarrayindexfromanyshader", "tesshw", "tessellation", "uav",
+                            "setrtarrayindexfromanyshader", "tessellation", "tesshw", "uav",
                             "waveballot", "wavebasic", "wavemath", "wavemultiprefix", "wavevote"));
 }
 
@@ -78,7 +79,7 @@ TEST(MissingShaderFeatures, FollowEachFeatureOfTheDevice)
     const std::pair<VkBool32 Core::*, std::vector<std::string>> cases[] = {
         {&Core::shaderStorageImageWriteWithoutFormat, {"compute"}},
         {&Core::geometryShader, {"geometry"}},
-        {&Core::tessellationShader, {"tesshw", "tessellation"}},
+        {&Core::tessellationShader, {"tessellation", "tesshw"}},
         {&Core::imageCubeArray, {"cubearray"}},
         {&Core::fragmentStoresAndAtomics, {"randomwrite", "uav"}},
         {&Core::shaderInt16, {"native16bit"}},
@@ -119,6 +120,9 @@ TEST(MissingShaderFeatures, FollowLimitsAndSubgroups)
     EXPECT_THAT(
         Missing(chain, LargeLimits(), VK_SUBGROUP_FEATURE_BASIC_BIT),
         ElementsAre("quadshuffle", "waveballot", "wavemath", "wavemultiprefix", "wavevote"));
+    EXPECT_THAT(Missing(chain, LargeLimits(), k_AllOperations,
+                        k_AllOperations & ~VkFlags{VK_SUBGROUP_FEATURE_VOTE_BIT}),
+                ElementsAre("compute wavevote"));
 }
 
 TEST(MissingShaderFeatures, WhatADeviceOffersAndShadersMayRequireIsEnabled)
@@ -128,6 +132,24 @@ TEST(MissingShaderFeatures, WhatADeviceOffersAndShadersMayRequireIsEnabled)
     FeatureChain wanted{OptionalExtensions{}};
     vulkan::ChooseFeatures(offered, wanted);
     EXPECT_THAT(Missing(wanted), ElementsAre());
+}
+
+TEST(Lacks, NameEachFeatureExtensionAndLimitAndWhatItCosts)
+{
+    FeatureChain bare{OptionalExtensions{}};
+    VkPhysicalDeviceLimits limits{};
+    const auto sentences = vulkan::Lacks(bare, {}, limits);
+    EXPECT_THAT(sentences, testing::Each(testing::MatchesRegex("(no [A-Za-z0-9_]+|.* is 0): .+")));
+    EXPECT_THAT(sentences, testing::Contains("no geometryShader: geometry functions are refused, "
+                                             "and SV_PrimitiveID in fragment functions"));
+    bare.core.features.geometryShader = VK_TRUE;
+    EXPECT_EQ(sentences.size() - 1, vulkan::Lacks(bare, {}, limits).size());
+    limits.maxPerStageDescriptorSampledImages = 16;
+    EXPECT_THAT(vulkan::Lacks(bare, {.conservative = true}, limits),
+                testing::AllOf(testing::SizeIs(sentences.size() - 2),
+                               testing::Contains("maxPerStageDescriptorSampledImages is 16: 16 "
+                                                 "textures are all that a function of a shader "
+                                                 "reads")));
 }
 
 } // namespace limn::test

@@ -11,6 +11,7 @@ using vulkan::MissingCapabilities;
 using vulkan::MissingCapability;
 using vulkan::OptionalExtensions;
 using vulkan::RequireCapabilities;
+using vulkan::SubgroupOperations;
 
 namespace
 {
@@ -50,6 +51,20 @@ TEST(SpirvNeeds, FollowTheFeaturesThatAreEnabled)
     EXPECT_TRUE(Takes(some, k_Geometry));
     EXPECT_TRUE(Takes(some, k_Quad));
     EXPECT_FALSE(Takes(some, k_Float16));
+}
+
+TEST(SpirvNeeds, OfWaveOperationsAreThoseOfTheStageThatUsesThem)
+{
+    VkPhysicalDeviceSubgroupProperties device{};
+    device.supportedStages = VK_SHADER_STAGE_COMPUTE_BIT | VK_SHADER_STAGE_VERTEX_BIT;
+    device.supportedOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_QUAD_BIT;
+    EXPECT_EQ(SubgroupOperations(device, VK_SHADER_STAGE_COMPUTE_BIT), device.supportedOperations);
+    EXPECT_EQ(SubgroupOperations(device, VK_SHADER_STAGE_FRAGMENT_BIT), 0u);
+    EXPECT_EQ(SubgroupOperations(device, VK_SHADER_STAGE_VERTEX_BIT),
+              VkFlags{VK_SUBGROUP_FEATURE_BASIC_BIT})
+        << "without quads, which its stage need not have";
+    device.quadOperationsInAllStages = VK_TRUE;
+    EXPECT_EQ(SubgroupOperations(device, VK_SHADER_STAGE_VERTEX_BIT), device.supportedOperations);
 }
 
 TEST(SpirvNeeds, AreNamedBeforeTheDriverIsGivenTheModule)

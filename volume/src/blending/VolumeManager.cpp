@@ -34,14 +34,16 @@ bool VolumeManager::Register(const Volume* volume)
     {
         throw ContractError("VolumeManager::Register got no volume");
     }
-    const bool isKnown =
-        std::any_of(m_Registrations.begin(), m_Registrations.end(),
-                    [volume](const Registration& known) { return known.volume == volume; });
-    if (isKnown)
+    FollowMoves();
+    if (FindRegistration(volume) != m_Registrations.end())
     {
         return false;
     }
-    const Registration registration{volume, volume->layer, volume->priority};
+    if (!volume->m_Address)
+    {
+        volume->m_Address = std::make_shared<const detail::VolumePlace*>(volume);
+    }
+    const Registration registration{volume->m_Address, volume, volume->layer, volume->priority};
     AddToLists(registration);
     m_Registrations.push_back(registration);
     return true;
@@ -49,14 +51,19 @@ bool VolumeManager::Register(const Volume* volume)
 
 void VolumeManager::Unregister(const Volume* volume)
 {
-    const auto found =
-        std::find_if(m_Registrations.begin(), m_Registrations.end(),
-                     [volume](const Registration& known) { return known.volume == volume; });
+    FollowMoves();
+    const auto found = FindRegistration(volume);
     if (found != m_Registrations.end())
     {
         RemoveFromLists(*found);
         m_Registrations.erase(found);
     }
+}
+
+std::vector<VolumeManager::Registration>::iterator
+VolumeManager::FindRegistration(const Volume* volume)
+{
+    return std::ranges::find(m_Registrations, volume, &Registration::volume);
 }
 
 void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger,
@@ -88,13 +95,7 @@ std::span<const Volume* const> VolumeManager::GetVolumes(LayerMask layerMask)
     if (list == m_Lists.end())
     {
         list = m_Lists.insert(m_Lists.end(), {layerMask, {}, true});
-        for (const Registration& registration : m_Registrations)
-        {
-            if (layerMask.Intersects(LayerMask::FromIndex(registration.layer)))
-            {
-                list->volumes.push_back(registration.volume);
-            }
-        }
+        Fill(*list);
     }
     if (list->isDirty)
     {
@@ -111,20 +112,52 @@ bool VolumeManager::IsComponentActiveInMask(const std::type_info& type, LayerMas
         const VolumeComponent& component = *owned;
         return component.active && typeid(component) == type;
     };
-    const auto counts = [&isActive](const Volume* volume)
+    const auto counts = [&](const Registration& registration)
     {
-        const VolumeProfile* profile = volume->enabled ? volume->profileRef() : nullptr;
+        const auto* volume = static_cast<const Volume*>(*registration.address);
+        const bool isIn = volume != nullptr && volume->enabled &&
+                          layerMask.Intersects(LayerMask::FromIndex(registration.layer));
+        const VolumeProfile* profile = isIn ? volume->profileRef() : nullptr;
         return profile &&
                std::any_of(profile->components().begin(), profile->components().end(), isActive);
     };
-    const auto list =
-        std::find_if(m_Lists.begin(), m_Lists.end(),
-                     [layerMask](const SortedList& l) { return l.mask == layerMask; });
-    return list != m_Lists.end() && std::any_of(list->volumes.begin(), list->volumes.end(), counts);
+    return std::ranges::find(m_Lists, layerMask, &SortedList::mask) != m_Lists.end() &&
+           std::ranges::any_of(m_Registrations, counts);
+}
+
+void VolumeManager::Fill(SortedList& list) const
+{
+    list.volumes.clear();
+    list.isDirty = true;
+    for (const Registration& registration : m_Registrations)
+    {
+        if (list.mask.Intersects(LayerMask::FromIndex(registration.layer)))
+        {
+            list.volumes.push_back(registration.volume);
+        }
+    }
+}
+
+void VolumeManager::FollowMoves()
+{
+    bool hasChanged = false;
+    for (Registration& registration : m_Registrations)
+    {
+        const auto* now = static_cast<const Volume*>(*registration.address);
+        hasChanged = hasChanged || registration.volume != now;
+        registration.volume = now;
+    }
+    if (hasChanged)
+    {
+        std::erase_if(m_Registrations,
+                      [](const Registration& known) { return known.volume == nullptr; });
+        std::ranges::for_each(m_Lists, [this](SortedList& list) { Fill(list); });
+    }
 }
 
 void VolumeManager::NoticeChanges()
 {
+    FollowMoves();
     for (std::size_t i = 0, remaining = m_Registrations.size(); remaining > 0; --remaining)
     {
         Registration& registration = m_Registrations[i];
@@ -139,7 +172,7 @@ void VolumeManager::NoticeChanges()
             ++i;
             continue;
         }
-        const Registration moved{&volume, volume.layer, volume.priority};
+        const Registration moved{registration.address, &volume, volume.layer, volume.priority};
         LayerMask::FromIndex(moved.layer); // refuses a bad layer while nothing is changed yet
         RemoveFromLists(registration);
         AddToLists(moved);

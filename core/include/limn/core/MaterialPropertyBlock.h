@@ -142,7 +142,12 @@ private:
     {
         if (!m_Places.empty())
         {
-            return id.value < m_Places.size() ? m_Places[id.value] : 0;
+            std::size_t at = PlaceOf(id);
+            while (m_Places[at].value != 0 && m_Places[at].id != id)
+            {
+                at = (at + 1) & (m_Places.size() - 1);
+            }
+            return m_Places[at].value;
         }
         // By halves, without branches: nothing foretells which way they go.
         const Slot* slot = m_Slots.data();
@@ -152,7 +157,13 @@ private:
         }
         return !m_Slots.empty() && slot->id == id ? slot->value + 1 : 0;
     }
+    /// Where the search for an id begins in m_Places.
+    std::size_t PlaceOf(ShaderPropertyId id) const
+    {
+        return (id.value * 0x9E3779B1U >> 16U) & (m_Places.size() - 1);
+    }
     void SetPlace(const Slot& slot);
+    void SetPlaces();          ///< all, in a table of the right size
     friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
     /// As Set, of a value that is known to be finite.
     void Put(ShaderPropertyId id, const ShaderPropertyValue& value);
@@ -160,8 +171,10 @@ private:
     template <typename Value>
     void PutValue(ShaderPropertyId id, Value&& value);
 
-    std::vector<Slot> m_Slots;           ///< by id
-    std::vector<std::uint32_t> m_Places; ///< by id: what FindPlace gives; of large blocks only
+    std::vector<Slot> m_Slots; ///< by id
+    /// What FindPlace gives, in a table of a power of two that is half empty: an id is where its
+    /// bits say or behind, with no gap between. Empty for small blocks.
+    std::vector<Slot> m_Places;
     std::vector<ShaderPropertyValue> m_Values;
     bool m_HasBuffers = false;
 };

@@ -125,7 +125,7 @@ void RequireResolved(const PooledImage& image, const std::string& property)
 }
 
 void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
-                 DeviceResources& resources)
+                 DeviceResources& resources, std::uint64_t number)
 {
     for (const TextureBinding& texture : layout.textures)
     {
@@ -142,12 +142,12 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);
         const SamplerState& state = slot.sampler ? *slot.sampler : slot.texture->sampler();
-        content.AddImage(
-            texture.binding,
-            texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                    : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
-            {texture.combinedSampler ? resources.samplers.Get(state) : VkSampler{VK_NULL_HANDLE},
-             image.sampledView(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        content.AddImage(texture.binding,
+                         texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                                 : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+                         {texture.combinedSampler ? resources.samplers.Get(state, number)
+                                                  : VkSampler{VK_NULL_HANDLE},
+                          image.sampledView(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
     for (const SamplerBinding& sampler : layout.samplers)
     {
@@ -156,7 +156,7 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
         state.comparison = sampler.comparison;
         content.AddImage(
             sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER,
-            {resources.samplers.Get(state), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
+            {resources.samplers.Get(state, number), VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED});
     }
 }
 
@@ -254,7 +254,7 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
         }
         Use(bindings, number);
         set = Create(setup.program->layout, bindings, pass.setLayout.get(),
-                     m_Pieces[draw.drawsObjects ? 1 : 0], piece);
+                     m_Pieces[draw.drawsObjects ? 1 : 0], piece, number);
     }
     return set;
 }
@@ -267,8 +267,8 @@ VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const Pro
     if (set == VK_NULL_HANDLE)
     {
         Use(*setup.bindings, number);
-        set =
-            Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(), m_Pieces[0], 0);
+        set = Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(), m_Pieces[0], 0,
+                     number);
     }
     return set;
 }
@@ -313,11 +313,11 @@ void FrameDescriptors::UseObjects(std::uint64_t number)
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
                                          VkDescriptorSetLayout setLayout,
                                          const std::vector<VkDescriptorBufferInfo>& pieces,
-                                         std::size_t piece)
+                                         std::size_t piece, std::uint64_t number)
 {
     m_Content.Clear(setLayout);
     AddUniforms(m_Content, layout, bindings, m_Data->uniforms(), m_Resources);
-    AddTextures(m_Content, layout, bindings, m_Resources);
+    AddTextures(m_Content, layout, bindings, m_Resources, number);
     AddStorageTextures(m_Content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {

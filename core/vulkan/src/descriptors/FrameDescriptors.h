@@ -48,7 +48,8 @@ private:
     void RequireInstances(const DrawCommand& draw) const;
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
                            VkDescriptorSetLayout setLayout,
-                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece);
+                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece,
+                           std::uint64_t number);
 
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;

@@ -78,9 +78,11 @@ VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device)
         info.problems.push_back("it speaks Vulkan " + info.apiVersion + ", limn needs 1.3");
         return info;
     }
-    FeatureChain offered{OptionalExtensions{}};
+    const OptionalExtensions extensions = FindExtensions(device);
+    FeatureChain offered{extensions};
     vkGetPhysicalDeviceFeatures2(device, &offered.core);
     info.problems = MissingFeatures(offered);
+    info.lacks = Lacks(offered, extensions, limits);
     if (!GraphicsQueueFamily(device))
     {
         info.problems.push_back("it has no queue that draws");

@@ -7,6 +7,112 @@
 namespace limn::vulkan
 {
 
+namespace
+{
+
+/// A feature that limn uses where it is offered.
+struct OptionalFeature
+{
+    const char* name; ///< Vulkan's
+    VkBool32& (*in)(FeatureChain& chain);
+    const char* cost; ///< of a device without it
+};
+
+#define LIMN_FEATURE(structure, feature)                                                           \
+#feature, [](FeatureChain & chain) -> VkBool32& {                                              \
+        return chain.structure.feature;                                                            \
+    }
+
+constexpr OptionalFeature k_OptionalFeatures[] = {
+    {LIMN_FEATURE(core.features, depthClamp), "ZClip False is refused"},
+    {LIMN_FEATURE(core.features, logicOp), "logical BlendOps are refused"},
+    {LIMN_FEATURE(core.features, geometryShader),
+     "geometry functions are refused, and SV_PrimitiveID in fragment functions"},
+    {LIMN_FEATURE(core.features, tessellationShader),
+     "shaders that ask for tessellation (#pragma target 4.6 and 5.0) use their next SubShader"},
+    {LIMN_FEATURE(core.features, imageCubeArray), "arrays of cubemaps are refused"},
+    {LIMN_FEATURE(core.features, samplerAnisotropy), "anisoLevel has no effect"},
+    {LIMN_FEATURE(core.features, sampleRateShading),
+     "fragment functions that run once a sample are refused"},
+    {LIMN_FEATURE(core.features, shaderClipDistance), "SV_ClipDistance is refused"},
+    {LIMN_FEATURE(core.features, shaderCullDistance), "SV_CullDistance is refused"},
+    {LIMN_FEATURE(core.features, shaderImageGatherExtended),
+     "Gather with an offset that is not constant is refused"},
+    {LIMN_FEATURE(core.features, vertexPipelineStoresAndAtomics),
+     "vertex and geometry functions that write to buffers or textures are refused"},
+    {LIMN_FEATURE(core.features, fragmentStoresAndAtomics),
+     "fragment functions that write to buffers or textures are refused"},
+    {LIMN_FEATURE(core.features, shaderUniformBufferArrayDynamicIndexing),
+     "arrays of constant buffers are refused where the index is not constant"},
+    {LIMN_FEATURE(core.features, shaderSampledImageArrayDynamicIndexing),
+     "arrays of textures are refused where the index is not constant"},
+    {LIMN_FEATURE(core.features, shaderStorageBufferArrayDynamicIndexing),
+     "arrays of structured buffers are refused where the index is not constant"},
+    {LIMN_FEATURE(core.features, shaderStorageImageReadWithoutFormat),
+     "kernels that read a writable texture cost a pipeline for each format"},
+    {LIMN_FEATURE(core.features, shaderStorageImageWriteWithoutFormat), "kernels are refused"},
+    {LIMN_FEATURE(core.features, shaderStorageImageExtendedFormats),
+     "writable textures of rarer formats are refused"},
+    {LIMN_FEATURE(core.features, shaderInt16), "integers of 16 bits are refused"},
+    {LIMN_FEATURE(core.features, shaderInt64), "integers of 64 bits are refused"},
+    {LIMN_FEATURE(v11, shaderDrawParameters), "SV_StartInstanceLocation is refused"},
+    {LIMN_FEATURE(v12, samplerMirrorClampToEdge), "TextureWrapMode.MirrorOnce is drawn as Clamp"},
+    {LIMN_FEATURE(v12, scalarBlockLayout),
+     "kernels are refused, and structured buffers whose elements Direct3D packs more tightly"},
+    {LIMN_FEATURE(v12, shaderFloat16), "half is of 32 bits always"},
+    {LIMN_FEATURE(v12, shaderOutputLayer),
+     "SV_RenderTargetArrayIndex is refused but in geometry functions"},
+    {LIMN_FEATURE(v12, shaderBufferInt64Atomics), "atomics of 64 bits on buffers are refused"},
+    {LIMN_FEATURE(v12, shaderSharedInt64Atomics),
+     "atomics of 64 bits on groupshared variables are refused"},
+    {LIMN_FEATURE(portability, samplerMipLodBias), "a mipMapBias other than 0 is refused"},
+    {LIMN_FEATURE(portability, mutableComparisonSamplers),
+     "SamplerComparisonState is refused, and with it the shadows of lights"},
+};
+
+#undef LIMN_FEATURE
+
+/// What Direct3D 11 lets a shader count on.
+struct UsefulLimit
+{
+    const char* name; ///< Vulkan's
+    std::uint32_t VkPhysicalDeviceLimits::*limit;
+    std::uint32_t useful;
+    const char* cost; ///< behind the number that the device has
+};
+
+constexpr UsefulLimit k_UsefulLimits[] = {
+    {"maxColorAttachments", &VkPhysicalDeviceLimits::maxColorAttachments, 8,
+     "targets at once are all that a pass draws into"},
+    {"maxFragmentCombinedOutputResources",
+     &VkPhysicalDeviceLimits::maxFragmentCombinedOutputResources, 16,
+     "targets, writable buffers and textures are all that a fragment function writes to"},
+    {"maxImageDimension2D", &VkPhysicalDeviceLimits::maxImageDimension2D, 16384,
+     "texels are the widest and highest texture"},
+    {"maxPerStageDescriptorSampledImages",
+     &VkPhysicalDeviceLimits::maxPerStageDescriptorSampledImages, 128,
+     "textures are all that a function of a shader reads"},
+    {"maxPerStageDescriptorSamplers", &VkPhysicalDeviceLimits::maxPerStageDescriptorSamplers, 16,
+     "samplers are all that a function of a shader uses"},
+    {"maxPerStageDescriptorStorageBuffers",
+     &VkPhysicalDeviceLimits::maxPerStageDescriptorStorageBuffers, 16,
+     "structured buffers are all that a function of a shader uses"},
+    {"maxPerStageDescriptorStorageImages",
+     &VkPhysicalDeviceLimits::maxPerStageDescriptorStorageImages, 8,
+     "writable textures are all that a function of a shader uses"},
+    {"maxPerStageDescriptorUniformBuffers",
+     &VkPhysicalDeviceLimits::maxPerStageDescriptorUniformBuffers, 14,
+     "constant buffers are all that a function of a shader reads"},
+    {"maxPerStageResources", &VkPhysicalDeviceLimits::maxPerStageResources, 150,
+     "textures, buffers and targets are all that a function of a shader uses"},
+    {"maxUniformBufferRange", &VkPhysicalDeviceLimits::maxUniformBufferRange, 65536,
+     "bytes are the largest constant buffer"},
+    {"maxVertexOutputComponents", &VkPhysicalDeviceLimits::maxVertexOutputComponents, 128,
+     "numbers are all that a vertex function hands on"},
+};
+
+} // namespace
+
 std::vector<const char*> OptionalExtensions::Names() const
 {
     std::vector<const char*> names;
@@ -17,6 +123,7 @@ std::vector<const char*> OptionalExtensions::Names() const
     add(extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME);
     add(advancedBlend, VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME);
     add(conservative, VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME);
+    add(portability, VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME);
     return names;
 }
 
@@ -36,7 +143,8 @@ OptionalExtensions FindExtensions(VkPhysicalDevice device)
     };
     return {has(VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME),
             has(VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME),
-            has(VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME)};
+            has(VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME),
+            has(VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME)};
 }
 
 FeatureChain::FeatureChain(const OptionalExtensions& extensions)
@@ -47,11 +155,21 @@ FeatureChain::FeatureChain(const OptionalExtensions& extensions)
     v13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     extendedState.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_FEATURES_EXT;
     advancedBlend.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_FEATURES_EXT;
+    portability.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_FEATURES_KHR;
+    portability.samplerMipLodBias = VK_TRUE;
+    portability.mutableComparisonSamplers = VK_TRUE;
     core.pNext = &v11;
     v11.pNext = &v12;
     v12.pNext = &v13;
-    extendedState.pNext = extensions.advancedBlend ? &advancedBlend : nullptr;
-    v13.pNext = extensions.extendedState ? &extendedState : extendedState.pNext;
+    void** next = &v13.pNext;
+    const auto chain = [&next](bool has, auto& structure)
+    {
+        *next = has ? &structure : nullptr;
+        next = has ? &structure.pNext : next;
+    };
+    chain(extensions.extendedState, extendedState);
+    chain(extensions.advancedBlend, advancedBlend);
+    chain(extensions.portability, portability);
 }
 
 std::vector<std::string> MissingFeatures(const FeatureChain& offered)
@@ -85,7 +203,8 @@ std::vector<std::string> MissingFeatures(const FeatureChain& offered)
 
 std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
                                                const VkPhysicalDeviceLimits& limits,
-                                               VkSubgroupFeatureFlags subgroup)
+                                               VkSubgroupFeatureFlags fragments,
+                                               VkSubgroupFeatureFlags kernels)
 {
     const VkPhysicalDeviceFeatures& core = enabled.core.features;
     const VkPhysicalDeviceVulkan12Features& v12 = enabled.v12;
@@ -105,7 +224,6 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
                                 limits.maxFragmentInputComponents >= k_Interpolators},
         {"mrt8", limits.maxColorAttachments >= 8},
         {"native16bit", has(core.shaderInt16) && has(v12.shaderFloat16)},
-        {"quadshuffle", (subgroup & VK_SUBGROUP_FEATURE_QUAD_BIT) != 0},
         {"randomwrite", has(core.fragmentStoresAndAtomics)},
         // No pragma names this one: structured buffers ask for it by their elements.
         {"scalarblocklayout", has(v12.scalarBlockLayout)},
@@ -113,11 +231,6 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
         {"tesshw", has(core.tessellationShader)},
         {"tessellation", has(core.tessellationShader)},
         {"uav", has(core.fragmentStoresAndAtomics)},
-        {"waveballot", (subgroup & VK_SUBGROUP_FEATURE_BALLOT_BIT) != 0},
-        {"wavebasic", (subgroup & VK_SUBGROUP_FEATURE_BASIC_BIT) != 0},
-        {"wavemath", (subgroup & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0},
-        {"wavemultiprefix", (subgroup & VK_SUBGROUP_FEATURE_PARTITIONED_BIT_NV) != 0},
-        {"wavevote", (subgroup & VK_SUBGROUP_FEATURE_VOTE_BIT) != 0},
     };
     std::vector<std::string> missing;
     for (const auto& [name, isThere] : features)
@@ -127,10 +240,54 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
             missing.emplace_back(name);
         }
     }
+    constexpr std::pair<const char*, VkSubgroupFeatureFlagBits> k_Operations[] = {
+        {"quadshuffle", VK_SUBGROUP_FEATURE_QUAD_BIT},
+        {"waveballot", VK_SUBGROUP_FEATURE_BALLOT_BIT},
+        {"wavebasic", VK_SUBGROUP_FEATURE_BASIC_BIT},
+        {"wavemath", VK_SUBGROUP_FEATURE_ARITHMETIC_BIT},
+        {"wavemultiprefix", VK_SUBGROUP_FEATURE_PARTITIONED_BIT_NV},
+        {"wavevote", VK_SUBGROUP_FEATURE_VOTE_BIT},
+    };
+    for (const auto& [name, operation] : k_Operations)
+    {
+        missing.insert(missing.end(), (fragments & operation) == 0 ? 1 : 0, name);
+        missing.insert(missing.end(), (kernels & operation) == 0 ? 1 : 0,
+                       std::string("compute ") + name);
+    }
+    std::ranges::sort(missing);
     return missing;
 }
 
-void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
+std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& extensions,
+                               const VkPhysicalDeviceLimits& limits)
+{
+    std::vector<std::string> lacks;
+    const auto add = [&](bool has, const std::string& what, const char* cost)
+    {
+        lacks.insert(lacks.end(), has ? 0 : 1, "no " + what + ": " + cost);
+    };
+    for (const OptionalFeature& feature : k_OptionalFeatures)
+    {
+        add(feature.in(offered) == VK_TRUE, feature.name, feature.cost);
+    }
+    add(extensions.extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME,
+        "each state of blending costs a pipeline");
+    add(extensions.advancedBlend, VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME,
+        "BlendOp Multiply, Screen, Overlay and their like are refused");
+    add(extensions.conservative, VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME,
+        "Conservative True is refused");
+    for (const UsefulLimit& limit : k_UsefulLimits)
+    {
+        if (const std::uint32_t has = limits.*limit.limit; has < limit.useful)
+        {
+            lacks.push_back(std::string(limit.name) + " is " + std::to_string(has) + ": " +
+                            std::to_string(has) + " " + limit.cost);
+        }
+    }
+    return lacks;
+}
+
+void ChooseFeatures(FeatureChain& offered, FeatureChain& wanted)
 {
     wanted.core.features.independentBlend = VK_TRUE;
     wanted.core.features.fullDrawIndexUint32 = VK_TRUE;
@@ -139,44 +296,17 @@ void ChooseFeatures(const FeatureChain& offered, FeatureChain& wanted)
     wanted.v13.synchronization2 = VK_TRUE;
     wanted.v13.shaderDemoteToHelperInvocation = VK_TRUE;
 
-    constexpr VkBool32 VkPhysicalDeviceFeatures::*k_WhereOffered[] = {
-        // Programs for Direct3D count on zeros from beyond the end of a buffer.
-        &VkPhysicalDeviceFeatures::robustBufferAccess,
-        &VkPhysicalDeviceFeatures::depthClamp,
-        &VkPhysicalDeviceFeatures::logicOp,
-        &VkPhysicalDeviceFeatures::geometryShader,     // SV_PrimitiveID in fragment functions
-        &VkPhysicalDeviceFeatures::tessellationShader, // asked for by #pragma target 4.6 and 5.0
-        &VkPhysicalDeviceFeatures::imageCubeArray,
-        &VkPhysicalDeviceFeatures::samplerAnisotropy,
-        &VkPhysicalDeviceFeatures::sampleRateShading,
-        &VkPhysicalDeviceFeatures::shaderClipDistance,
-        &VkPhysicalDeviceFeatures::shaderCullDistance,
-        &VkPhysicalDeviceFeatures::shaderImageGatherExtended,
-        &VkPhysicalDeviceFeatures::vertexPipelineStoresAndAtomics, // structured buffers in shaders
-        &VkPhysicalDeviceFeatures::fragmentStoresAndAtomics,
-        &VkPhysicalDeviceFeatures::shaderUniformBufferArrayDynamicIndexing,
-        &VkPhysicalDeviceFeatures::shaderSampledImageArrayDynamicIndexing,
-        &VkPhysicalDeviceFeatures::shaderStorageBufferArrayDynamicIndexing,
-        &VkPhysicalDeviceFeatures::shaderStorageImageReadWithoutFormat, // writable textures
-        &VkPhysicalDeviceFeatures::shaderStorageImageWriteWithoutFormat,
-        &VkPhysicalDeviceFeatures::shaderStorageImageExtendedFormats,
-        &VkPhysicalDeviceFeatures::shaderInt16,
-        &VkPhysicalDeviceFeatures::shaderInt64,
-    };
-    for (const auto feature : k_WhereOffered)
+    for (const OptionalFeature& feature : k_OptionalFeatures)
     {
-        wanted.core.features.*feature = offered.core.features.*feature;
+        feature.in(wanted) = feature.in(offered);
     }
-    wanted.v11.shaderDrawParameters = offered.v11.shaderDrawParameters;
-    wanted.v12.samplerMirrorClampToEdge = offered.v12.samplerMirrorClampToEdge;
-    wanted.v12.scalarBlockLayout = offered.v12.scalarBlockLayout; // structs of structured buffers
-    wanted.v12.shaderFloat16 = offered.v12.shaderFloat16;
-    wanted.v12.shaderOutputLayer = offered.v12.shaderOutputLayer;
-    wanted.v12.shaderBufferInt64Atomics = offered.v12.shaderBufferInt64Atomics;
-    wanted.v12.shaderSharedInt64Atomics = offered.v12.shaderSharedInt64Atomics;
-    wanted.v13.robustImageAccess = offered.v13.robustImageAccess; // and of a texture
+    // Vulkan 1.3 has these always. Programs for Direct3D count on zeros from beyond the end.
+    wanted.core.features.robustBufferAccess = offered.core.features.robustBufferAccess;
+    wanted.v13.robustImageAccess = offered.v13.robustImageAccess;
     wanted.v13.maintenance4 = offered.v13.maintenance4;
     wanted.v13.shaderTerminateInvocation = offered.v13.shaderTerminateInvocation;
+    wanted.portability = offered.portability;
+    wanted.portability.pNext = nullptr; // it is the chain's last
     const bool blend = offered.extendedState.extendedDynamicState3ColorBlendEnable == VK_TRUE &&
                        offered.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE &&
                        offered.extendedState.extendedDynamicState3ColorWriteMask == VK_TRUE;

@@ -19,6 +19,20 @@ struct CapabilityNeed
 
 } // namespace
 
+VkSubgroupFeatureFlags SubgroupOperations(const VkPhysicalDeviceSubgroupProperties& device,
+                                          VkShaderStageFlagBits stage)
+{
+    constexpr VkShaderStageFlags k_WithQuads =
+        VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+    if ((device.supportedStages & stage) == 0)
+    {
+        return 0;
+    }
+    return device.quadOperationsInAllStages == VK_TRUE || (stage & k_WithQuads) != 0
+               ? device.supportedOperations
+               : device.supportedOperations & ~VkFlags{VK_SUBGROUP_FEATURE_QUAD_BIT};
+}
+
 std::vector<MissingCapability> MissingCapabilities(const FeatureChain& enabled,
                                                    VkSubgroupFeatureFlags subgroup)
 {

@@ -16,9 +16,13 @@ struct MissingCapability
     const char* feature = "";     ///< Vulkan's name
 };
 
+/// The operations of subgroups that programs of a stage may do, 0 if none.
+VkSubgroupFeatureFlags SubgroupOperations(const VkPhysicalDeviceSubgroupProperties& device,
+                                          VkShaderStageFlagBits stage);
+
 /// Lists the capabilities that a device made with these features does not take, of those that HLSL
 /// can lead to. Source: the SPIR-V environment of Vulkan 1.3's specification.
-/// @param subgroup  the operations that the device's programs may do, 0 if none
+/// @param subgroup  see SubgroupOperations
 std::vector<MissingCapability> MissingCapabilities(const FeatureChain& enabled,
                                                    VkSubgroupFeatureFlags subgroup);
 

@@ -27,8 +27,11 @@ std::uint32_t AdvancedBlendTargets(VkPhysicalDevice device)
 VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
 {
     ChoosePhysicalDevice(options.device);
-    const OptionalExtensions extensions =
-        options.optionalExtensions ? FindExtensions(m_PhysicalDevice) : OptionalExtensions{};
+    OptionalExtensions extensions = FindExtensions(m_PhysicalDevice);
+    if (!options.optionalExtensions)
+    {
+        extensions = {.portability = extensions.portability};
+    }
     ReadCapabilities();
     CreateDevice(extensions);
     LoadFunctions();
@@ -69,9 +72,11 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
     {
         m_Capabilities.advancedBlendTargets = AdvancedBlendTargets(m_PhysicalDevice);
     }
-    m_Capabilities.missingShaderFeatures =
-        MissingShaderFeatures(wanted, m_Capabilities.limits, FragmentSubgroupOperations());
-    m_Capabilities.missingCapabilities = MissingCapabilities(wanted, FragmentSubgroupOperations());
+    m_Capabilities.vertexStores = wanted.core.features.vertexPipelineStoresAndAtomics == VK_TRUE;
+    m_Capabilities.fragmentStores = wanted.core.features.fragmentStoresAndAtomics == VK_TRUE;
+    m_Capabilities.mipLodBias = wanted.portability.samplerMipLodBias == VK_TRUE;
+    m_Capabilities.comparisonSamplers = wanted.portability.mutableComparisonSamplers == VK_TRUE;
+    FindMissing(wanted);
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{};
@@ -107,7 +112,7 @@ void VulkanContext::ReadCapabilities()
     m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
 }
 
-VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
+void VulkanContext::FindMissing(const FeatureChain& enabled)
 {
     VkPhysicalDeviceSubgroupProperties subgroup{};
     subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
@@ -115,8 +120,16 @@ VkSubgroupFeatureFlags VulkanContext::FragmentSubgroupOperations() const
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
     properties.pNext = &subgroup;
     vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
-    const bool isInFragments = (subgroup.supportedStages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
-    return isInFragments ? subgroup.supportedOperations : 0;
+    m_Capabilities.missingShaderFeatures = MissingShaderFeatures(
+        enabled, m_Capabilities.limits, SubgroupOperations(subgroup, VK_SHADER_STAGE_FRAGMENT_BIT),
+        SubgroupOperations(subgroup, VK_SHADER_STAGE_COMPUTE_BIT));
+    for (const VkShaderStageFlagBits stage :
+         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT,
+          VK_SHADER_STAGE_COMPUTE_BIT})
+    {
+        m_Capabilities.missingCapabilities[stage] =
+            MissingCapabilities(enabled, SubgroupOperations(subgroup, stage));
+    }
 }
 
 bool VulkanContext::ReadsWithoutFormat(GraphicsFormat format) const

@@ -4,6 +4,7 @@
 #include "device/SpirvNeeds.h"
 #include "device/VulkanInstance.h"
 #include <limn/core/GraphicsFormat.h>
+#include <map>
 
 namespace limn::vulkan
 {
@@ -24,7 +25,11 @@ struct DeviceCapabilities
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
     std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
-    std::vector<MissingCapability> missingCapabilities;
+    std::map<VkShaderStageFlagBits, std::vector<MissingCapability>> missingCapabilities;
+    bool vertexStores = false; ///< vertex and geometry functions may write to buffers and textures
+    bool fragmentStores = false;
+    bool mipLodBias = false;         ///< of samplers; not of every VK_KHR_portability_subset
+    bool comparisonSamplers = false; ///< likewise
 };
 
 /// Entry points of extensions; null where the extension is absent.
@@ -73,7 +78,7 @@ private:
     void ChoosePhysicalDevice(const std::string& request);
     void CreateDevice(const OptionalExtensions& extensions);
     void ReadCapabilities();
-    VkSubgroupFeatureFlags FragmentSubgroupOperations() const;
+    void FindMissing(const FeatureChain& enabled);
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 

@@ -156,12 +156,22 @@ void VulkanInstance::Create(bool validation)
     VkDebugUtilsMessengerCreateInfoEXT messenger = MessengerInfo(m_Log);
     messenger.pNext = &features;
 
-    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
-    info.enabledExtensionCount = m_DebugUtils ? 1 : 0;
-    info.ppEnabledExtensionNames = &extension;
+    std::vector<const char*> extensions;
+    if (m_DebugUtils)
+    {
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    }
+    // Without it a loader hides the devices that are layers over another API, as on macOS.
+    if (HasInstanceExtension(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME, nullptr))
+    {
+        extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+        info.flags |= VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
+    }
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     if (validation)
     {
         info.pNext = &messenger;

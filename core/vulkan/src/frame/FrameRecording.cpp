@@ -21,6 +21,7 @@ void FrameRecording::Take(DeviceResources& resources, std::uint64_t number)
     uses.clear();
     resources.meshes.AddUses(number, uses);
     resources.programs.AddUses(number, uses);
+    resources.samplers.AddUses(number, uses);
 }
 
 bool FrameRecording::isValid(const CompiledFrame& frame, std::uint64_t changeCount) const

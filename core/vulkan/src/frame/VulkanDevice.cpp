@@ -112,6 +112,7 @@ void VulkanDevice::Execute(const CompiledFrame& frame)
     m_Impl->FinishCopies();
     vulkan::FrameSlot& slot = m_Impl->TakeSlot(frame.structure);
     m_Impl->resources.Sweep(m_Impl->queue.finishedNumber());
+    m_Impl->allocator.Sweep();
     m_Impl->Record(frame, slot);
     m_Impl->resources.images.Commit();
     if (frame.structure == 0 || frame.structure != m_Impl->lastStructure)

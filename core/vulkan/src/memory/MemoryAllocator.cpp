@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr VkDeviceSize k_BlockBytes = VkDeviceSize{16} << 20;
+constexpr int k_FramesKeptEmpty = 8;
 
 /// What memory should be, the best first.
 std::vector<VkMemoryPropertyFlags> WishesFor(MemoryUse use)
@@ -48,6 +49,13 @@ struct MemoryAllocation::Block
     MemoryUse use = MemoryUse::Gpu;
     MemoryContent content = MemoryContent::Buffers;
     RangeAllocator ranges{0};
+    int framesEmpty = 0; ///< at a stretch
+
+    bool isEmpty() const { return ranges.usedBytes() == 0; }
+    bool isOfKind(std::uint32_t itsType, MemoryUse itsUse, MemoryContent itsContent) const
+    {
+        return type == itsType && use == itsUse && content == itsContent;
+    }
 };
 
 MemoryAllocation::~MemoryAllocation()
@@ -87,7 +95,6 @@ MemoryAllocator::~MemoryAllocator() = default;
 MemoryAllocation MemoryAllocator::Allocate(const VkMemoryRequirements& needs, MemoryUse use,
                                            MemoryContent content, const std::string& name)
 {
-    const std::uint32_t type = MemoryType(needs.memoryTypeBits, use, name);
     MemoryAllocation result;
     const auto take = [&](Block& block)
     {
@@ -98,20 +105,39 @@ MemoryAllocation MemoryAllocator::Allocate(const VkMemoryRequirements& needs, Me
             result.m_Block = &block;
             result.m_Offset = *offset;
             result.m_Size = needs.size;
+            block.framesEmpty = 0;
         }
         return offset.has_value();
     };
-    for (const auto& block : m_Blocks)
+    const std::vector<std::uint32_t> types = MemoryTypes(needs.memoryTypeBits, use);
+    for (const std::uint32_t type : types)
     {
-        if (block->type == type && block->use == use && block->content == content && take(*block))
+        for (const auto& block : m_Blocks)
         {
+            if (block->isOfKind(type, use, content) && take(*block))
+            {
+                return result;
+            }
+        }
+        // What would fill half a block gets one of its own size.
+        const VkDeviceSize size = needs.size > k_BlockBytes / 2 ? needs.size : k_BlockBytes;
+        if (UniqueMemory memory = TryAllocate(size, type, name))
+        {
+            take(NewBlock(std::move(memory), size, type, use, content, name));
             return result;
         }
     }
-    // What would fill half a block gets one of its own size.
-    const VkDeviceSize size = needs.size > k_BlockBytes / 2 ? needs.size : k_BlockBytes;
-    take(NewBlock(size, type, use, content, name));
-    return result;
+    if (types.empty())
+    {
+        throw VulkanError("the device has no kind of memory that fits '" + name + "'");
+    }
+    throw VulkanError("vkAllocateMemory", ResultName(VK_ERROR_OUT_OF_DEVICE_MEMORY), name);
+}
+
+void MemoryAllocator::Sweep()
+{
+    std::erase_if(m_Blocks, [](const auto& block)
+                  { return block->isEmpty() && ++block->framesEmpty > k_FramesKeptEmpty; });
 }
 
 VkDeviceSize MemoryAllocator::allocatedBytes() const
@@ -134,39 +160,63 @@ VkDeviceSize MemoryAllocator::usedBytes() const
     return total;
 }
 
-std::uint32_t MemoryAllocator::MemoryType(std::uint32_t allowed, MemoryUse use,
-                                          const std::string& name) const
+/// The best first.
+std::vector<std::uint32_t> MemoryAllocator::MemoryTypes(std::uint32_t allowed, MemoryUse use) const
 {
+    std::vector<std::uint32_t> types;
     for (const VkMemoryPropertyFlags flags : WishesFor(use))
     {
         for (std::uint32_t i = 0; i < m_Properties.memoryTypeCount; ++i)
         {
             const VkMemoryPropertyFlags has = m_Properties.memoryTypes[i].propertyFlags;
-            if ((allowed & (1U << i)) != 0 && (has & flags) == flags)
+            const bool isOpen = // that kind asks for a feature
+                (has & VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD) == 0;
+            if (isOpen && (allowed & (1U << i)) != 0 && (has & flags) == flags &&
+                std::ranges::find(types, i) == types.end())
             {
-                return i;
+                types.push_back(i);
             }
         }
     }
-    throw VulkanError("the device has no kind of memory that fits '" + name + "'");
+    return types;
 }
 
-MemoryAllocator::Block& MemoryAllocator::NewBlock(VkDeviceSize size, std::uint32_t type,
-                                                  MemoryUse use, MemoryContent content,
-                                                  const std::string& name)
+UniqueMemory MemoryAllocator::TryAllocate(VkDeviceSize size, std::uint32_t type,
+                                          const std::string& name)
 {
-    auto block = std::make_unique<Block>();
     VkMemoryAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.allocationSize = size;
     info.memoryTypeIndex = type;
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    Check(vkAllocateMemory(m_Device, &info, nullptr, &memory), "vkAllocateMemory", name);
-    block->memory = UniqueMemory{m_Device, memory};
+    VkResult result = vkAllocateMemory(m_Device, &info, nullptr, &memory);
+    const auto isKept = [&](const auto& block)
+    {
+        return block->type == type && block->isEmpty();
+    };
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && std::erase_if(m_Blocks, isKept) > 0)
+    {
+        result = vkAllocateMemory(m_Device, &info, nullptr, &memory);
+    }
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
+    {
+        return {};
+    }
+    Check(result, "vkAllocateMemory", name);
+    return {m_Device, memory};
+}
+
+MemoryAllocator::Block& MemoryAllocator::NewBlock(UniqueMemory memory, VkDeviceSize size,
+                                                  std::uint32_t type, MemoryUse use,
+                                                  MemoryContent content, const std::string& name)
+{
+    auto block = std::make_unique<Block>();
+    block->memory = std::move(memory);
     if (isMapped(use))
     {
         void* mapped = nullptr;
-        Check(vkMapMemory(m_Device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory", name);
+        Check(vkMapMemory(m_Device, block->memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped),
+              "vkMapMemory", name);
         block->mapped = static_cast<std::byte*>(mapped);
     }
     block->size = size;
@@ -182,14 +232,6 @@ void MemoryAllocator::Return(Block& block, VkDeviceSize offset, VkDeviceSize siz
 {
     block.ranges.Free(offset, size);
     m_Returned += block.use == MemoryUse::Staging || block.use == MemoryUse::ReadBack ? 0 : 1;
-    if (block.ranges.usedBytes() == 0)
-    {
-        const auto isIt = [&](const auto& candidate)
-        {
-            return candidate.get() == &block;
-        };
-        m_Blocks.erase(std::find_if(m_Blocks.begin(), m_Blocks.end(), isIt));
-    }
 }
 
 Buffer::Buffer(VkDevice device, MemoryAllocator& allocator, VkDeviceSize bytes,

@@ -56,7 +56,9 @@ private:
     VkDeviceSize m_Size = 0;
 };
 
-/// Sub-allocates from large blocks, since a driver may allow as few as 4096 allocations.
+/// Sub-allocates from large blocks, since a driver may allow as few as 4096 allocations. A block
+/// that has become empty is kept for some frames: what is made and dropped in every frame, as a
+/// read-back, costs the driver nothing.
 class MemoryAllocator
 {
 public:
@@ -65,9 +67,14 @@ public:
     MemoryAllocator(const MemoryAllocator&) = delete;
     MemoryAllocator& operator=(const MemoryAllocator&) = delete;
 
+    /// Takes what fits best of the device's kinds of memory, and the next where its heap is full.
     /// @param name  of the resource, for the error
+    /// @throws VulkanError if every heap that would do is full
     MemoryAllocation Allocate(const VkMemoryRequirements& needs, MemoryUse use,
                               MemoryContent content, const std::string& name);
+
+    /// A frame begins: frees the blocks that have been empty for long.
+    void Sweep();
 
     VkDeviceSize allocatedBytes() const; ///< taken from the driver
     VkDeviceSize usedBytes() const;      ///< of these, handed out
@@ -79,9 +86,11 @@ private:
     friend class MemoryAllocation;
     using Block = MemoryAllocation::Block;
 
-    std::uint32_t MemoryType(std::uint32_t allowed, MemoryUse use, const std::string& name) const;
-    Block& NewBlock(VkDeviceSize size, std::uint32_t type, MemoryUse use, MemoryContent content,
-                    const std::string& name);
+    std::vector<std::uint32_t> MemoryTypes(std::uint32_t allowed, MemoryUse use) const;
+    /// Null where the heap is full.
+    UniqueMemory TryAllocate(VkDeviceSize size, std::uint32_t type, const std::string& name);
+    Block& NewBlock(UniqueMemory memory, VkDeviceSize size, std::uint32_t type, MemoryUse use,
+                    MemoryContent content, const std::string& name);
     void Return(Block& block, VkDeviceSize offset, VkDeviceSize size) noexcept;
 
     VkDevice m_Device;

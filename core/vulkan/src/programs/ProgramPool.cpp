@@ -80,54 +80,125 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
     return bindings;
 }
 
+/// What a device binds so many of.
+struct Kind
+{
+    const char* noun;
+    std::uint32_t mostOfAStage;
+    std::uint32_t mostOfAll;
+    std::vector<VkDescriptorType> types;
+};
+
+std::vector<Kind> Kinds(const VkPhysicalDeviceLimits& limits)
+{
+    constexpr VkDescriptorType k_Uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    constexpr VkDescriptorType k_Texture = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    constexpr VkDescriptorType k_Both = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    constexpr VkDescriptorType k_Buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    constexpr VkDescriptorType k_Writable = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    return {{"uniform buffers",
+             limits.maxPerStageDescriptorUniformBuffers,
+             limits.maxDescriptorSetUniformBuffers,
+             {k_Uniform}},
+            {"textures",
+             limits.maxPerStageDescriptorSampledImages,
+             limits.maxDescriptorSetSampledImages,
+             {k_Texture, k_Both}},
+            {"samplers",
+             limits.maxPerStageDescriptorSamplers,
+             limits.maxDescriptorSetSamplers,
+             {VK_DESCRIPTOR_TYPE_SAMPLER, k_Both}},
+            {"structured buffers",
+             limits.maxPerStageDescriptorStorageBuffers,
+             limits.maxDescriptorSetStorageBuffers,
+             {k_Buffer}},
+            {"writable textures",
+             limits.maxPerStageDescriptorStorageImages,
+             limits.maxDescriptorSetStorageImages,
+             {k_Writable}},
+            {"targets, textures and buffers",
+             limits.maxPerStageResources,
+             ~0U,
+             {k_Uniform, k_Texture, k_Both, k_Buffer, k_Writable}}};
+}
+
+void RequireRoom(const char* who, std::ptrdiff_t count, const char* noun, std::uint32_t most)
+{
+    if (count > std::ptrdiff_t{most})
+    {
+        throw DrawError(std::string(who) + " " + std::to_string(count) + " " + noun +
+                        "; the device binds at most " + std::to_string(most));
+    }
+}
+
 /// Drivers that are given more than they bind may crash.
-void RequireRoom(const std::vector<VkDescriptorSetLayoutBinding>& bindings,
+/// @param colorOutputs  targets count as what a fragment function uses
+void RequireRoom(const std::vector<VkDescriptorSetLayoutBinding>& bindings, int colorOutputs,
                  const VkPhysicalDeviceLimits& limits)
 {
-    struct Kind
+    for (const Kind& kind : Kinds(limits))
     {
-        const char* noun;
-        std::uint32_t most; ///< of a stage
-        std::initializer_list<VkDescriptorType> types;
-    };
-    const Kind kinds[] = {
-        {"uniform buffers",
-         limits.maxPerStageDescriptorUniformBuffers,
-         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}},
-        {"textures",
-         limits.maxPerStageDescriptorSampledImages,
-         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
-        {"samplers",
-         limits.maxPerStageDescriptorSamplers,
-         {VK_DESCRIPTOR_TYPE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}},
-        {"structured buffers",
-         limits.maxPerStageDescriptorStorageBuffers,
-         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}},
-        {"writable textures",
-         limits.maxPerStageDescriptorStorageImages,
-         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}}};
-    for (const VkShaderStageFlagBits stage :
-         {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_FRAGMENT_BIT,
-          VK_SHADER_STAGE_COMPUTE_BIT})
-    {
-        for (const Kind& kind : kinds)
+        const auto count = [&](VkShaderStageFlags stages)
         {
-            const auto count = std::ranges::count_if(
-                bindings,
-                [&](const VkDescriptorSetLayoutBinding& binding)
-                {
-                    const auto& types = kind.types;
-                    return (binding.stageFlags & stage) != 0 &&
-                           std::ranges::find(types, binding.descriptorType) != types.end();
-                });
-            if (count > std::int64_t{kind.most})
-            {
-                throw DrawError("a function of the shader reads " + std::to_string(count) + " " +
-                                kind.noun + "; the device binds at most " +
-                                std::to_string(kind.most));
-            }
+            return std::ranges::count_if(bindings,
+                                         [&](const VkDescriptorSetLayoutBinding& binding)
+                                         {
+                                             return (binding.stageFlags & stages) != 0 &&
+                                                    std::ranges::count(kind.types,
+                                                                       binding.descriptorType) > 0;
+                                         });
+        };
+        for (const VkShaderStageFlagBits stage :
+             {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_GEOMETRY_BIT,
+              VK_SHADER_STAGE_FRAGMENT_BIT, VK_SHADER_STAGE_COMPUTE_BIT})
+        {
+            const bool drawsToo = stage == VK_SHADER_STAGE_FRAGMENT_BIT && kind.types.size() > 2;
+            RequireRoom("a function of the shader reads",
+                        count(stage) + (drawsToo ? colorOutputs : 0), kind.noun, kind.mostOfAStage);
+        }
+        RequireRoom("the functions of the shader read", count(VK_SHADER_STAGE_ALL), kind.noun,
+                    kind.mostOfAll);
+    }
+}
+
+/// Vertex, geometry and fragment functions write to buffers and textures where the device lets
+/// them.
+void RequireStores(const PropertyLayout& layout, const DeviceCapabilities& can)
+{
+    ShaderStage writers = ShaderStage::None;
+    int written = 0;
+    const auto add = [&](const auto& binding)
+    {
+        writers = writers | binding.stages;
+        written += HasAll(binding.stages, ShaderStage::Fragment) ? 1 : 0;
+    };
+    for (const StorageBufferBinding& buffer : layout.storageBuffers)
+    {
+        if (buffer.isWritten)
+        {
+            add(buffer);
         }
     }
+    std::ranges::for_each(layout.storageTextures, add);
+    const VkShaderStageFlags stages = ToVkStages(writers);
+    const bool isFragment = (stages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
+    const bool isBefore =
+        (stages & (VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_GEOMETRY_BIT)) != 0;
+    if ((isFragment && !can.fragmentStores) || (isBefore && !can.vertexStores))
+    {
+        throw DrawError(
+            std::string("a program needs ") +
+            (isFragment ? "fragmentStoresAndAtomics" : "vertexPipelineStoresAndAtomics") +
+            ", which the device lacks: it writes to a buffer or a texture");
+    }
+    RequireRoom("the fragment function writes to", written + layout.colorOutputs,
+                "targets, buffers and textures", can.limits.maxFragmentCombinedOutputResources);
+}
+
+void RequireInputs(const PropertyLayout& layout, const VkPhysicalDeviceLimits& limits)
+{
+    RequireRoom("the vertex function reads", std::ssize(layout.vertexInputs), "vertex inputs",
+                std::min(limits.maxVertexInputBindings, limits.maxVertexInputAttributes));
 }
 
 } // namespace
@@ -155,7 +226,7 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
     objects.pushStages = ToVkStages(program->layout.pushStages);
     if (!program->geometrySpirv.empty())
     {
-        objects.geometry = CreateModule(program->geometrySpirv);
+        objects.geometry = CreateModule(program->geometrySpirv, VK_SHADER_STAGE_GEOMETRY_BIT);
     }
     CreateLayouts(objects, program->layout);
     if (!program->computeSpirv.empty())
@@ -163,9 +234,9 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
         return m_Programs.emplace(Identity{program, program.get()}, std::move(objects))
             .first->second;
     }
-    objects.vertex = CreateModule(program->vertexSpirv);
+    objects.vertex = CreateModule(program->vertexSpirv, VK_SHADER_STAGE_VERTEX_BIT);
     objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, BuiltInVertexIndex);
-    objects.fragment = CreateModule(program->fragmentSpirv);
+    objects.fragment = CreateModule(program->fragmentSpirv, VK_SHADER_STAGE_FRAGMENT_BIT);
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
 }
 
@@ -181,7 +252,8 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
     }
     if (isOfPoints(key) && !program.geometry && !program.points)
     {
-        program.points = CreateModule(WithPointSize(compiled.vertexSpirv));
+        program.points =
+            CreateModule(WithPointSize(compiled.vertexSpirv), VK_SHADER_STAGE_VERTEX_BIT);
     }
     program.pipelines.emplace_back(
         key, BuildPipeline(m_Context, m_Cache.get(), program, compiled.layout.colorOutputs, key));
@@ -194,7 +266,8 @@ VkPipeline ProgramPool::KernelPipeline(ProgramObjects& program, const ShaderProg
     UniquePipeline& pipeline = program.kernels[formats];
     if (!pipeline)
     {
-        const UniqueShaderModule module = CreateModule(WithFormats(compiled.computeSpirv, formats));
+        const UniqueShaderModule module =
+            CreateModule(WithFormats(compiled.computeSpirv, formats), VK_SHADER_STAGE_COMPUTE_BIT);
         pipeline =
             BuildComputePipeline(m_Context, m_Cache.get(), module.get(), program.layout.get());
     }
@@ -237,9 +310,10 @@ std::size_t ProgramPool::pipelineCount() const
     return count;
 }
 
-UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& spirv) const
+UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& spirv,
+                                             VkShaderStageFlagBits stage) const
 {
-    RequireCapabilities(spirv, m_Context.capabilities().missingCapabilities);
+    RequireCapabilities(spirv, m_Context.capabilities().missingCapabilities.at(stage));
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = spirv.size() * sizeof(std::uint32_t);
@@ -253,7 +327,9 @@ UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& s
 void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const
 {
     const std::vector<VkDescriptorSetLayoutBinding> bindings = Bindings(layout);
-    RequireRoom(bindings, m_Context.capabilities().limits);
+    RequireRoom(bindings, layout.colorOutputs, m_Context.capabilities().limits);
+    RequireStores(layout, m_Context.capabilities());
+    RequireInputs(layout, m_Context.capabilities().limits);
     VkDescriptorSetLayoutCreateInfo setInfo{};
     setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
@@ -263,6 +339,7 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
           "vkCreateDescriptorSetLayout");
     objects.setLayout = UniqueSetLayout{m_Context.device(), set};
 
+    static_assert(sizeof(DrawConstants) <= 128); // which every device has
     const VkPushConstantRange constants{objects.pushStages, 0, sizeof(DrawConstants)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;

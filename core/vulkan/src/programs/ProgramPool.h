@@ -108,7 +108,8 @@ private:
         }
     };
 
-    UniqueShaderModule CreateModule(const std::vector<std::uint32_t>& spirv) const;
+    UniqueShaderModule CreateModule(const std::vector<std::uint32_t>& spirv,
+                                    VkShaderStageFlagBits stage) const;
     void CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const;
 
     const VulkanContext& m_Context;

@@ -32,12 +32,12 @@ struct DeviceResources
     {
     }
 
-    /// Grows where an image, a buffer, a mesh or a layout that a frame knows is gone or another
-    /// one.
+    /// Grows where an image, a buffer, a mesh, a sampler or a layout that a frame knows is gone or
+    /// another one.
     std::uint64_t changeCount() const
     {
         return m_Allocator.returnedCount() + images.changeCount() + meshes.freedCount() +
-               programs.freedCount();
+               programs.freedCount() + samplers.freedCount();
     }
     /// Frees what nobody owns or uses.
     void Sweep(std::uint64_t finished)
@@ -47,6 +47,7 @@ struct DeviceResources
         objects.Sweep(finished);
         buffers.Sweep(finished);
         programs.Sweep(finished);
+        samplers.Sweep(finished);
     }
     /// That submission never will be.
     void Rollback(std::uint64_t number) noexcept
@@ -56,6 +57,7 @@ struct DeviceResources
         objects.Rollback(number);
         buffers.Rollback(number);
         programs.Rollback(number);
+        samplers.Rollback(number);
     }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "device/Check.h"
 #include <algorithm>
+#include <limn/core/DrawError.h>
 
 namespace limn::vulkan
 {
@@ -35,15 +36,76 @@ VkSamplerAddressMode ToAddressMode(TextureWrapMode mode, bool mirrorOnce)
     return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
 
+void RequireSupport(const SamplerState& state, const DeviceCapabilities& can)
+{
+    const auto refuse = [](const char* what, const char* feature)
+    {
+        throw DrawError(std::string("a texture is read ") + what + ", which needs " + feature +
+                        " of VK_KHR_portability_subset; the device lacks it");
+    };
+    if (state.mipMapBias != 0.0f && !can.mipLodBias)
+    {
+        refuse("with a mipMapBias", "samplerMipLodBias");
+    }
+    if (state.comparison && !can.comparisonSamplers)
+    {
+        refuse("by a SamplerComparisonState", "mutableComparisonSamplers");
+    }
+}
+
 } // namespace
 
-VkSampler SamplerCache::Get(const SamplerState& state)
+VkSampler SamplerCache::Get(const SamplerState& state, std::uint64_t number)
 {
-    UniqueSampler& sampler = m_Samplers[Pack(state)];
-    if (sampler)
+    const auto found = m_Samplers.find(Pack(state));
+    if (found != m_Samplers.end())
     {
-        return sampler.get();
+        found->second.lastUse = number;
+        return found->second.sampler.get();
     }
+    const std::uint32_t most = m_Context.capabilities().limits.maxSamplerAllocationCount;
+    if (m_Samplers.size() >= most)
+    {
+        throw DrawError("the frame reads textures in more than " + std::to_string(most) +
+                        " ways (filter, wrap mode and mip bias), which is as many samplers as the "
+                        "device has; share samplers between textures");
+    }
+    Entry entry{Create(state), number};
+    return m_Samplers.emplace(Pack(state), std::move(entry)).first->second.sampler.get();
+}
+
+void SamplerCache::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
+{
+    for (auto& [key, entry] : m_Samplers)
+    {
+        if (entry.lastUse == number)
+        {
+            uses.push_back(&entry.lastUse);
+        }
+    }
+}
+
+void SamplerCache::Rollback(std::uint64_t number) noexcept
+{
+    for (auto& [key, entry] : m_Samplers)
+    {
+        entry.lastUse = std::min(entry.lastUse, number - 1);
+    }
+}
+
+void SamplerCache::Sweep(std::uint64_t finished)
+{
+    // Frames that are recorded already, and their descriptor sets, are made anew afterwards.
+    if (m_Samplers.size() > m_Context.capabilities().limits.maxSamplerAllocationCount / 4)
+    {
+        m_Freed += std::erase_if(m_Samplers,
+                                 [&](const auto& item) { return item.second.lastUse <= finished; });
+    }
+}
+
+UniqueSampler SamplerCache::Create(const SamplerState& state) const
+{
+    RequireSupport(state, m_Context.capabilities());
     const VkFilter filter =
         state.filterMode == FilterMode::Point ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
     const bool mirrorOnce = m_Context.capabilities().mirrorOnce;
@@ -73,8 +135,7 @@ VkSampler SamplerCache::Get(const SamplerState& state)
         std::min(static_cast<float>(state.anisoLevel), limits.maxSamplerAnisotropy);
     VkSampler handle = VK_NULL_HANDLE;
     Check(vkCreateSampler(m_Context.device(), &info, nullptr, &handle), "vkCreateSampler");
-    sampler = UniqueSampler{m_Context.device(), handle};
-    return handle;
+    return {m_Context.device(), handle};
 }
 
 } // namespace limn::vulkan

@@ -22,7 +22,8 @@ std::vector<std::string> RequiredFeatures(const PassProgram& program);
 /// it needs a feature that is missing. Nothing where it can be tried. The severity is Error, the
 /// message one sentence.
 ///
-/// @param missingFeatures  those of RequiredFeatures that the device lacks
+/// @param missingFeatures  those of RequiredFeatures that the device lacks; "compute wavebasic" and
+///     its like are what it lacks in kernels
 std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
                                              std::span<const std::string> missingFeatures = {});
 

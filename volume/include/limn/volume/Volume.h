@@ -6,15 +6,68 @@
 #include <limn/volume/VolumeProfile.h>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limn
 {
 
+class VolumeManager;
+
+namespace detail
+{
+
+/// Lets managers find a volume that moves, as in a vector that grows, and see that it is gone. A
+/// copy is another volume.
+class VolumePlace
+{
+public:
+    VolumePlace() = default;
+    VolumePlace(const VolumePlace&) noexcept {}
+    VolumePlace(VolumePlace&& other) noexcept { Take(other); }
+    VolumePlace& operator=(const VolumePlace&) noexcept { return *this; }
+    VolumePlace& operator=(VolumePlace&& other) noexcept
+    {
+        if (this != &other)
+        {
+            Leave();
+            Take(other);
+        }
+        return *this;
+    }
+    ~VolumePlace() { Leave(); }
+
+private:
+    friend class limn::VolumeManager;
+
+    void Take(VolumePlace& other) noexcept
+    {
+        m_Address = std::move(other.m_Address);
+        if (m_Address)
+        {
+            *m_Address = this;
+        }
+    }
+    void Leave() noexcept
+    {
+        if (m_Address)
+        {
+            *m_Address = nullptr;
+        }
+        m_Address.reset();
+    }
+
+    /// Null until the volume is registered; its target is null once the volume is gone.
+    mutable std::shared_ptr<const VolumePlace*> m_Address;
+};
+
+} // namespace detail
+
 /// A profile put into a scene: everywhere, or where its colliders are. Takes part once it is
-/// registered with a VolumeManager. Fields may change at any time; the manager looks at them in
+/// registered with a VolumeManager, until it is unregistered or destroyed; moved, it stays
+/// registered, and a copy of it is not. Fields may change at any time; the manager looks at them in
 /// every Update. Unity: UnityEngine.Rendering.Volume (URP 14).
-struct Volume
+struct Volume : detail::VolumePlace
 {
     std::string name;           ///< for people
     bool enabled = true;        ///< of the component and its GameObject together

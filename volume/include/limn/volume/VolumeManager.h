@@ -57,7 +57,7 @@ public:
     /// Volumes of equal priority are applied in the order of registration.
     /// @return false if it is registered already
     /// @throws ContractError for null and for a layer outside 0...31
-    /// @lifetime  keeps the pointer until Unregister
+    /// @lifetime  follows the volume where it is moved to, and forgets it when it is destroyed
     bool Register(const Volume* volume);
 
     /// Does nothing for a volume that is not registered.
@@ -78,7 +78,7 @@ public:
     VolumeTrace Trace(const std::optional<glm::vec3>& trigger, LayerMask layerMask);
 
     /// The registered volumes in the mask's layers, enabled or not, by ascending priority. Valid
-    /// until the next call of any other member.
+    /// until the next call of any other member, or until one of them is moved or destroyed.
     std::span<const Volume* const> GetVolumes(LayerMask layerMask);
 
     /// Whether an enabled volume has an active T in its profile, weight and place aside. As in
@@ -94,7 +94,8 @@ private:
     /// A volume and what is known about it, to notice changes.
     struct Registration
     {
-        const Volume* volume;
+        std::shared_ptr<const detail::VolumePlace*> address;
+        const Volume* volume; ///< as FollowMoves saw it last
         int layer;
         float priority;
     };
@@ -111,6 +112,10 @@ private:
     void ForEachDefaultProfile(Visitor&& visit) const;
     void ResetToDefaults(VolumeStack& stack) const;
     bool IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const;
+    std::vector<Registration>::iterator FindRegistration(const Volume* volume);
+    void Fill(SortedList& list) const;
+    /// Volumes may have been moved or destroyed.
+    void FollowMoves();
     void NoticeChanges();
     void AddToLists(const Registration& registration);
     void RemoveFromLists(const Registration& registration);

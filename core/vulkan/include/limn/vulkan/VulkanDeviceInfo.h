@@ -29,6 +29,9 @@ struct VulkanDeviceInfo
     /// The bits behind the point of a vertex's place in the picture, in pixels; at least 4.
     int subPixelPrecisionBits = 0;
     std::vector<std::string> problems; ///< one sentence for each thing that limn needs and misses
+    /// One for each thing that limn can use and that is not there, or less of it: "no
+    /// geometryShader: geometry functions are refused …".
+    std::vector<std::string> lacks = {};
 
     bool isUsable() const { return problems.empty(); }
     bool operator==(const VulkanDeviceInfo&) const = default;
