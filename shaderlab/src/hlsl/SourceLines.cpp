@@ -112,7 +112,7 @@ std::optional<std::string_view> SourceLines::Find(const std::string& file, int l
 int SourceLines::Column(const HlslPlace& place, std::span<const HlslToken> preprocessed,
                         std::size_t index)
 {
-    constexpr std::size_t k_LongestLine = 2000; // tokens
+    constexpr std::size_t k_LongestLine = 500; // tokens
     const auto line = Find(place.file, place.location.line);
     if (!line)
     {

@@ -214,9 +214,16 @@ Diagnostic HlslTokens::Error(std::size_t index, std::string_view message) const
 
 void HlslTokens::Refuse(const std::vector<HlslProblem>& problems) const
 {
+    constexpr std::size_t k_MaxTold = 100; // finding the place of each takes its time
     std::vector<Diagnostic> diagnostics;
     for (const HlslProblem& problem : problems)
     {
+        if (diagnostics.size() == k_MaxTold)
+        {
+            diagnostics.back().message +=
+                "; " + std::to_string(problems.size() - k_MaxTold) + " more errors are not shown";
+            break;
+        }
         diagnostics.push_back(Error(problem.token, problem.text));
     }
     if (!diagnostics.empty())

@@ -149,6 +149,8 @@ std::string DescribeRecursion(std::string_view line)
 
 std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile)
 {
+    constexpr std::ptrdiff_t k_MaxTold = 100; // finding the place of each takes its time
+    bool hasMore = false;
     std::vector<Diagnostic> diagnostics;
     while (!log.empty())
     {
@@ -170,10 +172,17 @@ std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& 
         {
             diagnostic.message = DescribeRecursion(log.substr(0, log.find('\n')));
         }
-        if (!isConsequence(diagnostic, diagnostics))
+        const auto told =
+            std::ranges::count(diagnostics, diagnostic.severity, &Diagnostic::severity);
+        hasMore = hasMore || told == k_MaxTold;
+        if (told < k_MaxTold && !isConsequence(diagnostic, diagnostics))
         {
             diagnostics.push_back(std::move(diagnostic));
         }
+    }
+    if (hasMore)
+    {
+        diagnostics.back().message += "; more like it are not shown";
     }
     return diagnostics;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,7 +33,11 @@ const WordList k_Statements("for if while switch return");
 class Speller
 {
 public:
-    explicit Speller(HlslEditor& code) : m_Code(code) { FindLookedUp(); }
+    explicit Speller(HlslEditor& code) : m_Code(code)
+    {
+        FindLookedUp();
+        FindSampledBy();
+    }
 
     void Spell()
     {
@@ -202,19 +207,19 @@ private:
         }
     }
 
-    /// Whether a method of a texture takes it: `_Tex.Sample(name, …)`.
-    bool isSampledBy(std::string_view name) const
+    bool isSampledBy(std::string_view name) const { return m_SampledBy.contains(name); }
+
+    void FindSampledBy()
     {
-        for (std::size_t i = 3; i < m_Code.size() && !name.empty(); ++i)
+        for (std::size_t i = 3; i < m_Code.size(); ++i)
         {
-            if (Text(i) == name && Text(i - 1) == "(" && Text(i - 3) == "." &&
+            if (Text(i - 1) == "(" && Text(i - 3) == "." &&
                 (Text(i - 2).starts_with("Sample") || Text(i - 2).starts_with("Gather") ||
                  Text(i - 2) == "CalculateLevelOfDetail"))
             {
-                return true;
+                m_SampledBy.insert(Text(i));
             }
         }
-        return false;
     }
 
     /// The type of Direct3D 9 that a global SamplerState is used as, `tex2D(name, …)`; "" of
@@ -261,7 +266,8 @@ private:
         Parameter,
         Other
     };
-    std::vector<Answer> m_Answers; ///< of each token, once one is asked about
+    std::vector<Answer> m_Answers;          ///< of each token, once one is asked about
+    std::set<std::string_view> m_SampledBy; ///< by methods of textures: `_Tex.Sample(name, …)`
     std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };
 
