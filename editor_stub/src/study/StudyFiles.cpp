@@ -246,6 +246,14 @@ std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std
 
 Study ReadStudy(const std::filesystem::path& folder)
 {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+    {
+        const bool isThere = std::filesystem::exists(folder, ignored);
+        throw AssetError(folder.string(), {},
+                         isThere ? "is no folder; one that 'limn report' wrote is expected"
+                                 : "there is no such folder");
+    }
     Study study = ReadHeader(folder);
     std::size_t length = 0;
     study.cells = ReadCells(folder, length);

@@ -61,18 +61,6 @@ std::filesystem::path TemporaryBeside(const std::filesystem::path& path)
     return path.parent_path() / (".limn-" + std::to_string(number));
 }
 
-/// The file that a path stands for, whether it is there or not.
-std::filesystem::path BehindLinks(std::filesystem::path path)
-{
-    constexpr int k_MaxLinks = 40; // as the kernel has it
-    std::error_code error;
-    for (int i = 0; i < k_MaxLinks && std::filesystem::is_symlink(path, error); ++i)
-    {
-        path = path.parent_path() / std::filesystem::read_symlink(path, error);
-    }
-    return path;
-}
-
 /// Standard output or error, where it is this very file; else -1.
 int StandardStream(const struct stat& status)
 {
@@ -280,6 +268,17 @@ int OpenFolderOf(const std::filesystem::path& file)
 }
 
 } // namespace
+
+std::filesystem::path BehindLinks(std::filesystem::path path)
+{
+    constexpr int k_MaxLinks = 40; // as the kernel has it
+    std::error_code error;
+    for (int i = 0; i < k_MaxLinks && std::filesystem::is_symlink(path, error); ++i)
+    {
+        path = path.parent_path() / std::filesystem::read_symlink(path, error);
+    }
+    return path;
+}
 
 std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes,
                              const std::function<void()>& beforeReplace)

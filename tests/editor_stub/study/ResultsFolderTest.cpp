@@ -143,6 +143,24 @@ TEST_F(ResultsFolder, LosesNothingToAMerge)
     EXPECT_EQ(ReadStudy("a").cells.size(), 1u);
 }
 
+TEST_F(ResultsFolder, ThatIsMissingIsSaidToBeMissing)
+{
+    m_Folder.Write("file", "no folder");
+    std::filesystem::create_directory("empty");
+    for (const auto& [folder, message] :
+         {std::pair("nope", "nope: error: there is no such folder\n"),
+          std::pair("file",
+                    "file: error: is no folder; one that 'limn report' wrote is expected\n"),
+          std::pair("empty", "empty/study.json: error: there is no such file\n")})
+    {
+        const CommandRun merge = Merge({folder}, "merged");
+        EXPECT_EQ(merge.exitCode, 1);
+        EXPECT_EQ(merge.err, message);
+        EXPECT_EQ(RunCommand({"report", "--compare", folder, "."}).err, message);
+    }
+    EXPECT_FALSE(std::filesystem::exists("merged"));
+}
+
 TEST_F(ResultsFolder, IsWrittenByOneRunAtATime)
 {
     Study study = TwoCells();
