@@ -99,7 +99,7 @@ def replace(path, rng):
         path.write_bytes(b"")
     elif choice < 8:
         path.symlink_to(rng.choice([path.name, "nowhere", "/dev/zero", "/dev/null", "/dev/full", "..", ".",
-                                    "../victim.txt", "../secret.txt", "../../victim.txt", "../../secret.txt",
+                                    "../victim.txt", "../../victim.txt", "../../secret.txt", "../../../secret.txt",
                                     str(path.parents[1] / "victim.txt"), "/proc/self/mem", "../t.png"]))
     # else it is not there
 

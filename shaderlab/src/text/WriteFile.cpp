@@ -294,14 +294,20 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
     {
         throw AssetError(path.string(), {}, "cannot be written: nobody reads this pipe");
     }
-    if (isOfMachine(failure))
-    {
-        throw MachineError(path.string(), {}, "cannot be written: " + failure.message());
-    }
     if (failure)
     {
-        throw AssetError(path.string(), {}, "cannot be written: " + failure.message());
+        ThrowWriteError(path, failure);
     }
+}
+
+void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason)
+{
+    const std::string message = "cannot be written: " + reason.message();
+    if (isOfMachine(reason))
+    {
+        throw MachineError(path.string(), {}, message);
+    }
+    throw AssetError(path.string(), {}, message);
 }
 
 std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)
