@@ -81,8 +81,10 @@ def mutated_file(kind, rng, folder, options):
 # ---------------------------------------------------------------- what stands where a file is expected
 
 def replace(path, rng):
-    """Something else in the place of a file."""
+    """Something else in the place of a file; its folder may be something else already."""
     choice = rng.randrange(9)
+    if path.parent.is_symlink() or not path.parent.is_dir():
+        return
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     path.unlink(missing_ok=True)
