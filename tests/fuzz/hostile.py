@@ -18,6 +18,10 @@ def transforms(count):
                                 f"  m_LocalPosition: {{x: {i}, y: 0, z: -0}}\n" for i in range(count))
 
 
+def feature(members):
+    return "class F : ScriptableRendererFeature\n{\n" + members + "}\n"
+
+
 SET = ["ScreenSpaceOutline.outlineWidth=4"]
 PLACE = r":\d+:\d+: error: "
 TOO_DEEP = "lists and objects are nested more than 64 levels deep"
@@ -60,6 +64,17 @@ HOSTILE = [
      ["inspect", "u.asset"], 1, PLACE),
     ("a broken body that nobody asks for", "u.asset", lambda: UNITY_FILE.replace("300}", "["),
      ["inspect", "u.asset"], 0, "ScreenSpaceOutline"),
+    ("an enum of 50 000 members, each from the one before", "own.cs",
+     lambda: feature("enum E { M0, " + ", ".join(f"M{i} = M{i - 1} + 1" for i in range(1, 50_000)) + " }\n"),
+     ["port", "own.cs", "-o", "out"], 0, r"out/F\.h"),
+    ("10 000 classes, each of which needs the one before", "own.cs",
+     lambda: feature("") + "class C0 { }\n" + "".join(f"class C{i} {{ public C{i - 1} c; }}\n"
+                                                       for i in range(1, 10_000)),
+     ["port", "own.cs", "-o", "out"], 0, r"out/F\.h"),
+    ("100 000 signs before a member of an enum", "own.cs", lambda: feature("enum E { M = " + "-" * 100_000 + "1 }\n"),
+     ["port", "own.cs", "-o", "out"], 0, r"out/F\.h"),
+    ("a folder of results that is not there", "own.cs", lambda: "", ["report", "--merge", "nope", "-o", "out"], 1,
+     "nope: error: there is no such folder"),
     ("a time that is no float", "s.scene.yaml", lambda: SCENE,
      ["render", "s.scene.yaml", "-o", "out.png", "--time", "1e39"], 2, "1e39"),
 ]

@@ -1,5 +1,6 @@
 """A small project with a file of every kind that limn reads; all of them are good."""
 
+import json
 import pathlib
 import shutil
 import struct
@@ -165,12 +166,113 @@ def glb(json, binary=TRIANGLE):
     return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
 
 
+SECRET = b"what nobody is to copy"
+CSHARP = """using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+
+public class TintFeature : ScriptableRendererFeature
+{
+    public enum Mode { Off, On = 1 << 2, Both = On | 1, }
+    [System.Serializable]
+    public class Settings
+    {
+        [Header("Look"), Tooltip("Its colour.")] public Color color = new Color(1f, 0.5f, 0f, 1f);
+        [Range(0f, 10f)] public float width = 3f;
+        public Mode mode = Mode.On;
+        public LayerMask layers = 1 << 6;
+        public RenderPassEvent when = RenderPassEvent.AfterRenderingOpaques;
+    }
+    public Settings settings = new Settings();
+    private TintPass m_Pass;
+
+    public override void Create() => m_Pass = new TintPass(settings) { renderPassEvent = settings.when + 1 };
+    public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData)
+    {
+        if (renderingData.cameraData.cameraType != CameraType.Game) return;
+        renderer.EnqueuePass(m_Pass);
+    }
+}
+"""
+MORE_CSHARP = """class TintPass : ScriptableRenderPass
+{
+    static readonly int k_Color = Shader.PropertyToID("_Color");
+    readonly TintFeature.Settings m_Settings;
+    FilteringSettings m_Filtering = new FilteringSettings(RenderQueueRange.opaque);
+
+    public TintPass(TintFeature.Settings settings) { m_Settings = settings; }
+    public override void Execute(ScriptableRenderContext context, ref RenderingData data)
+    {
+        CommandBuffer cmd = CommandBufferPool.Get($"Tint {m_Settings.width:0.0}");
+#if UNITY_2022_3_OR_NEWER
+        cmd.SetGlobalColor(k_Color, m_Settings.color);
+#endif
+        context.ExecuteCommandBuffer(cmd);
+        CommandBufferPool.Release(cmd);
+    }
+}
+"""
+COMPUTE = """#pragma kernel Fill COUNT=8
+#pragma kernel Sum
+#pragma multi_compile _ _EXTRA
+#include "Tint.hlsl"
+RWTexture2D<float4> _Result;
+RWStructuredBuffer<float> _Sums;
+float4 _Size;
+#ifndef COUNT
+#define COUNT 4
+#endif
+groupshared float s_Part[COUNT];
+
+[numthreads(COUNT, 8, 1)]
+void Fill(uint3 id : SV_DispatchThreadID)
+{
+    _Result[id.xy] = float4(Tint(id.x % 3) * _Size.x, 1.0);
+}
+
+[numthreads(COUNT, 1, 1)]
+void Sum(uint3 id : SV_DispatchThreadID, uint index : SV_GroupIndex)
+{
+    s_Part[index] = _Result[id.xy].r;
+    GroupMemoryBarrierWithGroupSync();
+    if (index == 0) { for (int i = 0; i < COUNT; ++i) { _Sums[id.x] += s_Part[i]; } }
+}
+"""
+
+
+def write_results(folder, techniques):
+    """A folder that `limn report` could have left, with the cells of some techniques."""
+    names = ["Strokes", "Rim"]
+    planned = [{"kind": kind, "technique": name, "subject": subject, "width": width, "size": [24, 16], "variant": ""}
+               for kind, subject in (("geometry", "disc"), ("cost", "scene"), ("temporal", "needle"))
+               for width in (2, 8) for name in names]
+    study = {"scene": "s.scene.yaml", "sceneHash": "12", "device": "llvmpipe", "machine": "a CPU", "limnVersion": "0.1.0",
+             "options": "error and cost, 24x16", "started": "2024-01-01T00:00:00Z", "loadAverage": 0.5,
+             "copyBandwidth": 1e10, "planned": planned,
+             "techniques": [{"name": name, "feature": f"{name}Feature", "summary": f"draws {name}", "isArticle": False,
+                             "noWidth": "" if name == "Strokes" else "it has no width"} for name in names]}
+    values = {"geometry": {"meanAbsoluteError": 0.25, "hausdorff": "inf", "bandPixels": 90},
+              "cost": {"gpuAddedMilliseconds": 1.5, "passes": 3, "movedBytes": 24883200.0},
+              "temporal": {"flicker": 0.125, "areaLow": "nan", "contourSwim": 1e-3}}
+    cells = [{"id": cell, "values": values[cell["kind"]], "notes": ["a note"] if cell["width"] == 8 else [],
+              "quartiles": {"gpuAddedMilliseconds": [1.25, 2]} if cell["kind"] == "cost" else {},
+              "pictures": {"picture": "pictures/a.png"} if cell["kind"] == "geometry" else {}}
+             for cell in planned if cell["technique"] in techniques]
+    (folder / "pictures").mkdir(parents=True)
+    (folder / "pictures/a.png").write_bytes(png())
+    (folder / "study.json").write_text(json.dumps(study, indent=1))
+    (folder / "cells.jsonl").write_text("".join(json.dumps(cell) + "\n" for cell in cells))
+
+
 def make_project(folder):
+    """The files, and beside their folder two that no input may lead to."""
     shutil.copytree(ROOT / "tests/editor_stub/data/unity_project", folder, dirs_exist_ok=True)
     files = {"s.scene.yaml": SCENE, "unity.scene.yaml": UNITY_SCENE, "own.shader": SHADER,
              "Tint.hlsl": INCLUDE, "m.gltf": GLTF.replace("BUFFER", '"uri": "m.bin", '),
              "m.glb": glb(GLTF.replace("BUFFER", "")), "m.bin": TRIANGLE, "t.png": png(),
              "u.asset": UNITY_FILE, "p.profile.yaml": PROFILE_FILE,
+             "own.cs": CSHARP, "more.cs": MORE_CSHARP, "own.compute": COMPUTE,
+             "../secret.txt": SECRET, "../victim.txt": b"precious",
              "can_place.profile.yaml": PROFILE_FILE, "torus_knot.bin": b"\0" * 64512}
     for name, content in files.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limn/core/GltfMesh.h>
+#include <limn/core/Image.h>
 #include <limn/features/Features.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -187,7 +188,28 @@ std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem
         throw AssetError(metaFile.generic_string(), {}, k_OutsideRoots);
     }
     return Cached(m_Textures, path.lexically_normal(),
-                  [&] { return ImportTexture(path.lexically_normal()); });
+                  [&] { return ReadTexture(path.lexically_normal()); });
+}
+
+/// Refuses the picture that is too much before it decodes it: small files may hold gigabytes.
+std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem::path& path)
+{
+    constexpr std::uintmax_t k_Most = std::uintmax_t{4} << 30;
+    m_TexelBytes[path] = PngTexelBytes(path);
+    std::uintmax_t bytes = 0;
+    for (const auto& [unused, size] : m_TexelBytes)
+    {
+        bytes += size;
+    }
+    if (bytes > k_Most)
+    {
+        throw AssetError(path.generic_string(), {},
+                         "its texels take " + std::to_string(m_TexelBytes[path] >> 20) +
+                             " MiB, which makes " + std::to_string(bytes >> 20) +
+                             " MiB of all pictures together; at most " +
+                             std::to_string(k_Most >> 20) + " MiB are loaded; use smaller ones");
+    }
+    return ImportTexture(path);
 }
 
 std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem::path& path)
@@ -253,6 +275,7 @@ void AssetContext::Forget(const std::filesystem::path& path)
     }
     m_Meshes.erase(normal);
     m_Textures.erase(normal);
+    m_TexelBytes.erase(normal);
     if (normal.extension() == ".meta")
     {
         m_Textures.erase(normal.parent_path() / normal.stem());

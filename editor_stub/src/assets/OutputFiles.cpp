@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limn/shaderlab/Diagnostic.h>
+#include <limn/shaderlab/WriteFile.h>
 
 namespace limn
 {
@@ -20,7 +21,8 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
     // weakly_canonical leaves a relative path relative where nothing of it is there.
     const auto real = [&error](const std::filesystem::path& path)
     {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(BehindLinks(path)),
+                                                 error);
     };
     const std::filesystem::path first = real(a);
     return !error && first == real(b);

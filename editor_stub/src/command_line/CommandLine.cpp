@@ -235,7 +235,8 @@ void AddShader(CLI::App& app, CommandLine& line)
     ShaderOptions& options = line.shader;
     CLI::App* verb = app.add_subcommand(
         "shader", "Check ShaderLab files; of a single one show passes, states and layout");
-    verb->add_option("paths", options.paths, "Files, and folders with .shader files below them")
+    verb->add_option("paths", options.paths,
+                     "Files, and folders with .shader files below them; or .compute files")
         ->type_name("FILE|DIR")
         ->required();
     auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")

@@ -5,10 +5,10 @@
 #include "port/PortFolder.h"
 #include "port/csharp/ReadCSharp.h"
 
-#include <algorithm>
 #include <array>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ReadFile.h>
+#include <set>
 
 namespace limn
 {
@@ -48,7 +48,7 @@ void PrintUse(const UsedMember& use, Console& console)
 /// "#if X is left out", "is read", once each.
 void NoteConditions(const ReadCSharpFiles& read, Console& console)
 {
-    std::vector<std::string> said;
+    std::set<std::string> said;
     std::string text;
     for (const auto& file : read.files)
     {
@@ -56,10 +56,9 @@ void NoteConditions(const ReadCSharpFiles& read, Console& console)
         {
             const std::string one =
                 "'" + condition.text + "' is " + (condition.isTrue ? "true" : "false");
-            if (std::ranges::find(said, one) == said.end())
+            if (said.insert(one).second)
             {
-                text += (said.empty() ? "" : ", ") + one;
-                said.push_back(one);
+                text += (text.empty() ? "" : ", ") + one;
             }
         }
     }

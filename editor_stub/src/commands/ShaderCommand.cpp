@@ -12,6 +12,8 @@
 #include <atomic>
 #include <future>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/shaderlab/ComputeDocument.h>
+#include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -281,6 +283,61 @@ int PrintFiles(const ShaderOptions& options, Console& console)
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
 
+bool isCompute(const std::string& path)
+{
+    return path.ends_with(".compute");
+}
+
+/// Compiles a kernel; a line says that it did, errors why it did not.
+/// @return whether it did
+bool CheckKernel(const PassProgram& kernel, const ShaderOptions& options, ShaderCompiler& compiler,
+                 Console& console)
+{
+    try
+    {
+        const PassProgram program = compiler.ReadPragmas(kernel);
+        const std::string name = "kernel " + program.kernel.name;
+        if (options.parseOnly)
+        {
+            console.Result(name);
+            return true;
+        }
+        const auto compiled = compiler.Compile(program, SelectVariant(program, options.keywords));
+        console.PrintWithSource(compiled->diagnostics);
+        const auto& size = compiled->threadGroupSize;
+        console.Result(name + ": groups of " + std::to_string(size[0]) + " x " +
+                       std::to_string(size[1]) + " x " + std::to_string(size[2]) + " threads");
+        return true;
+    }
+    catch (const AssetError& error)
+    {
+        console.PrintWithSource(error.diagnostics());
+        return false;
+    }
+}
+
+int CheckComputeFiles(const ShaderOptions& options, Console& console)
+{
+    const bool isForShaders =
+        options.json || options.print || options.variants || !options.emit.empty();
+    if (isForShaders || !std::ranges::all_of(options.paths, isCompute))
+    {
+        console.Error("shader: .compute files are checked on their own; --emit, --json, --print "
+                      "and --variants, and other files beside them, are not for them");
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    const std::shared_ptr<ShaderCompiler> compiler = MakeCompiler(options);
+    bool isGood = true;
+    for (const std::string& path : options.paths)
+    {
+        for (const PassProgram& kernel : LoadCompute(path).kernels)
+        {
+            isGood = CheckKernel(kernel, options, *compiler, console) && isGood;
+        }
+    }
+    return static_cast<int>(isGood ? ExitCode::Done : ExitCode::BadInput);
+}
+
 /// What the checks come to; says so where no single error does.
 ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
 {
@@ -299,6 +356,10 @@ ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
 
 int RunShader(const ShaderOptions& options, Console& console)
 {
+    if (std::ranges::any_of(options.paths, isCompute))
+    {
+        return CheckComputeFiles(options, console);
+    }
     for (const std::string& path : options.paths)
     {
         RequireKind(path, {FileKind::Shader}, "shader");

@@ -57,6 +57,20 @@ bool IsWhole(const ElfHeader& header, std::string_view bytes)
     return true;
 }
 
+/// Whether what linkers write last is there: they make the file as long as it will be, of zeros,
+/// and the system's loader crashes on these.
+bool IsWritten(const ElfHeader& header, std::string_view bytes)
+{
+    ElfW(Shdr) names;
+    if (header.e_shstrndx >= header.e_shnum || header.e_shentsize != sizeof(names))
+    {
+        return header.e_shnum == 0; // a module without a table of sections
+    }
+    std::memcpy(&names, bytes.data() + header.e_shoff + header.e_shstrndx * sizeof(names),
+                sizeof(names));
+    return names.sh_type == SHT_STRTAB;
+}
+
 [[noreturn]] void Refuse(const std::string& name, const std::string& reason)
 {
     throw AssetError(name, {}, "cannot be loaded as a plug-in: " + reason);
@@ -134,10 +148,12 @@ std::string ModuleProblem(std::string_view bytes)
         return {};
     }
     std::memcpy(&header, bytes.data(), sizeof(header));
-    return IsWhole(header, bytes)
-               ? ""
-               : "the file ends too early, after " + std::to_string(bytes.size()) +
-                     " bytes; is it being written, or was the linker stopped?";
+    const std::string problem =
+        !IsWhole(header, bytes)
+            ? "the file ends too early, after " + std::to_string(bytes.size()) + " bytes"
+        : !IsWritten(header, bytes) ? "the end of the file is not there yet"
+                                    : "";
+    return problem.empty() ? "" : problem + "; is it being written, or was the linker stopped?";
 }
 
 bool IsWholeModule(const std::filesystem::path& path)

@@ -96,18 +96,24 @@ private:
         return left;
     }
 
+    /// Signs and what stands behind them; a loop, as there may be any number of them.
     Number Unary()
     {
-        if (Next("-"))
+        const CSharpToken* const first = m_At;
+        while (Next("-") || Next("~"))
         {
-            const Number value = Unary();
-            return value ? Apply("-", 0, *value) : value;
         }
-        if (Next("~"))
+        const CSharpToken* sign = m_At;
+        Number value = Operand();
+        while (value && sign != first)
         {
-            const Number value = Unary();
-            return value ? Number(~*value) : value;
+            value = (--sign)->Is("-") ? Apply("-", 0, *value) : ~*value;
         }
+        return value;
+    }
+
+    Number Operand()
+    {
         if (Next("("))
         {
             const Number value = Binary(1);

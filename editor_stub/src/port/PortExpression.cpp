@@ -490,8 +490,7 @@ private:
                 return PortValue{m_Model.QualifiedName(*own) + "::" + m_Model.CppName(member),
                                  field->type};
             }
-            const bool isMember = std::ranges::any_of(own->enumerators, [&](const auto& entry)
-                                                      { return entry.name == member; });
+            const bool isMember = own->enumeratorNames.contains(member);
             const auto cpp = isMember ? m_Model.CppType(type) : std::nullopt;
             return cpp ? Result(PortValue{*cpp + "::" + m_Model.CppName(member), own->name})
                        : std::nullopt;

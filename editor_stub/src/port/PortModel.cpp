@@ -176,12 +176,7 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
 void PortModel::Place(const CSharpFile& file, const CSharpClass& one)
 {
     const PortContext context(*this, one);
-    const bool isAgain = std::ranges::any_of(m_Index.all(),
-                                             [&](const CSharpClass* other) {
-                                                 return other->name == one.name &&
-                                                        OuterOf(*other) == OuterOf(one) &&
-                                                        m_Places.contains(other);
-                                             });
+    const bool isAgain = !m_PlacedNames.emplace(OuterOf(one), one.name).second;
     m_Places[&one] = {&file, isAgain ? PortRole::Other : ChooseRole(one)};
     for (const CSharpClass& nested : one.classes)
     {

@@ -101,6 +101,7 @@ private:
     ClassIndex m_Index;
     mutable const CSharpClass* m_Context = nullptr; ///< in which types are called
     std::map<const CSharpClass*, ClassPlace> m_Places;
+    std::set<std::pair<const CSharpClass*, std::string_view>> m_PlacedNames; ///< and what is around
     std::set<const CSharpClass*> m_Declared;
     std::set<const CSharpField*> m_DeclaredFields;
     std::set<const CSharpMethod*> m_DeclaredMethods;

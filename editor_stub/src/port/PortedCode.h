@@ -56,7 +56,7 @@ void WriteEnum(PortedCode& code, const CSharpClass& one);
 void WriteData(PortedCode& code, const CSharpClass& one);
 void WriteComponent(PortedCode& code, const CSharpClass& one);
 /// The enums and data among these, those first that others need.
-void WriteTypes(PortedCode& code, std::vector<const CSharpClass*> classes);
+void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes);
 /// A method whose body is a comment; a comment as a whole where its types are not known.
 /// @param signatures  those that the class has already
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,

@@ -5,6 +5,7 @@
 #include "port/csharp/CSharpWords.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace limn
 {
@@ -148,33 +149,109 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     code.Line("inspector.Field" + start + entries + RangeText(model, field) + tooltip);
 }
 
-bool Needs(const PortModel& model, const CSharpClass& one, const CSharpClass& other)
+/// Which of some classes others of them need to be there first.
+class ClassNeeds
 {
-    const PortContext context(model, one);
-    const auto isIn = [&](const std::string& type)
+public:
+    ClassNeeds(const PortModel& model, const std::vector<const CSharpClass*>& classes)
+        : m_Model(model)
     {
-        std::string_view name = PlainTypeName(type);
-        const std::string inner = type.starts_with("List<") ? type.substr(5, type.size() - 6) : "";
-        const CSharpClass* found = model.Find(inner.empty() ? name : std::string_view(inner));
-        for (; found; found = model.OuterOf(*found))
+        for (std::size_t i = 0; i < classes.size(); ++i)
         {
-            if (found == &other)
+            m_Places.emplace(classes[i], i);
+            m_ByName.emplace(classes[i]->name, i);
+        }
+    }
+
+    /// The places of those that this one needs, or a class in it.
+    std::set<std::size_t> Of(const CSharpClass& one) const
+    {
+        std::set<std::size_t> needs;
+        Add(one, needs);
+        needs.erase(m_Places.at(&one));
+        return needs;
+    }
+
+private:
+    void Add(const CSharpClass& one, std::set<std::size_t>& needs) const
+    {
+        const PortContext context(m_Model, one);
+        for (const std::string& base : one.bases)
+        {
+            AddType(base, needs);
+        }
+        for (const CSharpField& field : one.fields)
+        {
+            AddType(field.type, needs);
+            for (const CSharpToken& word : field.value)
             {
-                return true;
+                const auto [begin, end] = m_ByName.equal_range(word.text);
+                std::transform(begin, end, std::inserter(needs, needs.end()),
+                               [](const auto& entry) { return entry.second; });
             }
         }
-        return false;
-    };
-    const auto isNamed = [&](const CSharpField& field)
+        for (const CSharpClass& nested : one.classes)
+        {
+            Add(nested, needs);
+        }
+    }
+
+    /// A class in a class needs that, too.
+    void AddType(const std::string& type, std::set<std::size_t>& needs) const
     {
-        return std::ranges::any_of(field.value,
-                                   [&](const CSharpToken& word) { return word.Is(other.name); });
-    };
-    return std::ranges::any_of(one.fields, [&](const auto& field)
-                               { return isIn(field.type) || isNamed(field); }) ||
-           std::ranges::any_of(one.bases, isIn) ||
-           std::ranges::any_of(one.classes, [&](const CSharpClass& nested)
-                               { return Needs(model, nested, other); });
+        const std::string inner = type.starts_with("List<") ? type.substr(5, type.size() - 6) : "";
+        const CSharpClass* found =
+            m_Model.Find(inner.empty() ? PlainTypeName(type) : std::string_view(inner));
+        for (; found; found = m_Model.OuterOf(*found))
+        {
+            const auto place = m_Places.find(found);
+            if (place != m_Places.end())
+            {
+                needs.insert(place->second);
+            }
+        }
+    }
+
+    const PortModel& m_Model;
+    std::map<const CSharpClass*, std::size_t> m_Places;
+    std::multimap<std::string_view, std::size_t> m_ByName;
+};
+
+/// The classes, each behind those that it needs; else, and in a circle, in their order.
+std::vector<const CSharpClass*> SortedByNeeds(const PortModel& model,
+                                              const std::vector<const CSharpClass*>& classes)
+{
+    const ClassNeeds needs(model, classes);
+    std::vector<std::size_t> missing(classes.size()); // how many a class still needs
+    std::vector<std::vector<std::size_t>> neededBy(classes.size());
+    std::set<std::size_t> free;
+    std::set<std::size_t> left;
+    for (std::size_t i = 0; i < classes.size(); ++i)
+    {
+        const std::set<std::size_t> needed = needs.Of(*classes[i]);
+        missing[i] = needed.size();
+        for (const std::size_t other : needed)
+        {
+            neededBy[other].push_back(i);
+        }
+        (needed.empty() ? free : left).insert(i);
+    }
+    std::vector<const CSharpClass*> sorted;
+    while (!free.empty() || !left.empty())
+    {
+        std::set<std::size_t>& from = free.empty() ? left : free; // in a circle: TODOs
+        const std::size_t next = *from.begin();
+        from.erase(from.begin());
+        sorted.push_back(classes[next]);
+        for (const std::size_t other : neededBy[next])
+        {
+            if (--missing[other] == 0 && left.erase(other) == 1)
+            {
+                free.insert(other);
+            }
+        }
+    }
+    return sorted;
 }
 
 /// " : Base" of data that derives from data.
@@ -336,29 +413,20 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
     code.Close();
 }
 
-void WriteTypes(PortedCode& code, std::vector<const CSharpClass*> classes)
+void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes)
 {
     const PortModel& model = code.model();
-    while (!classes.empty())
+    for (const CSharpClass* one : SortedByNeeds(model, classes))
     {
-        const auto isFree = [&](const CSharpClass* one)
-        {
-            return std::ranges::none_of(classes, [&](const CSharpClass* other)
-                                        { return other != one && Needs(model, *one, *other); });
-        };
-        auto next = std::ranges::find_if(classes, isFree);
-        next = next == classes.end() ? classes.begin() : next; // in a circle: TODOs
-        const CSharpClass& one = **next;
-        classes.erase(next);
-        switch (model.RoleOf(one))
+        switch (model.RoleOf(*one))
         {
         case PortRole::Enum:
-            WriteEnum(code, one);
+            WriteEnum(code, *one);
             code.Line();
             break;
         case PortRole::Data:
         case PortRole::Context:
-            WriteData(code, one);
+            WriteData(code, *one);
             code.Line();
             break;
         default:

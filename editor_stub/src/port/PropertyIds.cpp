@@ -62,6 +62,10 @@ private:
         for (CSharpClass& one : classes)
         {
             m_Classes.push_back(&one);
+            for (CSharpMethod& method : one.methods)
+            {
+                m_Methods.emplace(method.name, &method);
+            }
             Collect(one.classes);
         }
     }
@@ -108,14 +112,8 @@ private:
                 return &method->parameters[i].type;
             }
         }
-        for (CSharpField& field : one.fields)
-        {
-            if (field.name == name)
-            {
-                return &field.type;
-            }
-        }
-        return nullptr;
+        const auto found = one.fieldNames.find(name);
+        return found == one.fieldNames.end() ? nullptr : &one.fields[found->second].type;
     }
 
     /// Whether a property's number begins there: Shader.PropertyToID(...), or a name of such.
@@ -187,15 +185,13 @@ private:
     /// Of every method and constructor of this name: who calls whom is not followed.
     void MarkParameters(std::string_view name, std::size_t index, std::size_t arguments)
     {
-        for (CSharpClass* one : m_Classes)
+        const auto [begin, end] = m_Methods.equal_range(name);
+        for (auto found = begin; found != end; ++found)
         {
-            for (CSharpMethod& method : one->methods)
+            CSharpMethod& method = *found->second;
+            if (!method.isOverride && method.parameters.size() >= arguments)
             {
-                if (method.name == name && !method.isOverride &&
-                    method.parameters.size() >= arguments)
-                {
-                    Mark(method.parameters[index].type);
-                }
+                Mark(method.parameters[index].type);
             }
         }
     }
@@ -206,6 +202,7 @@ private:
     }
 
     std::vector<CSharpClass*> m_Classes;
+    std::multimap<std::string_view, CSharpMethod*> m_Methods;
     bool m_HasChanged = true;
 };
 

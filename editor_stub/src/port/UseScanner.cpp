@@ -52,6 +52,16 @@ bool IsOfTools(std::string_view name)
 UseScanner::UseScanner(const CSharpFiles& files, const PortingTable& table)
     : m_Table(table), m_Own(files, [&table](std::string_view type) { return table.HasType(type); })
 {
+    for (const CSharpClass* one : m_Own.all())
+    {
+        for (const auto& [name, index] : one->methodNames)
+        {
+            if (one->isStatic && !one->methods[index].parameters.empty())
+            {
+                m_Extensions.emplace(name, &one->methods[index]);
+            }
+        }
+    }
 }
 
 void UseScanner::Use(const std::string& key, const PortEntry* entry, const SourceLocation& location,
@@ -171,10 +181,8 @@ bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name, st
         type = method->type;
         return true;
     }
-    const bool isEnumerator = std::ranges::any_of(
-        one.enumerators, [&](const CSharpEnumerator& entry) { return entry.name == name; });
-    const bool isNested = std::ranges::any_of(one.classes, [&](const CSharpClass& nested)
-                                              { return nested.name == name; });
+    const bool isEnumerator = one.enumeratorNames.contains(name);
+    const bool isNested = one.classNames.contains(name);
     type = isEnumerator ? one.name : one.name + "." + name;
     if (isEnumerator || isNested)
     {
@@ -215,15 +223,8 @@ std::vector<std::string> UseScanner::BasesOf(const CSharpClass& one, int depth) 
 /// A method of a static class of the files that any object may be asked for; null = none.
 const CSharpMethod* UseScanner::FindExtension(std::string_view name) const
 {
-    for (const CSharpClass* one : m_Own.all())
-    {
-        const CSharpMethod* method = one->isStatic ? one->FindMethod(name) : nullptr;
-        if (method && !method->parameters.empty())
-        {
-            return method;
-        }
-    }
-    return nullptr;
+    const auto found = m_Extensions.find(name);
+    return found == m_Extensions.end() ? nullptr : found->second;
 }
 
 /// @return what the member gives

@@ -59,6 +59,7 @@ private:
 
     const PortingTable& m_Table;
     ClassIndex m_Own;
+    std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions; ///< of static classes
     const CSharpFile* m_File = nullptr;
     std::vector<const CSharpClass*> m_Classes; ///< the innermost last
     std::map<std::string, std::string> m_Locals;

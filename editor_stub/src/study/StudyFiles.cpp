@@ -3,7 +3,7 @@
 #include "study/StudyJson.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cerrno>
 #include <fcntl.h>
 #include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/ReadFile.h>
@@ -75,11 +75,6 @@ std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size
     return cells;
 }
 
-[[noreturn]] void ThrowErrno(const std::filesystem::path& file)
-{
-    throw AssetError(file.string(), {}, std::string("cannot be written: ") + std::strerror(errno));
-}
-
 /// A descriptor that is closed.
 class AppendedFile
 {
@@ -90,7 +85,7 @@ public:
     {
         if (m_Descriptor < 0)
         {
-            ThrowErrno(m_Path);
+            ThrowWriteError(m_Path, {errno, std::generic_category()});
         }
     }
     ~AppendedFile() { close(m_Descriptor); }
@@ -101,7 +96,7 @@ public:
     {
         if (const std::error_code error = WriteToDescriptor(m_Descriptor, bytes))
         {
-            throw AssetError(m_Path.string(), {}, "cannot be written: " + error.message());
+            ThrowWriteError(m_Path, error);
         }
         fdatasync(m_Descriptor); // where there is no disk behind it, nothing is lost either
     }
@@ -246,6 +241,14 @@ std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std
 
 Study ReadStudy(const std::filesystem::path& folder)
 {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+    {
+        const bool isThere = std::filesystem::exists(folder, ignored);
+        throw AssetError(folder.string(), {},
+                         isThere ? "is no folder; one that 'limn report' wrote is expected"
+                                 : "there is no such folder");
+    }
     Study study = ReadHeader(folder);
     std::size_t length = 0;
     study.cells = ReadCells(folder, length);

@@ -1,6 +1,7 @@
 #include <limn/shaderlab/FileRoots.h>
 
 #include <algorithm>
+#include <limn/shaderlab/WriteFile.h>
 
 namespace limn
 {
@@ -21,8 +22,9 @@ void FileRoots::Add(const std::filesystem::path& folder)
 bool FileRoots::Contains(const std::filesystem::path& path) const
 {
     std::error_code error;
+    const std::filesystem::path file = BehindLinks(path); // weakly_canonical needs it to be there
     const std::filesystem::path real = std::filesystem::weakly_canonical(
-        path.is_absolute() ? path : std::filesystem::current_path(error) / path, error);
+        file.is_absolute() ? file : std::filesystem::current_path(error) / file, error);
     return !error &&
            std::any_of(
                m_Folders.begin(), m_Folders.end(),

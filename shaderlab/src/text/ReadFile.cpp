@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <system_error>
 
 namespace limn
 {
@@ -14,8 +15,13 @@ namespace limn
 namespace
 {
 
-std::string ReadProblem(int error)
+/// @throws std::system_error for what the machine lacks: the file may be as good as any
+std::string ReadProblem(const std::filesystem::path& path, int error)
 {
+    if (error == EMFILE || error == ENFILE || error == ENOMEM)
+    {
+        throw std::system_error(error, std::generic_category(), path.string() + " cannot be read");
+    }
     return error == ENOENT  ? "there is no such file"
            : error == ELOOP ? "is a link that leads back to itself"
                             : "cannot be read: " + std::generic_category().message(error);
@@ -40,7 +46,8 @@ std::string SizeText(std::uintmax_t bytes)
 }
 
 /// Reads until the end, whatever size the file said to have: it may grow, and those in /proc say 0.
-FileContent ReadAll(int descriptor, std::uintmax_t expected, std::uintmax_t limit)
+FileContent ReadAll(int descriptor, const std::filesystem::path& path, std::uintmax_t expected,
+                    std::uintmax_t limit)
 {
     FileContent content;
     for (std::size_t size = 0;;)
@@ -51,7 +58,7 @@ FileContent ReadAll(int descriptor, std::uintmax_t expected, std::uintmax_t limi
             read(descriptor, content.bytes.data() + size, content.bytes.size() - size);
         if (count < 0 && errno != EINTR)
         {
-            return {{}, ReadProblem(errno)};
+            return {{}, ReadProblem(path, errno)};
         }
         size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
         if (count == 0)
@@ -73,7 +80,7 @@ FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit)
     struct stat status = {};
     if (stat(path.c_str(), &status) != 0)
     {
-        return {{}, ReadProblem(errno)};
+        return {{}, ReadProblem(path, errno)};
     }
     if (std::string problem = KindProblem(status); !problem.empty())
     {
@@ -83,7 +90,7 @@ FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit)
     const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (!file.isOpen() || fstat(file.get(), &status) != 0)
     {
-        return {{}, ReadProblem(errno)};
+        return {{}, ReadProblem(path, errno)};
     }
     if (std::string problem = KindProblem(status); !problem.empty())
     {
@@ -95,7 +102,7 @@ FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit)
         return {{},
                 "has " + std::to_string(size) + " bytes; at most " + SizeText(limit) + " are read"};
     }
-    return ReadAll(file.get(), size, limit);
+    return ReadAll(file.get(), path, size, limit);
 }
 
 std::string ReadFile(const std::filesystem::path& path, std::uintmax_t limit)

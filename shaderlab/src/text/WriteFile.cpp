@@ -61,18 +61,6 @@ std::filesystem::path TemporaryBeside(const std::filesystem::path& path)
     return path.parent_path() / (".limn-" + std::to_string(number));
 }
 
-/// The file that a path stands for, whether it is there or not.
-std::filesystem::path BehindLinks(std::filesystem::path path)
-{
-    constexpr int k_MaxLinks = 40; // as the kernel has it
-    std::error_code error;
-    for (int i = 0; i < k_MaxLinks && std::filesystem::is_symlink(path, error); ++i)
-    {
-        path = path.parent_path() / std::filesystem::read_symlink(path, error);
-    }
-    return path;
-}
-
 /// Standard output or error, where it is this very file; else -1.
 int StandardStream(const struct stat& status)
 {
@@ -281,6 +269,17 @@ int OpenFolderOf(const std::filesystem::path& file)
 
 } // namespace
 
+std::filesystem::path BehindLinks(std::filesystem::path path)
+{
+    constexpr int k_MaxLinks = 40; // as the kernel has it
+    std::error_code error;
+    for (int i = 0; i < k_MaxLinks && std::filesystem::is_symlink(path, error); ++i)
+    {
+        path = path.parent_path() / std::filesystem::read_symlink(path, error);
+    }
+    return path;
+}
+
 std::error_code TryWriteFile(const std::filesystem::path& path, std::string_view bytes,
                              const std::function<void()>& beforeReplace)
 {
@@ -295,14 +294,20 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
     {
         throw AssetError(path.string(), {}, "cannot be written: nobody reads this pipe");
     }
-    if (isOfMachine(failure))
-    {
-        throw MachineError(path.string(), {}, "cannot be written: " + failure.message());
-    }
     if (failure)
     {
-        throw AssetError(path.string(), {}, "cannot be written: " + failure.message());
+        ThrowWriteError(path, failure);
     }
+}
+
+void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason)
+{
+    const std::string message = "cannot be written: " + reason.message();
+    if (isOfMachine(reason))
+    {
+        throw MachineError(path.string(), {}, message);
+    }
+    throw AssetError(path.string(), {}, message);
 }
 
 std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)

@@ -13,11 +13,16 @@ TEST(OutputFiles, AreOneFileByWhateverNameWhetherItIsThereOrNot)
     const WorkingFolder working;
     std::filesystem::create_directory("folder");
     std::filesystem::create_directory_symlink("folder", "link");
+    std::filesystem::create_symlink("o.png", "name.png");
+    std::filesystem::create_symlink("../name.png", "folder/again.png");
     const std::string pairs[][2] = {{"o.png", "o.png"},
                                     {"o.png", "./o.png"},
                                     {"o.png", (working.folder / "o.png").string()},
                                     {"folder/../o.png", "o.png"},
-                                    {"folder/o.png", "link/o.png"}};
+                                    {"folder/o.png", "link/o.png"},
+                                    {"name.png", "o.png"},
+                                    {"o.png", "name.png"},
+                                    {"folder/again.png", (working.folder / "name.png").string()}};
     for (int i = 0; i < 2; ++i)
     {
         for (const auto& names : pairs)

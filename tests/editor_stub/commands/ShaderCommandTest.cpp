@@ -55,6 +55,43 @@ protected:
 
 } // namespace
 
+TEST_F(ShaderCommand, CompilesTheKernelsOfComputeFiles)
+{
+    const std::string path = Write("fill.compute", "#pragma kernel Fill\n"
+                                                   "#pragma kernel Wide SIZE=32\n"
+                                                   "#pragma multi_compile _ RED\n"
+                                                   "#ifndef SIZE\n#define SIZE 8\n#endif\n"
+                                                   "RWTexture2D<float4> _Result;\n"
+                                                   "[numthreads(SIZE, 4, 1)]\n"
+                                                   "void Fill(uint3 id : SV_DispatchThreadID)\n"
+                                                   "{\n"
+                                                   "#ifdef RED\n"
+                                                   "    _Result[id.xy] = nothing;\n"
+                                                   "#endif\n"
+                                                   "}\n"
+                                                   "[numthreads(SIZE, 1, 1)]\n"
+                                                   "void Wide() { }\n");
+    const CommandRun good = RunCommand({"shader", path});
+    EXPECT_EQ(0, good.exitCode) << good.err;
+    EXPECT_EQ(
+        "kernel Fill: groups of 8 x 4 x 1 threads\nkernel Wide: groups of 32 x 1 x 1 threads\n",
+        good.out);
+    const CommandRun red = RunCommand({"shader", path, "--keywords", "RED"});
+    EXPECT_EQ(1, red.exitCode);
+    EXPECT_THAT(red.err, HasSubstr(path + ":12:"));
+    EXPECT_THAT(red.err, HasSubstr("nothing"));
+    EXPECT_EQ("kernel Fill\nkernel Wide\n", RunCommand({"shader", "--parse-only", path}).out);
+    for (const std::string other : {"--json", "--print", "--variants", "a.shader"})
+    {
+        const CommandRun run = RunCommand({"shader", path, other});
+        EXPECT_EQ(2, run.exitCode) << other;
+        EXPECT_THAT(run.err, HasSubstr("error: shader: .compute files are checked on their own"));
+    }
+    const CommandRun none = RunCommand({"shader", Write("none.compute", "void Fill() { }\n")});
+    EXPECT_EQ(1, none.exitCode);
+    EXPECT_THAT(none.err, HasSubstr("none.compute: error: file: it has no kernel"));
+}
+
 TEST_F(ShaderCommand, PrintsFilesAsCanonicalText)
 {
     const std::string loose =

@@ -124,6 +124,17 @@ TEST(Plugin, WhoseFileEndsTooEarlyIsRefusedWhereverThatIs)
     }
 }
 
+TEST(Plugin, WhoseFileIsLongEnoughButNotWrittenYetIsRefused)
+{
+    const PluginFolder folder;
+    std::string half = ReadText(BuiltPlugin("probe.so"));
+    std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), '\0');
+    folder.Write("half.so", half);
+    EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: the end of the file is not "
+                      "there yet; is it being written, or was the linker stopped?"),
+              folder.Run("explain s.scene.yaml --plugin half.so"));
+}
+
 TEST(Plugin, ThatThrowsIsNamed)
 {
     const PluginFolder folder;

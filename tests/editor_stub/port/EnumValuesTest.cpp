@@ -46,4 +46,10 @@ TEST(EnumValues, AreUnknownWhereOthersAreNamed)
               ValuesOf("enum E { A = 1, B = (int)Other.X, C, D = 3 }"));
 }
 
+TEST(EnumValues, MayHaveAnyNumberOfSigns)
+{
+    EXPECT_EQ((Values{1, 4, 4}), ValuesOf("enum E { A = " + std::string(100'000, '-') +
+                                          "1, B = -~3, C = ~-~-4 + 2 }"));
+}
+
 } // namespace limn::test

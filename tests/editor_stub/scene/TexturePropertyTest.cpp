@@ -1,5 +1,6 @@
 #include "SceneFolder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
@@ -30,6 +31,15 @@ void WritePicture(const std::filesystem::path& path, int width, int height, int 
 class TextureProperty : public testing::Test
 {
 protected:
+    /// A file whose header says that 256 MiB of texels would come.
+    void WriteVastPicture(const std::string& name) const
+    {
+        WritePicture(folder / name, 1, 1, 0);
+        std::fstream file(folder / name, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(16); // its width and height: 16384x4096
+        file.write("\0\0\x40\0\0\0\x10\0", 8);
+    }
+
     void SetUp() override
     {
         folder.Write("own.shader",
@@ -194,11 +204,7 @@ TEST_F(TextureProperty, NamesAPictureThatCannotBeRead)
 
 TEST_F(TextureProperty, OfSlicesThatTakeTooMuchMemoryIsRefusedBeforeTheyAreDecoded)
 {
-    WritePicture(folder / "vast.png", 1, 1, 0);
-    std::fstream file(folder / "vast.png", std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(16); // its width and height: 16384x4096, of which 256 MiB of texels would come
-    file.write("\0\0\x40\0\0\0\x10\0", 8);
-    file.close();
+    WriteVastPicture("vast.png");
     std::string slices = "vast.png";
     for (int i = 1; i < 9; ++i)
     {
@@ -207,6 +213,23 @@ TEST_F(TextureProperty, OfSlicesThatTakeTooMuchMemoryIsRefusedBeforeTheyAreDecod
     EXPECT_EQ((Lines{"5:23: material 'm'._Sheets.slices: its 9 pictures take 2304 MiB; a texture "
                      "may take 2048 MiB"}),
               ProblemsOf("_Sheets: {slices: [" + slices + "]}"));
+}
+
+TEST_F(TextureProperty, ThatMakesAllPicturesTakeTooMuchMemoryIsRefusedBeforeItIsDecoded)
+{
+    std::string materials;
+    for (int i = 0; i < 17; ++i)
+    {
+        const std::string name = "vast" + std::to_string(10 + i);
+        WriteVastPicture(name + ".png");
+        materials += "  " + name + ": {shader: own.shader, _Map: " + name + ".png}\n";
+    }
+    const Lines problems = folder.ProblemsOf("camera: {}\nmaterials:\n" + materials);
+    const std::string tooMuch = "its texels take 256 MiB, which makes 4352 MiB of all pictures "
+                                "together; at most 4096 MiB are loaded; use smaller ones";
+    EXPECT_EQ(1, std::ranges::count_if(problems, [&](const std::string& problem)
+                                       { return problem.ends_with(tooMuch); }));
+    EXPECT_THAT(problems.back(), testing::EndsWith(tooMuch)); // the last one's
 }
 
 } // namespace limn::test

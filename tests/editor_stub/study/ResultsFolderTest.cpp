@@ -2,6 +2,7 @@
 
 #include "commands/CommandRun.h"
 #include "commands/WorkingFolder.h"
+#include "core/FileSizeLimit.h"
 
 #include <gmock/gmock.h>
 #include <limn/shaderlab/Diagnostic.h>
@@ -103,6 +104,18 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
     EXPECT_EQ(page.exitCode, 1);
     EXPECT_THAT(page.err, HasSubstr("target/report.html: error: is a link"));
     EXPECT_EQ(ReadText(secret), "precious");
+
+    // Nor is what a link leads to made where it is not there yet.
+    for (const std::string name : {"study.json", "cells.jsonl", "report.html", "plots"})
+    {
+        std::filesystem::remove_all("fresh");
+        std::filesystem::create_directory("fresh");
+        std::filesystem::create_symlink("../nowhere", "fresh/" + name);
+        const CommandRun fresh = Merge({"good"}, "fresh");
+        EXPECT_EQ(fresh.exitCode, 1) << name;
+        EXPECT_THAT(fresh.err, HasSubstr("fresh/" + name + ": error: is a link"));
+        EXPECT_FALSE(std::filesystem::exists("nowhere")) << name;
+    }
 }
 
 TEST_F(ResultsFolder, IsMergedWithItsPicturesAndOnceMore)
@@ -143,6 +156,24 @@ TEST_F(ResultsFolder, LosesNothingToAMerge)
     EXPECT_EQ(ReadStudy("a").cells.size(), 1u);
 }
 
+TEST_F(ResultsFolder, ThatIsMissingIsSaidToBeMissing)
+{
+    m_Folder.Write("file", "no folder");
+    std::filesystem::create_directory("empty");
+    for (const auto& [folder, message] :
+         {std::pair("nope", "nope: error: there is no such folder\n"),
+          std::pair("file",
+                    "file: error: is no folder; one that 'limn report' wrote is expected\n"),
+          std::pair("empty", "empty/study.json: error: there is no such file\n")})
+    {
+        const CommandRun merge = Merge({folder}, "merged");
+        EXPECT_EQ(merge.exitCode, 1);
+        EXPECT_EQ(merge.err, message);
+        EXPECT_EQ(RunCommand({"report", "--compare", folder, "."}).err, message);
+    }
+    EXPECT_FALSE(std::filesystem::exists("merged"));
+}
+
 TEST_F(ResultsFolder, IsWrittenByOneRunAtATime)
 {
     Study study = TwoCells();
@@ -158,6 +189,14 @@ TEST_F(ResultsFolder, IsWrittenByOneRunAtATime)
         EXPECT_THAT(error.what(), HasSubstr("results: error: is written by another limn now; wait "
                                             "until it has ended, or name another folder"));
     }
+}
+
+TEST_F(ResultsFolder, ThatHasNoRoomIsTheMachinesFault)
+{
+    Study study = TwoCells();
+    StudyFolder folder("results", study);
+    const test::FileSizeLimit limit(1);
+    EXPECT_THROW(folder.Add({CellOf("A"), {{"meanAbsoluteError", 0.5}}, {}, {}, {}}), MachineError);
 }
 
 struct Tampered

@@ -137,6 +137,7 @@ private:
     std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);
     const ShaderDatabase& DatabaseAround(const std::filesystem::path& shaderFile);
     Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
+    std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path);
 
     FileRoots m_Roots;
     std::shared_ptr<ShaderCompiler> m_Compiler;
@@ -150,6 +151,7 @@ private:
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
     std::map<std::filesystem::path, std::shared_ptr<const Texture2D>> m_Textures;
+    std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes; ///< by their headers
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;

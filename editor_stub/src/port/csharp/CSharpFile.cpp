@@ -69,6 +69,27 @@ void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& toke
     }
 }
 
+template <typename Member>
+void IndexNames(const std::vector<Member>& members, CSharpNames& names)
+{
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        names.emplace(members[i].name, i);
+    }
+}
+
+void IndexMembers(std::vector<CSharpClass>& classes)
+{
+    for (CSharpClass& one : classes)
+    {
+        IndexNames(one.fields, one.fieldNames);
+        IndexNames(one.methods, one.methodNames);
+        IndexNames(one.classes, one.classNames);
+        IndexNames(one.enumerators, one.enumeratorNames);
+        IndexMembers(one.classes);
+    }
+}
+
 /// The bytes of the character that begins the text; 0 where it is none of UTF-8.
 std::size_t CharacterLength(std::string_view text)
 {
@@ -302,9 +323,11 @@ CSharpClass CSharpParser::ParseClass(const CSharpModifiers& modifiers)
 
 void CSharpParser::AddClass(std::vector<CSharpClass>& classes, CSharpClass one)
 {
-    const auto first = std::ranges::find_if(
-        classes, [&](const CSharpClass& other)
-        { return one.isPartial && other.isPartial && other.name == one.name; });
+    const auto isOther = [&](const CSharpClass& other)
+    {
+        return other.isPartial && other.name == one.name;
+    };
+    const auto first = one.isPartial ? std::ranges::find_if(classes, isOther) : classes.end();
     if (first == classes.end())
     {
         classes.push_back(std::move(one));
@@ -371,6 +394,7 @@ void ParseCSharp(CSharpFile& file, const CSharpTarget& target)
                   file.text.begin() + static_cast<std::ptrdiff_t>(range.end), ' ');
     }
     CSharpParser(file).ParseFile();
+    IndexMembers(file.classes);
 }
 
 } // namespace limn

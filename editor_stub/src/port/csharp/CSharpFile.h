@@ -2,6 +2,7 @@
 
 #include "port/csharp/CSharpTokens.h"
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,6 +67,9 @@ struct CSharpEnumerator
     CSharpWords value;
 };
 
+/// Where among its like the first of a name stands: a class may have tens of thousands.
+using CSharpNames = std::map<std::string, std::size_t, std::less<>>;
+
 struct CSharpClass
 {
     std::string keyword; ///< class, struct, interface, enum, record
@@ -80,6 +84,11 @@ struct CSharpClass
     std::vector<CSharpMethod> methods;
     std::vector<CSharpClass> classes;
     std::vector<CSharpEnumerator> enumerators;
+    // ParseCSharp makes them when all members are there.
+    CSharpNames fieldNames;
+    CSharpNames methodNames;
+    CSharpNames classNames;
+    CSharpNames enumeratorNames;
 
     bool Derives(std::string_view base) const;
     const CSharpField* FindField(std::string_view field) const;

@@ -146,14 +146,14 @@ bool CSharpClass::Derives(std::string_view base) const
 
 const CSharpField* CSharpClass::FindField(std::string_view field) const
 {
-    const auto found = std::ranges::find(fields, field, &CSharpField::name);
-    return found == fields.end() ? nullptr : &*found;
+    const auto found = fieldNames.find(field);
+    return found == fieldNames.end() ? nullptr : &fields[found->second];
 }
 
 const CSharpMethod* CSharpClass::FindMethod(std::string_view method) const
 {
-    const auto found = std::ranges::find(methods, method, &CSharpMethod::name);
-    return found == methods.end() ? nullptr : &*found;
+    const auto found = methodNames.find(method);
+    return found == methodNames.end() ? nullptr : &methods[found->second];
 }
 
 std::string_view TextOf(const CSharpFile& file, CSharpWords words)

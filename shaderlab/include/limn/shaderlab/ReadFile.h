@@ -23,10 +23,11 @@ struct FileContent
 /// All of a regular file, or of the one that a link leads to. Never waits for anybody: folders,
 /// pipes, sockets and devices are refused, and so is what is longer than `limit`, before a byte of
 /// it is read.
+/// @throws std::system_error where the machine lacks what it takes, such as file descriptors
 FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit = k_MaxTextBytes);
 
 /// TryReadFile, for a file that is needed.
-/// @throws AssetError naming the path and the problem
+/// @throws AssetError naming the path and the problem; std::system_error as TryReadFile
 std::string ReadFile(const std::filesystem::path& path, std::uintmax_t limit = k_MaxTextBytes);
 
 } // namespace limn

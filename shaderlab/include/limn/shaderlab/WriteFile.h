@@ -31,6 +31,13 @@ namespace limn
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace = {});
 
+/// Throws what WriteFile does for this reason.
+[[noreturn]] void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason);
+
+/// The file that is written under this name: the one that a link leads to, whether it is there or
+/// not.
+std::filesystem::path BehindLinks(std::filesystem::path path);
+
 /// Writes all bytes to what is open already, such as standard output (1).
 /// @return the system's reason, if it cannot be written
 [[nodiscard]] std::error_code WriteToDescriptor(int descriptor, std::string_view bytes);
