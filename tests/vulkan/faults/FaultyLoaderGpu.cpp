@@ -7,7 +7,35 @@ namespace limn::test::faulty_loader
 
 State s_State;
 
-VkResult FailureOf(const std::string& name, Errors errors)
+namespace
+{
+
+/// Returns what a call is to fail with where it is its turn.
+VkResult NextFailure(const std::string& name, bool mayFail)
+{
+    if (!mayFail)
+    {
+        return VK_SUCCESS;
+    }
+    s_State.calls.push_back(name);
+    const auto count = static_cast<int>(s_State.calls.size());
+    if (!s_State.function.empty())
+    {
+        return count > s_State.spared ? s_State.result : VK_SUCCESS;
+    }
+    const Fault fault = s_State.faults.front();
+    if (count != fault.number)
+    {
+        return VK_SUCCESS;
+    }
+    s_State.faults.erase(s_State.faults.begin());
+    s_State.calls.clear();
+    return fault.result;
+}
+
+} // namespace
+
+VkResult FailureOf(const std::string& name, const Errors& errors)
 {
     const auto may = [&](VkResult result)
     {
@@ -18,31 +46,22 @@ VkResult FailureOf(const std::string& name, Errors errors)
     {
         return VK_ERROR_DEVICE_LOST;
     }
-    const bool counts = s_State.function.empty() ? may(s_State.result) : name == s_State.function;
-    if (s_State.result == VK_SUCCESS || !counts)
+    const bool mayFail = s_State.function.empty()
+                             ? !s_State.faults.empty() && may(s_State.faults.front().result)
+                             : name == s_State.function;
+    const VkResult failure = NextFailure(name, mayFail);
+    if (failure != VK_SUCCESS)
     {
-        return VK_SUCCESS;
+        s_State.failed.push_back({name, failure});
+        s_State.lost = failure == VK_ERROR_DEVICE_LOST && name != "vkCreateDevice";
     }
-    ++s_State.calls;
-    const bool fails =
-        s_State.function.empty() ? s_State.calls == s_State.number : s_State.calls > s_State.spared;
-    if (!fails)
-    {
-        return VK_SUCCESS;
-    }
-    if (s_State.failed.empty())
-    {
-        s_State.failed = name;
-    }
-    s_State.lost = s_State.result == VK_ERROR_DEVICE_LOST && name != "vkCreateDevice";
-    return s_State.result;
+    return failure;
 }
 
-void FailCall(int number, VkResult result)
+void FailCalls(std::vector<Fault> faults)
 {
     FailNothing();
-    s_State.number = number;
-    s_State.result = result;
+    s_State.faults = std::move(faults);
 }
 
 void FailFunction(const std::string& name, VkResult result, int spared)
@@ -55,15 +74,25 @@ void FailFunction(const std::string& name, VkResult result, int spared)
 
 void FailNothing()
 {
-    s_State.result = VK_SUCCESS;
+    s_State.faults.clear();
     s_State.function.clear();
     s_State.failed.clear();
-    s_State.calls = 0;
+    s_State.calls.clear();
 }
 
-const std::string& FailedFunction()
+const std::vector<Failed>& FailedCalls()
 {
     return s_State.failed;
+}
+
+std::string FailedFunction()
+{
+    return s_State.failed.empty() ? "" : s_State.failed.front().function;
+}
+
+const std::vector<std::string>& CallsThatMayFail()
+{
+    return s_State.calls;
 }
 
 std::map<std::string, int> LiveObjects()
