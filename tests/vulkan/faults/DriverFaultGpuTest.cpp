@@ -155,6 +155,7 @@ protected:
     void TearDown() override
     {
         FailNothing();
+        SetTool(false);
         GpuTest::TearDown();
     }
 
@@ -392,6 +393,7 @@ TEST_F(DriverFaults, AreTriedWithEveryCallThatCanFail)
         EXPECT_TRUE(Covers(call)) << call << ": give it to FaultyLoader";
     }
     m_Options.validation = true;
+    SetTool(true);
     const std::vector<std::string> made = CallsThatMay(k_Memory[0]);
     for (const std::string& call : calls)
     {
@@ -404,6 +406,7 @@ TEST_F(DriverFaults, AreTriedWithEveryCallThatCanFail)
 TEST_F(DriverFaults, OfMemoryLeaveNothingBehind)
 {
     m_Options.validation = true;
+    SetTool(true);
     EXPECT_GT(FailEach(k_Memory), 20u);
 }
 

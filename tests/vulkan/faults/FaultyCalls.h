@@ -24,6 +24,7 @@ struct State
     std::vector<Failed> failed;
     bool lost = false;
     std::map<std::string, int> objects;
+    bool hasTool = false;
     std::uint32_t storageLimit = 0;
     std::uint32_t uniformLimit = 0;
     VkDeviceSize largestStorage = 0;

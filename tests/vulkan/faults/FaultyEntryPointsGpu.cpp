@@ -111,9 +111,6 @@ LIMN_LIST(vkEnumerateDeviceExtensionProperties, Errors{VK_ERROR_LAYER_NOT_PRESEN
           (VkPhysicalDevice device, const char* layer, std::uint32_t* count,
            VkExtensionProperties* extensions),
           device, layer, count, extensions)
-LIMN_LIST(vkGetPhysicalDeviceToolProperties, Errors{}, tools,
-          (VkPhysicalDevice device, std::uint32_t* count, VkPhysicalDeviceToolProperties* tools),
-          device, count, tools)
 LIMN_LIST(vkGetPipelineCacheData, Errors{}, data,
           (VkDevice device, VkPipelineCache cache, std::size_t* count, void* data),
           device, cache, count, data)
@@ -160,6 +157,15 @@ extern "C"
     {
         Destroyed("Instance", instance);
         Next<decltype(vkDestroyInstance)>("vkDestroyInstance")(instance, callbacks);
+    }
+
+    VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceToolProperties(
+        VkPhysicalDevice device, std::uint32_t* count, VkPhysicalDeviceToolProperties* tools)
+    {
+        const VkResult result =
+            Call(LIMN_NEXT(vkGetPhysicalDeviceToolProperties), {}, device, count, tools);
+        *count += result == VK_SUCCESS && tools == nullptr && s_State.hasTool ? 1 : 0;
+        return result;
     }
 
     VKAPI_ATTR void VKAPI_CALL vkGetPhysicalDeviceProperties(VkPhysicalDevice device,

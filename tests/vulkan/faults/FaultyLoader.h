@@ -56,6 +56,10 @@ void LimitUniformBuffers(std::uint32_t bytes);
 /// The most bytes of a storage buffer bound since LimitStorageBuffers.
 VkDeviceSize LargestStorageBuffer();
 
+/// Devices say from now on whether a tool watches them, for which limn names objects and passes:
+/// the validation layer says so of itself to an older entry point only.
+void SetTool(bool isThere);
+
 /// Whether the entry point of this name is the test program's.
 bool Covers(const std::string& function);
 

@@ -118,6 +118,11 @@ VkDeviceSize LargestStorageBuffer()
     return s_State.largestStorage;
 }
 
+void SetTool(bool isThere)
+{
+    s_State.hasTool = isThere;
+}
+
 bool Covers(const std::string& function)
 {
     const std::initializer_list<std::string> askedFor = {"vkSetDebugUtilsObjectNameEXT",

@@ -139,6 +139,10 @@ int SupportedSampleCount(const VulkanContext& context, const RenderTexture& text
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
         context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage, info.flags,
         &can);
+    if (result != VK_ERROR_FORMAT_NOT_SUPPORTED) // which is an answer: no sample counts
+    {
+        Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
+    }
     const VkSampleCountFlags counts = result == VK_SUCCESS ? can.sampleCounts : 0;
     return static_cast<int>(std::bit_floor(std::max(1U, counts & (most * 2U - 1U))));
 }
