@@ -52,7 +52,8 @@ public:
             std::cerr << "LIMN_FAULT_RESULT: no such result: " << result << std::endl;
             _exit(2);
         }
-        FailCall(std::atoi(call), found->second);
+        m_Result = found->second;
+        FailCall(std::atoi(call), m_Result);
     }
     ~FaultOfTheProgram()
     {
@@ -63,7 +64,7 @@ public:
         }
         std::ofstream report(file);
         const std::string failed = FailedFunction();
-        report << (failed.empty() ? "nothing" : failed) << ' ' << CallsThatMayFail().size();
+        report << (failed.empty() ? "nothing" : failed) << ' ' << CallsThatMay(m_Result).size();
         for (const auto& [kind, count] : LiveObjects())
         {
             report << ' ' << kind << '=' << count;
@@ -75,6 +76,7 @@ public:
 
 private:
     pid_t m_Process = getpid();
+    VkResult m_Result = VK_SUCCESS;
 };
 
 const FaultOfTheProgram s_Fault;

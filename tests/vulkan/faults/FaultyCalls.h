@@ -10,6 +10,8 @@
 namespace limn::test::faulty_loader
 {
 
+using Errors = std::vector<VkResult>;
+
 // What the entry points share with those who say what is to fail.
 
 struct State
@@ -20,7 +22,8 @@ struct State
     int spared = 0;
     VkResult result = VK_SUCCESS;
     // What happened:
-    std::vector<std::string> calls; ///< that might have failed since the last one that did
+    int calls = 0; ///< that might have failed since the last one that did
+    std::vector<std::pair<std::string, Errors>> all; ///< calls, and what they may return
     std::vector<Failed> failed;
     bool lost = false;
     std::map<std::string, int> objects;
@@ -35,11 +38,9 @@ struct State
 };
 extern State s_State; // one thread at a time calls limn's device, and drivers call nothing of this
 
-using Errors = std::vector<VkResult>;
-
 /// Returns what a call is to return instead of being handed on; VK_SUCCESS = it is handed on.
 /// @param errors  what it may return, besides the errors of memory, which each may
-VkResult FailureOf(const std::string& name, const Errors& errors);
+VkResult FailureOf(const std::string& name, Errors errors);
 
 /// The loader's own entry point.
 template <typename Function>

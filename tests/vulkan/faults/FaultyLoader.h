@@ -41,9 +41,8 @@ struct Failed
 const std::vector<Failed>& FailedCalls();
 /// Returns the function that failed first; "" if none has yet.
 std::string FailedFunction();
-/// Returns the functions of all calls that might have returned the next fault's result since the
-/// last one failed.
-const std::vector<std::string>& CallsThatMayFail();
+/// Returns the functions of all calls since failing was asked for that may return this.
+std::vector<std::string> CallsThatMay(VkResult result);
 
 /// How many objects there are, by kind; kinds without any are left out.
 std::map<std::string, int> LiveObjects();

@@ -11,36 +11,36 @@ namespace
 {
 
 /// Returns what a call is to fail with where it is its turn.
-VkResult NextFailure(const std::string& name, bool mayFail)
+VkResult NextFailure(bool mayFail)
 {
     if (!mayFail)
     {
         return VK_SUCCESS;
     }
-    s_State.calls.push_back(name);
-    const auto count = static_cast<int>(s_State.calls.size());
+    ++s_State.calls;
     if (!s_State.function.empty())
     {
-        return count > s_State.spared ? s_State.result : VK_SUCCESS;
+        return s_State.calls > s_State.spared ? s_State.result : VK_SUCCESS;
     }
     const Fault fault = s_State.faults.front();
-    if (count != fault.number)
+    if (s_State.calls != fault.number)
     {
         return VK_SUCCESS;
     }
     s_State.faults.erase(s_State.faults.begin());
-    s_State.calls.clear();
+    s_State.calls = 0;
     return fault.result;
 }
 
 } // namespace
 
-VkResult FailureOf(const std::string& name, const Errors& errors)
+VkResult FailureOf(const std::string& name, Errors errors)
 {
+    errors.insert(errors.end(), {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY});
+    s_State.all.emplace_back(name, errors);
     const auto may = [&](VkResult result)
     {
-        return result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY ||
-               std::find(errors.begin(), errors.end(), result) != errors.end();
+        return std::find(errors.begin(), errors.end(), result) != errors.end();
     };
     if (s_State.lost && may(VK_ERROR_DEVICE_LOST) && name != "vkCreateDevice")
     {
@@ -49,7 +49,7 @@ VkResult FailureOf(const std::string& name, const Errors& errors)
     const bool mayFail = s_State.function.empty()
                              ? !s_State.faults.empty() && may(s_State.faults.front().result)
                              : name == s_State.function;
-    const VkResult failure = NextFailure(name, mayFail);
+    const VkResult failure = NextFailure(mayFail);
     if (failure != VK_SUCCESS)
     {
         s_State.failed.push_back({name, failure});
@@ -77,7 +77,8 @@ void FailNothing()
     s_State.faults.clear();
     s_State.function.clear();
     s_State.failed.clear();
-    s_State.calls.clear();
+    s_State.calls = 0;
+    s_State.all.clear();
 }
 
 const std::vector<Failed>& FailedCalls()
@@ -90,9 +91,17 @@ std::string FailedFunction()
     return s_State.failed.empty() ? "" : s_State.failed.front().function;
 }
 
-const std::vector<std::string>& CallsThatMayFail()
+std::vector<std::string> CallsThatMay(VkResult result)
 {
-    return s_State.calls;
+    std::vector<std::string> calls;
+    for (const auto& [function, errors] : s_State.all)
+    {
+        if (std::find(errors.begin(), errors.end(), result) != errors.end())
+        {
+            calls.push_back(function);
+        }
+    }
+    return calls;
 }
 
 std::map<std::string, int> LiveObjects()
