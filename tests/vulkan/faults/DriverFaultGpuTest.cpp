@@ -173,6 +173,7 @@ protected:
     void Draw(bool isLast = false)
     {
         const Image image = s_Scene->Draw(*m_Device, *m_Pipeline, isLast);
+        m_Notes += Notes();
         EXPECT_TRUE(image.texels == s_Picture || !Notes().empty());
     }
 
@@ -210,6 +211,7 @@ protected:
     /// Returns what the error says that ends a life, or the notes if none does.
     std::string MessageOfALife()
     {
+        m_Notes.clear();
         try
         {
             Live();
@@ -218,7 +220,7 @@ protected:
         {
             return error.what();
         }
-        return Notes();
+        return m_Notes;
     }
 
     /// Lives without a failure.
@@ -382,6 +384,7 @@ protected:
     static inline std::unique_ptr<EverythingScene> s_Scene;
     static inline std::vector<std::byte> s_Picture;
 
+    std::string m_Notes; ///< of the frames of a life
     TemporaryFolder m_Folder;
     VulkanDeviceOptions m_Options;
     std::optional<VulkanDevice> m_Device;
