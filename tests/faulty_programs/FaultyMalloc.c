@@ -2,6 +2,7 @@
 //   LIMN_MALLOC_FAIL=17        the 17th allocation since main() began that counts returns null
 //   LIMN_MALLOC_LASTS=1        and so do all behind it
 //   LIMN_MALLOC_SPARED=a:b     allocations do not count that a module asks for whose name begins so
+//   LIMN_MALLOC_PATHS=8        of those that 8 callers in a row ask for alike only the first counts
 //   LIMN_MALLOC_REPORT=FILE    gets who asked for the one that failed, and how many counted
 // Who asks is the first caller beyond the C and C++ libraries and operator new.
 
@@ -25,6 +26,7 @@ void* __libc_memalign(size_t alignment, size_t size);
 enum
 {
     k_Places = 1 << 16,
+    k_DepthOfNew = 6,
     k_Depth = 24
 };
 
@@ -32,6 +34,7 @@ enum Kind
 {
     Unknown,
     Library, // hands on what others ask for
+    New,     // operator new, and with it whatever it called
     Spared,
     Counts
 };
@@ -47,6 +50,8 @@ static atomic_long s_Count;
 static atomic_int s_IsOn;
 static long s_Fail;
 static int s_Lasts;
+static int s_PathLength;
+static _Atomic uintptr_t s_Paths[k_Places];
 static const char* s_Spared;
 static const char* s_Report;
 static pid_t s_Process;
@@ -65,6 +70,24 @@ static enum Kind KindOf(uintptr_t address)
     }
     const char* slash = strrchr(info.dli_fname, '/');
     const char* module = slash ? slash + 1 : info.dli_fname;
+    const char* name = info.dli_sname ? info.dli_sname : "";
+    if (BeginsWith(name, "_Znwm", 5) || BeginsWith(name, "_Znam", 5))
+    {
+        return New;
+    }
+    if (BeginsWith(name, "__cxa_thread_atexit", strlen("__cxa_thread_atexit")))
+    {
+        return Spared; // glibc ends the program
+    }
+    // Templates of the library may lie in any module, also in one that did not ask for them.
+    const char* templates[] = {"_ZNSt", "_ZNKSt", "_ZSt", "_ZNSa", "_ZN9__gnu_cxx"};
+    for (size_t i = 0; i < sizeof(templates) / sizeof(*templates); ++i)
+    {
+        if (BeginsWith(name, templates[i], strlen(templates[i])))
+        {
+            return Library;
+        }
+    }
     const char* libraries[] = {"libfaulty_malloc", "libc.so", "libstdc++", "libgcc_s"};
     for (size_t i = 0; i < sizeof(libraries) / sizeof(*libraries); ++i)
     {
@@ -73,19 +96,14 @@ static enum Kind KindOf(uintptr_t address)
             return Library;
         }
     }
-    if (info.dli_sname && (BeginsWith(info.dli_sname, "_Znwm", 5) ||
-                           BeginsWith(info.dli_sname, "_Znam", 5)))
+    for (const char* spared = s_Spared; spared && *spared;)
     {
-        return Library;
-    }
-    for (const char* name = s_Spared; name && *name;)
-    {
-        const size_t length = strcspn(name, ":");
-        if (BeginsWith(module, name, length))
+        const size_t length = strcspn(spared, ":");
+        if (BeginsWith(module, spared, length))
         {
             return Spared;
         }
-        name += length + (name[length] == ':');
+        spared += length + (spared[length] == ':');
     }
     return Counts;
 }
@@ -111,15 +129,58 @@ static enum Kind FindKind(uintptr_t address)
     }
 }
 
-static _Unwind_Reason_Code VisitFrame(struct _Unwind_Context* context, void* kind)
+struct Asking
 {
+    enum Kind kind; // of who asks
+    int depth;      // frames so far
+    int callers;    // beyond the libraries
+    uintptr_t path; // a hash of them
+};
+
+static _Unwind_Reason_Code VisitFrame(struct _Unwind_Context* context, void* data)
+{
+    struct Asking* asking = data;
     const uintptr_t address = _Unwind_GetIP(context);
     if (address == 0)
     {
         return _URC_END_OF_STACK;
     }
-    *(enum Kind*)kind = FindKind(address - 1);
-    return *(enum Kind*)kind == Library ? _URC_NO_REASON : _URC_END_OF_STACK;
+    ++asking->depth;
+    const enum Kind kind = FindKind(address - 1);
+    if (kind == New)
+    {
+        *asking = (struct Asking){Library, asking->depth, 0, 0};
+        return _URC_NO_REASON;
+    }
+    asking->kind = asking->kind == Library ? kind : asking->kind;
+    if (asking->kind != Library)
+    {
+        ++asking->callers;
+        asking->path = (asking->path ^ address) * 0x9e3779b97f4a7c15u;
+        asking->path ^= asking->path >> 32;
+    }
+    const int isOver = asking->kind != Library && asking->depth >= k_DepthOfNew &&
+                       (asking->kind != Counts || asking->callers >= s_PathLength);
+    return isOver ? _URC_END_OF_STACK : _URC_NO_REASON;
+}
+
+/// Adds to a set; false where it is full, too.
+static int IsNew(uintptr_t path)
+{
+    for (size_t i = 0; i < k_Places; ++i)
+    {
+        _Atomic uintptr_t* place = &s_Paths[(path + i) % k_Places];
+        uintptr_t there = 0;
+        if (atomic_compare_exchange_strong(place, &there, path))
+        {
+            return 1;
+        }
+        if (there == path)
+        {
+            return 0;
+        }
+    }
+    return 0;
 }
 
 static void Write(const char* line, int length)
@@ -153,10 +214,10 @@ static int Fails(void)
         return 0;
     }
     s_IsAsking = 1;
-    enum Kind kind = Library;
-    _Unwind_Backtrace(VisitFrame, &kind);
+    struct Asking asking = {Library, 0, 0, 0};
+    _Unwind_Backtrace(VisitFrame, &asking);
     int fails = 0;
-    if (kind == Counts)
+    if (asking.kind == Counts && (s_PathLength == 0 || IsNew(asking.path)))
     {
         const long count = atomic_fetch_add(&s_Count, 1) + 1;
         fails = s_Fail != 0 && (count == s_Fail || (s_Lasts && count > s_Fail));
@@ -213,6 +274,8 @@ static int Main(int argc, char** argv, char** environment)
     const char* fail = getenv("LIMN_MALLOC_FAIL");
     s_Fail = fail ? atol(fail) : 0;
     s_Lasts = getenv("LIMN_MALLOC_LASTS") != NULL;
+    const char* paths = getenv("LIMN_MALLOC_PATHS");
+    s_PathLength = paths ? atoi(paths) : 0;
     s_Spared = getenv("LIMN_MALLOC_SPARED");
     s_Report = getenv("LIMN_MALLOC_REPORT");
     s_Process = getpid();
