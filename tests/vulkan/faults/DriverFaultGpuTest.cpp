@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <iterator>
+#include <limn/core/DrawError.h>
 #include <regex>
 
 namespace limn::test
@@ -216,7 +217,11 @@ protected:
         {
             Live();
         }
-        catch (const std::exception& error) // ContractError where a format is what is lacking
+        catch (const VulkanError& error)
+        {
+            return error.what();
+        }
+        catch (const DrawError& error) // a format is what is lacking
         {
             return error.what();
         }

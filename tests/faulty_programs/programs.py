@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Lets calls to Vulkan of whole programs fail, one in each run.
+
+Usage: programs.py LIMN FAULTY_VULKAN SOURCE_FOLDER [CASE ...]
+
+A run must end by itself: as ever, or with exit code 3, or 1 where the scene asks for what the device
+lacks, and with a sentence. No file may be half written, and no object of Vulkan left. `watch` must
+draw again when a file changes, or end so. LIMN_FAULTS_ALL=1 takes every call, which takes hours,
+instead of a sample.
+"""
+
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
+SCENE = SOURCE / "tests/vulkan/faults"
+OLD = b"an old picture"
+SECONDS = 300
+NO_ERRORS = ("VK_INCOMPLETE", "VK_TIMEOUT")
+RESULTS = ("VK_ERROR_OUT_OF_DEVICE_MEMORY", "VK_ERROR_DEVICE_LOST", "VK_ERROR_FORMAT_NOT_SUPPORTED",
+           "VK_ERROR_INITIALIZATION_FAILED", *NO_ERRORS)
+CASES = {
+    "render": ["render", "everything.scene.yaml", "-o", "out.png"],
+    "watch": ["watch", "everything.scene.yaml", "-o", "out.png"],
+    "report": ["report", "everything.scene.yaml", "-o", "report", "--quick", "--technique", "strokes",
+               "--size", "16x16"],
+}
+# Of each result so many calls fail in a sample.
+SAMPLES = {"render": 4, "watch": 2, "report": 1}
+CACHE = tempfile.TemporaryDirectory(prefix="limn-programs-")
+
+
+def drawn(out):
+    return sum(line.startswith("out.png ") for line in out.read_text().splitlines())
+
+
+def watch(process, out, profile):
+    """Changes a file once a picture is there, and stops the program once it has drawn again."""
+    for pictures in (1, 2):
+        end = time.monotonic() + SECONDS
+        while drawn(out) < pictures and process.poll() is None:
+            if time.monotonic() > end:
+                return
+            time.sleep(0.02)
+        profile.write_text(profile.read_text() + "# changed\n")
+    process.send_signal(signal.SIGTERM)
+
+
+class Run:
+    """The program's end: exit code, messages, and files."""
+
+    def __init__(self, case, result, number):
+        with tempfile.TemporaryDirectory(prefix="limn-programs-") as folder:
+            folder = pathlib.Path(folder)
+            for name in ("everything.scene.yaml", "everything.profile.yaml"):
+                shutil.copy(SCENE / name, folder)
+            (folder / "out.png").write_bytes(OLD)
+            environment = dict(os.environ, LD_PRELOAD=str(MODULE), LIMN_FAULT_CALL=str(number),
+                               LIMN_FAULT_RESULT=result, LIMN_FAULT_REPORT=str(folder / "fault"),
+                               XDG_CACHE_HOME=CACHE.name)
+            with open(folder / "out", "wb") as out, open(folder / "err", "wb") as err:
+                process = subprocess.Popen([LIMN, *CASES[case]], cwd=folder, env=environment,
+                                           stdout=out, stderr=err)
+                try:
+                    if case == "watch":
+                        watch(process, folder / "out", folder / "everything.profile.yaml")
+                    self.code = process.wait(SECONDS)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+                    self.code = "none: it hangs"
+            self.err = (folder / "err").read_text(errors="replace")
+            self.pictures = drawn(folder / "out")
+            self.picture = (folder / "out.png").read_bytes()
+            fault = folder / "fault"
+            words = fault.read_text().split() if fault.exists() else ["", "0"]
+            self.failed, self.calls, self.objects = words[0], int(words[1]), words[2:]
+            self.broken = [problem for problem in map(broken, sorted(folder.rglob("*"))) if problem]
+
+    def problem(self, good, result):
+        """What is wrong with the end; "" if nothing is."""
+        if self.code not in (0, 1, 3):
+            return "exit code " + str(self.code)
+        if self.broken:
+            return "; ".join(self.broken)
+        if self.objects:
+            return "left " + " ".join(self.objects)
+        if self.picture not in (OLD, good.picture) and "in place of 4" not in self.err:
+            return "another picture than ever"
+        if self.code == 0 and self.pictures < good.pictures:
+            return "exit code 0 without a picture"
+        if self.code != 0 and not self.err.rstrip().splitlines()[-1:][0].startswith("error: "):
+            return "no sentence"
+        if result in NO_ERRORS and self.code != 0:
+            return "exit code " + str(self.code) + " without an error"
+        if self.code == 1 and "the device" not in self.err:
+            return "exit code 1, and the input is right"
+        return ""
+
+
+def broken(path):
+    """What is wrong with a file that a program wrote; "" if nothing is."""
+    if path.is_dir():
+        return ""
+    data = path.read_bytes()
+    if path.suffix == ".png" and data != OLD and not data.endswith(b"IEND\xaeB`\x82"):
+        return path.name + " is half written"
+    if path.suffix == ".json":
+        try:
+            json.loads(data)
+        except ValueError as error:
+            return path.name + ": " + str(error)
+    known = (".png", ".json", ".jsonl", ".csv", ".md", ".html", ".svg", ".gnuplot", ".yaml")
+    if path.suffix not in known and path.name not in ("out", "err", "fault"):
+        return path.name + " is left behind"
+    return ""
+
+
+def try_result(case, result, pool):
+    good = Run(case, result, 0)
+    problem = good.problem(good, result)
+    if good.code != 0 or problem:
+        sys.exit(f"{case}: without a fault: {problem} {good.err}")
+    step = 1 if TAKES_ALL else max(1, good.calls // SAMPLES[case])
+    numbers = range(1 if TAKES_ALL else (step + 1) // 2, good.calls + 1, step)
+    ends = collections.Counter()
+    problems = []
+    for number, run in zip(numbers, pool.map(lambda number: Run(case, result, number), numbers)):
+        problem = run.problem(good, result)
+        ends[problem or "exit code " + str(run.code)] += 1
+        if problem:
+            problems.append(f"  call {number}, {run.failed}: {problem}: {run.err[-400:].strip()}")
+    print(f"{case}, {result}: {len(numbers)} of {good.calls} calls fail:",
+          "; ".join(f"{times} times {end}" for end, times in ends.most_common()), flush=True)
+    for problem in problems:
+        print(problem, flush=True)
+    return not problems
+
+
+def main():
+    cases = sys.argv[4:] or list(CASES)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        results = [try_result(case, result, pool) for case in cases for result in RESULTS]
+    sys.exit(0 if all(results) else 1)
+
+
+main()
