@@ -1,7 +1,8 @@
 // Lets a call to Vulkan of a whole program fail: LD_PRELOAD of the module that this file and
 // FaultyLoader's make. LIMN_FAULT_CALL=17 with LIMN_FAULT_RESULT=VK_ERROR_DEVICE_LOST: the 17th
-// call that may return that does so. LIMN_FAULT_REPORT=FILE gets the function that failed, how many
-// calls there were that might have, and the kinds of objects that are left when the program ends.
+// call that may return that does so. LIMN_FAULT_REPORT=FILE gets the function that failed and the
+// kinds of objects that are left when the program ends, and of each result how many calls may
+// return it.
 
 #include "vulkan/faults/FaultyLoader.h"
 
@@ -52,8 +53,7 @@ public:
             std::cerr << "LIMN_FAULT_RESULT: no such result: " << result << std::endl;
             _exit(2);
         }
-        m_Result = found->second;
-        FailCall(std::atoi(call), m_Result);
+        FailCall(std::atoi(call), found->second);
     }
     ~FaultOfTheProgram()
     {
@@ -64,19 +64,21 @@ public:
         }
         std::ofstream report(file);
         const std::string failed = FailedFunction();
-        report << (failed.empty() ? "nothing" : failed) << ' ' << CallsThatMay(m_Result).size();
+        report << (failed.empty() ? "nothing" : failed);
         for (const auto& [kind, count] : LiveObjects())
         {
             report << ' ' << kind << '=' << count;
         }
-        report << '\n';
+        for (const auto& [name, result] : k_Results)
+        {
+            report << '\n' << name << ' ' << CallsThatMay(result).size();
+        }
     }
     FaultOfTheProgram(const FaultOfTheProgram&) = delete;
     FaultOfTheProgram& operator=(const FaultOfTheProgram&) = delete;
 
 private:
     pid_t m_Process = getpid();
-    VkResult m_Result = VK_SUCCESS;
 };
 
 const FaultOfTheProgram s_Fault;

@@ -4,8 +4,8 @@
 Usage: memory.py LIMN FAULTY_MALLOC SOURCE_FOLDER [CASE ...]
 
 A run must end by itself, either as ever, or with exit code 3 and a sentence that memory ran out; a
-picture is then the old one. LIMN_FAULTS_ALL=1 takes every allocation, which takes an hour, instead
-of a sample.
+picture is then the old one. LIMN_FAULTS_ALL=1 takes every allocation, which takes hours, instead of
+a sample, and with LIMN_FAULTS_STEP=N every N-th.
 """
 
 import collections
@@ -19,6 +19,7 @@ import tempfile
 LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
 SENTENCES = ("there is not enough memory", "VK_ERROR_OUT_OF_HOST_MEMORY")
+STEP = int(os.environ.get("LIMN_FAULTS_STEP", "1"))
 OLD = b"an old picture"
 # The dynamic linker, whose locks outlive an exception; Vulkan's loader and the software driver, which
 # use what they did not get; LLVM, which ends the program.
@@ -41,7 +42,7 @@ CASES = {
 }
 # Of allocations that so many callers in a row ask for alike the first one stands for all.
 PATHS = {"cold": 4, "warm": 8}
-SAMPLES = {"cold": 10, "warm": 20}
+SAMPLES = {"cold": 5, "warm": 10}
 CACHE = tempfile.TemporaryDirectory(prefix="limn-memory-")
 
 
@@ -94,7 +95,7 @@ def try_case(case, pool):
     if good.code != 0 or not good.counted:
         sys.exit(f"{case}: exit code {good.code} without a fault: {good.err}")
     count = good.counted[0]
-    step = 1 if TAKES_ALL else max(1, count // SAMPLES.get(case, 40))
+    step = STEP if TAKES_ALL else max(1, count // SAMPLES.get(case, 25))
     numbers = range(1 if TAKES_ALL else 1 + step // 2, count + 1, step)
     ends = collections.Counter()
     places = {}

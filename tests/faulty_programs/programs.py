@@ -6,7 +6,7 @@ Usage: programs.py LIMN FAULTY_VULKAN SOURCE_FOLDER [CASE ...]
 A run must end by itself: as ever, or with exit code 3, or 1 where the scene asks for what the device
 lacks, and with a sentence. No file may be half written, and no object of Vulkan left. `watch` must
 draw again when a file changes, or end so. LIMN_FAULTS_ALL=1 takes every call, which takes hours,
-instead of a sample.
+instead of a sample, and with LIMN_FAULTS_STEP=N every N-th.
 """
 
 import collections
@@ -23,9 +23,10 @@ import time
 
 LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
+STEP = int(os.environ.get("LIMN_FAULTS_STEP", "1"))
 SCENE = SOURCE / "tests/vulkan/faults"
 OLD = b"an old picture"
-SECONDS = 300
+SECONDS = 120
 NO_ERRORS = ("VK_INCOMPLETE", "VK_TIMEOUT")
 RESULTS = ("VK_ERROR_OUT_OF_DEVICE_MEMORY", "VK_ERROR_DEVICE_LOST", "VK_ERROR_FORMAT_NOT_SUPPORTED",
            "VK_ERROR_INITIALIZATION_FAILED", *NO_ERRORS)
@@ -35,8 +36,8 @@ CASES = {
     "report": ["report", "everything.scene.yaml", "-o", "report", "--quick", "--technique", "strokes",
                "--size", "16x16"],
 }
-# Of each result so many calls fail in a sample.
-SAMPLES = {"render": 4, "watch": 2, "report": 1}
+# What of it is tried in a sample, one call of each.
+SAMPLES = {"render": RESULTS, "watch": RESULTS[:3], "report": RESULTS[:2]}
 CACHE = tempfile.TemporaryDirectory(prefix="limn-programs-")
 
 
@@ -44,11 +45,15 @@ def drawn(out):
     return sum(line.startswith("out.png ") for line in out.read_text().splitlines())
 
 
-def watch(process, out, profile):
-    """Changes a file once a picture is there, and stops the program once it has drawn again."""
-    for pictures in (1, 2):
+def errors(err):
+    return sum(line.startswith("error: ") for line in err.read_text(errors="replace").splitlines())
+
+
+def watch(process, out, err, profile):
+    """Changes a file once a picture or an error is there, and stops the program once another is."""
+    for answers in (1, 2):
         end = time.monotonic() + SECONDS
-        while drawn(out) < pictures and process.poll() is None:
+        while drawn(out) + errors(err) < answers and process.poll() is None:
             if time.monotonic() > end:
                 return
             time.sleep(0.02)
@@ -73,7 +78,8 @@ class Run:
                                            stdout=out, stderr=err)
                 try:
                     if case == "watch":
-                        watch(process, folder / "out", folder / "everything.profile.yaml")
+                        watch(process, folder / "out", folder / "err",
+                              folder / "everything.profile.yaml")
                     self.code = process.wait(SECONDS)
                 except subprocess.TimeoutExpired:
                     process.kill()
@@ -81,10 +87,12 @@ class Run:
                     self.code = "none: it hangs"
             self.err = (folder / "err").read_text(errors="replace")
             self.pictures = drawn(folder / "out")
+            self.errors = errors(folder / "err")
             self.picture = (folder / "out.png").read_bytes()
             fault = folder / "fault"
-            words = fault.read_text().split() if fault.exists() else ["", "0"]
-            self.failed, self.calls, self.objects = words[0], int(words[1]), words[2:]
+            ended, *calls = fault.read_text().splitlines() if fault.exists() else ["nothing"]
+            self.failed, *self.objects = ended.split()
+            self.calls = {line.split()[0]: int(line.split()[1]) for line in calls}
             self.broken = [problem for problem in map(broken, sorted(folder.rglob("*"))) if problem]
 
     def problem(self, good, result):
@@ -97,7 +105,7 @@ class Run:
             return "left " + " ".join(self.objects)
         if self.picture not in (OLD, good.picture) and "in place of 4" not in self.err:
             return "another picture than ever"
-        if self.code == 0 and self.pictures < good.pictures:
+        if self.code == 0 and (self.pictures + self.errors < good.pictures or self.pictures < bool(good.pictures)):
             return "exit code 0 without a picture"
         if self.code != 0 and not self.err.rstrip().splitlines()[-1:][0].startswith("error: "):
             return "no sentence"
@@ -126,13 +134,18 @@ def broken(path):
     return ""
 
 
-def try_result(case, result, pool):
-    good = Run(case, result, 0)
-    problem = good.problem(good, result)
+def try_case(case, pool):
+    good = Run(case, RESULTS[0], 0)
+    problem = good.problem(good, RESULTS[0])
     if good.code != 0 or problem:
         sys.exit(f"{case}: without a fault: {problem} {good.err}")
-    step = 1 if TAKES_ALL else max(1, good.calls // SAMPLES[case])
-    numbers = range(1 if TAKES_ALL else (step + 1) // 2, good.calls + 1, step)
+    results = RESULTS if TAKES_ALL else SAMPLES[case]
+    return all([try_result(case, result, good, pool) for result in results])
+
+
+def try_result(case, result, good, pool):
+    calls = good.calls[result]
+    numbers = range(1, calls + 1, STEP) if TAKES_ALL else [calls * 2 // 3]
     ends = collections.Counter()
     problems = []
     for number, run in zip(numbers, pool.map(lambda number: Run(case, result, number), numbers)):
@@ -140,7 +153,7 @@ def try_result(case, result, pool):
         ends[problem or "exit code " + str(run.code)] += 1
         if problem:
             problems.append(f"  call {number}, {run.failed}: {problem}: {run.err[-400:].strip()}")
-    print(f"{case}, {result}: {len(numbers)} of {good.calls} calls fail:",
+    print(f"{case}, {result}: {len(numbers)} of {calls} calls fail:",
           "; ".join(f"{times} times {end}" for end, times in ends.most_common()), flush=True)
     for problem in problems:
         print(problem, flush=True)
@@ -150,7 +163,7 @@ def try_result(case, result, pool):
 def main():
     cases = sys.argv[4:] or list(CASES)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        results = [try_result(case, result, pool) for case in cases for result in RESULTS]
+        results = [try_case(case, pool) for case in cases]
     sys.exit(0 if all(results) else 1)
 
 
