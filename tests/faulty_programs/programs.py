@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Lets calls to Vulkan of whole programs fail, one in each run.
 
-Usage: programs.py LIMN FAULTY_VULKAN SOURCE_FOLDER [CASE ...]
+Usage: programs.py LIMN FAULTY_VULKAN [CASE ...]
 
 A run must end by itself: as ever, or with exit code 3, or 1 where the scene asks for what the device
 lacks, and with a sentence. No file may be half written, and no object of Vulkan left. `watch` must
@@ -14,26 +14,38 @@ import concurrent.futures
 import json
 import os
 import pathlib
-import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+LIMN, MODULE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
 STEP = int(os.environ.get("LIMN_FAULTS_STEP", "1"))
-SCENE = SOURCE / "tests/vulkan/faults"
+SCENE = """\
+size: [16, 16]
+msaaSampleCount: 4
+camera: {position: [0, 0, -3], renderPostProcessing: true}
+light: {rotation: [50, -30, 0], shadows: Soft}
+shadows: {m_MainLightShadowmapResolution: 64}
+renderer:
+  features: [{type: StrokeOutlineRendererFeature}, {type: PostProcessRendererFeature}]
+volumes: [{name: All, profile: small.profile.yaml, isGlobal: true}]
+materials: {red: {_BaseColor: "#a5483f"}}
+objects:
+  - {name: Cube, mesh: cube, material: red, rotation: [10, 30, 0]}
+"""
+PROFILE = "StrokeOutline: {m_Enable: true, m_OutlineWidth: 2}\nBloom: {intensity: 1}\n"
 OLD = b"an old picture"
 SECONDS = 120
 NO_ERRORS = ("VK_INCOMPLETE", "VK_TIMEOUT")
 RESULTS = ("VK_ERROR_OUT_OF_DEVICE_MEMORY", "VK_ERROR_DEVICE_LOST", "VK_ERROR_FORMAT_NOT_SUPPORTED",
            "VK_ERROR_INITIALIZATION_FAILED", *NO_ERRORS)
 CASES = {
-    "render": ["render", "everything.scene.yaml", "-o", "out.png"],
-    "watch": ["watch", "everything.scene.yaml", "-o", "out.png"],
-    "report": ["report", "everything.scene.yaml", "-o", "report", "--quick", "--technique", "strokes",
+    "render": ["render", "small.scene.yaml", "-o", "out.png"],
+    "watch": ["watch", "small.scene.yaml", "-o", "out.png"],
+    "report": ["report", "small.scene.yaml", "-o", "report", "--quick", "--technique", "strokes",
                "--size", "16x16"],
 }
 # What of it is tried in a sample, one call of each.
@@ -67,8 +79,9 @@ class Run:
     def __init__(self, case, result, number):
         with tempfile.TemporaryDirectory(prefix="limn-programs-") as folder:
             folder = pathlib.Path(folder)
-            for name in ("everything.scene.yaml", "everything.profile.yaml"):
-                shutil.copy(SCENE / name, folder)
+            (folder / "small.scene.yaml").write_text(SCENE)
+            profile = folder / "small.profile.yaml"
+            profile.write_text(PROFILE)
             (folder / "out.png").write_bytes(OLD)
             environment = dict(os.environ, LD_PRELOAD=str(MODULE), LIMN_FAULT_CALL=str(number),
                                LIMN_FAULT_RESULT=result, LIMN_FAULT_REPORT=str(folder / "fault"),
@@ -78,8 +91,7 @@ class Run:
                                            stdout=out, stderr=err)
                 try:
                     if case == "watch":
-                        watch(process, folder / "out", folder / "err",
-                              folder / "everything.profile.yaml")
+                        watch(process, folder / "out", folder / "err", profile)
                     self.code = process.wait(SECONDS)
                 except subprocess.TimeoutExpired:
                     process.kill()
@@ -161,7 +173,7 @@ def try_result(case, result, good, pool):
 
 
 def main():
-    cases = sys.argv[4:] or list(CASES)
+    cases = sys.argv[3:] or list(CASES)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         results = [try_case(case, pool) for case in cases]
     sys.exit(0 if all(results) else 1)
