@@ -116,7 +116,7 @@ static enum Kind FindKind(uintptr_t address)
         const uintptr_t there = atomic_load(&place->address);
         if (there == address)
         {
-            const enum Kind kind = atomic_load(&place->kind);
+            const enum Kind kind = (enum Kind)atomic_load(&place->kind);
             return kind != Unknown ? kind : KindOf(address);
         }
         uintptr_t none = 0;

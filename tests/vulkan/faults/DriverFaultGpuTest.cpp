@@ -39,7 +39,8 @@ bool TakesAll()
     return all != nullptr && std::string(all) == "1";
 }
 
-/// Chooses which of these calls are to fail: the last one of each function, unless all are.
+/// Chooses which of these calls are to fail: the last one of each function, unless all are. On a
+/// driver chosen by hand, which is the second one and slow, a quarter of the functions will do.
 /// @return numbers counted from 1
 std::set<int> Sample(const std::vector<std::string>& calls)
 {
@@ -52,9 +53,14 @@ std::set<int> Sample(const std::vector<std::string>& calls)
         all.insert(number);
     }
     std::set<int> sample;
+    const std::size_t step = std::getenv("LIMN_TEST_DEVICE") == nullptr ? 1 : 4;
+    std::size_t index = 0;
     for (const auto& [function, number] : last)
     {
-        sample.insert(number);
+        if (index++ % step == 0)
+        {
+            sample.insert(number);
+        }
     }
     return TakesAll() ? all : sample;
 }
