@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from mutate import mutate_text  # noqa: E402
+from mutations import mutate_text  # noqa: E402
 from project import INCLUDE, ROOT, SHADER  # noqa: E402
 
 TIMEOUT = 90  # a compilation may take 30 s, and a shader has several passes

@@ -158,11 +158,21 @@ int ParseAndRun(std::span<const std::string> args, Console& console)
     std::error_code error;
     if (std::filesystem::current_path(error).empty())
     {
+        if (error != std::errc::no_such_file_or_directory)
+        {
+            throw std::system_error(error, "the working directory");
+        }
         console.Error("the working directory is not there any more; change into one that is");
         return static_cast<int>(ExitCode::MachineLacksIt);
     }
     FinishOptions(line);
     return line.run(console);
+}
+
+ExitCode NoMemory(Console& console)
+{
+    console.Error("there is not enough memory");
+    return ExitCode::MachineLacksIt;
 }
 
 /// Says what the exception that is being handled means.
@@ -189,6 +199,10 @@ ExitCode ExitCodeOf(Console& console)
     }
     catch (const std::filesystem::filesystem_error& error)
     {
+        if (error.code() == std::errc::not_enough_memory)
+        {
+            return NoMemory(console);
+        }
         console.Print({Severity::Error, error.path1().string(), {}, error.code().message()});
         return ExitCode::BadInput;
     }
@@ -199,11 +213,14 @@ ExitCode ExitCodeOf(Console& console)
     }
     catch (const std::bad_alloc&)
     {
-        console.Error("there is not enough memory");
-        return ExitCode::MachineLacksIt;
+        return NoMemory(console);
     }
     catch (const std::system_error& error)
     {
+        if (error.code() == std::errc::not_enough_memory)
+        {
+            return NoMemory(console);
+        }
         console.Error(error.what());
         return ExitCode::MachineLacksIt;
     }

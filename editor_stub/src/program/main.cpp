@@ -1,7 +1,11 @@
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <fcntl.h>
 #include <iostream>
 #include <limn/editor_stub/RunLimn.h>
+#include <new>
 #include <unistd.h>
 #include <vector>
 
@@ -21,10 +25,37 @@ void TakeClosedStreams()
     }
 }
 
+std::terminate_handler s_Terminate = nullptr; ///< what it was before
+
+/// Says that memory ran out where nobody could catch it, as libraries promise here and there that
+/// they do not throw, and throw then. It must not ask for memory itself.
+[[noreturn]] void EndProgram()
+{
+    try
+    {
+        if (std::current_exception())
+        {
+            throw;
+        }
+    }
+    catch (const std::bad_alloc&)
+    {
+        std::fputs("error: there is not enough memory\n", stderr);
+        std::_Exit(static_cast<int>(limn::ExitCode::MachineLacksIt));
+    }
+    catch (...)
+    {
+        // as without this
+    }
+    s_Terminate();
+    std::abort();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+    s_Terminate = std::set_terminate(EndProgram);
     TakeClosedStreams();
     std::signal(SIGXFSZ, SIG_IGN); // what is larger than a file may be is an error with a name
     const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);

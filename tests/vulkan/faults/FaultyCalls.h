@@ -3,27 +3,31 @@
 #include "faults/FaultyLoader.h"
 
 #include <dlfcn.h>
-#include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace limn::test::faulty_loader
 {
+
+using Errors = std::vector<VkResult>;
 
 // What the entry points share with those who say what is to fail.
 
 struct State
 {
     // What is to fail:
-    int number = 0; ///< of the calls that may fail with `result`, 0 = by `function`
-    std::string function;
+    std::vector<Fault> faults; ///< that are yet to come
+    std::string function;      ///< whose calls all fail with `result`, but the first `spared`
     int spared = 0;
-    VkResult result = VK_SUCCESS; ///< VK_SUCCESS = nothing
+    VkResult result = VK_SUCCESS;
     // What happened:
-    int calls = 0;
-    std::string failed;
+    int calls = 0; ///< that might have failed since the last one that did
+    std::vector<std::pair<std::string, Errors>> all; ///< calls, and what they may return
+    std::vector<Failed> failed;
     bool lost = false;
     std::map<std::string, int> objects;
+    bool hasTool = false;
     std::uint32_t storageLimit = 0;
     std::uint32_t uniformLimit = 0;
     VkDeviceSize largestStorage = 0;
@@ -34,10 +38,8 @@ struct State
 };
 extern State s_State; // one thread at a time calls limn's device, and drivers call nothing of this
 
-using Errors = std::initializer_list<VkResult>;
-
-/// What a call is to return instead of being handed on; VK_SUCCESS = it is handed on.
-/// @param errors  it may return, besides those of memory, which each may
+/// Returns what a call is to return instead of being handed on; VK_SUCCESS = it is handed on.
+/// @param errors  what it may return, besides the errors of memory, which each may
 VkResult FailureOf(const std::string& name, Errors errors);
 
 /// The loader's own entry point.
@@ -48,10 +50,24 @@ Function* Next(const char* name)
 }
 
 template <typename Function, typename... Arguments>
-VkResult Call(Function* next, const char* name, Errors errors, Arguments... arguments)
+VkResult Call(Function* next, const char* name, const Errors& errors, Arguments... arguments)
 {
     const VkResult failure = FailureOf(name, errors);
     return failure == VK_SUCCESS ? next(arguments...) : failure;
+}
+
+/// A call that fills a list and may return VK_INCOMPLETE, which it does where the list is said to
+/// be one element shorter than it is.
+template <typename Count, typename Element, typename Next>
+VkResult CallList(const char* name, Errors errors, Count* count, const Element* list, Next&& next)
+{
+    if (list != nullptr && *count > 0)
+    {
+        errors.push_back(VK_INCOMPLETE);
+    }
+    const VkResult failure = FailureOf(name, errors);
+    *count -= failure == VK_INCOMPLETE ? 1 : 0;
+    return failure == VK_SUCCESS || failure == VK_INCOMPLETE ? next() : failure;
 }
 
 inline void Made(const char* kind, VkResult result)

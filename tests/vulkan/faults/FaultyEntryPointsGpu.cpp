@@ -73,6 +73,14 @@ void Replace(const char* asked, const char* name, PFN_vkVoidFunction& entry, Own
         return Call(LIMN_NEXT(function), {}, __VA_ARGS__);                                         \
     }
 
+/// A call that fills a list of `count` elements.
+#define LIMN_LIST(function, errors, list, parameters, ...)                                         \
+    VKAPI_ATTR VkResult VKAPI_CALL function parameters                                             \
+    {                                                                                              \
+        return CallList(#function, errors, count, list,                                            \
+                        [&] { return Next<decltype(function)>(#function)(__VA_ARGS__); });         \
+    }
+
 extern "C"
 {
 
@@ -90,16 +98,28 @@ LIMN_OBJECT(Semaphore)
 LIMN_OBJECT(ShaderModule)
 
 LIMN_CALL(vkEnumerateInstanceVersion, (std::uint32_t* version), version)
-LIMN_CALL(vkEnumerateInstanceLayerProperties, (std::uint32_t* count, VkLayerProperties* layers), count, layers)
+LIMN_LIST(vkEnumerateInstanceLayerProperties, Errors{}, layers,
+          (std::uint32_t* count, VkLayerProperties* layers),
+          count, layers)
+LIMN_LIST(vkEnumerateInstanceExtensionProperties, Errors{VK_ERROR_LAYER_NOT_PRESENT}, extensions,
+          (const char* layer, std::uint32_t* count, VkExtensionProperties* extensions),
+          layer, count, extensions)
+LIMN_LIST(vkEnumeratePhysicalDevices, Errors{VK_ERROR_INITIALIZATION_FAILED}, devices,
+          (VkInstance instance, std::uint32_t* count, VkPhysicalDevice* devices),
+          instance, count, devices)
+LIMN_LIST(vkEnumerateDeviceExtensionProperties, Errors{VK_ERROR_LAYER_NOT_PRESENT}, extensions,
+          (VkPhysicalDevice device, const char* layer, std::uint32_t* count,
+           VkExtensionProperties* extensions),
+          device, layer, count, extensions)
+LIMN_LIST(vkGetPipelineCacheData, Errors{}, data,
+          (VkDevice device, VkPipelineCache cache, std::size_t* count, void* data),
+          device, cache, count, data)
 LIMN_CALL(vkBindBufferMemory,
           (VkDevice device, VkBuffer buffer, VkDeviceMemory memory, VkDeviceSize offset),
           device, buffer, memory, offset)
 LIMN_CALL(vkBindImageMemory,
           (VkDevice device, VkImage image, VkDeviceMemory memory, VkDeviceSize offset),
           device, image, memory, offset)
-LIMN_CALL(vkGetPipelineCacheData,
-          (VkDevice device, VkPipelineCache cache, std::size_t* size, void* data),
-          device, cache, size, data)
 LIMN_CALL(vkResetDescriptorPool,
           (VkDevice device, VkDescriptorPool pool, VkDescriptorPoolResetFlags flags),
           device, pool, flags)
@@ -120,13 +140,6 @@ extern "C"
 {
     // Instances and devices
 
-    VKAPI_ATTR VkResult VKAPI_CALL vkEnumerateInstanceExtensionProperties(
-        const char* layer, std::uint32_t* count, VkExtensionProperties* extensions)
-    {
-        return Call(LIMN_NEXT(vkEnumerateInstanceExtensionProperties), {VK_ERROR_LAYER_NOT_PRESENT},
-                    layer, count, extensions);
-    }
-
     VKAPI_ATTR VkResult VKAPI_CALL vkCreateInstance(const VkInstanceCreateInfo* info,
                                                     const VkAllocationCallbacks* callbacks,
                                                     VkInstance* instance)
@@ -146,20 +159,13 @@ extern "C"
         Next<decltype(vkDestroyInstance)>("vkDestroyInstance")(instance, callbacks);
     }
 
-    VKAPI_ATTR VkResult VKAPI_CALL vkEnumeratePhysicalDevices(VkInstance instance,
-                                                              std::uint32_t* count,
-                                                              VkPhysicalDevice* devices)
+    VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceToolProperties(
+        VkPhysicalDevice device, std::uint32_t* count, VkPhysicalDeviceToolProperties* tools)
     {
-        return Call(LIMN_NEXT(vkEnumeratePhysicalDevices), {VK_ERROR_INITIALIZATION_FAILED},
-                    instance, count, devices);
-    }
-
-    VKAPI_ATTR VkResult VKAPI_CALL
-    vkEnumerateDeviceExtensionProperties(VkPhysicalDevice device, const char* layer,
-                                         std::uint32_t* count, VkExtensionProperties* extensions)
-    {
-        return Call(LIMN_NEXT(vkEnumerateDeviceExtensionProperties), {VK_ERROR_LAYER_NOT_PRESENT},
-                    device, layer, count, extensions);
+        const VkResult result =
+            Call(LIMN_NEXT(vkGetPhysicalDeviceToolProperties), {}, device, count, tools);
+        *count += result == VK_SUCCESS && tools == nullptr && s_State.hasTool ? 1 : 0;
+        return result;
     }
 
     VKAPI_ATTR void VKAPI_CALL vkGetPhysicalDeviceProperties(VkPhysicalDevice device,
@@ -345,7 +351,8 @@ extern "C"
                                                     const VkSemaphoreWaitInfo* info,
                                                     std::uint64_t timeout)
     {
-        return Call(LIMN_NEXT(vkWaitSemaphores), {VK_ERROR_DEVICE_LOST}, device, info, timeout);
+        return Call(LIMN_NEXT(vkWaitSemaphores), {VK_ERROR_DEVICE_LOST, VK_TIMEOUT}, device, info,
+                    timeout);
     }
 
     VKAPI_ATTR VkResult VKAPI_CALL vkGetQueryPoolResults(VkDevice device, VkQueryPool pool,
@@ -354,8 +361,13 @@ extern "C"
                                                          VkDeviceSize stride,
                                                          VkQueryResultFlags flags)
     {
-        return Call(LIMN_NEXT(vkGetQueryPoolResults), {VK_ERROR_DEVICE_LOST}, device, pool, first,
-                    count, size, data, stride, flags);
+        Errors errors{VK_ERROR_DEVICE_LOST};
+        if ((flags & VK_QUERY_RESULT_WAIT_BIT) == 0)
+        {
+            errors.push_back(VK_NOT_READY);
+        }
+        return Call(LIMN_NEXT(vkGetQueryPoolResults), errors, device, pool, first, count, size,
+                    data, stride, flags);
     }
 
 } // extern "C"

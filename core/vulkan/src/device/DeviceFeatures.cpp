@@ -129,12 +129,12 @@ std::vector<const char*> OptionalExtensions::Names() const
 
 OptionalExtensions FindExtensions(VkPhysicalDevice device)
 {
-    std::uint32_t count = 0;
-    Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
-          "vkEnumerateDeviceExtensionProperties");
-    std::vector<VkExtensionProperties> extensions(count);
-    Check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
-          "vkEnumerateDeviceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions;
+    const auto fill = [&](std::uint32_t* count, VkExtensionProperties* list)
+    {
+        return vkEnumerateDeviceExtensionProperties(device, nullptr, count, list);
+    };
+    Check(FillList(extensions, fill), "vkEnumerateDeviceExtensionProperties");
     const auto has = [&](const char* name)
     {
         return std::any_of(extensions.begin(), extensions.end(),

@@ -49,11 +49,8 @@ VkDebugUtilsMessengerCreateInfoEXT MessengerInfo(ValidationLog& log)
 
 bool HasLayer(const char* name)
 {
-    std::uint32_t count = 0;
-    Check(vkEnumerateInstanceLayerProperties(&count, nullptr),
-          "vkEnumerateInstanceLayerProperties");
-    std::vector<VkLayerProperties> layers(count);
-    Check(vkEnumerateInstanceLayerProperties(&count, layers.data()),
+    std::vector<VkLayerProperties> layers;
+    Check(FillList(layers, vkEnumerateInstanceLayerProperties),
           "vkEnumerateInstanceLayerProperties");
     return std::any_of(layers.begin(), layers.end(),
                        [&](const VkLayerProperties& layer)
@@ -62,12 +59,12 @@ bool HasLayer(const char* name)
 
 bool HasInstanceExtension(const char* name, const char* layer)
 {
-    std::uint32_t count = 0;
-    Check(vkEnumerateInstanceExtensionProperties(layer, &count, nullptr),
-          "vkEnumerateInstanceExtensionProperties");
-    std::vector<VkExtensionProperties> extensions(count);
-    Check(vkEnumerateInstanceExtensionProperties(layer, &count, extensions.data()),
-          "vkEnumerateInstanceExtensionProperties");
+    std::vector<VkExtensionProperties> extensions;
+    const auto fill = [&](std::uint32_t* count, VkExtensionProperties* list)
+    {
+        return vkEnumerateInstanceExtensionProperties(layer, count, list);
+    };
+    Check(FillList(extensions, fill), "vkEnumerateInstanceExtensionProperties");
     return std::any_of(extensions.begin(), extensions.end(),
                        [&](const VkExtensionProperties& extension)
                        { return std::strcmp(extension.extensionName, name) == 0; });
@@ -198,14 +195,9 @@ void VulkanInstance::CreateMessenger()
 
 std::vector<VkPhysicalDevice> VulkanInstance::PhysicalDevices() const
 {
-    std::uint32_t count = 0;
-    VkResult result = vkEnumeratePhysicalDevices(get(), &count, nullptr);
-    std::vector<VkPhysicalDevice> devices(count);
-    if (result == VK_SUCCESS && count > 0)
-    {
-        result = vkEnumeratePhysicalDevices(get(), &count, devices.data());
-        devices.resize(count);
-    }
+    std::vector<VkPhysicalDevice> devices;
+    const VkResult result = FillList(devices, [&](std::uint32_t* count, VkPhysicalDevice* list)
+                                     { return vkEnumeratePhysicalDevices(get(), count, list); });
     // Some loaders report a driver without a device as a failure to initialise.
     if (result == VK_ERROR_INITIALIZATION_FAILED)
     {

@@ -93,10 +93,10 @@ void FrameSlot::ReadTimings(std::vector<PassTiming>& timings)
         return;
     }
     m_Ticks.resize(2 * m_TimedCount);
-    Check(vkGetQueryPoolResults(m_Context.device(), m_Queries.get(), 0,
-                                static_cast<std::uint32_t>(m_Ticks.size()),
-                                m_Ticks.size() * sizeof(std::uint64_t), m_Ticks.data(),
-                                sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
+    Check(vkGetQueryPoolResults(
+              m_Context.device(), m_Queries.get(), 0, static_cast<std::uint32_t>(m_Ticks.size()),
+              m_Ticks.size() * sizeof(std::uint64_t), m_Ticks.data(), sizeof(std::uint64_t),
+              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "vkGetQueryPoolResults");
     const auto milliseconds = [&](std::size_t from, std::size_t to)
     {

@@ -80,8 +80,13 @@ void SubmitQueue::Wait(std::uint64_t number) const
     info.semaphoreCount = 1;
     info.pSemaphores = &semaphore;
     info.pValues = &number;
-    Check(vkWaitSemaphores(m_Context.device(), &info, std::numeric_limits<std::uint64_t>::max()),
-          "vkWaitSemaphores", "frame timeline");
+    VkResult result = VK_TIMEOUT;
+    while (result == VK_TIMEOUT) // some drivers know no endless wait
+    {
+        result =
+            vkWaitSemaphores(m_Context.device(), &info, std::numeric_limits<std::uint64_t>::max());
+    }
+    Check(result, "vkWaitSemaphores", "frame timeline");
 }
 
 } // namespace limn::vulkan

@@ -41,8 +41,8 @@ void RequireMips(const VulkanContext& context, const VkImageCreateInfo& info,
     vkGetPhysicalDeviceFormatProperties(context.physicalDevice(), info.format, &can);
     if (info.mipLevels > 1 && (can.optimalTilingFeatures & k_Needed) != k_Needed)
     {
-        throw ContractError("texture '" + texture.name() + "': the device makes no mip levels of " +
-                            limn::ToString(texture.graphicsFormat()));
+        throw DrawError("texture '" + texture.name() + "': the device makes no mip levels of " +
+                        limn::ToString(texture.graphicsFormat()));
     }
 }
 
@@ -139,6 +139,10 @@ int SupportedSampleCount(const VulkanContext& context, const RenderTexture& text
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
         context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage, info.flags,
         &can);
+    if (result != VK_ERROR_FORMAT_NOT_SUPPORTED) // which is an answer: no sample counts
+    {
+        Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
+    }
     const VkSampleCountFlags counts = result == VK_SUCCESS ? can.sampleCounts : 0;
     return static_cast<int>(std::bit_floor(std::max(1U, counts & (most * 2U - 1U))));
 }
@@ -149,7 +153,7 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
     const std::string subject = "texture '" + texture.name() + "': ";
     if (texture.dimension() == TextureDimension::CubeArray && !context.capabilities().cubeArray)
     {
-        throw ContractError(subject + "the device has no arrays of cubes");
+        throw DrawError(subject + "the device has no arrays of cubes");
     }
     VkImageFormatProperties can{};
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
@@ -157,18 +161,17 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
         &can);
     if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
     {
-        throw ContractError(subject + "the device cannot use format " +
-                            limn::ToString(texture.graphicsFormat()) + " for it" +
-                            InsteadOf(texture));
+        throw DrawError(subject + "the device cannot use format " +
+                        limn::ToString(texture.graphicsFormat()) + " for it" + InsteadOf(texture));
     }
     Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
     RequireFits(texture, can);
     RequireMips(context, info, texture);
     if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
-        throw ContractError(subject + "the device does not do " +
-                            std::to_string(static_cast<int>(info.samples)) + " samples of " +
-                            limn::ToString(texture.graphicsFormat()));
+        throw DrawError(subject + "the device does not do " +
+                        std::to_string(static_cast<int>(info.samples)) + " samples of " +
+                        limn::ToString(texture.graphicsFormat()));
     }
 }
 

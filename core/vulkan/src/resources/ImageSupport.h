@@ -12,7 +12,7 @@ int SupportedSampleCount(const VulkanContext& context, const RenderTexture& text
 
 bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage);
 
-/// @throws ContractError naming the texture, if the device makes no such image: of its dimension,
+/// @throws DrawError naming the texture, if the device makes no such image: of its dimension,
 ///         format, size, samples or mip levels
 void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
                     const Texture& texture);
