@@ -309,14 +309,14 @@ VkDescriptorSet HandWrittenFrame::CreateSet(Slot& slot, const Stage& stage,
     {
         const TextureSlot& bound = SlotOf(bindings.textures, texture.binding);
         const VkDescriptorImageInfo info{
-            m_Samplers.Get(bound.sampler.value_or(bound.texture->sampler())),
+            m_Samplers.Get(bound.sampler.value_or(bound.texture->sampler()), 0),
             ViewOf(*bound.texture), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
         write(texture.binding, DescriptorTypeOf(texture), nullptr, &info);
     }
     for (const SamplerBinding& sampler : layout.samplers)
     {
         const VkDescriptorImageInfo info{
-            m_Samplers.Get(SlotOf(bindings.samplers, sampler.binding).state), VK_NULL_HANDLE,
+            m_Samplers.Get(SlotOf(bindings.samplers, sampler.binding).state, 0), VK_NULL_HANDLE,
             VK_IMAGE_LAYOUT_UNDEFINED};
         write(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER, nullptr, &info);
     }
