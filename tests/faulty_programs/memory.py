@@ -64,7 +64,7 @@ class Run:
                 environment["LIMN_MALLOC_LASTS"] = "1"
             try:
                 ended = subprocess.run([LIMN, *CASES[case]], cwd=folder, env=environment,
-                                       capture_output=True, timeout=120)
+                                       capture_output=True, timeout=300)
                 self.code = ended.returncode
                 self.out = ended.stdout
                 self.err = ended.stderr.decode(errors="replace")
