@@ -168,7 +168,7 @@ TEST_F(UnseenFormValues, NamesOfSeveralThings)
             Kept v; v.x = a;
             float sum = v.x;
             { Plain v; v.k = 5; v.y = a; sum += v.k * 100 + v.y; }
-            return sum + Kept::k * 1000;
+            return sum + v.k * 1000;
         }
         float Methods(float a)
         {

@@ -152,7 +152,10 @@ private:
         const bool isMember = index > 0 && Text(index - 1) == ".";
         if (index > 0 && m_Code.isWord(index - 1) && Text(index - 1) != "return")
         {
-            Declare(index, nullptr);
+            if (m_Statics.count(Text(index - 1)) == 0) // else SpellUse has
+            {
+                Declare(index, nullptr);
+            }
         }
         else if (!isMember && Text(index + 1) == "." && !types.empty() && types.back())
         {
