@@ -61,7 +61,8 @@ CompilerAnswer Compile(const CompilerRequest& request)
     catch (const std::bad_alloc&)
     {
         answer.isLast = true; // what is left of the memory may be in pieces
-        failAtProgram("compiling it takes more than 2 GiB of memory; make it smaller");
+        failAtProgram("compiling it takes more memory than there is for it, 2 GiB at most; make "
+                      "it smaller");
     }
     catch (const std::exception& error)
     {
