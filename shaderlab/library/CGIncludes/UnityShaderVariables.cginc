@@ -31,6 +31,7 @@
 #define glstate_lightmodel_ambient unity_AmbientSky
 #define _Object2World unity_ObjectToWorld
 #define _World2Object unity_WorldToObject
+#define unity_World2Shadow unity_WorldToShadow
 #define unity_MatrixMVP UNITY_MATRIX_MVP
 
 #define unity_ProbesOcclusion float4(1, 1, 1, 1)

@@ -263,17 +263,34 @@ std::optional<IncludedFile> IncludeResolver::FindInPackage(std::string_view incl
     const bool isOwnOnly = isInLibrary(include.substr(0, end + 1)) && !m_Packages.hasOwnPipeline();
     const std::filesystem::path* folder =
         isOwnOnly ? m_Packages.FindOwn(name) : m_Packages.Find(name);
-    for (; m_ManifestsTaken < m_Packages.manifests().size(); ++m_ManifestsTaken)
-    {
-        const std::filesystem::path& manifest = m_Packages.manifests()[m_ManifestsTaken];
-        AddDependency({manifest.generic_string(), HashFile(manifest.string())});
-    }
+    TakeManifests();
     if (!folder)
     {
         return std::nullopt;
     }
     m_Roots.Add(*folder);
     return ReadFromDisk((*folder / include.substr(end + 1)).lexically_normal());
+}
+
+bool IncludeResolver::isInOwnPackage(const std::filesystem::path& path)
+{
+    const std::filesystem::path& package = m_Packages.around();
+    TakeManifests();
+    if (!package.empty())
+    {
+        m_Roots.Add(package);
+    }
+    return m_Roots.Contains(path);
+}
+
+/// What the packages are called decides on what is included.
+void IncludeResolver::TakeManifests()
+{
+    for (; m_ManifestsTaken < m_Packages.manifests().size(); ++m_ManifestsTaken)
+    {
+        const std::filesystem::path& manifest = m_Packages.manifests()[m_ManifestsTaken];
+        AddDependency({manifest.generic_string(), HashFile(manifest.string())});
+    }
 }
 
 void IncludeResolver::AddDependency(const IncludeDependency& dependency)
@@ -336,7 +353,7 @@ std::optional<IncludedFile> IncludeResolver::ReadFromDisk(const std::filesystem:
     std::optional<std::string> text;
     if (std::filesystem::is_regular_file(path, error))
     {
-        if (!m_Roots.Contains(path))
+        if (!m_Roots.Contains(path) && !isInOwnPackage(path))
         {
             m_Refusal = "outside the folders that includes may lie in; move it into the "
                         "project, or name its folder by --root DIR";

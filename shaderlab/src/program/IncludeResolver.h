@@ -81,6 +81,9 @@ private:
                                                   const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
     std::optional<IncludedFile> FindInPackage(std::string_view include);
+    /// Says whether the file lies in the package that the shader is part of.
+    bool isInOwnPackage(const std::filesystem::path& path);
+    void TakeManifests();
     const FileBeside* FindBeside(const std::string& include, std::string_view includer) const;
     void AddDependency(const IncludeDependency& dependency);
 

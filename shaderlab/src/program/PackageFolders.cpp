@@ -86,12 +86,18 @@ PackageFolders::PackageFolders(std::filesystem::path shaderFile,
 {
 }
 
-const std::filesystem::path* PackageFolders::FindOwn(const std::string& name)
+const std::filesystem::path& PackageFolders::around()
 {
     if (!std::exchange(m_IsOwnListed, true))
     {
         ListOwn();
     }
+    return m_Around;
+}
+
+const std::filesystem::path* PackageFolders::FindOwn(const std::string& name)
+{
+    around(); // lists them
     const auto found = m_Own.find(name);
     return found == m_Own.end() ? nullptr : &found->second;
 }
@@ -122,7 +128,10 @@ void PackageFolders::ListOwn()
     for (std::filesystem::path folder = m_ShaderFile.parent_path(); folder.has_relative_path();
          folder = folder.parent_path())
     {
-        if (Add(folder, m_Own) && m_Around.empty())
+        // Unity's names are com.company.package; npm's, of a folder that holds everything, are not.
+        const bool isNamed =
+            Add(folder, m_Own) && std::ranges::count(NameIn(folder / "package.json"), '.') > 1;
+        if (isNamed && m_Around.empty())
         {
             m_Around = folder;
         }

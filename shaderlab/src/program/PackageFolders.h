@@ -24,6 +24,8 @@ public:
     /// Those, and as they come from Unity: in the project's `Library/PackageCache`, and beside a
     /// render pipeline's package that the shader is part of.
     const std::filesystem::path* Find(const std::string& name);
+    /// The folder of the package that the shader is part of; "" where it is part of none.
+    const std::filesystem::path& around();
     /// Whether one of the render pipelines' packages is the project's own, so that all of them are
     /// to be taken from where the project has them.
     bool hasOwnPipeline();

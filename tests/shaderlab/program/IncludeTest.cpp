@@ -18,10 +18,11 @@ class Include : public testing::Test
 {
 protected:
     /// Compiles a shader in project/Assets/Shaders that holds this and asks for the macro VALUE.
-    std::vector<std::string> Compile(const std::string& hlsl, ShaderCompilerOptions options = {})
+    std::vector<std::string> Compile(const std::string& hlsl, ShaderCompilerOptions options = {},
+                                     const std::string& file = "project/Assets/Shaders/t.shader")
     {
         PassProgram program = test::Program(hlsl + k_Functions);
-        program.file = Path("project/Assets/Shaders/t.shader");
+        program.file = Path(file);
         ShaderCompiler compiler(options);
         try
         {
@@ -213,6 +214,23 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
     options.includeFolders = {folder.path()};
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\"", options), ElementsAre());
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
+}
+
+TEST_F(Include, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
+{
+    folder.Write("repository/Common/a.hlsl", "#define VALUE 1\n");
+    folder.Write("secret.hlsl", "#define VALUE 1\n");
+    const std::string file = "repository/Shaders/Glow/t.shader";
+    const auto compile = [&](const std::string& include)
+    {
+        return Compile("#include \"" + include + "\"", {}, file);
+    };
+    EXPECT_THAT(compile("../../Common/a.hlsl").at(0), HasSubstr("is outside the folders"));
+    folder.Write("repository/package.json", "{\"name\": \"my-page\"}"); // npm's
+    EXPECT_THAT(compile("../../Common/a.hlsl").at(0), HasSubstr("is outside the folders"));
+    folder.Write("repository/package.json", "{\"name\": \"com.me.effects\"}");
+    EXPECT_THAT(compile("../../Common/a.hlsl"), ElementsAre());
+    EXPECT_THAT(compile("../../../secret.hlsl").at(0), HasSubstr("is outside the folders"));
 }
 
 TEST_F(Include, StaysThereWhereverTheProgramWasStarted)

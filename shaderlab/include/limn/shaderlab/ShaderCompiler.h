@@ -37,8 +37,8 @@ struct ShaderCompilerOptions
     /// .shader file.
     std::filesystem::path projectRoot;
     /// Includes may lie in the project, in the packages, beside or below the .shader file, in the
-    /// Unity project around it (the folder that holds `Assets`), and in these; nowhere else, not
-    /// even by way of a symbolic link.
+    /// Unity project around it (the folder that holds `Assets`), in the package that it is part of
+    /// (with a package.json), and in these; nowhere else, not even by way of a symbolic link.
     std::vector<std::filesystem::path> includeFolders = {};
     /// What the device lacks of RequiredFeatures (ProgramSupport.h).
     std::vector<std::string> missingFeatures = {};

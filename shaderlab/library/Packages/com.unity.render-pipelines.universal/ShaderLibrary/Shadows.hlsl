@@ -9,6 +9,10 @@
 
 #define MAX_SHADOW_CASCADES 4
 #define MAX_PUNCTUAL_LIGHT_SHADOW_SLICES_IN_UBO 64
+#define SOFT_SHADOW_QUALITY_OFF half(0.0)
+#define SOFT_SHADOW_QUALITY_LOW half(1.0)
+#define SOFT_SHADOW_QUALITY_MEDIUM half(2.0)
+#define SOFT_SHADOW_QUALITY_HIGH half(3.0)
 #define BEYOND_SHADOW_FAR(shadowCoord) ((shadowCoord).z <= 0.0 || (shadowCoord).z >= 1.0)
 
 #if !defined(_RECEIVE_SHADOWS_OFF)

@@ -53,24 +53,13 @@ Varyings VertQuad(Attributes input)
     return output;
 }
 
-float4 FragNearest(Varyings input) : SV_Target
+float4 FragBlit(Varyings input, SamplerState s)
 {
-    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, _BlitMipLevel);
+    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, s, input.texcoord, _BlitMipLevel);
 }
 
-float4 FragBilinear(Varyings input) : SV_Target
-{
-    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, input.texcoord, _BlitMipLevel);
-}
-
-float4 FragNearestRepeat(Varyings input) : SV_Target
-{
-    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointRepeat, input.texcoord, _BlitMipLevel);
-}
-
-float4 FragBilinearRepeat(Varyings input) : SV_Target
-{
-    return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearRepeat, input.texcoord,
-                                  _BlitMipLevel);
-}
+float4 FragNearest(Varyings input) : SV_Target { return FragBlit(input, sampler_PointClamp); }
+float4 FragBilinear(Varyings input) : SV_Target { return FragBlit(input, sampler_LinearClamp); }
+float4 FragNearestRepeat(Varyings input) : SV_Target { return FragBlit(input, sampler_PointRepeat); }
+float4 FragBilinearRepeat(Varyings input) : SV_Target { return FragBlit(input, sampler_LinearRepeat); }
 #endif
