@@ -101,7 +101,10 @@ class Run:
             self.errors = errors(folder / "err")
             self.picture = (folder / "out.png").read_bytes()
             fault = folder / "fault"
-            ended, *calls = fault.read_text().splitlines() if fault.exists() else ["nothing"]
+            report = fault.read_text() if fault.exists() else ""
+            if self.code == -signal.SIGTERM and self.errors:
+                self.code, report = 3, ""  # the signal came when it was about to end by itself
+            ended, *calls = report.splitlines() or ["nothing"]
             self.failed, *self.objects = ended.split()
             self.calls = {line.split()[0]: int(line.split()[1]) for line in calls}
             self.broken = [problem for problem in map(broken, sorted(folder.rglob("*"))) if problem]
