@@ -1,7 +1,7 @@
 // Lets an allocation of a whole program fail: LD_PRELOAD of the module that this file makes.
 //   LIMN_MALLOC_FAIL=17        the 17th allocation since main() began that counts returns null
 //   LIMN_MALLOC_LASTS=1        and so do all behind it
-//   LIMN_MALLOC_SPARED=a:b     allocations do not count that a module asks for whose name begins so
+//   LIMN_MALLOC_OF=a:b         allocations count that a module asks for whose name begins so
 //   LIMN_MALLOC_PATHS=8        of those that 8 callers in a row ask for alike only the first counts
 //   LIMN_MALLOC_REPORT=FILE    gets who asked for the one that failed, and how many counted
 // Who asks is the first caller beyond the C and C++ libraries and operator new.
@@ -52,7 +52,7 @@ static long s_Fail;
 static int s_Lasts;
 static int s_PathLength;
 static _Atomic uintptr_t s_Paths[k_Places];
-static const char* s_Spared;
+static const char* s_Of;
 static const char* s_Report;
 static pid_t s_Process;
 
@@ -96,16 +96,16 @@ static enum Kind KindOf(uintptr_t address)
             return Library;
         }
     }
-    for (const char* spared = s_Spared; spared && *spared;)
+    for (const char* of = s_Of; of && *of;)
     {
-        const size_t length = strcspn(spared, ":");
-        if (BeginsWith(module, spared, length))
+        const size_t length = strcspn(of, ":");
+        if (BeginsWith(module, of, length))
         {
-            return Spared;
+            return Counts;
         }
-        spared += length + (spared[length] == ':');
+        of += length + (of[length] == ':');
     }
-    return Counts;
+    return Spared;
 }
 
 static enum Kind FindKind(uintptr_t address)
@@ -276,7 +276,7 @@ static int Main(int argc, char** argv, char** environment)
     s_Lasts = getenv("LIMN_MALLOC_LASTS") != NULL;
     const char* paths = getenv("LIMN_MALLOC_PATHS");
     s_PathLength = paths ? atoi(paths) : 0;
-    s_Spared = getenv("LIMN_MALLOC_SPARED");
+    s_Of = getenv("LIMN_MALLOC_OF");
     s_Report = getenv("LIMN_MALLOC_REPORT");
     s_Process = getpid();
     atomic_store(&s_IsOn, 1);

@@ -4,8 +4,8 @@
 Usage: memory.py LIMN FAULTY_MALLOC SOURCE_FOLDER [CASE ...]
 
 A run must end by itself, either as ever, or with exit code 3 and a sentence that memory ran out; a
-picture is then the old one. LIMN_FAULTS_ALL=1 takes every allocation, which takes hours, instead of
-a sample, and with LIMN_FAULTS_STEP=N every N-th.
+picture is then the old one. LIMN_FAULTS_ALL=N takes every N-th allocation instead of a sample,
+which takes hours with 1.
 """
 
 import collections
@@ -17,13 +17,13 @@ import sys
 import tempfile
 
 LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
-TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
+STEP = int(os.environ.get("LIMN_FAULTS_ALL", "0"))  # 0 = a sample
 SENTENCES = ("there is not enough memory", "VK_ERROR_OUT_OF_HOST_MEMORY")
-STEP = int(os.environ.get("LIMN_FAULTS_STEP", "1"))
 OLD = b"an old picture"
-# The dynamic linker, whose locks outlive an exception; Vulkan's loader and the software driver, which
-# use what they did not get; LLVM, which ends the program.
-SPARED = "ld-linux:libvulkan:libLLVM"
+# Who asks for the memory that fails: limn, what is linked into it, and its parsers. Others use what
+# they did not get (Vulkan's loader, layers and drivers), end the program (LLVM), or hold locks for
+# ever (the dynamic linker).
+ASKING = "limn:liblimn:libyaml-cpp:libpng:libtinygltf"
 
 SCENE = """\
 size: [8, 8]
@@ -59,7 +59,7 @@ class Run:
             picture.write_bytes(OLD)
             report = folder / "report"
             environment = dict(os.environ, LD_PRELOAD=str(MODULE), LIMN_MALLOC_FAIL=str(number),
-                               LIMN_MALLOC_SPARED=SPARED, LIMN_MALLOC_REPORT=str(report),
+                               LIMN_MALLOC_OF=ASKING, LIMN_MALLOC_REPORT=str(report),
                                LIMN_MALLOC_PATHS=str(PATHS.get(case, 0)),
                                XDG_CACHE_HOME=CACHE.name if case == "warm" else folder / "cache")
             if lasts:
@@ -100,8 +100,8 @@ def try_case(case, pool):
     if good.code != 0 or not good.counted:
         sys.exit(f"{case}: exit code {good.code} without a fault: {good.err}")
     count = good.counted[0]
-    step = STEP if TAKES_ALL else max(1, count // SAMPLES.get(case, 12))
-    numbers = range(1 if TAKES_ALL else 1 + step // 2, count + 1, step)
+    step = STEP or max(1, count // SAMPLES.get(case, 12))
+    numbers = range(1 + step // 2, count + 1, step)
     ends = collections.Counter()
     places = {}
     for number, run in zip(numbers, pool.map(lambda number: Run(case, number), numbers)):

