@@ -57,8 +57,8 @@ bool IsWhole(const ElfHeader& header, std::string_view bytes)
     return true;
 }
 
-/// Whether what linkers write last is there: they make the file as long as it will be, of zeros,
-/// and the system's loader crashes on these.
+/// Returns whether the part is there that linkers write last: they make the file as long as it will
+/// be, of zeros, and the system's loader crashes on these.
 bool IsWritten(const ElfHeader& header, std::string_view bytes)
 {
     ElfW(Shdr) names;

@@ -27,8 +27,8 @@ void TakeClosedStreams()
 
 std::terminate_handler s_Terminate = nullptr; ///< what it was before
 
-/// Says that memory ran out where nobody could catch it, as libraries promise here and there that
-/// they do not throw, and throw then. It must not ask for memory itself.
+/// The handler says that memory ran out where nobody could catch it: some libraries promise not to
+/// throw, and throw then. It must not ask for memory itself.
 [[noreturn]] void EndProgram()
 {
     try

@@ -157,7 +157,7 @@ private:
         }
         return !m_Slots.empty() && slot->id == id ? slot->value + 1 : 0;
     }
-    /// Where the search for an id begins in m_Places.
+    /// Returns where the search for an id begins in m_Places.
     std::size_t PlaceOf(ShaderPropertyId id) const
     {
         return (id.value * 0x9E3779B1U >> 16U) & (m_Places.size() - 1);
@@ -172,8 +172,8 @@ private:
     void PutValue(ShaderPropertyId id, Value&& value);
 
     std::vector<Slot> m_Slots; ///< by id
-    /// What FindPlace gives, in a table of a power of two that is half empty: an id is where its
-    /// bits say or behind, with no gap between. Empty for small blocks.
+    /// This holds what FindPlace gives, in a table of a power of two that is half empty: an id is
+    /// where its bits say or behind, with no gap between. Small blocks have none.
     std::vector<Slot> m_Places;
     std::vector<ShaderPropertyValue> m_Values;
     bool m_HasBuffers = false;

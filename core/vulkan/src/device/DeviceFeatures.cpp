@@ -72,7 +72,7 @@ constexpr OptionalFeature k_OptionalFeatures[] = {
 
 #undef LIMN_FEATURE
 
-/// What Direct3D 11 lets a shader count on.
+/// A limit of which Direct3D 11 lets a shader count on so much.
 struct UsefulLimit
 {
     const char* name; ///< Vulkan's

@@ -119,7 +119,7 @@ MemoryAllocation MemoryAllocator::Allocate(const VkMemoryRequirements& needs, Me
                 return result;
             }
         }
-        // What would fill half a block gets one of its own size.
+        // A resource that would fill half a block gets one of its own size.
         const VkDeviceSize size = needs.size > k_BlockBytes / 2 ? needs.size : k_BlockBytes;
         if (UniqueMemory memory = TryAllocate(size, type, name))
         {

@@ -80,7 +80,7 @@ std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
     return bindings;
 }
 
-/// What a device binds so many of.
+/// A kind of resource, and how many of it a device binds.
 struct Kind
 {
     const char* noun;

@@ -67,7 +67,7 @@ struct CSharpEnumerator
     CSharpWords value;
 };
 
-/// Where among its like the first of a name stands: a class may have tens of thousands.
+/// Maps a name to the place of its first bearer: a class may have tens of thousands of members.
 using CSharpNames = std::map<std::string, std::size_t, std::less<>>;
 
 struct CSharpClass
