@@ -221,9 +221,10 @@ VKAPI_ATTR void VKAPI_CALL GetFeatures2(VkPhysicalDevice device,
             auto* portability =
                 reinterpret_cast<VkPhysicalDevicePortabilitySubsetFeaturesKHR*>(next);
             const auto type = portability->sType;
+            void* const following = portability->pNext;
             *portability = {}; // as bare as may be
             portability->sType = type;
-            portability->pNext = next->pNext;
+            portability->pNext = following;
             portability->mutableComparisonSamplers =
                 s_State.lowered.at("portability") == 2 ? VK_TRUE : VK_FALSE; // as on macOS
         }
