@@ -13,9 +13,13 @@ std::string LimnExecutable()
     return LIMN_EXECUTABLE;
 }
 
-bool LimnCountsAllocations()
+bool LimnHasSanitizers()
 {
-    return LIMN_COUNTS_ALLOCATIONS;
+#ifdef LIMN_HAS_SANITIZERS
+    return true;
+#else
+    return false;
+#endif
 }
 
 std::string LayersFolder()

@@ -12,8 +12,9 @@ std::string SourcePath(std::string_view relative);
 
 /// The absolute path of the `limn` program of this build.
 std::string LimnExecutable();
-/// It does but in builds with sanitizers.
-bool LimnCountsAllocations();
+/// Whether this build has sanitizers: they take memory and descriptors of their own, so limits on
+/// those do not hold for limn alone.
+bool LimnHasSanitizers();
 
 /// Where the Vulkan layer of the tests is.
 std::string LayersFolder();

@@ -1,10 +1,16 @@
 #!/usr/bin/env bash
 # Installs a build tree into an empty folder, then configures, builds and runs a project that finds
 # it there. Usage: run.sh BUILD_TREE SOURCE_OF_THE_PROJECT CXX_COMPILER static|shared
-# (which libraries are to be in the build tree)
+# (which libraries are to be in the build tree). With static libraries only that project is built:
+# what else is tried here differs in nothing then.
 set -euo pipefail
-folder=$(mktemp -d)
+folder=$1/installed
 trap 'rm -rf "$folder"' EXIT
+rm -rf "$folder"
+mkdir "$folder"
+if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$folder CCACHE_NOHASHDIR=1
+fi
 cmake --install "$1" --prefix "$folder/first" >/dev/null
 mv "$folder/first" "$folder/prefix" # what is installed can be moved
 
@@ -28,6 +34,7 @@ cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
 cmake --build "$folder/build" >/dev/null
 "$folder/build/consumer"
 "$folder/prefix/bin/limn" --version
+[ "$4" = shared ] || exit 0
 
 # A feature written by `limn new` is built by whoever has limn installed, and drawn by it.
 limn=$folder/prefix/bin/limn

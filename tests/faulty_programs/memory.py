@@ -44,7 +44,7 @@ CASES = {
 COMPILER_SENTENCE = "compiling it takes more memory than there is for it"
 # Of allocations that so many callers in a row ask for alike the first one stands for all.
 PATHS = {"cold": 4, "warm": 8}
-SAMPLES = {"cold": 3, "warm": 8}
+SAMPLES = {"cold": 2, "warm": 6}
 CACHE = tempfile.TemporaryDirectory(prefix="limn-memory-")
 
 
@@ -100,7 +100,7 @@ def try_case(case, pool):
     if good.code != 0 or not good.counted:
         sys.exit(f"{case}: exit code {good.code} without a fault: {good.err}")
     count = good.counted[0]
-    step = STEP or max(1, count // SAMPLES.get(case, 12))
+    step = STEP or max(1, count // SAMPLES.get(case, 8))
     numbers = range(1 + step // 2, count + 1, step)
     ends = collections.Counter()
     places = {}

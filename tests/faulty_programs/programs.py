@@ -48,7 +48,7 @@ CASES = {
                "--size", "16x16"],
 }
 # What of it is tried in a sample, one call of each.
-SAMPLES = {"render": RESULTS, "watch": RESULTS[:3], "report": RESULTS[:2]}
+SAMPLES = {"render": RESULTS, "watch": RESULTS[:2], "report": RESULTS[:1]}
 CACHE = tempfile.TemporaryDirectory(prefix="limn-programs-")
 
 
