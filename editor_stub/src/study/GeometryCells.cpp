@@ -145,8 +145,7 @@ const StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
     {
         const SceneAsset asset = MakeSubject(id, true, m_Scene, m_Assets);
         Silhouette silhouette = OutlinedSilhouette(asset);
-        Coverage exact =
-            ExactOutlineCoverage(silhouette, {id.width}, id.pictureWidth, id.pictureHeight);
+        Coverage exact = ExactOutlineCoverage(silhouette, {id.width}, asset.width, asset.height);
         m_Reference =
             std::make_unique<Reference>(Reference{name, std::move(silhouette), std::move(exact)});
     }
@@ -192,9 +191,13 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
         WritePictures(alpha, reference, result);
         if (id.subject == k_SceneSubject)
         {
+            const Image output = Picture(id, false)->Output();
+            const double scale = static_cast<double>(output.width) / alpha.width; // renderScale's
+            Box bounds = reference.silhouette.bounds();
+            bounds.low *= scale;
+            bounds.high *= scale;
             result.pictures["scene"] =
-                WriteScenePicture(Picture(id, false)->Output(), reference.silhouette.bounds(),
-                                  id.width, m_Folder, id);
+                WriteScenePicture(output, bounds, id.width * scale, m_Folder, id);
         }
     }
     return result;
@@ -203,8 +206,7 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
 void StudyBench::WritePictures(const Coverage& alpha, const Reference& reference,
                                CellResult& result)
 {
-    const PictureWindow window =
-        WindowOnBorder(reference.silhouette, result.id.pictureWidth, result.id.pictureHeight);
+    const PictureWindow window = WindowOnBorder(reference.silhouette, alpha.width, alpha.height);
     const bool isCompared = result.Has("meanAbsoluteError");
     result.pictures["picture"] =
         WriteStudyPicture(AlphaImage(alpha, window), m_Folder, result.id, "picture");

@@ -17,12 +17,6 @@ constexpr const char* k_Half = "half";
 constexpr const char* k_StandardZ = "standard Z";
 constexpr const char* k_SmallTarget = "R8 targets";
 
-/// Of an 8-bit camera's texel: ChannelOf leaves it as it is stored.
-double FromSrgb(double value)
-{
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& result)
 {
     const OutlineScore score = ScoreOutline(drawn, other);
@@ -108,12 +102,7 @@ Coverage NumericalBench::Draw(const CellId& id, AssetContext& assets, bool allow
     SceneAsset asset = MakeSubject(id, true, {}, assets);
     UseTechnique(asset, *FindTechnique(id.technique), id.width, assets);
     asset.camera.allowHDR = allowHDR;
-    Coverage alpha = StudyPicture(std::move(asset), assets, m_Device).Alpha();
-    if (!allowHDR)
-    {
-        std::ranges::transform(alpha.values, alpha.values.begin(), FromSrgb);
-    }
-    return alpha;
+    return StudyPicture(std::move(asset), assets, m_Device).Alpha();
 }
 
 CellResult NumericalBench::Measure(const CellId& id)

@@ -1,7 +1,20 @@
 #include "study/StudyPicture.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace limn::study
 {
+
+namespace
+{
+
+double FromSrgb(double value)
+{
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+} // namespace
 
 StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device)
     : m_Asset(std::move(asset)),
@@ -66,7 +79,13 @@ Image StudyPicture::Colors()
 
 Coverage StudyPicture::Alpha()
 {
-    return ChannelOf(Colors(), 0);
+    const Image colors = Colors();
+    Coverage alpha = ChannelOf(colors, 0);
+    if (IsSRGBFormat(colors.format)) // of a camera without HDR
+    {
+        std::ranges::transform(alpha.values, alpha.values.begin(), FromSrgb);
+    }
+    return alpha;
 }
 
 Image StudyPicture::Output()

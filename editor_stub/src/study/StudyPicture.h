@@ -30,7 +30,7 @@ public:
     /// The camera's colour of a new frame before it is rounded to 8 bits: R16G16B16A16_SFloat where
     /// the camera allows HDR.
     Image Colors();
-    /// The first channel of Colors().
+    /// The first channel of Colors(), linear.
     Coverage Alpha();
     /// What a person sees, R8G8B8A8_SRGB, of a new frame.
     Image Output();

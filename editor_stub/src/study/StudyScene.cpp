@@ -75,6 +75,13 @@ FilteringSettings FilterOf(SceneAsset& asset)
                      "m_LayerMask and m_RenderingLayerMask says so");
 }
 
+/// Whether the camera would draw it if it were in front of it.
+bool IsDrawn(const GameObject& object, const Camera& camera)
+{
+    return object.activeSelf && object.renderer && object.renderer->enabled &&
+           LayerMask::FromIndex(object.layer).Intersects(camera.cullingMask);
+}
+
 bool IsTaken(const GameObject& object, const FilteringSettings& filter)
 {
     const MeshRenderer& renderer = *object.renderer;
@@ -139,7 +146,7 @@ std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
             continue;
         }
         RenderingLayerMask& mask = object->renderer->renderingLayerMask;
-        const bool isOutlined = object->renderer->enabled && IsTaken(*object, filter);
+        const bool isOutlined = IsDrawn(*object, asset.camera) && IsTaken(*object, filter);
         mask.bits = (mask.bits & ~k_Outlined.bits) | (isOutlined ? k_Outlined.bits : 0u);
         if (isOutlined)
         {
@@ -151,14 +158,23 @@ std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
         throw AssetError(asset.path.string(), {},
                          "its outline feature takes none of its " +
                              std::to_string(asset.scene.objects().size()) +
-                             " objects; 'limn explain' says by which rule");
+                             " objects that its camera draws; 'limn explain' says by which rule");
     }
     return outlined;
 }
 
 void MakeBlack(SceneAsset& asset, AssetContext& assets)
 {
+    asset.camera.clearFlags = CameraClearFlags::SolidColor; // not a sky
     asset.camera.backgroundColor = Color::black;
+    asset.camera.cameraStack.clear();
+    const auto scaled = [&](int side)
+    {
+        return std::max(1, static_cast<int>(static_cast<float>(side) * asset.renderScale));
+    };
+    asset.width = scaled(asset.width);
+    asset.height = scaled(asset.height);
+    asset.renderScale = 1.0f;
     const std::shared_ptr<const Material> black = BlackMaterial(assets);
     for (const auto& object : asset.scene.objects())
     {

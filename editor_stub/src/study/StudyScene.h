@@ -19,13 +19,15 @@ GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
 GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
                      AssetContext& assets, const glm::dvec2& offset = glm::dvec2(0.0));
 
-/// Puts what the scene's first outline feature that is active would outline into the rendering
-/// layer k_OutlinedLayer, and nothing else.
+/// Puts what the scene's first outline feature that is active would outline, and the camera draws,
+/// into the rendering layer k_OutlinedLayer, and nothing else.
 /// @returns the objects
 /// @throws AssetError if there is no such feature, or it takes no object
 std::vector<GameObject*> MarkOutlined(SceneAsset& asset);
 
-/// Makes everything black, lit by nothing, so that a white outline is its own alpha.
+/// Makes everything black, lit by nothing, before a black background, so that a white outline is its
+/// own alpha. The picture gets the size that the camera draws in, which renderScale may make another
+/// than the scene's; cameras that draw over this one are left out.
 void MakeBlack(SceneAsset& asset, AssetContext& assets);
 
 /// What the outlined objects cover in the scene's picture, whatever is in front of them; in double

@@ -53,10 +53,11 @@ public:
     {
     }
 
-    /// @param inner        a point of the object beside the edge; none: it is drawn to both sides
-    /// @param pointA       the mesh's, for joining it with others; or k_NoPoint
-    void Add(glm::dvec4 a, glm::dvec4 b, const glm::dvec4* inner, std::uint32_t pointA,
-             std::uint32_t pointB)
+    /// @param side    the object is on the right of a to b (> 0), on the left (< 0), or it cannot
+    /// be
+    ///                said (0), and it is drawn to both sides
+    /// @param pointA  the mesh's, for joining it with others; or k_NoPoint
+    void Add(glm::dvec4 a, glm::dvec4 b, int side, std::uint32_t pointA, std::uint32_t pointB)
     {
         const glm::dvec4 wholeA = a;
         const glm::dvec4 wholeB = b;
@@ -65,14 +66,13 @@ public:
             return;
         }
         Stroke stroke{ToPixel(a), ToPixel(b), a.z / a.w, b.z / b.w};
-        const double side = inner != nullptr ? SideOf(stroke, *inner) : 0.0;
         pointA = a == wholeA ? pointA : k_NoPoint;
         pointB = b == wholeB ? pointB : k_NoPoint;
-        if (side >= 0.0)
+        if (side >= 0)
         {
             Push(stroke, pointA, pointB);
         }
-        if (side <= 0.0)
+        if (side <= 0)
         {
             std::swap(stroke.a, stroke.b);
             std::swap(stroke.depthA, stroke.depthB);
@@ -114,18 +114,6 @@ private:
         return glm::dvec2(1.0 + clip.x / clip.w, 1.0 - clip.y / clip.w) * 0.5 * m_Picture;
     }
 
-    /// > 0: the object is on the right of a to b, < 0: on the left, 0: it cannot be said.
-    double SideOf(const Stroke& stroke, const glm::dvec4& inner) const
-    {
-        if (!(inner.w > 0.0) || InsideNear(inner) < 0.0)
-        {
-            return 0.0;
-        }
-        const glm::dvec2 along = stroke.b - stroke.a;
-        const glm::dvec2 across = ToPixel(inner) - stroke.a;
-        return along.x * across.y - along.y * across.x;
-    }
-
     void Push(const Stroke& stroke, std::uint32_t pointA, std::uint32_t pointB)
     {
         const std::size_t index = m_Strokes->size();
@@ -150,18 +138,14 @@ private:
     std::unordered_map<std::uint32_t, Ends> m_Ends; ///< by point
 };
 
-/// The sign of the area that a face has on the screen, also where it reaches behind the camera.
-signed char Facing(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
+/// The sign of the area that a face has on the screen, also where it reaches behind the camera: > 0
+/// where its corners go round clockwise, so that it is on the right of each of its sides.
+signed char SignOfArea(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
 {
     const glm::dmat3 corners(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w),
                              glm::dvec3(c.x, c.y, c.w));
-    const double area = glm::determinant(corners);
+    const double area = -glm::determinant(corners);
     return static_cast<signed char>((area > 0.0) - (area < 0.0));
-}
-
-std::uint32_t ThirdPoint(const WeldedMesh::Face& face, const WeldedMesh::Edge& edge)
-{
-    return face.points[0] ^ face.points[1] ^ face.points[2] ^ edge.points[0] ^ edge.points[1];
 }
 
 /// Where a plane cuts through a face.
@@ -183,7 +167,7 @@ void AddCut(const WeldedMesh::Face& face, const std::vector<glm::dvec4>& clip, P
     }
     if (count == 2)
     {
-        maker.Add(ends[0], ends[1], nullptr, k_NoPoint, k_NoPoint);
+        maker.Add(ends[0], ends[1], 0, k_NoPoint, k_NoPoint);
     }
 }
 
@@ -213,26 +197,30 @@ void SilhouetteFinder::Append(const std::shared_ptr<const Mesh>& mesh, int subMe
         m_Clip.push_back(objectToClip * glm::dvec4(point, 1.0));
         isCut = isCut || InsideNear(m_Clip.back()) < 0.0 || InsideFar(m_Clip.back()) < 0.0;
     }
-    m_Facing.clear();
+    m_Areas.clear();
     for (const WeldedMesh::Face& face : welded.faces)
     {
-        m_Facing.push_back(
-            Facing(m_Clip[face.points[0]], m_Clip[face.points[1]], m_Clip[face.points[2]]));
+        m_Areas.push_back(
+            SignOfArea(m_Clip[face.points[0]], m_Clip[face.points[1]], m_Clip[face.points[2]]));
     }
 
     StrokeMaker maker(picture, strokes);
-    for (const WeldedMesh::Edge& edge : welded.edges)
+    for (auto side = welded.sides.begin(); side != welded.sides.end();)
     {
-        const signed char first = m_Facing[edge.faces[0]];
-        const bool isBorder = edge.faces[1] == WeldedMesh::k_NoFace;
-        if (!isBorder && first != 0 && first == m_Facing[edge.faces[1]])
+        const auto& points = side->points;
+        bool isOnRight = false;
+        bool isOnLeft = false;
+        for (; side != welded.sides.end() && side->points == points; ++side)
         {
-            continue;
+            const int area = side->isForward ? m_Areas[side->face] : -m_Areas[side->face];
+            isOnRight = isOnRight || area > 0;
+            isOnLeft = isOnLeft || area < 0;
         }
-        const std::uint32_t beside = first != 0 || isBorder ? edge.faces[0] : edge.faces[1];
-        const glm::dvec4& inner = m_Clip[ThirdPoint(welded.faces[beside], edge)];
-        maker.Add(m_Clip[edge.points[0]], m_Clip[edge.points[1]],
-                  m_Facing[beside] != 0 ? &inner : nullptr, edge.points[0], edge.points[1]);
+        if (!isOnRight || !isOnLeft)
+        {
+            maker.Add(m_Clip[points[0]], m_Clip[points[1]], int{isOnRight} - int{isOnLeft},
+                      points[0], points[1]);
+        }
     }
     for (const WeldedMesh::Face& face : welded.faces)
     {

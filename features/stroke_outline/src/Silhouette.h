@@ -24,12 +24,13 @@ struct Stroke
     double turnB = -1.0;
 };
 
-/// The edges of meshes at which what is seen of them can end: between a face that is seen from the
-/// front and one that is not, at a border, and where the near or far plane cuts through a face.
-/// There may be more of them, inside of what is seen; there are not fewer.
+/// The edges of meshes at which what is seen of them can end: those that do not have faces on both
+/// of their sides on the screen, and where the near or far plane cuts through a face. Which way
+/// round the corners of a face go does not matter, nor how many faces meet at an edge. There may be
+/// more of these edges, inside of what is seen; there are not fewer.
 ///
-/// Which way a face looks is the sign of its area on the screen in double precision, the same for
-/// all its edges; a face without area counts as neither.
+/// On which side of its edges a face lies is the sign of its area on the screen in double
+/// precision, worked out once a face; a face without area lies on neither.
 class SilhouetteFinder
 {
 public:
@@ -50,7 +51,7 @@ private:
 
     std::map<std::pair<std::uint64_t, int>, Entry> m_Meshes; ///< by Mesh::id
     std::vector<glm::dvec4> m_Clip;                          ///< of the points
-    std::vector<signed char> m_Facing;                       ///< of the faces
+    std::vector<signed char> m_Areas;                        ///< their signs, of the faces
 };
 
 } // namespace limn

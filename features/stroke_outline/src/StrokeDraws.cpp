@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace limn
 {
@@ -56,6 +58,26 @@ bool CutToBox(Stroke& stroke, const glm::dvec2& low, const glm::dvec2& high)
         stroke.turnB = 1.0;
     }
     return true;
+}
+
+/// Leaves one of the strokes that lie at the same place, as those of objects at the same place do;
+/// the others keep their order.
+void LeaveOutDoubles(std::vector<Stroke>& strokes)
+{
+    const auto place = [](const Stroke& stroke)
+    {
+        return std::tie(stroke.a.x, stroke.a.y, stroke.b.x, stroke.b.y);
+    };
+    std::vector<std::size_t> order(strokes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return place(strokes[i]); });
+    std::vector<bool> isDouble(strokes.size());
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+        isDouble[order[i]] = place(strokes[order[i - 1]]) == place(strokes[order[i]]);
+    }
+    std::size_t index = 0;
+    std::erase_if(strokes, [&](const Stroke&) { return isDouble[index++]; });
 }
 
 /// How far a stroke has to go on so that together with the next one it covers all points around
@@ -165,6 +187,7 @@ bool StrokeDraws::Assign(std::vector<Stroke>& strokesOfGroup, double width,
     const glm::dvec2 border(radius + 1.0);
     std::erase_if(strokesOfGroup, [&](Stroke& stroke)
                   { return !CutToBox(stroke, -border, glm::dvec2(picture) + border); });
+    LeaveOutDoubles(strokesOfGroup);
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high = -low;
     for (const Stroke& stroke : strokesOfGroup)

@@ -37,27 +37,36 @@ std::vector<std::uint32_t> WeldPoints(const std::vector<glm::vec3>& vertices,
     return pointOf;
 }
 
-/// A face's side, its points in ascending order.
-struct Side
+/// Leaves one of the faces that have the same corners, in whatever order.
+void LeaveOutDoubles(std::vector<WeldedMesh::Face>& faces)
 {
-    std::array<std::uint32_t, 2> points;
-    std::uint32_t face;
-};
+    const auto corners = [](const WeldedMesh::Face& face)
+    {
+        auto sorted = face.points;
+        std::ranges::sort(sorted);
+        return sorted;
+    };
+    std::ranges::stable_sort(faces, {}, corners);
+    const auto doubles = std::ranges::unique(faces, {}, corners);
+    faces.erase(doubles.begin(), doubles.end());
+}
 
-std::vector<Side> SidesOf(const std::vector<WeldedMesh::Face>& faces)
+std::vector<WeldedMesh::Side> SidesOf(const std::vector<WeldedMesh::Face>& faces)
 {
-    std::vector<Side> sides;
+    std::vector<WeldedMesh::Side> sides;
     sides.reserve(faces.size() * 3);
     for (std::uint32_t face = 0; face < faces.size(); ++face)
     {
         const auto& p = faces[face].points;
         for (std::size_t i = 0; i < 3; ++i)
         {
-            const auto [low, high] = std::minmax(p[i], p[(i + 1) % 3]);
-            sides.push_back({{low, high}, face});
+            const std::uint32_t from = p[i];
+            const std::uint32_t to = p[(i + 1) % 3];
+            sides.push_back({{std::min(from, to), std::max(from, to)}, face, from < to});
         }
     }
-    std::ranges::sort(sides, {}, [](const Side& side) { return std::tie(side.points, side.face); });
+    std::ranges::sort(
+        sides, {}, [](const WeldedMesh::Side& side) { return std::tie(side.points, side.face); });
     return sides;
 }
 
@@ -79,24 +88,8 @@ WeldedMesh Weld(const Mesh& mesh, int subMesh)
             welded.faces.push_back(face);
         }
     }
-    const std::vector<Side> sides = SidesOf(welded.faces);
-    for (auto first = sides.begin(); first != sides.end();)
-    {
-        const auto last = std::find_if(
-            first, sides.end(), [&](const Side& side) { return side.points != first->points; });
-        if (last - first == 2)
-        {
-            welded.edges.push_back({first->points, {first->face, first[1].face}});
-        }
-        else
-        {
-            for (auto side = first; side != last; ++side)
-            {
-                welded.edges.push_back({side->points, {side->face, WeldedMesh::k_NoFace}});
-            }
-        }
-        first = last;
-    }
+    LeaveOutDoubles(welded.faces);
+    welded.sides = SidesOf(welded.faces);
     return welded;
 }
 

@@ -9,26 +9,26 @@ namespace limn
 {
 
 /// The triangles of a sub-mesh and what lies between them: vertices at one position are one point.
-/// Triangles with two corners at one point are left out.
+/// Triangles with two corners at one point are left out, and of triangles with the same corners all
+/// but one are.
 struct WeldedMesh
 {
-    static constexpr std::uint32_t k_NoFace = ~std::uint32_t{0};
-
     struct Face
     {
         std::array<std::uint32_t, 3> points;
     };
-    struct Edge
+    /// An edge as one face has it. The sides of one edge, however many faces meet there, lie one
+    /// behind the other.
+    struct Side
     {
-        std::array<std::uint32_t, 2> points;
-        /// The two faces that meet here; the second is k_NoFace at a border, and where more than
-        /// two meet there is one edge for each face, all of them borders.
-        std::array<std::uint32_t, 2> faces{k_NoFace, k_NoFace};
+        std::array<std::uint32_t, 2> points; ///< in ascending order
+        std::uint32_t face;
+        bool isForward; ///< whether the face's corners follow each other in this order
     };
 
     std::vector<glm::vec3> points; ///< object space
     std::vector<Face> faces;
-    std::vector<Edge> edges;
+    std::vector<Side> sides;
 };
 
 WeldedMesh Weld(const Mesh& mesh, int subMesh);

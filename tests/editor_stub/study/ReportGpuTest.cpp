@@ -113,6 +113,50 @@ TEST_F(ReportGpu, RefusesWhatItCannotMeasure)
     EXPECT_EQ(RunCommand({"report", "a", "b", "-o", "r"}).exitCode, 2);
 }
 
+/// The error of strokes around a cube, in a scene with these lines in place of the plain camera.
+double ErrorOfStrokes(const test::WorkingFolder& working, AssetContext& assets,
+                      VulkanDevice& device, const std::string& name, const std::string& camera,
+                      const std::string& more)
+{
+    const std::string head = "size: [160, 120]\n" + more + "camera: {position: [0, 1, -3], " +
+                             "lookAt: [0, 0, 0]" + camera + "}\n";
+    working.folder.Write(name, head + R"(renderingLayers: {8: Selected}
+renderer:
+  features: [{type: StrokeOutlineRendererFeature, m_RenderingLayerMask: Selected}]
+objects:
+  - {name: Floor, mesh: plane, position: [0, -0.5, 0]}
+  - {name: Cube, mesh: cube, renderingLayerMask: [Default, Selected], rotation: [0, 30, 0]}
+  - {name: Unseen, mesh: sphere, layer: 9, renderingLayerMask: [Selected], position: [1, 0, 0]}
+  - {name: Off, mesh: sphere, activeSelf: false, renderingLayerMask: [Selected], position: [-1, 0, 0]}
+)");
+    StudyBench bench{working.folder / name, "", assets, device};
+    const CellResult result =
+        bench.Measure({CellKind::Geometry, "Strokes", "scene", 4.0, 160, 120, ""});
+    EXPECT_GT(result.Value("bandPixels"), 300.0);
+    return result.Value("meanAbsoluteError");
+}
+
+TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheSceneHas)
+{
+    const test::WorkingFolder working;
+    VulkanDevice device;
+    AssetContext assets{test::CachedCompiler()};
+    const auto error =
+        [&](const std::string& name, const std::string& camera, const std::string& more = "")
+    {
+        return ErrorOfStrokes(working, assets, device, name, ", cullingMask: [0]" + camera, more);
+    };
+    EXPECT_LT(error("plain.scene.yaml", ""), 0.005);
+    EXPECT_LT(error("sky.scene.yaml", ", clearFlags: Skybox",
+                    "skybox: sky\nmaterials: {sky: {shader: Skybox/Procedural}}\n"),
+              0.005);
+    EXPECT_LT(error("white.scene.yaml", ", clearFlags: Skybox, backgroundColor: white"), 0.005);
+    EXPECT_LT(error("half.scene.yaml", "", "renderScale: 0.5\n"), 0.01);
+    EXPECT_LT(error("twice.scene.yaml", "", "renderScale: 2\n"), 0.005);
+    // A code of sRGB near white is 0.009 apart from the next.
+    EXPECT_LT(error("ldr.scene.yaml", ", allowHDR: false"), 0.005 + 0.0045);
+}
+
 class StudyBenchGpu : public testing::Test
 {
 protected:
