@@ -56,8 +56,9 @@ TEST(PlanSweep, HasEveryLevelForEveryTechniqueHoweverFewCells)
                 levels.insert("height=" + std::to_string(cell.pictureHeight));
             }
         }
-        // 8 ratios, 8 widths, 5 sizes, 3 angles, 7 scales, 2 sample counts, 3 views, 2 directions
-        EXPECT_EQ(levels.size(), 38u) << technique.info.name;
+        // 8 ratios, 8 widths, 5 sizes, 3 angles, 7 scales, 2 sample counts, 3 views, 2 directions,
+        // 8 kinds of mesh
+        EXPECT_EQ(levels.size(), 46u) << technique.info.name;
     }
 }
 
@@ -66,6 +67,7 @@ TEST(PlanSweep, OfAllCombinationsKeepsFullScreensFew)
     ExtremeLevels levels;
     levels.depthRatios = {1e2, 1e9};
     levels.widths = {8.0, 64.0};
+    levels.meshes = {Untidiness::None};
     const auto cells = PlanSweep(std::span(Techniques()).first(1), SweepSize::Full, levels);
     EXPECT_EQ(
         std::ranges::count_if(cells, [](const CellId& cell) { return cell.pictureWidth <= 256; }),

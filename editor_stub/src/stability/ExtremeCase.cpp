@@ -81,6 +81,26 @@ glm::vec3 ScaleOf(const ExtremeCase& extreme)
     }
 }
 
+/// "two-objects": without spaces, which part the levels of a variant.
+std::string NameOf(Untidiness untidiness)
+{
+    std::string name = UntidinessNames()[static_cast<std::size_t>(untidiness)];
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
+
+std::optional<Untidiness> UntidinessOf(const std::string& name)
+{
+    for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+    {
+        if (NameOf(static_cast<Untidiness>(i)) == name)
+        {
+            return static_cast<Untidiness>(i);
+        }
+    }
+    return std::nullopt;
+}
+
 template <std::size_t Count>
 std::optional<std::size_t> IndexOf(const char* const (&names)[Count], const std::string& name)
 {
@@ -103,6 +123,12 @@ bool TakeLevel(ExtremeCase& extreme, const std::string& key, const std::string& 
         const auto direction = IndexOf(k_Directions, value);
         extreme.isStandardZ = direction == 1u;
         return direction.has_value();
+    }
+    if (key == "mesh")
+    {
+        const auto untidiness = UntidinessOf(value);
+        extreme.untidiness = untidiness.value_or(Untidiness::None);
+        return untidiness.has_value();
     }
     if (const auto scaling = IndexOf(k_Scalings, value); key == "scale" && scaling)
     {
@@ -140,7 +166,7 @@ std::string ExtremeCase::Variant() const
     }
     text << k_Scalings[static_cast<std::size_t>(scaling)] << " samples=" << samples
          << " view=" << k_Views[static_cast<std::size_t>(view)]
-         << " z=" << k_Directions[isStandardZ ? 1 : 0];
+         << " z=" << k_Directions[isStandardZ ? 1 : 0] << " mesh=" << NameOf(untidiness);
     return text.str();
 }
 
@@ -170,14 +196,18 @@ SceneAsset ExtremeCase::Scene(AssetContext& assets, bool isGrey) const
     asset.height = size.y;
     asset.msaaSampleCount = samples;
     asset.camera = CameraOf(*this);
-    GameObject& torus = AddOutlined(asset, "torus", assets.Primitive(PrimitiveType::Torus), assets);
-    torus.transform.localRotation = EulerToRotation({-63.0f, 21.0f, 8.0f});
-    torus.transform.localScale = ScaleOf(*this);
-    if (isGrey)
+    const auto mesh = MakeUntidy(*assets.Primitive(PrimitiveType::Torus), untidiness);
+    for (int i = 0; i < (untidiness == Untidiness::TwoObjects ? 2 : 1); ++i)
     {
-        auto material = std::make_shared<Material>(*torus.renderer->sharedMaterials.front());
-        material->SetColor(ShaderPropertyId("_BaseColor"), {0.5f, 0.5f, 0.5f, 1.0f});
-        torus.renderer->sharedMaterials = {std::move(material)};
+        GameObject& torus = AddOutlined(asset, "torus", mesh, assets);
+        torus.transform.localRotation = EulerToRotation({-63.0f, 21.0f, 8.0f});
+        torus.transform.localScale = ScaleOf(*this);
+        if (isGrey)
+        {
+            auto material = std::make_shared<Material>(*torus.renderer->sharedMaterials.front());
+            material->SetColor(ShaderPropertyId("_BaseColor"), {0.5f, 0.5f, 0.5f, 1.0f});
+            torus.renderer->sharedMaterials = {std::move(material)};
+        }
     }
     return asset;
 }
@@ -187,7 +217,7 @@ std::vector<int> ExtremeLevels::Counts() const
     std::vector<int> counts;
     for (const std::size_t count :
          {depthRatios.size(), widths.size(), sizes.size(), fieldsOfView.size(), scales.size() + 2,
-          samples.size(), views.size(), standardZ.size()})
+          samples.size(), views.size(), standardZ.size(), meshes.size()})
     {
         counts.push_back(static_cast<int>(count));
     }
@@ -217,6 +247,7 @@ ExtremeCase ExtremeLevels::At(const Combination& combination) const
     extreme.samples = level(samples, 5);
     extreme.view = level(views, 6);
     extreme.isStandardZ = level(standardZ, 7);
+    extreme.untidiness = level(meshes, 8);
     return extreme;
 }
 
@@ -229,7 +260,9 @@ bool ExtremeLevels::IsWorthIt(const Combination& combination) const
     {
         return others <= 1;
     }
-    return std::max(extreme.size.x, extreme.size.y) <= 256 || others <= 3;
+    const bool isPlain = std::max(extreme.size.x, extreme.size.y) <= 256 &&
+                         extreme.untidiness == Untidiness::None;
+    return isPlain || others <= 3;
 }
 
 } // namespace limn::study

@@ -3,6 +3,7 @@
 #include "stability/Pairwise.h"
 #include "study/StudyScene.h"
 #include "study/Techniques.h"
+#include "study/UntidyMesh.h"
 
 #include <span>
 
@@ -38,10 +39,11 @@ struct ExtremeCase
     double scale = 1.0;
     int samples = 1; ///< a pixel
     ExtremeView view = ExtremeView::Perspective;
-    bool isStandardZ = false; ///< see ShaderCompilerOptions::usesReversedZBuffer
+    bool isStandardZ = false;                 ///< see ShaderCompilerOptions::usesReversedZBuffer
+    Untidiness untidiness = Untidiness::None; ///< of the object's mesh
 
     /// Everything but width and size, readable and always the same:
-    /// "ratio=1e+02 fov=60 scale=mirrored samples=4 view=oblique z=reversed".
+    /// "ratio=1e+02 fov=60 scale=mirrored samples=4 view=oblique z=reversed mesh=soup".
     std::string Variant() const;
     /// The case that a cell's name says.
     /// @throws ContractError if its variant is not of Variant()
@@ -73,6 +75,10 @@ struct ExtremeLevels
     std::vector<ExtremeView> views{ExtremeView::Perspective, ExtremeView::Orthographic,
                                    ExtremeView::Oblique};
     std::vector<bool> standardZ{false, true};
+    std::vector<Untidiness> meshes{Untidiness::None,       Untidiness::TurnedAtRandom,
+                                   Untidiness::Doubled,    Untidiness::DoubleSided,
+                                   Untidiness::TwoObjects, Untidiness::Soup,
+                                   Untidiness::TJunctions, Untidiness::Open};
 
     std::vector<int> Counts() const; ///< of each factor
     ExtremeCase At(const Combination& combination) const;

@@ -85,7 +85,7 @@ void WideOutlineSettings::Describe(Inspector& inspector)
     OutlineSettings::Describe(inspector);
     inspector.Header("Wide Outline");
     inspector.Field("m_Method", m_Method, k_WideMethods,
-                    "How distances are found: the picture is the same, the time is not");
+                    "How distances are found: the error is alike, the time is not");
     inspector.Field("m_Occlusion", m_Occlusion, k_WideOcclusions,
                     "Whether what stands in front of an object cuts its outline");
     DescribeGrouping(inspector, m_Grouping);

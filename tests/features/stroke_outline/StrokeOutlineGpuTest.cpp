@@ -1,5 +1,6 @@
 #include "features/outline/TechniquePicture.h"
 #include "precision/DevicePrecision.h"
+#include "study/UntidyMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -409,107 +410,20 @@ TEST_F(StrokeOutlineGpu, SeesASolidObjectInFrontOfAllElseAsVisible)
     }
 }
 
-/// What real meshes are like that nobody tidied.
-enum class Untidy
+/// The error of its outline of 8 pixels.
+OutlineScore ScoreUntidy(PrimitiveType type, study::Untidiness untidiness)
 {
-    Clean,
-    OneTriangleTurned,
-    OneFaceTurned,
-    TurnedAtRandom,
-    Doubled,
-    DoubleSided,
-    TwoObjects, ///< at the same place
-    Soup,       ///< no triangle shares a vertex with another
-    TJunctions,
-    Open,
-    Fins, ///< at edges of which two faces meet already
-    Count
-};
-
-constexpr const char* k_UntidyNames[] = {"clean",
-                                         "one triangle turned",
-                                         "one face turned",
-                                         "random turn",
-                                         "doubled",
-                                         "double-sided",
-                                         "two objects",
-                                         "soup",
-                                         "T-junctions",
-                                         "open",
-                                         "fins"};
-
-bool isTurned(Untidy kind, std::size_t triangle)
-{
-    switch (kind)
+    StrokePicture picture(8.0f, {}, 200, 190);
+    picture.camera.orthographic = false;
+    picture.camera.nearClipPlane = 0.1f;
+    picture.camera.fieldOfView = 40.0f;
+    picture.camera.transform.localPosition = {0.1f, -0.05f, -3.6f};
+    const auto mesh = study::MakeUntidy(*CreatePrimitive(type), untidiness);
+    for (int i = 0; i < (untidiness == study::Untidiness::TwoObjects ? 2 : 1); ++i)
     {
-    case Untidy::OneTriangleTurned:
-        return triangle == 5;
-    case Untidy::OneFaceTurned:
-        return triangle / 2 == 2;
-    case Untidy::TurnedAtRandom:
-    case Untidy::Soup:
-        return (triangle * 2654435761u >> 7 & 1u) != 0;
-    default:
-        return false;
+        picture.Add("object", mesh).transform.localRotation = EulerToRotation({25.0f, 31.0f, 8.0f});
     }
-}
-
-std::shared_ptr<const Mesh> MakeUntidy(PrimitiveType type, Untidy kind)
-{
-    const MeshData& clean = CreatePrimitive(type)->data();
-    MeshData data;
-    data.vertices = clean.vertices;
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
-    {
-        data.triangles.insert(data.triangles.end(), {a, b, c});
-    };
-    const auto addPoint = [&](const glm::vec3& point)
-    {
-        data.vertices.push_back(point);
-        return static_cast<std::uint32_t>(data.vertices.size() - 1);
-    };
-    for (std::size_t i = 0; i < clean.triangles.size() / 3; ++i)
-    {
-        std::uint32_t a = clean.triangles[i * 3];
-        std::uint32_t b = clean.triangles[i * 3 + 1];
-        std::uint32_t c = clean.triangles[i * 3 + 2];
-        const glm::vec3 middle = (clean.vertices[a] + clean.vertices[b]) * 0.5f;
-        if (kind == Untidy::Open && i % 5 == 0)
-        {
-            continue;
-        }
-        if (kind == Untidy::Soup)
-        {
-            a = addPoint(clean.vertices[a]);
-            b = addPoint(clean.vertices[b]);
-            c = addPoint(clean.vertices[c]);
-        }
-        if (isTurned(kind, i))
-        {
-            std::swap(b, c);
-        }
-        if (kind == Untidy::TJunctions && i % 2 == 0)
-        {
-            const std::uint32_t m = addPoint(middle);
-            add(a, m, c);
-            add(m, b, c);
-            continue;
-        }
-        add(a, b, c);
-        if (kind == Untidy::Doubled)
-        {
-            add(b, c, a);
-        }
-        if (kind == Untidy::DoubleSided)
-        {
-            add(a, c, b);
-        }
-        if (kind == Untidy::Fins && i % 3 == 0)
-        {
-            add(a, b, addPoint(middle * 1.4f));
-        }
-    }
-    return std::make_shared<Mesh>("untidy", std::move(data));
+    return picture.Score(8.0);
 }
 
 TEST_F(StrokeOutlineGpu, IsAsExactForMeshesThatNobodyTidied)
@@ -517,22 +431,12 @@ TEST_F(StrokeOutlineGpu, IsAsExactForMeshesThatNobodyTidied)
     for (const PrimitiveType type :
          {PrimitiveType::Cube, PrimitiveType::Torus, PrimitiveType::Sphere})
     {
-        for (int number = 0; number < static_cast<int>(Untidy::Count); ++number)
+        for (std::size_t i = 0; i < study::UntidinessNames().size(); ++i)
         {
-            SCOPED_TRACE(std::to_string(static_cast<int>(type)) + ", " + k_UntidyNames[number]);
-            const auto kind = static_cast<Untidy>(number);
-            StrokePicture picture(8.0f, {}, 200, 190);
-            picture.camera.orthographic = false;
-            picture.camera.nearClipPlane = 0.1f;
-            picture.camera.fieldOfView = 40.0f;
-            picture.camera.transform.localPosition = {0.1f, -0.05f, -3.6f};
-            for (int i = 0; i < (kind == Untidy::TwoObjects ? 2 : 1); ++i)
-            {
-                picture.Add("object", MakeUntidy(type, kind)).transform.localRotation =
-                    EulerToRotation({25.0f, 31.0f, 8.0f});
-            }
-            const OutlineScore score = picture.Score(8.0);
-            std::cout << k_UntidyNames[number] << ' ' << score.meanAbsoluteError << ' '
+            SCOPED_TRACE(std::to_string(static_cast<int>(type)) + ", " +
+                         study::UntidinessNames()[i]);
+            const OutlineScore score = ScoreUntidy(type, static_cast<study::Untidiness>(i));
+            std::cout << study::UntidinessNames()[i] << ' ' << score.meanAbsoluteError << ' '
                       << score.largest << ' ' << score.intersectionOverUnion << std::endl;
             EXPECT_EQ(score.badValues, 0u);
             EXPECT_LE(score.meanAbsoluteError, 0.002);

@@ -117,7 +117,7 @@ TEST_P(WideOutlineByMethodGpu, IsAsNearToTheExactOutlineAsFourSamplesAllow)
     }
 }
 
-TEST_F(WideOutlineGpu, IsTheSameByEitherMethod)
+TEST_F(WideOutlineGpu, IsAlikeByEitherMethod)
 {
     for (const Limits& shape : Shapes())
     {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limn/core/Mesh.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn::study
+{
+
+/// What real meshes are like that nobody tidied: all but the last two look as the tidy one does.
+enum class Untidiness
+{
+    None,
+    OneTriangleTurned, ///< its corners go round the other way
+    OneFaceTurned,     ///< two neighbours
+    TurnedAtRandom,    ///< half of all triangles
+    Doubled,           ///< each triangle is there twice
+    DoubleSided,       ///< twice, once the other way round
+    TwoObjects,        ///< at the same place; the mesh itself is tidy
+    Soup,              ///< no triangle shares a vertex with another, half of them are turned
+    TJunctions,        ///< every other triangle has a corner in the middle of its neighbour's side
+    Open,              ///< every fifth triangle is missing
+    Fins               ///< three faces meet at some edges, the third one standing off the mesh
+};
+
+/// "tidy", "one triangle turned", ... in the order of Untidiness.
+const std::vector<std::string>& UntidinessNames();
+
+/// A copy with vertices and normals only.
+/// @param tidy  one list of triangles; with normals
+std::shared_ptr<const Mesh> MakeUntidy(const Mesh& tidy, Untidiness untidiness);
+
+} // namespace limn::study
