@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
+#include <numbers>
 
 namespace limn::test
 {
@@ -114,6 +115,47 @@ TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
             EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
             EXPECT_GE(score.intersectionOverUnion, width < 8.0 ? 0.975 : 0.998);
             EXPECT_LE(std::abs(score.widthBias), 0.01);
+        }
+    }
+}
+
+/// Between two arcs that meet in sharp tips.
+ScreenTriangles CrescentTriangles(const glm::dvec2& middle, double radius)
+{
+    constexpr int k_Parts = 64;
+    const auto place = [&](int i, double bulge)
+    {
+        const double angle = std::numbers::pi * (static_cast<double>(i) / k_Parts - 0.5) + 0.3;
+        const glm::dvec2 tip(std::cos(0.3), std::sin(0.3));
+        const glm::dvec2 onArc(std::cos(angle), std::sin(angle));
+        return middle + radius * (onArc - tip * (1.0 - bulge) * glm::dot(onArc, tip));
+    };
+    ScreenTriangles triangles;
+    for (int i = 0; i < k_Parts; ++i)
+    {
+        triangles.push_back({{place(i, 1.0), place(i + 1, 1.0), place(i, 0.6)}});
+        triangles.push_back({{place(i, 0.6), place(i + 1, 1.0), place(i + 1, 0.6)}});
+    }
+    return triangles;
+}
+
+/// Coverage is that of straight borders, so that it is off where one pixel holds a tip.
+TEST_F(StrokeOutlineGpu, IsOffByAPixelAtMostWhereThereAreTips)
+{
+    for (const ScreenTriangles& triangles :
+         {CrescentTriangles({40.3, 48.6}, 30.0), StarTriangles({47.3, 48.6}, 9, 6.0, 30.0, 0.2)})
+    {
+        const Silhouette silhouette(triangles);
+        for (const double width : {2.0, 8.0})
+        {
+            StrokePicture picture(static_cast<float>(width));
+            picture.Add("tips", triangles);
+            const OutlineScore score =
+                Score(picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height),
+                      {&silhouette});
+            std::cout << width << ' ' << score.meanAbsoluteError << ' ' << score.percentile99 << ' '
+                      << score.largest << std::endl;
+            EXPECT_LE(score.meanAbsoluteError, 0.0125);
         }
     }
 }
@@ -282,6 +324,10 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
     StrokePicture thin(0.0f);
     thin.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
     expectNothing(thin, "StrokeOutline.m_OutlineWidth is 0");
+
+    StrokePicture hair(1e-30f);
+    hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
+    expectNothing(hair, "StrokeOutline.m_OutlineWidth is 1e-30, too little to show");
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
