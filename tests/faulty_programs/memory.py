@@ -8,16 +8,16 @@ picture is then the old one. LIMN_FAULTS_ALL=N takes every N-th allocation inste
 which takes hours with 1.
 """
 
-import collections
-import concurrent.futures
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # the source folder stays as it is
+import faults  # noqa: E402
+
 LIMN, MODULE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
-STEP = int(os.environ.get("LIMN_FAULTS_ALL", "0"))  # 0 = a sample
 SENTENCES = ("there is not enough memory", "VK_ERROR_OUT_OF_HOST_MEMORY")
 OLD = b"an old picture"
 # Who asks for the memory that fails: limn, what is linked into it, and its parsers. Others use what
@@ -51,6 +51,8 @@ CACHE = tempfile.TemporaryDirectory(prefix="limn-memory-")
 class Run:
     """The program's end: exit code, output, messages, picture, and who asked for the memory."""
 
+    note = ""
+
     def __init__(self, case, number, lasts=False):
         with tempfile.TemporaryDirectory(prefix="limn-memory-") as folder:
             folder = pathlib.Path(folder)
@@ -75,7 +77,7 @@ class Run:
             self.picture = picture.read_bytes()
             lines = report.read_text().splitlines() if report.exists() else []
             self.counted = [int(line.split()[1]) for line in lines if line.startswith("counted")]
-            self.trace = [line for line in lines if not line.startswith("counted")]
+            self.place = [line for line in lines if not line.startswith("counted")][2:]
             self.left = sorted(path.name for path in folder.iterdir()
                                if path.name not in ("small.scene.yaml", "out.png", "report", "cache"))
 
@@ -93,37 +95,17 @@ class Run:
         return "exit code " + str(self.code)
 
 
-def try_case(case, pool):
+def try_case(case):
     if case == "warm":
         Run(case, 0)  # fills the cache
     good = Run(case, 0)
     if good.code != 0 or not good.counted:
         sys.exit(f"{case}: exit code {good.code} without a fault: {good.err}")
     count = good.counted[0]
-    step = STEP or max(1, count // SAMPLES.get(case, 8))
+    step = faults.STEP or max(1, count // SAMPLES.get(case, 8))
     numbers = range(1 + step // 2, count + 1, step)
-    ends = collections.Counter()
-    places = {}
-    for number, run in zip(numbers, pool.map(lambda number: Run(case, number), numbers)):
-        problem = run.problem(good)
-        ends[problem or "exit code " + str(run.code)] += 1
-        if problem:
-            places.setdefault((problem, tuple(run.trace[2:])), []).append((number, run.err))
-    print(f"{case}: {len(numbers)} of {count} allocations fail:",
-          "; ".join(f"{times} times {end}" for end, times in ends.most_common()), flush=True)
-    for (problem, trace), runs in places.items():
-        print(f"  {case}: {problem}, {len(runs)} times, first of allocation {runs[0][0]}:",
-              runs[0][1][-300:].strip())
-        for line in trace[:14]:
-            print("     ", line)
-    return not places
+    return faults.try_numbers(case, "allocation", numbers, count,
+                              lambda number: Run(case, number), good)
 
 
-def main():
-    cases = sys.argv[4:] or list(CASES)
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        results = [try_case(case, pool) for case in cases]
-    sys.exit(0 if all(results) else 1)
-
-
-main()
+faults.main(sys.argv[4:] or CASES, try_case)

@@ -9,8 +9,6 @@ draw again when a file changes, or end so. LIMN_FAULTS_ALL=N takes every N-th ca
 sample, which takes hours with 1.
 """
 
-import collections
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -20,8 +18,10 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True  # the source folder stays as it is
+import faults  # noqa: E402
+
 LIMN, MODULE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-STEP = int(os.environ.get("LIMN_FAULTS_ALL", "0"))  # 0 = a sample
 SCENE = """\
 size: [16, 16]
 msaaSampleCount: 4
@@ -76,6 +76,7 @@ class Run:
     """The program's end: exit code, messages, and files."""
 
     def __init__(self, case, result, number):
+        self.result = result
         with tempfile.TemporaryDirectory(prefix="limn-programs-") as folder:
             folder = pathlib.Path(folder)
             (folder / "small.scene.yaml").write_text(SCENE)
@@ -105,11 +106,13 @@ class Run:
             if self.code == -signal.SIGTERM and self.errors:
                 self.code, report = 3, ""  # the signal came when it was about to end by itself
             ended, *calls = report.splitlines() or ["nothing"]
-            self.failed, *self.objects = ended.split()
+            failed, *self.objects = ended.split()
+            self.place = [failed]
+            self.note = ", no call failed" if failed == "nothing" else ""
             self.calls = {line.split()[0]: int(line.split()[1]) for line in calls}
             self.broken = [problem for problem in map(broken, sorted(folder.rglob("*"))) if problem]
 
-    def problem(self, good, result):
+    def problem(self, good):
         """What is wrong with the end; "" if nothing is."""
         if self.code not in (0, 1, 3):
             return "exit code " + str(self.code)
@@ -123,7 +126,7 @@ class Run:
             return "exit code 0 without a picture"
         if self.code != 0 and not self.err.rstrip().splitlines()[-1:][0].startswith("error: "):
             return "no sentence"
-        if result in NO_ERRORS and self.code != 0:
+        if self.result in NO_ERRORS and self.code != 0:
             return "exit code " + str(self.code) + " without an error"
         if self.code == 1 and "the device" not in self.err:
             return "exit code 1, and the input is right"
@@ -148,38 +151,20 @@ def broken(path):
     return ""
 
 
-def try_case(case, pool):
+def try_case(case):
     good = Run(case, RESULTS[0], 0)
-    problem = good.problem(good, RESULTS[0])
+    problem = good.problem(good)
     if good.code != 0 or problem:
         sys.exit(f"{case}: without a fault: {problem} {good.err}")
-    results = RESULTS if STEP else SAMPLES[case]
-    return all([try_result(case, result, good, pool) for result in results])
+    results = RESULTS if faults.STEP else SAMPLES[case]
+    return all([try_result(case, result, good) for result in results])
 
 
-def try_result(case, result, good, pool):
+def try_result(case, result, good):
     calls = good.calls[result]
-    numbers = range(1, calls + 1, STEP) if STEP else [calls * 2 // 3]
-    ends = collections.Counter()
-    problems = []
-    for number, run in zip(numbers, pool.map(lambda number: Run(case, result, number), numbers)):
-        problem = run.problem(good, result)
-        failed = "" if run.failed != "nothing" else ", no call failed"
-        ends[(problem or "exit code " + str(run.code)) + failed] += 1
-        if problem:
-            problems.append(f"  call {number}, {run.failed}: {problem}: {run.err[-400:].strip()}")
-    print(f"{case}, {result}: {len(numbers)} of {calls} calls fail:",
-          "; ".join(f"{times} times {end}" for end, times in ends.most_common()), flush=True)
-    for problem in problems:
-        print(problem, flush=True)
-    return not problems
+    numbers = range(1, calls + 1, faults.STEP) if faults.STEP else [calls * 2 // 3]
+    return faults.try_numbers(f"{case}, {result}", "call", numbers, calls,
+                              lambda number: Run(case, result, number), good)
 
 
-def main():
-    cases = sys.argv[3:] or list(CASES)
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        results = [try_case(case, pool) for case in cases]
-    sys.exit(0 if all(results) else 1)
-
-
-main()
+faults.main(sys.argv[3:] or CASES, try_case)
