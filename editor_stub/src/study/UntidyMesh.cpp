@@ -42,7 +42,7 @@ public:
         std::uint32_t a = m_Tidy.triangles[number * 3];
         std::uint32_t b = m_Tidy.triangles[number * 3 + 1];
         std::uint32_t c = m_Tidy.triangles[number * 3 + 2];
-        if (untidiness == Untidiness::Open && number % 5 == 0)
+        if (untidiness == Untidiness::Open && number < m_Tidy.triangles.size() / 9)
         {
             return;
         }
@@ -72,7 +72,7 @@ public:
         {
             Add(a, c, b);
         }
-        if (untidiness == Untidiness::Fins && number % 3 == 0)
+        if (untidiness == Untidiness::Fins && number % 24 == 0)
         {
             Add(a, b, AddPoint(a, b, 1.0f + k_FinHeight));
         }

@@ -1,24 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limn/features/OutlineComponent.h>
-#include <sstream>
 
 namespace limn
 {
-
-namespace
-{
-
-constexpr float k_LeastReach = 1.0f / 512.0f; ///< pixels; it covers less than half an 8-bit step
-
-std::string ShortText(float number)
-{
-    std::ostringstream text;
-    text << number;
-    return text.str();
-}
-
-} // namespace
 
 float OutlineComponent::WidthWithin(const glm::ivec2& picture) const
 {
@@ -44,11 +29,6 @@ std::string WhyInactive(const OutlineComponent* component, std::string_view name
     if (component->reach() <= 0.0f)
     {
         return type + ".m_OutlineWidth is 0";
-    }
-    if (component->reach() < k_LeastReach)
-    {
-        return type + ".m_OutlineWidth is " + ShortText(component->reach()) +
-               ", too little to show";
     }
     if (component->m_OutlineColor.value().a <= 0.0f)
     {

@@ -10,7 +10,8 @@ namespace limn
 
 /// The triangles of a sub-mesh and what lies between them: vertices at one position are one point.
 /// Triangles with two corners at one point are left out, and of triangles with the same corners all
-/// but one are.
+/// but one are. Where corners of small triangles lie on the side of a large one (T-junctions), that
+/// side is split there.
 struct WeldedMesh
 {
     struct Face

@@ -127,7 +127,7 @@ objects:
   - {name: Floor, mesh: plane, position: [0, -0.5, 0]}
   - {name: Cube, mesh: cube, renderingLayerMask: [Default, Selected], rotation: [0, 30, 0]}
   - {name: Unseen, mesh: sphere, layer: 9, renderingLayerMask: [Selected], position: [1, 0, 0]}
-  - {name: Off, mesh: sphere, activeSelf: false, renderingLayerMask: [Selected], position: [-1, 0, 0]}
+  - {name: Off, mesh: sphere, active: false, renderingLayerMask: [Selected], position: [-1, 0, 0]}
 )");
     StudyBench bench{working.folder / name, "", assets, device};
     const CellResult result =
@@ -150,7 +150,7 @@ TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheScene
     EXPECT_LT(error("sky.scene.yaml", ", clearFlags: Skybox",
                     "skybox: sky\nmaterials: {sky: {shader: Skybox/Procedural}}\n"),
               0.005);
-    EXPECT_LT(error("white.scene.yaml", ", clearFlags: Skybox, backgroundColor: white"), 0.005);
+    EXPECT_LT(error("white.scene.yaml", ", clearFlags: Skybox, backgroundColor: [1, 1, 1]"), 0.005);
     EXPECT_LT(error("half.scene.yaml", "", "renderScale: 0.5\n"), 0.01);
     EXPECT_LT(error("twice.scene.yaml", "", "renderScale: 2\n"), 0.005);
     // A code of sRGB near white is 0.009 apart from the next.

@@ -153,9 +153,8 @@ TEST_F(StrokeOutlineGpu, IsOffByAPixelAtMostWhereThereAreTips)
             const OutlineScore score =
                 Score(picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height),
                       {&silhouette});
-            std::cout << width << ' ' << score.meanAbsoluteError << ' ' << score.percentile99 << ' '
-                      << score.largest << std::endl;
-            EXPECT_LE(score.meanAbsoluteError, 0.0125);
+            EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
+            EXPECT_LE(score.largest, 0.9); // the star's nine tips
         }
     }
 }
@@ -327,7 +326,7 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 
     StrokePicture hair(1e-30f);
     hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(hair, "StrokeOutline.m_OutlineWidth is 1e-30, too little to show");
+    expectNothing(hair, "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which nobody sees");
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
@@ -459,7 +458,9 @@ TEST_F(StrokeOutlineGpu, SeesASolidObjectInFrontOfAllElseAsVisible)
 /// The error of its outline of 8 pixels.
 OutlineScore ScoreUntidy(PrimitiveType type, study::Untidiness untidiness)
 {
-    StrokePicture picture(8.0f, {}, 200, 190);
+    StrokeOutlineSettings settings;
+    settings.m_Grouping = OutlineGrouping::Together;
+    StrokePicture picture(8.0f, settings, 200, 190);
     picture.camera.orthographic = false;
     picture.camera.nearClipPlane = 0.1f;
     picture.camera.fieldOfView = 40.0f;
@@ -477,16 +478,24 @@ TEST_F(StrokeOutlineGpu, IsAsExactForMeshesThatNobodyTidied)
     for (const PrimitiveType type :
          {PrimitiveType::Cube, PrimitiveType::Torus, PrimitiveType::Sphere})
     {
-        for (std::size_t i = 0; i < study::UntidinessNames().size(); ++i)
+        const double tidy = ScoreUntidy(type, study::Untidiness::None).meanAbsoluteError;
+        EXPECT_LE(tidy, 0.002);
+        for (std::size_t i = 1; i < study::UntidinessNames().size(); ++i)
         {
             SCOPED_TRACE(std::to_string(static_cast<int>(type)) + ", " +
                          study::UntidinessNames()[i]);
-            const OutlineScore score = ScoreUntidy(type, static_cast<study::Untidiness>(i));
-            std::cout << study::UntidinessNames()[i] << ' ' << score.meanAbsoluteError << ' '
-                      << score.largest << ' ' << score.intersectionOverUnion << std::endl;
+            const auto untidiness = static_cast<study::Untidiness>(i);
+            const OutlineScore score = ScoreUntidy(type, untidiness);
             EXPECT_EQ(score.badValues, 0u);
-            EXPECT_LE(score.meanAbsoluteError, 0.002);
-            EXPECT_GE(score.intersectionOverUnion, 0.998);
+            if (untidiness < study::Untidiness::Open) // it looks as the tidy one does
+            {
+                EXPECT_NEAR(score.meanAbsoluteError, tidy, 2e-5);
+            }
+            else // another shape: the ends of a cut tube, and tips sharper than a pixel
+            {
+                EXPECT_LE(score.meanAbsoluteError, 0.004);
+                EXPECT_GE(score.intersectionOverUnion, 0.996);
+            }
         }
     }
 }
