@@ -191,9 +191,11 @@ void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const D
     {
         checks.Set("areaGrowth", area / drawn.area);
     }
-    checks.Expect(area >= k_LeastGrowth * drawn.area, "twice the width has " + ShortNumber(area) +
-                                                          " pixels, less than " +
-                                                          ShortNumber(drawn.area));
+    // Lines on a surface of a few pixels come and go with the pixels' middles that it covers.
+    const bool isTooSmall = !technique.info.noWidth.empty() && drawn.area < 8.0;
+    checks.Expect(isTooSmall || area >= k_LeastGrowth * drawn.area,
+                  "twice the width has " + ShortNumber(area) + " pixels, less than " +
+                      ShortNumber(drawn.area));
 }
 
 /// The technique refuses the width, for a reason.
