@@ -189,7 +189,9 @@ std::string TranslateDirectives(std::string_view text)
     {
         result += "/*"; // glslang says so
     }
-    result += '\n';
+    const auto missing =
+        std::ranges::count(text, '\n') - (written - 1); // by a last line that goes on
+    result.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(missing, 1)), '\n');
     return result;
 }
 
