@@ -260,8 +260,8 @@ bool ExtremeLevels::IsWorthIt(const Combination& combination) const
     {
         return others <= 1;
     }
-    const bool isPlain = std::max(extreme.size.x, extreme.size.y) <= 256 &&
-                         extreme.untidiness == Untidiness::None;
+    const bool isPlain =
+        std::max(extreme.size.x, extreme.size.y) <= 256 && extreme.untidiness == Untidiness::None;
     return isPlain || others <= 3;
 }
 

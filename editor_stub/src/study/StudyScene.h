@@ -25,9 +25,9 @@ GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenT
 /// @throws AssetError if there is no such feature, or it takes no object
 std::vector<GameObject*> MarkOutlined(SceneAsset& asset);
 
-/// Makes everything black, lit by nothing, before a black background, so that a white outline is its
-/// own alpha. The picture gets the size that the camera draws in, which renderScale may make another
-/// than the scene's; cameras that draw over this one are left out.
+/// Makes everything black, lit by nothing, before a black background, so that a white outline is
+/// its own alpha. The picture gets the size that the camera draws in, which renderScale may make
+/// another than the scene's; cameras that draw over this one are left out.
 void MakeBlack(SceneAsset& asset, AssetContext& assets);
 
 /// What the outlined objects cover in the scene's picture, whatever is in front of them; in double

@@ -16,8 +16,8 @@ constexpr int k_OwnDepthPass = 0;
 constexpr int k_StrokePass = 1;
 constexpr int k_CompositePass = 2;
 constexpr int k_VerticesPerQuad = 6;
-/// Pixels. What is thinner covers less of a pixel than half a step of 8 bits, and less than what the
-/// borders of the objects are known to.
+/// Pixels. What is thinner covers less of a pixel than half a step of 8 bits, and less than what
+/// the borders of the objects are known to.
 constexpr float k_LeastWidth = 1.0f / 512.0f;
 
 constexpr EnumEntry k_Occlusions[] = {{"All", 0}, {"Visible", 1}, {"Hidden", 2}, {"SeeThrough", 3}};

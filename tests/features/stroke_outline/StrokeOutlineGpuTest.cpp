@@ -326,7 +326,8 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 
     StrokePicture hair(1e-30f);
     hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(hair, "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which nobody sees");
+    expectNothing(hair,
+                  "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which nobody sees");
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
